@@ -131,8 +131,7 @@ fn place_sensors(resolved: &mut Resolved<'_>) -> Result<(), FitError> {
         let alone = of_kind.filter(|own| own.kind == sensor.kind).count() == 1;
         match sensor.kind {
             SensorKind::Pose if alone && resolved.dataset.markers.is_empty() => {
-                let errors = [UNKNOWN; 3];
-                resolved.free(&OFFSET, errors)?;
+                resolved.free(&OFFSET, [UNKNOWN; 3])?;
             }
             SensorKind::Pose => {
                 return Err(refused("one pose alone, or three markers with positions"));

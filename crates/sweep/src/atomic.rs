@@ -10,9 +10,9 @@ pub(crate) const UNFINISHED: &str = ".unfinished-";
 /// Whether a file must outlast a loss of power, or can be made again.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Durability {
-    /// It is on the disk when it has its name.
+    /// Synced to the disk before it is renamed.
     Synced,
-    /// It is whole for every reader, and may be lost or damaged with the power.
+    /// Renamed alone: whole for every reader, but a loss of power may lose or damage it.
     Renamed,
 }
 

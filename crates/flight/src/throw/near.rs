@@ -38,7 +38,7 @@ pub struct NearThrows<'m> {
 struct Vectors([Vector3<f64>; VECTORS]);
 
 impl<'m> NearThrows<'m> {
-    /// Finds throws from `near`, the state of one of them.
+    /// Newton's method starts at `near`, the state of a known throw.
     pub fn new(thrown: &'m ThrownModel, near: &[f64]) -> NearThrows<'m> {
         let motion = &thrown.motion;
         let mut attitude = motion.angles.clone();

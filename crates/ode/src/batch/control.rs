@@ -9,7 +9,7 @@ use crate::step_control::PiController;
 /// Maximum number of lanes.
 pub(crate) const MAX_LANES: usize = 8;
 
-/// What each lane is at.
+/// Flight, time, step size and step counts of each lane.
 pub(crate) struct Control {
     /// Number of the flight in the lane; `None` where the lane is idle.
     pub flight: [Option<u64>; MAX_LANES],
