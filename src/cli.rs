@@ -246,8 +246,8 @@ pub struct Simulate {
     /// Set a parameter, coefficient or initial state, SI; may be repeated
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
-    /// Wind velocity in the inertial frame, m/s
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
+    /// Wind: its velocity in the inertial frame, m/s, or a TOML file with [wind]: profiles in height, gusts (docs/wind.md)
+    #[arg(long, value_name = "X,Y,Z|FILE", allow_hyphen_values = true)]
     pub wind: Option<String>,
     /// Duration of the flight, s, or `ground` to stop there
     #[arg(long, value_name = "SECONDS|ground")]

@@ -15,6 +15,7 @@ mod stability;
 mod sweep;
 mod synthesize;
 mod verify;
+mod wind;
 
 use crate::Answer;
 use crate::cli::Command;

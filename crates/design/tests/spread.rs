@@ -83,6 +83,7 @@ fn errors_of_coefficients_count_with_their_correlations() {
     let none = Scatter {
         release: Vec::new(),
         wind: [0.0; 3],
+        parameters: Vec::new(),
     };
     let of = |correlation: f64| -> (Matrix2<f64>, Vec<String>) {
         let errors = CoefficientErrors {

@@ -59,6 +59,7 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
                 coefficients: Vec::new(),
                 initial: states.map(|s| (s.name.clone(), s.value)).collect(),
                 wind: [0.0; 3],
+                wind_field: None,
                 known: Vec::new(),
             };
             let throw = Throw {

@@ -13,8 +13,8 @@ use crate::wind::WindField;
 
 pub use fault::{Fault, ReleaseError, suggestion};
 pub(crate) use read::read_text;
-pub(crate) use values::number_of;
 pub use read::{Reader, Value, read, read_file, read_file_in_wind, read_in_wind};
+pub(crate) use values::number_of;
 
 /// Initial conditions, parameters and end of a flight.
 #[derive(Clone, Debug, PartialEq)]
@@ -120,7 +120,8 @@ impl Vocabulary {
     /// Vocabulary of the model in a wind; the error says why the model cannot have that wind.
     fn in_wind(&self, field: &WindField) -> Result<Vocabulary, String> {
         let model = self.model.as_ref();
-        let model = model.ok_or("found a wind by height or gusts, and no model that could fly in it")?;
+        let model =
+            model.ok_or("found a wind by height or gusts, and no model that could fly in it")?;
         let model = field.compose(model).map_err(|error| {
             let name = &model.name;
             format!("the model {name} cannot fly in this wind: {error}")

@@ -30,9 +30,7 @@ pub fn read_file_in_wind(
     path: &Path,
     vocabulary: impl FnOnce(&str) -> Result<Vocabulary, String>,
 ) -> Result<(Release, Vocabulary), ReleaseError> {
-    read_text(path, |file, text| {
-        read_in_wind(file, text, &[], vocabulary)
-    })
+    read_text(path, |file, text| read_in_wind(file, text, &[], vocabulary))
 }
 
 /// Reads the text of a small file, given to `read` with its name.

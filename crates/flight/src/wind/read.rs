@@ -52,7 +52,9 @@ pub fn read_wind_file(path: &Path) -> Result<StatedWind, ReleaseError> {
         let wind = document.and_then(|document| {
             let document = document.get_ref();
             if !document.contains_key("wind") {
-                reader.missing("found no [wind]; expected one, as in [wind] with constant = [3.0, 0.0, 0.0]");
+                reader.missing(
+                    "found no [wind]; expected one, as in [wind] with constant = [3.0, 0.0, 0.0]",
+                );
                 return None;
             }
             Some(reader.wind(document))
@@ -127,7 +129,9 @@ impl<'t> Reader<'t> {
         let Some(speed) = table.get("speed") else {
             self.fault(
                 value.span(),
-                format!("found no speed with the profile {law:?}; expected one, as in speed = 4.0 (m/s)"),
+                format!(
+                    "found no speed with the profile {law:?}; expected one, as in speed = 4.0 (m/s)"
+                ),
             );
             return None;
         };
@@ -149,7 +153,8 @@ impl<'t> Reader<'t> {
     }
 
     fn wind_table(&mut self, value: &Value<'t>) -> Option<Profile> {
-        const EXPECTED: &str = "2 to 64 rows of height and wind, as in [[0.5, 1.0, 0.0, 0.0], [2.0, 2.5, 0.0, 0.0]]";
+        const EXPECTED: &str =
+            "2 to 64 rows of height and wind, as in [[0.5, 1.0, 0.0, 0.0], [2.0, 2.5, 0.0, 0.0]]";
         let items = value.get_ref().as_array();
         let Some(items) = items.filter(|items| (2..=MAX_ROWS).contains(&items.len())) else {
             self.wrong_type(value, "table", EXPECTED);
@@ -159,7 +164,11 @@ impl<'t> Reader<'t> {
         for item in items {
             let numbers = item.get_ref().as_array().filter(|row| row.len() == 4);
             let Some(numbers) = numbers else {
-                self.wrong_type(item, "a row", "four numbers: height (m), then the wind's components (m/s)");
+                self.wrong_type(
+                    item,
+                    "a row",
+                    "four numbers: height (m), then the wind's components (m/s)",
+                );
                 return None;
             };
             let mut row = [0.0; 4];
@@ -186,23 +195,36 @@ impl<'t> Reader<'t> {
 
     fn gusts(&mut self, value: &Value<'t>, heading: f64) -> Option<Gusts> {
         let Some(table) = value.get_ref().as_table() else {
-            self.wrong_type(value, "gusts", "a table, as in [wind.gusts] with model = \"dryden\"");
+            self.wrong_type(
+                value,
+                "gusts",
+                "a table, as in [wind.gusts] with model = \"dryden\"",
+            );
             return None;
         };
         self.known_keys(table, " in [wind.gusts]", GUST_KEYS.into_iter());
-        match table.get("model").map(|model| (model, model.get_ref().as_str())) {
+        match table
+            .get("model")
+            .map(|model| (model, model.get_ref().as_str()))
+        {
             Some((_, Some("dryden"))) => {}
             Some((model, _)) => {
                 self.wrong_type(model, "model", "\"dryden\"");
                 return None;
             }
             None => {
-                self.fault(value.span(), "found no model of the gusts; expected model = \"dryden\"");
+                self.fault(
+                    value.span(),
+                    "found no model of the gusts; expected model = \"dryden\"",
+                );
                 return None;
             }
         }
         let Some(seed) = table.get("seed") else {
-            self.fault(value.span(), "found no seed of the gusts; expected one, as in seed = 7");
+            self.fault(
+                value.span(),
+                "found no seed of the gusts; expected one, as in seed = 7",
+            );
             return None;
         };
         let seed = self.count(seed, "seed")?;
@@ -282,7 +304,8 @@ impl<'t> Reader<'t> {
         let number = self.number(value, name)?;
         if !(least..=greatest).contains(&number) {
             let unit = if unit.is_empty() { "" } else { " " }.to_owned() + unit;
-            let message = format!("{name} is {number}; expected a number from {least} to {greatest}{unit}");
+            let message =
+                format!("{name} is {number}; expected a number from {least} to {greatest}{unit}");
             self.fault(value.span(), message);
             return None;
         }
@@ -294,11 +317,11 @@ impl<'t> Reader<'t> {
         const GREATEST: f64 = 9_007_199_254_740_992.0;
         let number = self.number(value, name)?;
         if number.fract() != 0.0 || !(0.0..=GREATEST).contains(&number) {
-            let message = format!("{name} is {number}; expected a whole number from 0 to {GREATEST}");
+            let message =
+                format!("{name} is {number}; expected a whole number from 0 to {GREATEST}");
             self.fault(value.span(), message);
             return None;
         }
         Some(number as u64)
     }
 }
-

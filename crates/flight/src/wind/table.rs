@@ -15,7 +15,10 @@ pub(super) fn statements(rows: &[[f64; 4]]) -> Vec<EffectPart> {
     for (k, ends) in heights.windows(2).enumerate() {
         let above = binary(BinaryOp::Sub, name("wind_height"), metres(ends[0]));
         let part = binary(BinaryOp::Div, above, metres(ends[1] - ends[0]));
-        let held = call("max", vec![call("min", vec![part, number(1.0, &[])]), number(0.0, &[])]);
+        let held = call(
+            "max",
+            vec![call("min", vec![part, number(1.0, &[])]), number(0.0, &[])],
+        );
         parts.push(add_let(&interval(k), held));
     }
     let components = [1, 2, 3].map(|axis| {
@@ -53,7 +56,11 @@ fn component(heights: &[f64], values: &[f64]) -> Expr {
         }
         // rise (3t² − 2t³) + h (m₀ (t³ − 2t² + t) + m₁ (t³ − t²)), by powers of t.
         let (start, end) = (width * slopes[k], width * slopes[k + 1]);
-        let by_power = [start, 3.0 * rise - 2.0 * start - end, start + end - 2.0 * rise];
+        let by_power = [
+            start,
+            3.0 * rise - 2.0 * start - end,
+            start + end - 2.0 * rise,
+        ];
         let t = || name(&interval(k));
         let horner = by_power.iter().rev().fold(None, |inner: Option<Expr>, c| {
             let c = number(*c, &[]);

@@ -31,6 +31,8 @@ pub struct Plan {
     pub throw: Option<Throw>,
     /// What varies, in the order of the file; coefficients of a fit come last.
     pub axes: Vec<Axis>,
+    /// Whether every flight has gusts of its own, with phases by the seed of the gusts and the number of the flight.
+    pub gusts: bool,
     /// Number of points of the grid; 1 without one.
     pub grid: u64,
     /// Number of flights.
@@ -52,6 +54,7 @@ impl Plan {
             release,
             throw,
             axes,
+            gusts,
             grid,
             flights,
             seed,
@@ -61,7 +64,7 @@ impl Plan {
         let source = codegen::rust::source_hash(model);
         let fuses = Isa::best().fuses();
         let text = format!(
-            "hyzer.sweep/1 {source:x} {fuses} {release:?} {throw:?} {axes:?} {grid} {flights} {seed} {options:?} {factor:?}"
+            "hyzer.sweep/1 {source:x} {fuses} {release:?} {throw:?} {axes:?} {gusts} {grid} {flights} {seed} {options:?} {factor:?}"
         );
         let digest = Sha256::digest(text.as_bytes());
         digest.iter().map(|byte| format!("{byte:02x}")).collect()
