@@ -39,6 +39,7 @@ fn scatter(of: f64) -> Scatter {
             .map(|(name, sd)| (field(name), of * sd))
             .collect(),
         wind: [0.2 * of, 0.2 * of, 0.0],
+        parameters: Vec::new(),
     }
 }
 
