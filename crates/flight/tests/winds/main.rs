@@ -105,3 +105,34 @@ fn every_model_flies_in_every_wind() {
         }
     }
 }
+
+#[test]
+fn a_wind_that_is_the_same_at_all_heights_is_the_constant_one() {
+    for name in MODELS {
+        let end = |wind: &str| {
+            let text = format!("{}[wind]\n{wind}\n", throw(name, "duration = 1.2"));
+            let (release, model) = released(&text);
+            let flight = flight::simulate(&compiled(&model), &release, &tight());
+            flight.unwrap_or_else(|e| panic!("{name}: {e}")).end_state
+        };
+        let constant = end("constant = [3.0, -2.0, 0.4]");
+        for same in [
+            "table = [[0.0, 3.0, -2.0, 0.4], [9.0, 3.0, -2.0, 0.4]]".to_owned(),
+            format!(
+                "profile = \"power\"\nexponent = 0.0\nspeed = {:?}\ndirection = {:?}",
+                3f64.hypot(-2.0),
+                f64::atan2(-2.0, 3.0).to_degrees()
+            ),
+        ] {
+            let flown = end(&same);
+            let constant = match same.contains("table") {
+                true => constant.clone(),
+                false => end("constant = [3.0, -2.0, 0.0]"),
+            };
+            for (a, b) in flown.iter().zip(&constant) {
+                let size = b.abs().max(1.0);
+                assert!((a - b).abs() < 1e-8 * size, "{name} {same} {a} {b}");
+            }
+        }
+    }
+}
