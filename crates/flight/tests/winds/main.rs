@@ -4,6 +4,7 @@ mod files;
 mod formulae;
 mod gusts;
 mod moving_air;
+mod vector_mechanics;
 
 use flight::CompiledModel;
 use flight::release::{Release, Vocabulary, read_in_wind};
