@@ -64,3 +64,12 @@ fn share(text: &str) -> anyhow::Result<(u64, u64)> {
         _ => anyhow::bail!("--part: found {text:?}, expected I/N with I from 1 to N, as in 2/8"),
     }
 }
+
+/// Three numbers of an option.
+fn vector(option: &str, text: &str, unit: &str) -> anyhow::Result<[f64; 3]> {
+    let parts: Vec<&str> = text.split(',').collect();
+    let [x, y, z] = parts[..] else {
+        anyhow::bail!("{option}: found {text:?}, expected three numbers X,Y,Z in {unit}");
+    };
+    Ok([number(option, x)?, number(option, y)?, number(option, z)?])
+}

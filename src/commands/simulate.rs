@@ -165,15 +165,6 @@ fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     Ok((model, release))
 }
 
-/// Three numbers of an option.
-pub(super) fn vector(option: &str, text: &str, unit: &str) -> anyhow::Result<[f64; 3]> {
-    let parts: Vec<&str> = text.split(',').collect();
-    let [x, y, z] = parts[..] else {
-        bail!("{option}: found {text:?}, expected three numbers X,Y,Z in {unit}");
-    };
-    Ok([number(option, x)?, number(option, y)?, number(option, z)?])
-}
-
 /// Loads a release by name or file, with the model given on the command line or else the release's own model. Refuses a wind by
 /// height and gusts.
 pub(super) fn released(

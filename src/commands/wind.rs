@@ -7,7 +7,7 @@ use flight::release::Release;
 use flight::wind::read_wind_file;
 use model_spec::model::Model;
 
-use super::simulate::vector;
+use super::vector;
 
 /// Gives a release the wind of the option and returns the model that flies it. Three numbers are a constant wind; anything else is a
 /// TOML file with a table `[wind]`.

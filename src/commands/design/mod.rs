@@ -16,7 +16,8 @@ use nalgebra::Vector3;
 use report::ResultFile;
 use report::viewer::View;
 
-use super::simulate::{apply, vector};
+use super::simulate::apply;
+use super::vector;
 use crate::cli::Design as Options;
 use crate::{Answer, output};
 

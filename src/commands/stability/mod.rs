@@ -12,7 +12,8 @@ use flight::throw::Throw;
 use ode::IntegrationOptions;
 use report::ResultFile;
 
-use super::simulate::{apply, released, throws, vector};
+use super::simulate::{apply, released, throws};
+use super::vector;
 use crate::cli::Stability as Options;
 use crate::{Answer, output};
 
