@@ -2,6 +2,7 @@
 
 use super::piece::Piece;
 use super::tree;
+use crate::functions::MathFunction;
 use crate::graph::{ExprGraph, Node, NodeId, Symbol};
 use crate::number::Number;
 
@@ -17,6 +18,9 @@ pub(crate) fn piece(
         Node::Symbol(symbol) => leaf(id, *symbol),
         Node::Sum(terms, constant) => sum(graph, terms, *constant, &of),
         Node::Product(factors) => product(graph, factors, &of),
+        Node::Call(MathFunction::Table(function), x) => {
+            tree::table(graph.tables().latex(*function), of(*x))
+        }
         Node::Call(function, x) => tree::call(function.notation(), of(*x)),
         Node::Atan2(y, x) => Piece::operator("atan2", &[of(*y), of(*x)]),
         Node::Min(a, b) => Piece::function(r"\min", tree::pair(of(*a), of(*b))),
@@ -134,7 +138,6 @@ fn fraction(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::functions::MathFunction;
 
     #[test]
     fn nodes_have_the_parentheses_they_need() {

@@ -150,7 +150,16 @@ pub fn on_circle(t: Prime) -> (Prime, Prime) {
 
 /// Value of a function without relations: a symbol with the symmetry of the function.
 pub fn call(function: MathFunction, a: Prime) -> Prime {
-    let tag = function as u64;
+    let tag = match function {
+        // Past the tags of all other functions.
+        MathFunction::Table(of) => {
+            0x100 + ((of.table().index() as u64) << 8) + u64::from(of.order())
+        }
+        _ => MathFunction::ALL
+            .iter()
+            .position(|&f| f == function)
+            .map_or(0xff, |k| k as u64),
+    };
     match function.parity() {
         Parity::Odd => odd(tag, a),
         Parity::Even => symbol(tag, &[least(a).0]),

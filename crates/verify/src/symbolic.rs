@@ -5,7 +5,9 @@
 
 use crate::field::{self, Angle};
 use codegen::functions::MathFunction;
+use codegen::table::{TableFunction, TableId};
 use num_traits::{One, Zero};
+use oracle::Interpolant;
 use oracle::scalar::{Elementary, Field, Prime, Real};
 use std::cell::RefCell;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -135,6 +137,11 @@ impl Real for Symbolic {
             Elementary::Log => call(MathFunction::Log),
             Elementary::Tanh => call(MathFunction::Tanh),
         }
+    }
+
+    fn interpolated(self, table: &Interpolant, order: u8) -> Self {
+        let function = TableFunction::new(TableId::new(table.index), order);
+        Self(field::call(MathFunction::Table(function), self.0))
     }
 
     fn atan2(self, x: Self) -> Self {
