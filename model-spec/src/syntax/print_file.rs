@@ -321,13 +321,14 @@ impl fmt::Display for Item {
 
 #[cfg(test)]
 mod tests {
-    use crate::load::{EFFECTS, GENERAL_EFFECTS, MODELS, REFUTED};
+    use crate::load::{BODIES, EFFECTS, GENERAL_EFFECTS, MODELS, REFUTED};
     use crate::syntax::parse;
 
     #[test]
     fn what_is_written_reads_the_same() {
         for (name, text) in MODELS
             .iter()
+            .chain(BODIES)
             .chain(REFUTED)
             .chain(EFFECTS)
             .chain(GENERAL_EFFECTS)
