@@ -60,6 +60,8 @@ pub struct CubicTable {
     pub argument: String,
     /// Texts of the units of argument and value, SI units.
     pub unit_texts: [String; 2],
+    /// Hash of the curve ([`model::Table::fingerprint`]); 0 for a table that was read from generated code.
+    pub fingerprint: u64,
     derivatives: [PiecewiseCubic; TableFunction::LAST as usize + 1],
 }
 
@@ -73,6 +75,7 @@ impl CubicTable {
             doc: String::new(),
             argument: String::new(),
             unit_texts: Default::default(),
+            fingerprint: 0,
             derivatives: [value, first, second, third],
         }
     }
@@ -93,6 +96,7 @@ impl From<&model::Table> for CubicTable {
             doc: table.doc.clone(),
             argument: table.argument.clone(),
             unit_texts: table.unit_texts.clone(),
+            fingerprint: table.fingerprint(),
             ..CubicTable::new(PiecewiseCubic::of(table))
         }
     }

@@ -8,22 +8,22 @@ use model_spec::model::{Continuation, Interpolation, Table};
 /// A table with its slopes at the knots.
 #[derive(Clone, Debug)]
 pub struct Interpolant {
-    /// Index of the table in the model.
-    pub index: usize,
+    /// Hash of the curve ([`Table::fingerprint`]).
+    pub fingerprint: u64,
     knots: Vec<(f64, f64)>,
     slopes: Vec<f64>,
 }
 
 impl Interpolant {
-    /// Interpolant of the table with this index in its model.
-    pub fn new(table: &Table, index: usize) -> Self {
+    /// Interpolant of a table of a model.
+    pub fn new(table: &Table) -> Self {
         let is_flat = table.continuation == Continuation::Constant;
         let slopes = match table.interpolation {
             Interpolation::Spline => spline_slopes(&table.knots, is_flat),
             Interpolation::Monotone => monotone_slopes(&table.knots, is_flat),
         };
         Self {
-            index,
+            fingerprint: table.fingerprint(),
             knots: table.knots.clone(),
             slopes,
         }

@@ -48,9 +48,7 @@ impl<'a, T: Real> Tree<'a, T> {
             point,
             frames,
             aux_variables: Vec::with_capacity(model.aux_variables.len()),
-            tables: { model.tables.iter().enumerate() }
-                .map(|(index, table)| Interpolant::new(table, index))
-                .collect(),
+            tables: model.tables.iter().map(Interpolant::new).collect(),
         };
         let of_motion = depends_on_accelerations(model);
         for (index, named) in model.aux_variables.iter().enumerate() {

@@ -5,7 +5,6 @@
 
 use crate::field::{self, Angle};
 use codegen::functions::MathFunction;
-use codegen::table::{TableFunction, TableId};
 use num_traits::{One, Zero};
 use oracle::Interpolant;
 use oracle::scalar::{Elementary, Field, Prime, Real};
@@ -140,8 +139,7 @@ impl Real for Symbolic {
     }
 
     fn interpolated(self, table: &Interpolant, order: u8) -> Self {
-        let function = TableFunction::new(TableId::new(table.index), order);
-        Self(field::call(MathFunction::Table(function), self.0))
+        Self(field::table(table.fingerprint, order, self.0))
     }
 
     fn atan2(self, x: Self) -> Self {

@@ -8,7 +8,8 @@ use model_spec::model::{Continuation, Interpolation, Model};
 use oracle::Interpolant;
 use proptest::prelude::*;
 use support::QUICK;
-use verify::checks::{derivatives, reference};
+use verify::checks::{derivatives, exact_functions, reference};
+use verify::difference::{DifferenceOptions, compare};
 use verify::engine::Engine;
 use verify::report::Verdict;
 use verify::subject::Subject;
@@ -56,7 +57,7 @@ proptest! {
         share in prop::collection::vec(-0.3..1.3_f64, 8),
     ) {
         let model = with_table(&knots, WAYS[way]);
-        let interpolant = Interpolant::new(&model.tables[0], 0);
+        let interpolant = Interpolant::new(&model.tables[0]);
         let (first, last) = (knots[0].0, knots[knots.len() - 1].0);
         for share in share {
             let x = first + share * (last - first);
@@ -139,6 +140,27 @@ fn a_model_with_tables_holds() {
             row.worst,
             row.detail
         );
+    }
+}
+
+#[test]
+fn the_exact_check_and_the_difference_of_models_tell_tables_apart() {
+    let model = with_table(&KNOTS, "");
+    let mut knots = KNOTS;
+    knots[3].1 += 1e-9;
+    let others = [with_table(&knots, ""), with_table(&KNOTS, "constant")];
+    let options = DifferenceOptions {
+        seconds: 0.5,
+        time: false,
+        consequences: false,
+    };
+    let exact = |other: &Model| exact_functions::check(&model, &codegen::compile(other), &QUICK);
+    assert_eq!(exact(&model).verdict, Verdict::Holds);
+    assert!(!compare(&model, &model, &options).is_changed());
+    for other in others {
+        let row = exact(&other);
+        assert_eq!(row.verdict, Verdict::Refuted, "{}", row.detail);
+        assert!(compare(&model, &other, &options).is_changed());
     }
 }
 

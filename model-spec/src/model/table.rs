@@ -37,3 +37,18 @@ pub struct Table {
     /// Index into [`Model::effects`](super::Model::effects) of the effect that added the table; `None` for the model's own.
     pub effect: Option<usize>,
 }
+
+impl Table {
+    /// Hash of the curve: equal for tables with the same knots (SI), interpolation and continuation (64-bit FNV-1a).
+    pub fn fingerprint(&self) -> u64 {
+        let ways = [self.interpolation as u64, self.continuation as u64];
+        let numbers = self
+            .knots
+            .iter()
+            .flat_map(|(x, y)| [x.to_bits(), y.to_bits()]);
+        let bytes = ways.into_iter().chain(numbers).flat_map(u64::to_le_bytes);
+        bytes.fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+        })
+    }
+}
