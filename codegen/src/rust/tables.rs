@@ -16,12 +16,12 @@ use super::expr::Expr;
 /// Method of `lanes::Real`, and helper function for `f64`, that looks up a table.
 pub(super) const METHOD: &str = "piecewise_cubic";
 
-/// Ends of the names of constants for the knots and for the cubics between them.
+/// Ends of the names of constants for the knots and for the cubics between them; derivatives have their order behind.
 const ENDS: [&str; 2] = ["_KNOTS", "_CUBICS"];
 
 /// Whether a name may be that of a constant of a table.
 pub(super) fn is_constant(name: &str) -> bool {
-    ENDS.iter().any(|end| name.ends_with(end))
+    ENDS.iter().any(|end| name.contains(end))
 }
 
 /// Arguments of the call that looks up a table, behind the first.
@@ -31,11 +31,15 @@ pub(super) fn arguments(tables: &Tables, function: TableFunction) -> [Expr; 2] {
 
 /// Names of the constants of a function: the knots of its table and its cubics.
 fn names(tables: &Tables, function: TableFunction) -> [Ident; 2] {
-    let (table, function) = (&tables.table(function.table()).name, tables.name(function));
+    let table = &tables.table(function.table()).name;
     let [knots, cubics] = ENDS;
+    let order = match function.order() {
+        0 => String::new(),
+        order => format!("_{order}"),
+    };
     [
         format_ident!("{table}{knots}"),
-        format_ident!("{function}{cubics}"),
+        format_ident!("{table}{cubics}{order}"),
     ]
 }
 
