@@ -4,11 +4,13 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
+mod bootstrap;
 mod design;
 mod stability;
 mod sweep;
 mod throw;
 
+pub use bootstrap::Bootstrap;
 pub use design::Design;
 pub use stability::Stability;
 pub use sweep::Sweep;
@@ -86,6 +88,11 @@ pub enum Command {
         after_help = "Examples:\n  hyzer fit examples/ball --out fitted\n  hyzer fit examples/disc --with zero_lift_drag_angle --hold C_Nr --profile C_D0 --out fitted\n  hyzer fit examples/disc --model disc_quaternion --prior C_D0=0.1+-0.02 --free wind_x\n\nThe folder then holds report.html, report.json, fitted.hyz (the model with the estimates as its default values), figures and\ntables. Exit status 1: the answer cannot be relied on; the output says why."
     )]
     Fit(Fit),
+    /// Refit to flights drawn with replacement: standard errors and intervals without assuming a distribution
+    #[command(
+        after_help = "Examples:\n  hyzer bootstrap examples/disc --refits 200 --out scattered\n  hyzer bootstrap examples/disc --refits 200 --part 2/4 --out scattered   # one quarter; without --part the rest is done and all joined\n\nThe folder then holds refits.csv, a row of estimates per refit, and summary.json. A refit depends on the dataset, the options and\nits number alone: results are the same bits for any number of threads and however the work is divided. A run that was ended goes on\nwith the same command. Exit status 1: the fit itself cannot be relied on; the output says why."
+    )]
+    Bootstrap(Bootstrap),
     /// Test a model for missing effects with measured flights, extend it, and measure the gain in prediction
     #[command(
         after_help = "Examples:\n  hyzer diagnose examples/mystery --out found\n  hyzer diagnose examples/ball --without wind_of_each_flight --threads 2\n\nThe folder then holds report.html, report.json, figures, tables and, if an effect is found, extended.hyz (the model with that\neffect and the estimates as its default values) and its Rust code, extended/. Exit status 1: the answer cannot be relied on;\nthe output says why."

@@ -57,7 +57,10 @@ fn modules_are_written_checked_and_shown_where_stale() {
     );
     assert_eq!(code, 0);
     let text = std::fs::read_to_string(here.join("lanes/spring.rs")).unwrap();
-    assert!(text.contains("pub fn f<T: Real>("), "{text}");
+    assert!(
+        text.contains("#[inline(always)]\npub fn f<T: Real>("),
+        "{text}"
+    );
 }
 
 #[test]

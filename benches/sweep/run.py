@@ -4,7 +4,6 @@ Makes an environment of its own in target/peers/sweep and a library of our fligh
 """
 
 import pathlib
-import re
 import subprocess
 import sys
 
@@ -32,9 +31,6 @@ def library(target):
     model = environment.ROOT / "model-spec" / "refuted" / "frispy.hyz"
     hyzer = target / "release" / "hyzer"
     subprocess.run([hyzer, "generate", model, "--lanes", "--out", source], check=True, stdout=subprocess.DEVNULL)
-    # Functions over lanes that are not inlined are compiled for the baseline processor (see lanes::Kernel).
-    frispy = source / "frispy.rs"
-    frispy.write_text(re.sub(r"^(pub fn \w+<T: Real>)", r"#[inline(always)]\n\1", frispy.read_text(), flags=re.M))
     rooms = {name: environment.ROOT / "crates" / name for name in ("lanes", "ode", "generated")}
     paths = [f'{name} = {{ package = "hyzer-{name}", path = "{path}" }}' for name, path in rooms.items()]
     (folder / "Cargo.toml").write_text(MANIFEST.format(paths="\n".join(paths)))

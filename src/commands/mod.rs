@@ -1,5 +1,6 @@
 //! Implementations of the commands, one file each.
 
+mod bootstrap;
 mod certificate;
 mod check;
 mod design;
@@ -34,6 +35,7 @@ pub fn run(command: Command) -> anyhow::Result<Answer> {
         Command::Stability(options) => stability::run(&options),
         Command::Synthesize(options) => synthesize::run(&options),
         Command::Fit(options) => fit::run(&options),
+        Command::Bootstrap(options) => bootstrap::run(&options),
         Command::Diagnose(options) => diagnose::run(&options),
         Command::Effects(options) => effects::run(&options),
     }
@@ -49,5 +51,15 @@ fn number(option: &str, text: &str) -> anyhow::Result<f64> {
     match text.trim().parse::<f64>() {
         Ok(number) if number.is_finite() => Ok(number),
         _ => anyhow::bail!("{option}: found {text:?}, expected a finite number in SI units"),
+    }
+}
+
+/// Parses the option `--part`, `I/N`.
+fn share(text: &str) -> anyhow::Result<(u64, u64)> {
+    let numbers = text.split_once('/');
+    let numbers = numbers.and_then(|(part, of)| Some((part.parse().ok()?, of.parse().ok()?)));
+    match numbers {
+        Some((part, of)) if part >= 1 && part <= of => Ok((part, of)),
+        _ => anyhow::bail!("--part: found {text:?}, expected I/N with I from 1 to N, as in 2/8"),
     }
 }

@@ -24,7 +24,7 @@ pub fn run(options: &Sweep) -> anyhow::Result<Answer> {
     let (Some(path), Some(out)) = (&options.plan, &options.out) else {
         bail!("expected PLAN and --out");
     };
-    let share = options.part.as_deref().map(share).transpose()?;
+    let share = options.part.as_deref().map(super::share).transpose()?;
     let threads = match options.threads {
         Some(0) => bail!("--threads: found 0, expected a number above 0"),
         Some(threads) => threads,
@@ -72,16 +72,6 @@ fn tell(plan: &Plan, out: &Path, csv: bool, seconds: f64) {
         out.display(),
         plan.flights as f64 / seconds
     );
-}
-
-/// Parses `I/N`.
-fn share(text: &str) -> anyhow::Result<(u64, u64)> {
-    let numbers = text.split_once('/');
-    let numbers = numbers.and_then(|(part, of)| Some((part.parse().ok()?, of.parse().ok()?)));
-    match numbers {
-        Some((part, of)) if part >= 1 && part <= of => Ok((part, of)),
-        _ => bail!("--part: found {text:?}, expected I/N with I from 1 to N, as in 2/8"),
-    }
 }
 
 /// The summary as text.

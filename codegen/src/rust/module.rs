@@ -12,8 +12,14 @@ use quote::quote;
 
 /// Source file `NAME.rs` of a model for one number type.
 pub(super) fn file(model: &Model, compiled: &Compiled, scalar: Scalar) -> SourceFile {
+    let inline = match scalar {
+        Scalar::F64 => quote!(),
+        // What is not inlined is compiled for the baseline processor, where every operation on wide lanes is a call.
+        Scalar::Lanes => quote!(#[inline(always)]),
+    };
     let attributes = quote! {
         #[allow(dead_code, non_snake_case, clippy::all, clippy::pedantic)]
+        #inline
     };
     let constants = constants::items(model, compiled, &quote!(#[allow(dead_code)]));
     let tables = tables::items(compiled, &quote!());

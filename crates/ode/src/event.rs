@@ -197,20 +197,24 @@ impl<'a, X: StateVector> Event<'a, X> {
     ) {
         if let EventFunction::Component(i, level) = self.function {
             let sign = self.direction.as_falling(1.0);
-            return falling_zeros(step, |s| sign * (step.component(s, i) - level), found);
+            return falling_zeros(
+                (step.t, step.h),
+                |s| sign * (step.component(s, i) - level),
+                found,
+            );
         }
         let [x, dx] = scratch;
         let value = |s: f64| {
             step.state(s, x.as_mut());
             self.value(rhs, step.t + s * step.h, x, dx)
         };
-        falling_zeros(step, value, found);
+        falling_zeros((step.t, step.h), value, found);
     }
 }
 
-/// Appends to `found` the fractions of a step at which `value` falls to 0.
+/// Appends to `found` the fractions of a step from `t` of size `h` at which `value` falls to 0.
 pub(crate) fn falling_zeros(
-    step: &DenseOutput<'_>,
+    (t, h): (f64, f64),
     mut value: impl FnMut(f64) -> f64,
     found: &mut Vec<f64>,
 ) {
@@ -219,7 +223,7 @@ pub(crate) fn falling_zeros(
         let s = f64::from(k) / f64::from(SEARCH_INTERVALS);
         let after = (s, value(s));
         if before.1 > 0.0 && after.1 <= 0.0 {
-            let width = location_width(step.t, step.h);
+            let width = location_width(t, h);
             found.push(first_past_root(
                 &mut value,
                 (before.0, after.0),

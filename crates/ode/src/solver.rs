@@ -9,7 +9,7 @@ use crate::method::tsit5::Tsit5;
 use crate::method::{ErrorTolerance, Method, StepStart, Stepper};
 use crate::options::{IntegrationOptions, SolverStats};
 use crate::rhs::OdeRhs;
-use crate::step_control::{PiController, initial_step};
+use crate::step_control::{PiGains, PiMemory, initial_step};
 
 /// Minimum step size as a fraction of the largest absolute time of the integration.
 pub(crate) const MIN_RELATIVE_STEP: f64 = 1e-14;
@@ -75,7 +75,8 @@ struct Solver<'s, 'e, D: OdeRhs, O, S> {
     max_step: f64,
     max_steps: usize,
     tolerance: ErrorTolerance,
-    controller: PiController,
+    gains: PiGains,
+    memory: PiMemory,
     stepper: S,
     dense_buffer: Vec<f64>,
     scratch: D::State,
@@ -127,6 +128,7 @@ impl<'s, 'e, D: OdeRhs, O: StepObserver, S: Stepper<D::State>> Solver<'s, 'e, D,
             let max_step = options.max_step.min(t_end - t);
             initial_step(rhs, &start, S::ERROR_ORDER, &tolerance, max_step)
         });
+        let gains = PiGains::new(S::ERROR_ORDER, S::PI_BETA, S::STEP_FACTOR_BOUNDS);
         Ok(Solver {
             t,
             t_end,
@@ -135,7 +137,8 @@ impl<'s, 'e, D: OdeRhs, O: StepObserver, S: Stepper<D::State>> Solver<'s, 'e, D,
             max_step: options.max_step,
             max_steps: options.max_steps,
             tolerance,
-            controller: PiController::new(S::ERROR_ORDER, S::PI_BETA, S::STEP_FACTOR_BOUNDS),
+            gains,
+            memory: gains.start(),
             stepper: S::new(&x),
             dense_buffer: Vec::new(),
             scratch: x.clone(),
@@ -191,11 +194,12 @@ impl<'s, 'e, D: OdeRhs, O: StepObserver, S: Stepper<D::State>> Solver<'s, 'e, D,
             let error = self.try_step(end);
             if error <= 1.0 {
                 self.stats.steps += 1;
-                self.h = end.h * self.controller.factor_after_accepted(error);
+                let (factor, memory) = self.gains.after_accepted(self.memory, error);
+                (self.h, self.memory) = (end.h * factor, memory);
                 return Ok(end);
             }
             self.stats.rejected += 1;
-            self.h = end.h * self.controller.factor_after_rejected(error);
+            self.h = end.h * self.gains.after_rejected(&mut self.memory, error);
             if self.h <= self.min_step {
                 return Err(step_too_small(self.rhs, self.t, &self.x, &self.dx, self.h));
             }

@@ -10,49 +10,62 @@ const SAFETY: f64 = 0.9;
 /// inflate the next ones.
 const MIN_REMEMBERED_ERROR: f64 = 1e-4;
 
-/// Proportional-integral step-size controller (Hairer & Wanner, IV.2): next step size from the last two error norms.
+/// Constants of a proportional-integral step-size controller (Hairer & Wanner, IV.2): next step size from the last two
+/// error norms.
 #[derive(Clone, Copy)]
-pub(crate) struct PiController {
+pub(crate) struct PiGains {
     proportional_exponent: f64,
     integral_exponent: f64,
     factor_bounds: (f64, f64),
-    log2_last_error: f64,
-    last_was_rejected: bool,
 }
 
-impl PiController {
+/// What a controller remembers of the last step.
+#[derive(Clone, Copy)]
+pub(crate) struct PiMemory {
+    pub log2_last_error: f64,
+    /// Maximum ratio of the next step size to this one: 1 after a rejected step.
+    pub max_factor: f64,
+}
+
+impl PiGains {
     /// Controller of a method whose error estimate is of order `order`; `beta` is the exponent of the previous
     /// error, `factor_bounds` limit the ratio of successive step sizes.
-    pub(crate) fn new(order: i32, beta: f64, factor_bounds: (f64, f64)) -> PiController {
-        PiController {
+    pub(crate) fn new(order: i32, beta: f64, factor_bounds: (f64, f64)) -> PiGains {
+        PiGains {
             proportional_exponent: 1.0 / f64::from(order) - 0.75 * beta,
             integral_exponent: beta,
             factor_bounds,
-            log2_last_error: approx_log2(MIN_REMEMBERED_ERROR),
-            last_was_rejected: false,
         }
     }
 
-    /// Ratio of the next step size to the current one after a step accepted with error norm `error` (at most 1).
+    /// Memory before the first step.
+    pub(crate) fn start(&self) -> PiMemory {
+        PiMemory {
+            log2_last_error: approx_log2(MIN_REMEMBERED_ERROR),
+            max_factor: self.factor_bounds.1,
+        }
+    }
+
+    /// Ratio of the next step size to the current one after a step accepted with error norm `error` (at most 1), and what
+    /// is remembered then. Without branches, so that loops over lanes become vector instructions.
     #[inline(always)]
-    pub(crate) fn factor_after_accepted(&mut self, error: f64) -> f64 {
+    pub(crate) fn after_accepted(&self, last: PiMemory, error: f64) -> (f64, PiMemory) {
         let log2_error = approx_log2(error.max(1e-10));
         let exponent =
-            self.integral_exponent * self.log2_last_error - self.proportional_exponent * log2_error;
+            self.integral_exponent * last.log2_last_error - self.proportional_exponent * log2_error;
         let factor = SAFETY * approx_exp2(exponent);
-        self.log2_last_error = log2_error.max(approx_log2(MIN_REMEMBERED_ERROR));
-        let max_factor = if std::mem::take(&mut self.last_was_rejected) {
-            1.0
-        } else {
-            self.factor_bounds.1
+        let memory = PiMemory {
+            log2_last_error: log2_error.max(approx_log2(MIN_REMEMBERED_ERROR)),
+            max_factor: self.factor_bounds.1,
         };
-        factor.clamp(self.factor_bounds.0, max_factor)
+        let factor = factor.max(self.factor_bounds.0).min(last.max_factor);
+        (factor, memory)
     }
 
     /// Ratio of the retried step size to the rejected one, whose error norm is above 1 or not finite.
     #[cold]
-    pub(crate) fn factor_after_rejected(&mut self, error: f64) -> f64 {
-        self.last_was_rejected = true;
+    pub(crate) fn after_rejected(&self, memory: &mut PiMemory, error: f64) -> f64 {
+        memory.max_factor = 1.0;
         if error.is_finite() {
             (SAFETY * error.powf(-self.proportional_exponent)).max(self.factor_bounds.0)
         } else {
@@ -131,22 +144,26 @@ pub(crate) fn second_step(norms: &InitialNorms, order: i32, max_step: f64) -> f6
     }
 }
 
+/// 1.5 · 2^52: adding it rounds a number below 2^51 to an integer, whose bits are the low bits of the sum.
+const ROUND: f64 = 6_755_399_441_055_744.0;
+
 /// log2 of a positive number with an absolute error below 0.01, which suffices for a step size.
 #[inline(always)]
 fn approx_log2(x: f64) -> f64 {
     let bits = x.to_bits();
-    let exponent = (bits >> 52) as i32 - 1023;
+    // The exponent as the low bits of a number just above 2^52: vectors of integers need not be converted.
+    let exponent = f64::from_bits(bits >> 52 | 1075 << 52) - (4_503_599_627_370_496.0 + 1023.0);
     let m = f64::from_bits(bits & ((1 << 52) - 1) | 1023 << 52) - 1.0;
-    f64::from(exponent) + m * (1.0 + (1.0 - m) * 0.3431)
+    exponent + m * (1.0 + (1.0 - m) * 0.3431)
 }
 
 /// 2^y with a relative error below 1 %; y is clamped to ±1000.
 #[inline(always)]
 fn approx_exp2(y: f64) -> f64 {
-    let y = y.clamp(-1000.0, 1000.0);
-    let whole = (y + 1000.0) as i64 - 1000;
-    let part = y - whole as f64;
-    let power = f64::from_bits(((whole + 1023) as u64) << 52);
+    let y = y.max(-1000.0).min(1000.0);
+    let rounded = (y - 0.5) + ROUND;
+    let part = y - (rounded - ROUND);
+    let power = f64::from_bits(rounded.to_bits().wrapping_add(1023) << 52);
     power * (1.0 + part * (1.0 - 0.3431 * (1.0 - part)))
 }
 

@@ -8,7 +8,7 @@
 
 mod atomic;
 mod error;
-mod folder;
+pub mod folder;
 mod inputs;
 pub mod plan;
 mod rows;

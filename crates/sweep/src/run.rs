@@ -10,10 +10,10 @@ use flight::CompiledModel;
 use flight::release::{Release, Stop};
 use flight::throw::{ThrownModel, speed_and_spin};
 use ode::FlightSpan;
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use crate::error::SweepError;
-use crate::folder::Folder;
+use crate::folder::{PartsFolder, share_of};
 use crate::inputs::InputModel;
 use crate::plan::Plan;
 use crate::rows::Flier;
@@ -36,6 +36,9 @@ pub struct SweepOptions<'a> {
 /// Parts that may be flown ahead of the first that is missing in the summary, per thread: bounds the memory.
 const AHEAD: u64 = 8;
 
+/// Table of all flights.
+const FLIGHTS: &str = "flights.parquet";
+
 /// Flies a plan and writes `flights.parquet` and `summary.json` to a folder, which is new, empty or holds earlier parts of
 /// the same plan. Returns the contents of `summary.json`; `None` where only a share was flown.
 ///
@@ -49,11 +52,7 @@ pub fn run(
     let count = plan.parts();
     let parts = match options.share {
         None => 0..count,
-        Some((share, of)) if (1..=of).contains(&share) => {
-            let bound = |k: u64| (u128::from(count) * u128::from(k) / u128::from(of)) as u64;
-            bound(share - 1)..bound(share)
-        }
-        Some((part, of)) => return Err(SweepError::NoPart { part, of }),
+        Some(share) => share_of(count, share)?,
     };
     let compiled = CompiledModel::new(&plan.model);
     let state = |name: &str| compiled.layout().state(name).map(|state| state.index());
@@ -64,8 +63,16 @@ pub fn run(
             model: plan.model.name.clone(),
         });
     }
-    let folder = Folder::open(out, plan)?;
-    if let Some(summary) = folder.summary() {
+    let about = json!({
+        "schema": "hyzer.sweep-parts/1",
+        "flights": plan.flights,
+        "parts": plan.parts(),
+        "flights_per_part": plan.part_len(),
+    });
+    let folder = PartsFolder::open(out, plan.fingerprint(), about)?;
+    if folder.file(FLIGHTS).is_file()
+        && let Some(summary) = folder.summary()
+    {
         (options.progress)(plan.flights);
         return finish(&folder, plan, options, summary).map(Some);
     }
@@ -90,7 +97,7 @@ pub fn run(
     };
     let end = if until_ground { 0 } else { 1 };
     let work = |part: u64| -> Result<Summary, SweepError> {
-        let path = folder.part(part);
+        let path = folder.part(part, "parquet");
         let len = (plan.flights - part * plan.part_len()).min(plan.part_len());
         // A part that cannot be read is flown again.
         if let Ok(rows) = table::read(&path, plan.axes.len())
@@ -106,28 +113,28 @@ pub fn run(
     let (None, Some(summary)) = (options.share, summary) else {
         return Ok(None);
     };
-    let flights = folder.flights();
-    let files = (0..count).map(|part| folder.part(part));
+    let flights = folder.file(FLIGHTS);
+    let files = (0..count).map(|part| folder.part(part, "parquet"));
     table::join(&flights, files).map_err(|source| SweepError::Table {
         path: flights,
         source,
     })?;
-    let json = summary.json(plan);
-    folder.write_summary(&json)?;
+    let mut json = summary.json(plan);
+    folder.write_summary(&mut json)?;
     finish(&folder, plan, options, json).map(Some)
 }
 
 /// Removes the parts and writes the CSV, if it is asked for.
 fn finish(
-    folder: &Folder,
+    folder: &PartsFolder,
     plan: &Plan,
     options: &SweepOptions<'_>,
     summary: Value,
 ) -> Result<Value, SweepError> {
     folder.discard_parts();
-    let path = folder.csv();
+    let path = folder.file("flights.csv");
     if options.csv && !path.is_file() {
-        table::to_csv(&folder.flights(), &path, plan.axes.len())
+        table::to_csv(&folder.file(FLIGHTS), &path, plan.axes.len())
             .map_err(|source| SweepError::Table { path, source })?;
     }
     Ok(summary)

@@ -117,7 +117,6 @@ impl Summary {
             "seed": plan.seed,
             "method": format!("{:?}", plan.options.method).to_lowercase(),
             "tolerance": plan.options.rtol,
-            "fingerprint": plan.fingerprint(),
             "columns": columns,
             "landing_covariance": [[of("landing_x"), xy], [xy, of("landing_y")]],
             "quantile_accuracy": ACCURACY,

@@ -3,7 +3,7 @@
 mod summary;
 mod tables;
 
-pub(super) use summary::cautions;
+pub(super) use summary::{cautions, digits, written};
 pub(super) use tables::role;
 
 use std::path::Path;

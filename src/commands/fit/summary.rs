@@ -5,7 +5,7 @@ use std::fmt::Write;
 use comfy_table::Table;
 use comfy_table::presets::UTF8_BORDERS_ONLY;
 use identify::dataset::Role;
-use identify::{Coefficient, DataFault, FitReport, FlightReport};
+use identify::{DataFault, FitReport, FlightReport};
 use model_spec::model::Model;
 
 use super::tables::role;
@@ -153,7 +153,7 @@ fn coefficients(model: &Model, report: &FitReport) -> Table {
         let Some(found) = report.coefficients.get(name) else {
             continue;
         };
-        let digits = digits(found);
+        let digits = digits(found.std_error);
         let number = |value: f64| written(value, digits);
         let interval = match found.held {
             true => String::new(),
@@ -186,16 +186,16 @@ fn coefficients(model: &Model, report: &FitReport) -> Table {
 }
 
 /// Number of decimals that shows two significant digits of the standard error.
-fn digits(found: &Coefficient) -> i32 {
-    if found.std_error > 0.0 {
-        (1 - found.std_error.log10().floor() as i32).max(0)
+pub fn digits(std_error: f64) -> i32 {
+    if std_error > 0.0 {
+        (1 - std_error.log10().floor() as i32).max(0)
     } else {
         6
     }
 }
 
 /// Formats a number with the given number of decimals, in exponent notation below 1e-3.
-fn written(value: f64, digits: i32) -> String {
+pub fn written(value: f64, digits: i32) -> String {
     if value != 0.0 && value.abs() < 1e-3 {
         let size = value.abs().log10().floor() as i32;
         return format!("{value:.*e}", (digits + size).clamp(0, 8) as usize);

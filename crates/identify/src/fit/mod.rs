@@ -4,6 +4,7 @@
 //! wrong minimum, multistart of flights in a wrong minimum, contacts with the ground timed by the fitted model, and
 //! reweighting, which estimates the noise (scale and lag-1 correlation along each axis, outliers) together with the unknowns.
 
+mod bootstrap;
 mod channel_scales;
 pub(crate) mod contact_refinement;
 mod continued;

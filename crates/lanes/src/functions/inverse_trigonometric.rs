@@ -36,19 +36,19 @@ const TANGENT: [f64; 13] = [
 #[inline(always)]
 pub(crate) fn atan2<T: Primitive>(y: T, x: T) -> T {
     let y_size = y.magnitude();
+    // Fast path for small angles: the selections of `general` would add 0.
+    // Where `x` is a normal number, so is the product; NaN and infinity do not come here.
+    let least = T::broadcast(MAX_SUM.recip()).le(x);
+    let small = (y_size * T::broadcast(16.0)).le(x * T::broadcast(16.0 * MAX_DIRECT_TANGENT));
+    let far = x.le(T::broadcast(0.5 * MAX_SUM));
+    if T::all_true(least) && T::all_true(small) && T::all_true(far) {
+        let q = y_size / x;
+        let z = q * q;
+        return (q * z)
+            .mul_add_op(polynomial(z, TANGENT), q)
+            .xor_bits(y.sign_bit());
+    }
     if T::WIDTH == 1 {
-        // Fast path for small angles: the selections of `general` would add 0.
-        // Where `x` is a normal number, so is the product; NaN and infinity do not come here.
-        let least = T::broadcast(MAX_SUM.recip()).le(x);
-        let small = (y_size * T::broadcast(16.0)).le(x * T::broadcast(16.0 * MAX_DIRECT_TANGENT));
-        let far = x.le(T::broadcast(0.5 * MAX_SUM));
-        if T::all_true(least) && T::all_true(small) && T::all_true(far) {
-            let q = y_size / x;
-            let z = q * q;
-            return (q * z)
-                .mul_add_op(polynomial(z, TANGENT), q)
-                .xor_bits(y.sign_bit());
-        }
         cold_path();
     }
     general(y, x)

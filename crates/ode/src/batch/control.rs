@@ -4,7 +4,7 @@ use super::FlightSpan;
 use crate::method::tableau::Tableau;
 use crate::options::{IntegrationOptions, SolverStats};
 use crate::solver::{FINAL_STEP_SLACK, MIN_RELATIVE_STEP};
-use crate::step_control::PiController;
+use crate::step_control::{PiGains, PiMemory};
 
 /// Maximum number of lanes.
 pub(crate) const MAX_LANES: usize = 8;
@@ -25,27 +25,22 @@ pub(crate) struct Control {
     pub is_last: [bool; MAX_LANES],
     /// Greatest height so far: (time, height).
     pub apex: [(f64, f64); MAX_LANES],
-    pub stats: [SolverStats; MAX_LANES],
-    controllers: [PiController; MAX_LANES],
-    new_controller: PiController,
+    steps: [u64; MAX_LANES],
+    rejected: [u64; MAX_LANES],
+    log2_last_error: [f64; MAX_LANES],
+    max_factor: [f64; MAX_LANES],
+    gains: PiGains,
+    /// Evaluations of the right-hand side in a step.
+    evaluations: u64,
     t_end: f64,
     max_step: f64,
     min_step: f64,
-    max_steps: usize,
-}
-
-/// Result of the error test.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Verdict {
-    Accepted,
-    Rejected,
-    /// Rejected, and a shorter step would be below the minimum.
-    TooSmall,
+    max_steps: u64,
 }
 
 impl Control {
     pub(crate) fn new(tableau: &Tableau, span: &FlightSpan, options: &IntegrationOptions) -> Self {
-        let controller = PiController::new(
+        let gains = PiGains::new(
             tableau.error_order,
             tableau.pi_beta,
             tableau.step_factor_bounds,
@@ -58,13 +53,16 @@ impl Control {
             end: [0.0; MAX_LANES],
             is_last: [false; MAX_LANES],
             apex: [(0.0, f64::NAN); MAX_LANES],
-            stats: [SolverStats::default(); MAX_LANES],
-            controllers: [controller; MAX_LANES],
-            new_controller: controller,
+            steps: [0; MAX_LANES],
+            rejected: [0; MAX_LANES],
+            log2_last_error: [0.0; MAX_LANES],
+            max_factor: [1.0; MAX_LANES],
+            gains,
+            evaluations: tableau.rows.len() as u64,
             t_end: span.t_end,
             max_step: options.max_step,
             min_step: MIN_RELATIVE_STEP * span.t_end,
-            max_steps: options.max_steps,
+            max_steps: options.max_steps as u64,
         }
     }
 
@@ -75,11 +73,22 @@ impl Control {
         self.t[lane] = 0.0;
         self.proposed[lane] = h;
         self.apex[lane] = (0.0, height);
-        self.controllers[lane] = self.new_controller;
-        self.stats[lane] = SolverStats {
-            evaluations: 2,
-            ..SolverStats::default()
-        };
+        self.remember(lane, self.gains.start());
+        (self.steps[lane], self.rejected[lane]) = (0, 0);
+    }
+
+    #[inline(always)]
+    fn remember(&mut self, lane: usize, memory: PiMemory) {
+        self.log2_last_error[lane] = memory.log2_last_error;
+        self.max_factor[lane] = memory.max_factor;
+    }
+
+    #[inline(always)]
+    fn memory(&self, lane: usize) -> PiMemory {
+        PiMemory {
+            log2_last_error: self.log2_last_error[lane],
+            max_factor: self.max_factor[lane],
+        }
     }
 
     /// Sets the size and the end of the next step of every lane.
@@ -106,27 +115,55 @@ impl Control {
     /// Whether the lane has had as many steps as are allowed.
     #[inline(always)]
     pub(crate) fn is_exhausted(&self, lane: usize) -> bool {
-        let stats = &self.stats[lane];
-        stats.steps + stats.rejected >= self.max_steps
+        self.steps[lane] + self.rejected[lane] >= self.max_steps
     }
 
-    /// Judges the step of a lane by its error norm and proposes the size of the next.
+    /// Counts of the flight in a lane.
+    pub(crate) fn stats(&self, lane: usize) -> SolverStats {
+        let (steps, rejected) = (self.steps[lane], self.rejected[lane]);
+        SolverStats {
+            steps: steps as usize,
+            rejected: rejected as usize,
+            // Two before the first step: at the start, and for the size of the first step.
+            evaluations: (2 + self.evaluations * (steps + rejected)) as usize,
+        }
+    }
+
+    /// Counts the step of every lane whose error norm is at most 1 as accepted and proposes the size of its next.
     #[inline(always)]
-    pub(crate) fn judge(&mut self, lane: usize, error: f64, evaluations: usize) -> Verdict {
-        let (stats, h) = (&mut self.stats[lane], self.h[lane]);
-        stats.evaluations += evaluations;
-        if error <= 1.0 {
-            stats.steps += 1;
-            self.proposed[lane] = h * self.controllers[lane].factor_after_accepted(error);
-            return Verdict::Accepted;
+    pub(crate) fn accept(&mut self, errors: &[f64; MAX_LANES]) {
+        // One loop without branches over arrays of the same length, which the compiler makes vector instructions of.
+        for lane in 0..MAX_LANES {
+            let error = errors[lane];
+            let (factor, memory) = self.gains.after_accepted(self.memory(lane), error);
+            let is_accepted = error <= 1.0;
+            self.log2_last_error[lane] = if is_accepted {
+                memory.log2_last_error
+            } else {
+                self.log2_last_error[lane]
+            };
+            self.max_factor[lane] = if is_accepted {
+                memory.max_factor
+            } else {
+                self.max_factor[lane]
+            };
+            self.proposed[lane] = if is_accepted {
+                self.h[lane] * factor
+            } else {
+                self.proposed[lane]
+            };
+            self.steps[lane] += u64::from(is_accepted);
         }
-        stats.rejected += 1;
-        self.proposed[lane] = h * self.controllers[lane].factor_after_rejected(error);
-        if self.proposed[lane] <= self.min_step {
-            Verdict::TooSmall
-        } else {
-            Verdict::Rejected
-        }
+    }
+
+    /// Counts the step of a lane as rejected and proposes a shorter one; false where that would be below the minimum.
+    #[inline(always)]
+    pub(crate) fn reject(&mut self, lane: usize, error: f64) -> bool {
+        self.rejected[lane] += 1;
+        let mut memory = self.memory(lane);
+        self.proposed[lane] = self.h[lane] * self.gains.after_rejected(&mut memory, error);
+        self.remember(lane, memory);
+        self.proposed[lane] > self.min_step
     }
 
     /// Records a height, if it is the greatest.

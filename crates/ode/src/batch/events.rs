@@ -1,12 +1,9 @@
 //! Where in a step the height of one lane falls to 0 and where it is greatest.
 
-use crate::dense_output::DenseOutput;
 use crate::event::{falling_zeros, has_falling_zero, location_width};
 use crate::method::{Method, ROWS};
 use crate::root::first_past_root;
 
-/// Half the step of the central difference of the dense output, in units of the step.
-const DIFFERENCE: f64 = 1e-4;
 /// Width of the bracket of an apex, in units of the step: its height is known to the square of this.
 const APEX_WIDTH: f64 = 1e-8;
 
@@ -54,54 +51,70 @@ impl HeightEnds {
     }
 }
 
-/// Dense output of the height of one lane over a step.
+/// Dense output of the height of one lane over a step, as nested products: terms[0] + f₀ (terms[1] + f₁ (terms[2] + …)).
 pub(crate) struct HeightStep {
     pub method: Method,
     /// Time at the start of the step.
     pub t: f64,
     /// Step size.
     pub h: f64,
-    /// Coefficients of the dense output.
-    pub rows: [f64; ROWS],
+    /// Powers of the fraction s of the step (Tsit5), or the rows of the dense output (DOP853).
+    pub terms: [f64; ROWS],
 }
 
 impl HeightStep {
-    /// Height at the fraction `s` of the step.
-    pub(crate) fn height(&self, s: f64) -> f64 {
-        let weights = self.method.weights(s, self.h);
-        let mut sum = self.rows[0];
-        for (row, weight) in self.rows.iter().zip(weights).skip(1) {
-            sum += weight * row;
+    /// Highest power of s in the interpolant, and the odd factors f with their derivatives by s: the even ones are s.
+    #[inline(always)]
+    fn factors(&self, s: f64) -> (usize, f64, f64) {
+        match self.method {
+            Method::Tsit5 => (4, s, 1.0),
+            Method::Dop853 => (7, 1.0 - s, -1.0),
         }
-        sum
+    }
+
+    /// Height at the fraction `s` of the step.
+    #[inline(always)]
+    pub(crate) fn height(&self, s: f64) -> f64 {
+        let (degree, odd, _) = self.factors(s);
+        let mut height = self.terms[degree];
+        for k in (0..degree).rev() {
+            height = if k % 2 == 0 { s } else { odd } * height + self.terms[k];
+        }
+        height
+    }
+
+    /// Derivative of the height by the fraction `s` of the step.
+    #[inline(always)]
+    fn slope(&self, s: f64) -> f64 {
+        let (degree, odd, odd_by_s) = self.factors(s);
+        let (mut height, mut slope) = (self.terms[degree], 0.0);
+        for k in (0..degree).rev() {
+            let (factor, by_s) = if k % 2 == 0 {
+                (s, 1.0)
+            } else {
+                (odd, odd_by_s)
+            };
+            slope = factor * slope + by_s * height;
+            height = factor * height + self.terms[k];
+        }
+        slope
     }
 
     /// Fraction of the step at which the height first falls to 0; `found` is scratch space.
     pub(crate) fn landing(&self, ends: &HeightEnds, found: &mut Vec<f64>) -> Option<f64> {
+        let height = |s: f64| self.height(s);
         if ends.falls_once() {
-            let width = location_width(self.t, self.h);
-            let bracket = (ends.start, ends.end);
-            return Some(first_past_root(
-                |s| self.height(s),
-                (0.0, 1.0),
-                bracket,
-                width,
-            ));
+            let (bracket, width) = ((ends.start, ends.end), location_width(self.t, self.h));
+            return Some(first_past_root(height, (0.0, 1.0), bracket, width));
         }
-        let mut rows: [&[f64]; ROWS] = [&[]; ROWS];
-        for (row, value) in rows.iter_mut().zip(&self.rows) {
-            *row = std::slice::from_ref(value);
-        }
-        let (method, t, h) = (self.method, self.t, self.h);
-        let step = DenseOutput { method, t, h, rows };
         found.clear();
-        falling_zeros(&step, |s| self.height(s), found);
+        falling_zeros((self.t, self.h), height, found);
         found.first().copied()
     }
 
     /// Fraction of the step at which the height stops rising, of a step in which it does.
     pub(crate) fn peak(&self) -> f64 {
-        let slope = |s: f64| self.height(s + DIFFERENCE) - self.height(s - DIFFERENCE);
+        let slope = |s: f64| self.slope(s);
         let (first, last) = (slope(0.0), slope(1.0));
         if !(first > 0.0 && last <= 0.0) {
             return if first > 0.0 { 1.0 } else { 0.0 };

@@ -2,7 +2,7 @@
 
 mod stop;
 
-use super::control::{Control, MAX_LANES, Verdict};
+use super::control::{Control, MAX_LANES};
 use super::events::HeightEnds;
 use super::norms::error_norm;
 use super::stages::Stages;
@@ -215,24 +215,16 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
         let norm = error_norm(self.tableau, &self.stages, ends, h, &self.tolerance);
         let (mut errors, mut accepted) = ([0.0; MAX_LANES], [false; MAX_LANES]);
         norm.store(&mut errors);
-        let evaluations = self.tableau.rows.len();
+        self.control.accept(&errors);
         for lane in 0..T::WIDTH {
             if self.control.flight[lane].is_none() {
                 continue;
             }
-            match self.control.judge(lane, errors[lane], evaluations) {
-                Verdict::Accepted => accepted[lane] = true,
-                Verdict::Rejected => {}
-                Verdict::TooSmall => {
-                    let time = self.control.t[lane];
-                    self.finish(
-                        lane,
-                        FlightOutcome::StepTooSmall,
-                        time,
-                        EndState::Start,
-                        queue,
-                    );
-                }
+            if errors[lane] <= 1.0 {
+                accepted[lane] = true;
+            } else if !self.control.reject(lane, errors[lane]) {
+                let (outcome, time) = (FlightOutcome::StepTooSmall, self.control.t[lane]);
+                self.finish(lane, outcome, time, EndState::Start, queue);
             }
         }
         accepted
@@ -309,12 +301,17 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
                 self.finish(lane, FlightOutcome::Time, time, EndState::End, queue);
             }
         }
-        let keep = T::load(&keep);
-        merge(keep, &self.end, &mut self.values.x);
         let n = self.stages.n;
         let last = self.tableau.rows.len() * n;
+        let k = &mut self.stages.k;
+        if accepted[..T::WIDTH].iter().all(|is_accepted| *is_accepted) {
+            std::mem::swap(&mut self.values.x, &mut self.end);
+            k.copy_within(last..last + n, 0);
+            return;
+        }
+        let keep = T::load(&keep);
+        merge(keep, &self.end, &mut self.values.x);
         for i in 0..n {
-            let k = &mut self.stages.k;
             k[i] = keep.if_zero(k[last + i], k[i]);
         }
     }
@@ -349,7 +346,7 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
             time,
             state: &self.state,
             apex: self.control.apex[lane],
-            stats: self.control.stats[lane],
+            stats: self.control.stats(lane),
         });
     }
 }

@@ -186,23 +186,51 @@ impl<X: StateVector> Stepper<X> for Tsit5<X> {
 /// Weights of the order-4 interpolant at the fraction `s` of the step; all but the first must be multiplied by the
 /// step size. Needs no additional stages.
 pub(crate) fn weights(s: f64) -> [f64; ROWS] {
-    let s2 = s * s;
-    [
-        1.0,
-        -1.0530884977290216
-            * s
-            * (s - 1.329_989_018_975_141)
-            * (s2 - 1.4364028541716351 * s + 0.7139816917074209),
-        0.1017 * s2 * (s2 - 2.1966568338249754 * s + 1.294_985_250_737_463),
-        2.490_627_285_651_253 * s2 * (s2 - 2.385_356_454_720_616_5 * s + 1.578_034_682_080_924_8),
-        -16.548_102_889_244_902
-            * (s - 1.217_129_272_955_332_5)
-            * (s - 0.616_204_060_378_000_9)
-            * s2,
-        47.379_521_962_819_28 * (s - 1.203_071_208_372_362_7) * (s - 0.658_047_292_653_547_3) * s2,
-        -34.870_657_861_496_61 * (s - 1.2) * (s - 2.0 / 3.0) * s2,
-        2.5 * (s - 1.0) * (s - 0.6) * s2,
-    ]
+    let mut weights = [1.0; ROWS];
+    for (weight, [a, b, c, d]) in weights[1..].iter_mut().zip(INTERPOLANT) {
+        *weight = s * (a + s * (b + s * (c + s * d)));
+    }
+    weights
+}
+
+/// Weight of each stage in the order-4 interpolant: coefficients of s, s², s³ and s⁴.
+pub(crate) const INTERPOLANT: [[f64; 4]; ROWS - 1] = [
+    first_weight(),
+    even_weight(0.1017, 2.196_656_833_824_975_4, 1.294_985_250_737_463),
+    even_weight(
+        2.490_627_285_651_253,
+        2.385_356_454_720_616_5,
+        1.578_034_682_080_924_8,
+    ),
+    zeros_weight(
+        -16.548_102_889_244_902,
+        1.217_129_272_955_332_5,
+        0.616_204_060_378_000_9,
+    ),
+    zeros_weight(
+        47.379_521_962_819_28,
+        1.203_071_208_372_362_7,
+        0.658_047_292_653_547_3,
+    ),
+    zeros_weight(-34.870_657_861_496_61, 1.2, 2.0 / 3.0),
+    zeros_weight(2.5, 1.0, 0.6),
+];
+
+/// a s (s - b) (s² - c s + d) with the first stage's constants.
+const fn first_weight() -> [f64; 4] {
+    let (a, b) = (-1.0530884977290216, 1.329_989_018_975_141);
+    let (c, d) = (1.4364028541716351, 0.7139816917074209);
+    [-a * b * d, a * (d + b * c), -a * (b + c), a]
+}
+
+/// a s² (s² - c s + d).
+const fn even_weight(a: f64, c: f64, d: f64) -> [f64; 4] {
+    [0.0, a * d, -a * c, a]
+}
+
+/// a s² (s - b) (s - c).
+const fn zeros_weight(a: f64, b: f64, c: f64) -> [f64; 4] {
+    even_weight(a, b + c, b * c)
 }
 
 #[cfg(test)]

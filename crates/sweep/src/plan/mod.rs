@@ -11,11 +11,10 @@ pub use read::{MAX_FLIGHTS, read, read_file};
 
 use flight::release::Release;
 use flight::throw::Throw;
-use lanes::Isa;
 use model_spec::model::Model;
 use ode::IntegrationOptions;
-use sha2::{Digest, Sha256};
 
+use crate::folder::fingerprint;
 use correlation::Factor;
 
 /// A sweep: flights of one model, whose inputs are drawn by their number.
@@ -59,12 +58,9 @@ impl Plan {
             factor,
         } = self;
         let source = codegen::rust::source_hash(model);
-        let fuses = Isa::best().fuses();
-        let text = format!(
-            "hyzer.sweep/1 {source:x} {fuses} {release:?} {throw:?} {axes:?} {grid} {flights} {seed} {options:?} {factor:?}"
-        );
-        let digest = Sha256::digest(text.as_bytes());
-        digest.iter().map(|byte| format!("{byte:02x}")).collect()
+        fingerprint(format_args!(
+            "hyzer.sweep/1 {source:x} {release:?} {throw:?} {axes:?} {grid} {flights} {seed} {options:?} {factor:?}"
+        ))
     }
 
     /// Flights in one part of the results; it depends on the number of flights alone.

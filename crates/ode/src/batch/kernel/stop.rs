@@ -6,7 +6,7 @@ use crate::batch::events::HeightStep;
 use crate::batch::{FlightOutcome, FlightQueue, LanePoint, LaneRhs};
 use crate::dense_output::DenseOutput;
 use crate::event::falling_zeros;
-use crate::method::{Method, ROWS, dop853};
+use crate::method::{Method, ROWS, dop853, tsit5};
 use lanes::Lanes;
 
 impl<T: Lanes, R: LaneRhs> Flying<'_, T, R> {
@@ -36,6 +36,27 @@ impl<T: Lanes, R: LaneRhs> Flying<'_, T, R> {
         }
     }
 
+    /// Terms of the height in a step, as [`HeightStep`] takes them.
+    #[inline(always)]
+    fn height_terms(&self, z: usize, h: T) -> [T; ROWS] {
+        let rows = self.dense_rows(z, h);
+        let Method::Tsit5 = self.tableau.method else {
+            return rows;
+        };
+        let mut terms = [T::splat(0.0); ROWS];
+        for k in 1..ROWS {
+            for power in 1..5 {
+                let weight = T::splat(tsit5::INTERPOLANT[k - 1][power - 1]);
+                terms[power] = weight.mul_add(rows[k], terms[power]);
+            }
+        }
+        for term in &mut terms {
+            *term = h * *term;
+        }
+        terms[0] = rows[0];
+        terms
+    }
+
     /// Locates what is in the steps of the lanes that ask, and ends the flights that it ends.
     #[inline(always)]
     pub(super) fn stop<Q: FlightQueue + ?Sized>(
@@ -45,11 +66,11 @@ impl<T: Lanes, R: LaneRhs> Flying<'_, T, R> {
         queue: &mut Q,
     ) {
         let method = self.tableau.method;
-        let mut height_rows = [[0.0; MAX_LANES]; ROWS];
+        let mut height_terms = [[0.0; MAX_LANES]; ROWS];
         if let Some(z) = self.span.height {
-            let rows = self.dense_rows(z, h);
+            let terms = self.height_terms(z, h);
             for k in 0..ROWS {
-                rows[k].store(&mut height_rows[k]);
+                terms[k].store(&mut height_terms[k]);
             }
         }
         let mut stops: [Option<(f64, FlightOutcome)>; MAX_LANES] = [None; MAX_LANES];
@@ -59,12 +80,15 @@ impl<T: Lanes, R: LaneRhs> Flying<'_, T, R> {
             }
             let (t, step) = (self.control.t[lane], self.control.h[lane]);
             let ends = self.heights[lane];
-            let height = HeightStep {
+            let mut height = HeightStep {
                 method,
                 t,
                 h: step,
-                rows: height_rows.map(|row| row[lane]),
+                terms: [0.0; ROWS],
             };
+            for k in 0..ROWS {
+                height.terms[k] = height_terms[k][lane];
+            }
             let mut stop = None;
             if self.span.height.is_some() && self.span.until_ground && ends.may_land() {
                 let landing = height.landing(&ends, &mut self.found);
@@ -85,22 +109,16 @@ impl<T: Lanes, R: LaneRhs> Flying<'_, T, R> {
             }
             stops[lane] = stop;
         }
-        if stops.iter().all(Option::is_none) {
-            return;
-        }
-        let mut weights_of_lanes = [[0.0; MAX_LANES]; ROWS];
-        for (lane, stop) in stops.iter().enumerate() {
-            if let Some((s, _)) = stop {
-                let of_lane = method.weights(*s, self.control.h[lane]);
-                for (to, weight) in weights_of_lanes.iter_mut().zip(of_lane) {
-                    to[lane] = weight;
-                }
+        let (mut any, mut fractions) = (false, [0.0; MAX_LANES]);
+        for lane in 0..T::WIDTH {
+            if let Some((s, _)) = stops[lane] {
+                (any, fractions[lane]) = (true, s);
             }
         }
-        let mut weights = [T::splat(0.0); ROWS];
-        for k in 0..ROWS {
-            weights[k] = T::load(&weights_of_lanes[k]);
+        if !any {
+            return;
         }
+        let weights = weights(method, T::load(&fractions), h);
         for i in 0..self.within.len() {
             let rows = self.dense_rows(i, h);
             // Two sums, for they wait for one another.
@@ -110,8 +128,8 @@ impl<T: Lanes, R: LaneRhs> Flying<'_, T, R> {
             }
             self.within[i] = sums[0] + sums[1];
         }
-        for (lane, stop) in stops.into_iter().enumerate() {
-            if let Some((s, outcome)) = stop {
+        for lane in 0..T::WIDTH {
+            if let Some((s, outcome)) = stops[lane] {
                 let time = self.control.t[lane] + s * self.control.h[lane];
                 self.finish(lane, outcome, time, EndState::Within, queue);
             }
@@ -153,7 +171,33 @@ impl<T: Lanes, R: LaneRhs> Flying<'_, T, R> {
             margins[limit].lane(lane)
         };
         self.found.clear();
-        falling_zeros(&step, value, &mut self.found);
+        falling_zeros((step.t, step.h), value, &mut self.found);
         self.found.first().copied()
     }
+}
+
+/// Weights of the rows of the dense output at a fraction of the step per lane.
+#[inline(always)]
+fn weights<T: Lanes>(method: Method, s: T, h: T) -> [T; ROWS] {
+    let mut weights = [T::splat(1.0); ROWS];
+    match method {
+        Method::Tsit5 => {
+            for k in 1..ROWS {
+                let powers = &tsit5::INTERPOLANT[k - 1];
+                let mut sum = T::splat(powers[3]);
+                for power in (0..3).rev() {
+                    sum = sum.mul_add(s, T::splat(powers[power]));
+                }
+                weights[k] = h * s * sum;
+            }
+        }
+        Method::Dop853 => {
+            let r = T::splat(1.0) - s;
+            for k in 1..ROWS {
+                let factor = if k % 2 == 1 { s } else { r };
+                weights[k] = weights[k - 1] * factor;
+            }
+        }
+    }
+    weights
 }

@@ -1,0 +1,125 @@
+//! Command `hyzer bootstrap`: refits to flights drawn with replacement, and the scatter of their estimates.
+
+mod parts;
+mod summary;
+
+use anyhow::{Context, bail};
+use identify::dataset::{self, Dataset, Role};
+use identify::{Fit, FitOptions};
+use model_spec::model::Model;
+use serde_json::json;
+use sweep::folder::{PartsFolder, fingerprint, share_of};
+
+use super::fit::{held, model_of, priors};
+use crate::cli::Bootstrap;
+use crate::progress::{self, Progress};
+use crate::{Answer, output};
+
+/// Least number of fitted flights: fewer have too few different draws.
+const LEAST_FLIGHTS: usize = 5;
+
+/// Fits the model, does the refits that the folder does not have, and prints the scatter of their estimates.
+pub fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
+    let (fixed, priors) = (held(&options.hold)?, priors(&options.prior)?);
+    let share = options.part.as_deref().map(super::share).transpose()?;
+    let dataset = dataset::load(&options.dataset)?;
+    let model = model_of(options.model.as_ref(), &options.dataset, &dataset)?;
+    let model = model_spec::load::load(&model, &super::names(&options.with))?;
+    let asked = FitOptions {
+        fixed: &fixed,
+        free: &options.free,
+        priors: &priors,
+        unbounded: options.unbounded,
+        trust_data: options.trust_data,
+        threads: options.threads,
+        ..FitOptions::default()
+    };
+    asked.validate()?;
+    let count = parts::count(options.refits);
+    let parts = match share {
+        None => 0..count,
+        Some(share) => share_of(count, share)?,
+    };
+    let begun =
+        json!({ "schema": "hyzer.bootstrap-parts/1", "refits": options.refits, "parts": count });
+    let folder = PartsFolder::open(&options.out, work(options, &dataset, &model), begun);
+    let folder = folder.context("--out")?;
+    if let Some(summary) = folder.summary() {
+        output::print(summary::text(&summary))?;
+        return Ok(Answer::Yes);
+    }
+    progress::resumes();
+    let bar = Progress::new()?;
+    let fit = identify::fit(
+        &model,
+        &dataset,
+        &FitOptions {
+            progress: Some(&bar),
+            ..asked
+        },
+    );
+    let fit = fit.with_context(|| format!("cannot fit {}", options.dataset.display()))?;
+    let fitted = flights(&fit);
+    if fitted < LEAST_FLIGHTS {
+        bail!(
+            "found {fitted} fitted flights, expected at least {LEAST_FLIGHTS}: fewer have too few different draws"
+        );
+    }
+    bar.start("refits", (parts.end - parts.start) * parts::LEN);
+    let work = parts::Work {
+        fit: &fit,
+        folder: &folder,
+        refits: options.refits,
+        seed: options.seed,
+        options: &asked,
+    };
+    let mut refits = Vec::new();
+    for part in parts {
+        refits.extend(work.part(part, &|done| bar.advance(done))?);
+    }
+    drop(bar);
+    let out = options.out.display();
+    if share.is_some() {
+        eprintln!(
+            "the parts of this share are in {out}; `hyzer bootstrap` without --part joins them when all are there"
+        );
+        return Ok(Answer::Yes);
+    }
+    folder.write(&folder.file("refits.csv"), &parts::table(&fit, &refits))?;
+    let mut summary = summary::json(&fit, &refits, options);
+    folder.write_summary(&mut summary)?;
+    folder.discard_parts();
+    output::print(summary::text(&summary))?;
+    eprintln!("refits.csv and summary.json are in {out}");
+    if fit.report.reliable {
+        return Ok(Answer::Yes);
+    }
+    eprintln!("do not rely on this fit: {}", fit.report.why.join("; "));
+    Ok(Answer::No)
+}
+
+/// Number of fitted flights.
+fn flights(fit: &Fit) -> usize {
+    let flights = fit.report.flights.iter();
+    flights
+        .filter(|flight| flight.role == Role::Fit && flight.is_used())
+        .count()
+}
+
+/// Fingerprint of everything that the estimates depend on.
+fn work(options: &Bootstrap, dataset: &Dataset, model: &Model) -> String {
+    let Bootstrap {
+        refits,
+        seed,
+        hold,
+        free,
+        prior,
+        unbounded,
+        trust_data,
+        ..
+    } = options;
+    let (version, source) = (env!("CARGO_PKG_VERSION"), codegen::rust::source_hash(model));
+    fingerprint(format_args!(
+        "hyzer.bootstrap/1 {version} {source:x} {refits} {seed} {hold:?} {free:?} {prior:?} {unbounded} {trust_data} {dataset:?}"
+    ))
+}

@@ -1,0 +1,115 @@
+//! The refits in parts, each written whole as CSV; parts that are there are read.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+
+use anyhow::Result;
+use identify::{Fit, FitError, FitOptions};
+use sweep::folder::PartsFolder;
+
+/// Refits in one part.
+pub(super) const LEN: u64 = 16;
+
+/// Column that says whether a refit converged.
+const CONVERGED: &str = "converged";
+
+/// One refit: its number and the estimated global parameters, SI; `None` where it did not converge.
+pub(super) type Refit = (u64, Option<Vec<f64>>);
+
+/// Number of parts of so many refits.
+pub(super) fn count(refits: u64) -> u64 {
+    refits.div_ceil(LEN)
+}
+
+/// What a part is made of.
+pub(super) struct Work<'a> {
+    pub fit: &'a Fit,
+    pub folder: &'a PartsFolder,
+    pub refits: u64,
+    pub seed: u64,
+    pub options: &'a FitOptions<'a>,
+}
+
+impl Work<'_> {
+    /// The refits of a part, read or done and written; `progress` is called with their number.
+    pub(super) fn part(&self, part: u64, progress: &(dyn Fn(u64) + Sync)) -> Result<Vec<Refit>> {
+        let numbers = part * LEN..((part + 1) * LEN).min(self.refits);
+        let len = (numbers.end - numbers.start) as usize;
+        let path = self.folder.part(part, "csv");
+        let width = self.fit.problem().globals.len();
+        // A part that cannot be read is done again.
+        if let Some(refits) = read(&path, width)
+            && refits.iter().map(|refit| refit.0).eq(numbers.clone())
+        {
+            progress(len as u64);
+            return Ok(refits);
+        }
+        // One thread each: many refits at once are faster than many flights at once.
+        let alone = FitOptions {
+            threads: Some(1),
+            ..*self.options
+        };
+        let threads = self.options.threads.unwrap_or_else(flight::batch::threads);
+        let done = flight::batch::each_on(threads, len, |i| {
+            let number = numbers.start + i as u64;
+            let estimates = self.fit.bootstrap(self.seed, number, &alone)?;
+            progress(1);
+            Ok((
+                number,
+                estimates.map(|estimates| estimates.iter().copied().collect()),
+            ))
+        });
+        let refits: Vec<Refit> = done.into_iter().collect::<Result<_, FitError>>()?;
+        self.folder.write(&path, &table(self.fit, &refits))?;
+        Ok(refits)
+    }
+}
+
+/// Refits as CSV: number, whether it converged, and the estimates, SI, with all their digits.
+pub(super) fn table(fit: &Fit, refits: &[Refit]) -> String {
+    let mut text = format!("refit,{CONVERGED}");
+    for global in &fit.problem().globals {
+        let _ = write!(text, ",{}", global.name);
+    }
+    for (number, estimates) in refits {
+        let _ = write!(text, "\n{number},{}", estimates.is_some());
+        for i in 0..fit.problem().globals.len() {
+            let estimate = estimates
+                .as_ref()
+                .map_or(f64::NAN, |estimates| estimates[i]);
+            match estimate.is_nan() {
+                true => text.push(','),
+                false => {
+                    let _ = write!(text, ",{estimate:?}");
+                }
+            }
+        }
+    }
+    text + "\n"
+}
+
+/// The refits of a table with so many estimates a row; `None` if it is not one.
+fn read(path: &Path, width: usize) -> Option<Vec<Refit>> {
+    let text = fs::read_to_string(path).ok()?;
+    let row = |line: &str| {
+        let cells: Vec<&str> = line.split(',').collect();
+        let [number, converged, estimates @ ..] = &cells[..] else {
+            return None;
+        };
+        let estimates = match *converged {
+            "false" => None,
+            _ => Some(
+                estimates
+                    .iter()
+                    .map(|cell| cell.parse().ok())
+                    .collect::<Option<Vec<f64>>>()?,
+            ),
+        };
+        let is_whole = estimates
+            .as_ref()
+            .is_none_or(|estimates| estimates.len() == width);
+        is_whole.then_some((number.parse().ok()?, estimates))
+    };
+    text.lines().skip(1).map(row).collect()
+}

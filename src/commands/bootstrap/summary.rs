@@ -1,0 +1,147 @@
+//! The scatter of the estimates over the refits.
+
+use std::fmt::Write;
+
+use identify::Fit;
+use serde_json::{Map, Value, json};
+
+use super::parts::Refit;
+use crate::cli::Bootstrap;
+use crate::commands::fit::{digits, written};
+
+/// Contents of summary.json: standard errors, 95 % intervals by percentiles, correlations; SI.
+pub(super) fn json(fit: &Fit, refits: &[Refit], options: &Bootstrap) -> Value {
+    let converged: Vec<&[f64]> = refits
+        .iter()
+        .filter_map(|refit| refit.1.as_deref())
+        .collect();
+    let names: Vec<&str> = fit
+        .problem()
+        .globals
+        .iter()
+        .map(|global| &*global.name)
+        .collect();
+    let columns: Vec<Column> = (0..names.len())
+        .map(|i| Column::of(&converged, i))
+        .collect();
+    let mut coefficients = Map::new();
+    for (name, column) in names.iter().zip(&columns) {
+        let Some(of_fit) = fit.report.coefficients.get(*name) else {
+            continue;
+        };
+        let scatter = json!({
+            "value": of_fit.value,
+            "unit": of_fit.unit,
+            "std_error": column.sd,
+            "std_error_fit": of_fit.std_error,
+            "std_error_clustered": of_fit.std_error_clustered,
+            "mean": column.mean,
+            "interval": [column.quantile(0.025), column.quantile(0.975)],
+        });
+        coefficients.insert((*name).to_owned(), scatter);
+    }
+    let mut correlations = Map::new();
+    for (i, name) in names.iter().enumerate() {
+        let row = (0..names.len()).map(|j| {
+            (
+                names[j].to_owned(),
+                json!(correlation(&converged, &columns, i, j)),
+            )
+        });
+        correlations.insert((*name).to_owned(), Value::Object(row.collect()));
+    }
+    json!({
+        "schema": "hyzer.bootstrap/1",
+        "model": fit.report.model,
+        "refits": refits.len(),
+        "converged": converged.len(),
+        "seed": options.seed,
+        "flights": super::flights(fit),
+        "coefficients": coefficients,
+        "correlations": correlations,
+    })
+}
+
+/// Estimates of one parameter.
+struct Column {
+    sorted: Vec<f64>,
+    mean: f64,
+    sd: f64,
+}
+
+impl Column {
+    fn of(refits: &[&[f64]], i: usize) -> Column {
+        let mut sorted: Vec<f64> = refits.iter().map(|estimates| estimates[i]).collect();
+        sorted.sort_by(f64::total_cmp);
+        let count = sorted.len() as f64;
+        let mean = sorted.iter().sum::<f64>() / count;
+        let squares: f64 = sorted.iter().map(|value| (value - mean).powi(2)).sum();
+        Column {
+            mean,
+            sd: (squares / (count - 1.0)).sqrt(),
+            sorted,
+        }
+    }
+
+    /// Quantile by linear interpolation between the order statistics; NaN without refits.
+    fn quantile(&self, p: f64) -> f64 {
+        let at = p * (self.sorted.len() as f64 - 1.0);
+        let value = |k: f64| {
+            self.sorted
+                .get(k.max(0.0) as usize)
+                .copied()
+                .unwrap_or(f64::NAN)
+        };
+        let (low, high) = (value(at.floor()), value(at.ceil()));
+        low + (high - low) * at.fract()
+    }
+}
+
+fn correlation(refits: &[&[f64]], columns: &[Column], i: usize, j: usize) -> f64 {
+    let (a, b) = (&columns[i], &columns[j]);
+    let products = refits
+        .iter()
+        .map(|estimates| (estimates[i] - a.mean) * (estimates[j] - b.mean));
+    products.sum::<f64>() / (refits.len() as f64 - 1.0) / (a.sd * b.sd)
+}
+
+/// The summary as a table.
+pub(super) fn text(summary: &Value) -> String {
+    let mut text = format!(
+        "{}: {} refits to {} flights drawn with replacement, {} converged\n  {:18} {:>12} {:>12} {:>12} {:>26}  unit\n",
+        summary["model"].as_str().unwrap_or_default(),
+        summary["refits"],
+        summary["flights"],
+        summary["converged"],
+        "",
+        "estimate",
+        "std error",
+        "of the fit",
+        "95 % interval",
+    );
+    for (name, column) in summary["coefficients"].as_object().into_iter().flatten() {
+        let digits = column["std_error"].as_f64().map_or(6, digits);
+        let number = |value: &Value| {
+            value
+                .as_f64()
+                .map_or("–".to_owned(), |value| written(value, digits))
+        };
+        let clustered = &column["std_error_clustered"];
+        let of_fit = if clustered.is_null() {
+            &column["std_error_fit"]
+        } else {
+            clustered
+        };
+        let interval = &column["interval"];
+        let _ = writeln!(
+            text,
+            "  {name:18} {:>12} {:>12} {:>12} {:>26}  {}",
+            number(&column["value"]),
+            number(&column["std_error"]),
+            number(of_fit),
+            format!("{} .. {}", number(&interval[0]), number(&interval[1])),
+            column["unit"].as_str().unwrap_or_default(),
+        );
+    }
+    text
+}
