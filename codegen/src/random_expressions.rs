@@ -12,6 +12,7 @@ use crate::tape::{Inputs, Tape};
 use num_dual::{Dual64, DualNum};
 use proptest::prelude::*;
 use proptest::sample::Index;
+use std::sync::LazyLock;
 
 /// Number of variables of a random expression.
 const VARIABLES: usize = 3;
@@ -165,8 +166,11 @@ struct Case {
 
 /// Builds a case; `None` where a step is not smooth or a value exceeds [`MAX_MAGNITUDE`].
 fn case(steps: &[(Step, Index, Index)], at: [f64; VARIABLES]) -> Option<Case> {
-    let model = model_spec::load::from_text("table.hyz", TABLE, &[]).expect("a model");
-    let mut graph = ExprGraph::with_tables(Tables::of_model(&model));
+    static TABLES: LazyLock<Tables> = LazyLock::new(|| {
+        let model = model_spec::load::from_text("table.hyz", TABLE, &[]).expect("a model");
+        Tables::of_model(&model)
+    });
+    let mut graph = ExprGraph::with_tables(TABLES.clone());
     let symbols = [0, 1, 2].map(|k| graph.symbol(Symbol::State(k)));
     let mut nodes = symbols.to_vec();
     let seeded = |wrt: usize| (0..VARIABLES).map(move |k| Dual64::new(at[k], f64::from(k == wrt)));

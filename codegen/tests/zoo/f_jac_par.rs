@@ -2,8 +2,7 @@
 //! `zoo`: right-hand side with its state and parameter Jacobians.
 
 use super::tables::{
-    bump_CUBICS, bump_KNOTS, bump_slope_CUBICS, ramp_CUBICS, ramp_KNOTS,
-    ramp_slope_CUBICS,
+    bump_CUBICS, bump_CUBICS_1, bump_KNOTS, ramp_CUBICS, ramp_CUBICS_1, ramp_KNOTS,
 };
 
 use lanes::Real;
@@ -37,8 +36,7 @@ pub fn f_jac_par<T: Real>(
     let (sin_b_const, cos_b_const) = b_const.sin_cos();
     let angle_k_e_one = k_e.atan2(T::splat(1.0));
     let ramp_e = e.piecewise_cubic(&ramp_KNOTS, &ramp_CUBICS);
-    let bump_slope_a_plus_b_c = a_plus_b_c
-        .piecewise_cubic(&bump_KNOTS, &bump_slope_CUBICS);
+    let bump_slope_a_plus_b_c = a_plus_b_c.piecewise_cubic(&bump_KNOTS, &bump_CUBICS_1);
     let asin_b_half = (T::splat(0.5) * b).asin();
     let sqrt_a_sq_plus_e_sq = (a_sq + e_sq).sqrt();
     let sqrt_one_plus_b_sq = (T::splat(1.0) + b_sq).sqrt();
@@ -70,7 +68,7 @@ pub fn f_jac_par<T: Real>(
     let inv_one_plus_k_e_sq = T::splat(1.0) / k_e.mul_add(k_e, T::splat(1.0));
     let tanh_sum_c = (c * sum).tanh();
     let inv_b = b.recip_or_zero();
-    let ramp_slope_e = e.piecewise_cubic(&ramp_KNOTS, &ramp_slope_CUBICS);
+    let ramp_slope_e = e.piecewise_cubic(&ramp_KNOTS, &ramp_CUBICS_1);
     let sqrt_sum = sum.sqrt();
     let sqrt_one_minus_a_sq_const_2 = a_sq
         .neg_mul_add(T::splat(0.25), T::splat(1.0))

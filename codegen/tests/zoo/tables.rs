@@ -20,7 +20,7 @@ pub(super) const bump_CUBICS: [[f64; 4]; 6] = [
 
 /// Derivative of the table `bump`: coefficients of the powers 0 to 3 of the distance from the knot below, before the first knot and from each.
 #[allow(non_upper_case_globals, clippy::all, clippy::pedantic)]
-pub(super) const bump_slope_CUBICS: [[f64; 4]; 6] = [
+pub(super) const bump_CUBICS_1: [[f64; 4]; 6] = [
     [1.338988796857831, 0.0, 0.0, 0.0], [1.338988796857831, 0.0, 0.8011204807206311, 0.0],
     [1.5377749806275498, 0.798127015210529, -21.916467763637634, 0.0],
     [-0.19526901353667903, -12.351753642972053, 19.374978857640883, 0.0],
@@ -44,7 +44,7 @@ pub(super) const ramp_CUBICS: [[f64; 4]; 6] = [
 
 /// Derivative of the table `ramp`: coefficients of the powers 0 to 3 of the distance from the knot below, before the first knot and from each.
 #[allow(non_upper_case_globals, clippy::all, clippy::pedantic)]
-pub(super) const ramp_slope_CUBICS: [[f64; 4]; 6] = [
+pub(super) const ramp_CUBICS_1: [[f64; 4]; 6] = [
     [0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0], [0.0, 12.847058823529409, -21.741176470588233, 0.0],
     [0.9882352941176472, 2.2988735919899916, -22.82853566958701, 0.0],
     [0.1361702127659574, -0.1153278332609639, 0.021437876062278993, 0.0], [0.0, 0.0, 0.0, 0.0],
