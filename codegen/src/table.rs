@@ -145,12 +145,4 @@ impl Tables {
             order => format!("{name}_derivative_{order}"),
         }
     }
-
-    /// LaTeX of a function without its argument: a prime per order of the derivative.
-    pub fn latex(&self, function: TableFunction) -> String {
-        let table = &self.table(function.table()).name;
-        let name = crate::latex::name(table, crate::latex::Style::Scalar);
-        let primes = "'".repeat(usize::from(function.order()));
-        format!("{name}{primes}")
-    }
 }

@@ -1,5 +1,6 @@
 //! LaTeX of expression graph nodes; a [`Symbol::Local`] is written by its name.
 
+use super::names::{Style, name};
 use super::piece::Piece;
 use super::tree;
 use crate::functions::MathFunction;
@@ -19,7 +20,10 @@ pub(crate) fn piece(
         Node::Sum(terms, constant) => sum(graph, terms, *constant, &of),
         Node::Product(factors) => product(graph, factors, &of),
         Node::Call(MathFunction::Table(function), x) => {
-            tree::table(graph.tables().latex(*function), of(*x))
+            let table = &graph.tables().table(function.table()).name;
+            // A prime for each order of the derivative.
+            let primes = "'".repeat(usize::from(function.order()));
+            tree::table(name(table, Style::Scalar) + &primes, of(*x))
         }
         Node::Call(function, x) => tree::call(function.notation(), of(*x)),
         Node::Atan2(y, x) => Piece::operator("atan2", &[of(*y), of(*x)]),

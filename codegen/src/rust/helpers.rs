@@ -1,5 +1,6 @@
 //! Helper functions that `f64` lacks, with defined values at singular points.
 
+use super::table_names;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::quote;
 use std::collections::BTreeSet;
@@ -16,7 +17,7 @@ const HELPERS: [(&str, &str); 11] = [
     ("sign", "sign"),
     ("heaviside", "heaviside"),
     ("if_zero", "if_zero"),
-    (super::tables::METHOD, super::tables::METHOD),
+    (table_names::METHOD, table_names::METHOD),
 ];
 
 /// Helper for a method of `lanes::Real`; `None` if `f64` has a method of equal name and meaning.
@@ -106,7 +107,7 @@ fn definition(helper: &str) -> TokenStream {
                 if x > 0.0 { 1.0 } else { 0.0 }
             }
         },
-        super::tables::METHOD => super::tables::helper(),
+        table_names::METHOD => table_names::helper(),
         _ => quote! {
             /// `then` where `|x| < 1e-75`, else `otherwise`.
             fn if_zero(x: f64, then: f64, otherwise: f64) -> f64 {

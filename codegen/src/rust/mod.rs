@@ -17,6 +17,7 @@ mod names;
 mod print;
 mod scalar;
 mod signature;
+mod table_names;
 mod tables;
 
 pub use library::library;

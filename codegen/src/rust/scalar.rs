@@ -3,7 +3,7 @@
 use super::expr::{Binding, Expr};
 use super::helpers;
 use super::ident::ident;
-use super::tables;
+use super::table_names;
 use crate::functions::MathFunction;
 use crate::program::{Binary, Fused, Unary};
 use crate::table::Tables;
@@ -88,8 +88,9 @@ impl Scalar {
     pub fn unary(self, unary: Unary, a: Expr, tables: &Tables) -> Expr {
         let name = match unary {
             Unary::Call(MathFunction::Table(function)) => {
-                let arguments = tables::arguments(tables, function);
-                return self.call(tables::METHOD, a, &arguments);
+                let names = table_names::names(tables, function);
+                let arguments = names.map(|name| Expr::atom(quote!(&#name)));
+                return self.call(table_names::METHOD, a, &arguments);
             }
             Unary::Neg => return a.negated(),
             Unary::Recip => return self.constant(1.0, false).infix(Binary::Div, a),

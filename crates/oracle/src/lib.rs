@@ -30,7 +30,6 @@ mod point;
 mod reference;
 mod rigid;
 pub mod scalar;
-mod table;
 mod tree;
 
 pub use attitude::Quaternion;
@@ -45,5 +44,5 @@ pub use physical::{Motion, Physical};
 pub use point::Point;
 pub use reference::{Law, Reference};
 pub use rigid::{inertia_in_n, solve};
-pub use table::Interpolant;
+pub use scalar::Interpolant;
 pub use tree::{Tree, Value};

@@ -6,8 +6,7 @@
 use crate::frames::{PlacedFrame, place_real};
 use crate::point::Point;
 use crate::rigid::{angular_acceleration, inertia_in_n};
-use crate::scalar::{Real, call};
-use crate::table::Interpolant;
+use crate::scalar::{Interpolant, Real, call};
 use model_spec::layout::depends_on_accelerations;
 use model_spec::model::{Body, Expr, ExprKind, Function, Load, Model, Rotation, Shape};
 use nalgebra::{Matrix3, Vector3};

@@ -1,7 +1,7 @@
 //! Dual numbers over any scalar; over [`ErrorBound`](super::ErrorBound) they give a derivative with its error bound.
 
+use super::table::Interpolant;
 use super::{Elementary, Field, Real};
-use crate::table::Interpolant;
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 

@@ -4,8 +4,8 @@
 //! operation. Without cancellation it is |value|; where terms of size 1 cancel to 1e-9 it stays 2. Errors relative to
 //! it are therefore comparable with the rounding unit, whether or not terms cancel.
 
+use super::table::Interpolant;
 use super::{Elementary, Field, Real};
-use crate::table::Interpolant;
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 

@@ -1,7 +1,7 @@
 //! Pairs of scalars evaluated in one pass.
 
+use super::table::Interpolant;
 use super::{Elementary, Field, Real};
-use crate::table::Interpolant;
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 

@@ -9,6 +9,7 @@ mod num_dual;
 mod ops;
 mod prime;
 mod real;
+mod table;
 
 pub use complex::{ComplexStep, STEP};
 pub use dual::Dual;
@@ -18,8 +19,8 @@ pub(crate) use function::call;
 pub use lockstep::Lockstep;
 pub use num_dual::NumDual;
 pub use prime::{PRIME, Prime};
+pub use table::Interpolant;
 
-use crate::table::Interpolant;
 use ::num_traits::{One, Zero};
 use ops::{assign_ops, wrapped_ops};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};

@@ -2,7 +2,7 @@
 //!
 //! A second way to the same curve as the compiler's: the unknowns are the slopes at the knots, not the second derivatives.
 
-use crate::scalar::Real;
+use super::Real;
 use model_spec::model::{Continuation, Interpolation, Table};
 
 /// A table with its slopes at the knots.
