@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Tables to generate: name of the constant, doc comment, folder, file extension.
-const TABLES: [(&str, &str, &str, &str); 6] = [
+const TABLES: [(&str, &str, &str, &str); 7] = [
     ("MODELS", "Built-in models: name and text.", "models", "hyz"),
     (
         "BODIES",
@@ -24,6 +24,12 @@ const TABLES: [(&str, &str, &str, &str); 6] = [
         "GENERAL_EFFECTS",
         "Built-in effects for models of any kind, candidates where no effect of `EFFECTS` says the same: name and text.",
         "general_effects",
+        "hyz",
+    ),
+    (
+        "WINDS",
+        "Winds that a release can state, as effects for any model; no candidates of a diagnosis: name and text.",
+        "winds",
         "hyz",
     ),
     (

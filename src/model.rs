@@ -113,13 +113,43 @@ impl Model {
     }
 
     /// Parses a release of this model from the text of a release file (TOML); ignores the model that the text names.
-    /// `name` is the file name in error messages.
+    /// `name` is the file name in error messages. Refuses winds by height and gusts, which change the model.
     ///
     /// # Errors
     /// [`Error::Release`].
     pub fn parse_release(&self, name: &str, text: &str) -> Result<Release, Error> {
         let vocabulary = Vocabulary::of(&self.checked);
         Ok(release::read(name, text, |_| Ok(vocabulary))?)
+    }
+
+    /// As [`parse_release`](Model::parse_release), of a release that may state a wind by height and gusts; returns the model in
+    /// that wind, which flies it.
+    ///
+    /// # Errors
+    /// [`Error::Release`].
+    ///
+    /// ```
+    /// # fn main() -> Result<(), hyzer::Error> {
+    /// let text = "model = \"ball\"\nuntil = \"ground\"\n[throw]\nspeed = 9.0\nlaunch = 30.0\n\
+    ///             [wind]\nprofile = \"log\"\nspeed = 5.0\ndirection = 90.0";
+    /// let (ball, release) = hyzer::Model::load("ball")?.parse_release_in_wind("windy", text)?;
+    /// let flight = ball.fly(&release)?;
+    /// assert!(flight.state("y", flight.duration()).is_some_and(|y| y > 0.2));
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn parse_release_in_wind(&self, name: &str, text: &str) -> Result<(Model, Release), Error> {
+        let vocabulary = Vocabulary::of(&self.checked);
+        let (release, vocabulary) = release::read_in_wind(name, text, &[], |_| Ok(vocabulary))?;
+        let model = match vocabulary.model.filter(|_| release.wind_field.is_some()) {
+            Some(composed) => Model {
+                tree: ModelTree::of(&composed),
+                checked: model_spec::model::Model::clone(&composed),
+                compiled: Arc::default(),
+            },
+            None => self.clone(),
+        };
+        Ok((model, release))
     }
 
     /// Simulates a release with relative and absolute tolerances of 1e-9.

@@ -13,7 +13,7 @@ const TECHDISC: &str = "examples/throws/techdisc.csv";
 
 #[test]
 fn the_examples_of_its_help_run() {
-    the_examples_run("simulate", 5, "flight");
+    the_examples_run("simulate", 6, "flight");
 }
 
 fn summary(folder: &Path) -> serde_json::Value {

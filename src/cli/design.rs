@@ -25,8 +25,8 @@ pub struct Design {
     /// Set a parameter or coefficient, SI; may be repeated
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
-    /// Wind velocity in the inertial frame, m/s
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
+    /// Wind: its velocity in the inertial frame, m/s, or a TOML file with [wind]: profiles in height, gusts (docs/wind.md)
+    #[arg(long, value_name = "X,Y,Z|FILE", allow_hyphen_values = true)]
     pub wind: Option<String>,
     /// Errors of the coefficients for the spread: report.json of `hyzer fit`
     #[arg(long, value_name = "FILE")]

@@ -23,7 +23,7 @@ pub struct Stability {
     /// Add an effect, by name or path; may be repeated
     #[arg(long, value_name = "EFFECT")]
     pub with: Vec<String>,
-    /// Wind velocity in the inertial frame, m/s
+    /// Constant wind: its velocity in the inertial frame, m/s
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     pub wind: Option<String>,
     /// Times of the flight at which modes are computed

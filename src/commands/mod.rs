@@ -16,6 +16,7 @@ mod stability;
 mod sweep;
 mod synthesize;
 mod verify;
+mod wind;
 
 use crate::Answer;
 use crate::cli::Command;
@@ -62,4 +63,13 @@ fn share(text: &str) -> anyhow::Result<(u64, u64)> {
         Some((part, of)) if part >= 1 && part <= of => Ok((part, of)),
         _ => anyhow::bail!("--part: found {text:?}, expected I/N with I from 1 to N, as in 2/8"),
     }
+}
+
+/// Three numbers of an option.
+fn vector(option: &str, text: &str, unit: &str) -> anyhow::Result<[f64; 3]> {
+    let parts: Vec<&str> = text.split(',').collect();
+    let [x, y, z] = parts[..] else {
+        anyhow::bail!("{option}: found {text:?}, expected three numbers X,Y,Z in {unit}");
+    };
+    Ok([number(option, x)?, number(option, y)?, number(option, z)?])
 }

@@ -9,7 +9,9 @@ use std::fmt::Write;
 use std::path::Path;
 
 use anyhow::{Context, anyhow, bail};
-use flight::release::{BUILT_IN, Release, Stop, Vocabulary, built_in, read, read_file};
+use flight::release::{
+    BUILT_IN, Release, Stop, Vocabulary, built_in, read, read_file, read_file_in_wind, read_in_wind,
+};
 use flight::throw::Throw;
 use flight::{CompiledModel, simulate, trajectory_csv};
 use model_spec::model::Model;
@@ -127,8 +129,8 @@ fn check_numbers(options: &Simulate) -> anyhow::Result<()> {
 
 /// Loads the model, and the release with the changes given on the command line.
 fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
-    let (model, mut release) = match &options.release {
-        Some(name) => released(name, options.model.as_deref(), &options.with)?,
+    let (mut model, mut release) = match &options.release {
+        Some(name) => released_in_wind(name, options.model.as_deref(), &options.with)?,
         None if throws::are_enough(&options.throw) => throws::bare(options)?,
         None => {
             let names: Vec<&str> = BUILT_IN.iter().map(|(name, _)| *name).collect();
@@ -138,11 +140,11 @@ fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
             );
         }
     };
+    if let Some(wind) = &options.wind {
+        model = super::wind::apply(wind, model, &mut release)?;
+    }
     for set in &options.set {
         apply(set, &model, &mut release)?;
-    }
-    if let Some(wind) = &options.wind {
-        release.wind = vector("--wind", wind, "m/s")?;
     }
     match options.until.as_deref() {
         None => {}
@@ -163,16 +165,8 @@ fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     Ok((model, release))
 }
 
-/// Three numbers of an option.
-pub(super) fn vector(option: &str, text: &str, unit: &str) -> anyhow::Result<[f64; 3]> {
-    let parts: Vec<&str> = text.split(',').collect();
-    let [x, y, z] = parts[..] else {
-        bail!("{option}: found {text:?}, expected three numbers X,Y,Z in {unit}");
-    };
-    Ok([number(option, x)?, number(option, y)?, number(option, z)?])
-}
-
-/// Loads a release by name or file, with the model given on the command line or else the release's own model.
+/// Loads a release by name or file, with the model given on the command line or else the release's own model. Refuses a wind by
+/// height and gusts.
 pub(super) fn released(
     name: &str,
     named: Option<&str>,
@@ -195,6 +189,27 @@ pub(super) fn released(
     Ok((model, release))
 }
 
+/// As [`released`], of a release that may state a wind by height and gusts, with the model in that wind.
+fn released_in_wind(
+    name: &str,
+    named: Option<&str>,
+    with: &[String],
+) -> anyhow::Result<(Model, Release)> {
+    let with = super::names(with);
+    let vocabulary = |own: &str| {
+        let loaded = model_spec::load::load(named.unwrap_or(own), &with);
+        let loaded = loaded.map_err(|error| error.to_string())?;
+        Ok(Vocabulary::of(&loaded))
+    };
+    let (release, vocabulary) = match built_in(name) {
+        Some(text) if !Path::new(name).is_file() => read_in_wind(name, text, &[], vocabulary)?,
+        _ => read_file_in_wind(Path::new(name), vocabulary)?,
+    };
+    let model = vocabulary.model;
+    let model = model.ok_or_else(|| anyhow!("{name}: the release names no model"))?;
+    Ok((Model::clone(&model), release))
+}
+
 /// Applies an assignment `NAME=VALUE` of the command line to the release.
 pub(super) fn apply(set: &str, model: &Model, release: &mut Release) -> anyhow::Result<()> {
     let (name, value) = set
@@ -211,6 +226,10 @@ pub(super) fn apply(set: &str, model: &Model, release: &mut Release) -> anyhow::
         };
         if let Some(expected) = constant.expected_instead_of(value) {
             bail!("--set: found {name} = {value}, expected {expected}");
+        }
+        let field = release.wind_field.as_mut();
+        if field.is_some_and(|field| field.set(name, value)) {
+            return Ok(());
         }
         values.retain(|(known, _)| known != name);
         values.push((name.to_owned(), value));

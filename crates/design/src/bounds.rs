@@ -25,8 +25,10 @@ pub struct Bounds {
 pub struct Scatter {
     /// Of the numbers of the throw: the index in [`FIELDS`], in the unit there.
     pub release: Vec<(usize, f64)>,
-    /// Of the components of the wind, m/s.
+    /// Of the components of a constant wind, m/s.
     pub wind: [f64; 3],
+    /// Of parameters and coefficients: the index in the model's layout, in the unit there.
+    pub parameters: Vec<(usize, f64)>,
 }
 
 /// Ranges where nothing is stated: those of good throwers, from the height of the hand.
@@ -74,6 +76,7 @@ impl Bounds {
             scatter: Scatter {
                 release: fields.iter().filter_map(sd).collect(),
                 wind: [0.0; 3],
+                parameters: Vec::new(),
             },
         }
     }

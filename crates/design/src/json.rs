@@ -64,8 +64,14 @@ impl Design {
                 let _ = writeln!(text, "{name} = {value:?}");
             }
         }
-        if release.wind != [0.0; 3] {
-            let _ = writeln!(text, "\n[wind]\nconstant = {:?}", release.wind);
+        match &release.wind_field {
+            Some(field) => {
+                let _ = write!(text, "\n{}", field.to_toml(release.wind));
+            }
+            None if release.wind != [0.0; 3] => {
+                let _ = writeln!(text, "\n[wind]\nconstant = {:?}", release.wind);
+            }
+            None => {}
         }
         if !release.known.is_empty() {
             text.push_str("\n[known]\n");

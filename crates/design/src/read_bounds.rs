@@ -260,7 +260,8 @@ impl<'t> Reader<'t> {
     fn scatter(&mut self, value: &Value<'t>, body: &ThrownBody, bounds: &mut Bounds) {
         let mut names: Vec<&str> = FIELDS.map(|(name, ..)| name).to_vec();
         names.push("wind");
-        let Some(table) = self.table(value, "scatter", &names) else {
+        let layout = body.compiled.layout();
+        let Some(table) = self.any_table(value, "scatter") else {
             return;
         };
         bounds.scatter.release.clear();
@@ -282,14 +283,26 @@ impl<'t> Reader<'t> {
                 for (k, item) in items.into_iter().enumerate() {
                     bounds.scatter.wind[k] = self.deviation(item, "wind").unwrap_or(0.0);
                 }
-            } else if names.contains(&name)
-                && let Some(field) = self.field(name, key.span(), body)
+            } else if FIELDS.iter().any(|(field, ..)| *field == name) {
+                if let Some(field) = self.field(name, key.span(), body)
+                    && let Some(sd) = self.deviation(value, name)
+                {
+                    bounds.scatter.release.push((field, sd));
+                }
+            } else if let Some(parameter) = layout.parameter(name)
                 && let Some(sd) = self.deviation(value, name)
             {
-                bounds.scatter.release.push((field, sd));
+                bounds.scatter.parameters.push((parameter.index(), sd));
+            } else if layout.parameter(name).is_none() {
+                let message = format!(
+                    "unknown key {name:?} in [scatter]; expected {}, or a parameter or coefficient of the model",
+                    names.join(", ")
+                );
+                self.fault(key.span(), message);
             }
         }
         bounds.scatter.release.sort_by_key(|(field, _)| *field);
+        bounds.scatter.parameters.sort_by_key(|(index, _)| *index);
     }
 
     fn deviation(&mut self, value: &Value<'t>, name: &str) -> Option<f64> {
@@ -310,13 +323,7 @@ impl<'t> Reader<'t> {
         key: &str,
         names: &[&str],
     ) -> Option<&'d DeTable<'t>> {
-        let Some(table) = value.get_ref().as_table() else {
-            self.fault(
-                value.span(),
-                format!("{key} is no table; expected one, as in [{key}]"),
-            );
-            return None;
-        };
+        let table = self.any_table(value, key)?;
         for own in table.keys() {
             if !names.contains(&&**own.get_ref()) {
                 let message = format!(
@@ -328,6 +335,18 @@ impl<'t> Reader<'t> {
             }
         }
         Some(table)
+    }
+
+    /// A table with any keys.
+    fn any_table<'d>(&mut self, value: &'d Value<'t>, key: &str) -> Option<&'d DeTable<'t>> {
+        let table = value.get_ref().as_table();
+        if table.is_none() {
+            self.fault(
+                value.span(),
+                format!("{key} is no table; expected one, as in [{key}]"),
+            );
+        }
+        table
     }
 
     fn number(&mut self, value: &Value<'t>, name: &str, expected: &str) -> Option<f64> {

@@ -39,6 +39,7 @@ fn scatter(of: f64) -> Scatter {
             .map(|(name, sd)| (field(name), of * sd))
             .collect(),
         wind: [0.2 * of, 0.2 * of, 0.0],
+        parameters: Vec::new(),
     }
 }
 
@@ -83,6 +84,7 @@ fn errors_of_coefficients_count_with_their_correlations() {
     let none = Scatter {
         release: Vec::new(),
         wind: [0.0; 3],
+        parameters: Vec::new(),
     };
     let of = |correlation: f64| -> (Matrix2<f64>, Vec<String>) {
         let errors = CoefficientErrors {

@@ -37,6 +37,7 @@ mod rhs;
 mod simulate;
 pub mod throw;
 mod trajectory_csv;
+pub mod wind;
 
 pub use bound_model::BoundModel;
 pub use compiled_model::{CompiledModel, ModelState};

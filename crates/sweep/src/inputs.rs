@@ -3,6 +3,7 @@
 use flight::CompiledModel;
 use flight::release::Vocabulary;
 use flight::throw::{FIELDS, NearThrows, Throw, ThrowError, ThrownModel};
+use flight::wind::gust_phases;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
@@ -15,6 +16,8 @@ pub(crate) struct InputModel {
     p: Vec<f64>,
     thrown: Option<ThrownModel>,
     vocabulary: Vocabulary,
+    /// Seed of the gusts that every flight has for itself, and the places of their phases among the parameters.
+    gusts: Option<(u64, Vec<usize>)>,
 }
 
 impl InputModel {
@@ -23,7 +26,15 @@ impl InputModel {
         let thrown = is_thrown
             .then(|| ThrownModel::new(&plan.model))
             .transpose()?;
+        let field = plan.release.wind_field.as_ref();
+        let gusts = field.and_then(|field| field.gusts.as_ref());
+        let place = |(name, _): (String, f64)| compiled.layout().parameter(&name);
+        let gusts = gusts.filter(|_| plan.gusts).map(|gusts| {
+            let phases = gust_phases(gusts.seed, 0).into_iter().filter_map(place);
+            (gusts.seed, phases.map(|id| id.index()).collect())
+        });
         Ok(InputModel {
+            gusts,
             x: plan.release.state(),
             p: compiled.release_parameters(&plan.release),
             thrown,
@@ -97,11 +108,22 @@ impl<'p> Inputs<'p> {
         }
     }
 
-    /// Initial states and parameters for values of the axes; false where a value is out of its bounds or no state has the
+    /// Initial states and parameters of a flight for values of the axes; false where a value is out of its bounds or no state has the
     /// throw.
-    pub(crate) fn start(&mut self, values: &[f64], x: &mut [f64], p: &mut [f64]) -> bool {
+    pub(crate) fn start(
+        &mut self,
+        flight: u64,
+        values: &[f64],
+        x: &mut [f64],
+        p: &mut [f64],
+    ) -> bool {
         x.copy_from_slice(&self.model.x);
         p.copy_from_slice(&self.model.p);
+        if let Some((seed, places)) = &self.model.gusts {
+            for (place, (_, phase)) in places.iter().zip(gust_phases(*seed, flight)) {
+                p[*place] = phase;
+            }
+        }
         for (axis, value) in self.plan.axes.iter().zip(values) {
             match axis.target {
                 Target::Throw(index) => {

@@ -97,7 +97,7 @@ impl FlightQueue for Part<'_, '_> {
             for (axis, value) in self.axes.iter_mut().zip(&self.values) {
                 axis[row] = *value;
             }
-            if self.inputs.start(&self.values, x, p) {
+            if self.inputs.start(flight, &self.values, x, p) {
                 for (start, state) in self.start.iter_mut().zip(&self.position) {
                     start[row] = state.map_or(0.0, |state| x[state]);
                 }

@@ -16,14 +16,15 @@ use nalgebra::Vector3;
 use report::ResultFile;
 use report::viewer::View;
 
-use super::simulate::{apply, vector};
+use super::simulate::apply;
+use super::vector;
 use crate::cli::Design as Options;
 use crate::{Answer, output};
 
 /// Searches for the throw, prints it, and writes the files if an output folder is given.
 pub fn run(options: &Options) -> anyhow::Result<Answer> {
     let out = output::folder(options.out.as_deref())?;
-    let model = model_spec::load::load(&options.model, &super::names(&options.with))?;
+    let mut model = model_spec::load::load(&options.model, &super::names(&options.with))?;
     let mut release = Release {
         model: options.model.clone(),
         stop: Stop::Ground,
@@ -31,13 +32,14 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
         coefficients: Vec::new(),
         initial: Vec::new(),
         wind: [0.0; 3],
+        wind_field: None,
         known: Vec::new(),
     };
+    if let Some(wind) = &options.wind {
+        model = super::wind::apply(wind, model, &mut release)?;
+    }
     for set in &options.set {
         apply(set, &model, &mut release)?;
-    }
-    if let Some(wind) = &options.wind {
-        release.wind = vector("--wind", wind, "m/s")?;
     }
     let body = ThrownBody::new(model)?;
     let flights = body.with(&release);
@@ -47,7 +49,10 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
         None => Bounds::standard(&body),
     };
     // In still air neither range nor time depends on the heading.
-    let is_calm = release.wind[0] == 0.0 && release.wind[1] == 0.0 && options.with.is_empty();
+    let is_calm = release.wind[0] == 0.0
+        && release.wind[1] == 0.0
+        && release.wind_field.is_none()
+        && options.with.is_empty();
     if options.bounds.is_none() && is_calm && matches!(goal, Goal::Range | Goal::HangTime) {
         bounds.set("heading", 0.0, 0.0);
     }

@@ -28,6 +28,7 @@ pub fn bare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
         coefficients: Vec::new(),
         initial: states.map(|s| (s.name.clone(), s.value)).collect(),
         wind: [0.0; 3],
+        wind_field: None,
         known: Vec::new(),
     };
     Ok((model, release))

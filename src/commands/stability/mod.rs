@@ -12,7 +12,8 @@ use flight::throw::Throw;
 use ode::IntegrationOptions;
 use report::ResultFile;
 
-use super::simulate::{apply, released, throws, vector};
+use super::simulate::{apply, released, throws};
+use super::vector;
 use crate::cli::Stability as Options;
 use crate::{Answer, output};
 
@@ -59,6 +60,7 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
                 coefficients: Vec::new(),
                 initial: states.map(|s| (s.name.clone(), s.value)).collect(),
                 wind: [0.0; 3],
+                wind_field: None,
                 known: Vec::new(),
             };
             let throw = Throw {

@@ -24,7 +24,7 @@ pub struct CoefficientErrors {
 }
 
 impl Scattered {
-    /// The scatter of release and wind; a wind that the model does not know of has no effect.
+    /// The scatter of release, wind and parameters; a wind that the model does not know of has no effect.
     pub fn of(flights: &ThrowFlights<'_>, scatter: &Scatter) -> Scattered {
         let mut all: Vec<(By, f64)> = scatter
             .release
@@ -38,6 +38,8 @@ impl Scattered {
                 all.push((By::Parameter(component.index()), sd));
             }
         }
+        let parameters = scatter.parameters.iter().filter(|(_, sd)| *sd > 0.0);
+        all.extend(parameters.map(|(index, sd)| (By::Parameter(*index), *sd)));
         Scattered {
             by: all.iter().map(|(by, _)| *by).collect(),
             covariance: DMatrix::from_fn(all.len(), all.len(), |i, j| match i == j {

@@ -9,8 +9,12 @@ use std::sync::Arc;
 
 use model_spec::model::{Model, Parameter};
 
+use crate::wind::WindField;
+
 pub use fault::{Fault, ReleaseError, suggestion};
-pub use read::{Reader, Value, read, read_file, read_with};
+pub(crate) use read::read_text;
+pub use read::{Reader, Value, read, read_file, read_file_in_wind, read_in_wind};
+pub(crate) use values::number_of;
 
 /// Initial conditions, parameters and end of a flight.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,8 +29,10 @@ pub struct Release {
     pub coefficients: Vec<(String, f64)>,
     /// Name and initial value (SI) of every state, in the model's order.
     pub initial: Vec<(String, f64)>,
-    /// Velocity of the air in the inertial frame, m/s.
+    /// Constant velocity of the air in the inertial frame, m/s.
     pub wind: [f64; 3],
+    /// Wind by height and gusts; the release is flown with the model that [`WindField::compose`] gives.
+    pub wind_field: Option<WindField>,
     /// Known values (SI) of other inputs of the model, by name.
     pub known: Vec<(String, [f64; 3])>,
 }
@@ -66,14 +72,14 @@ impl Release {
         self
     }
 
-    /// Values of constants in the order of `defaults` (name and default value), overridden by the parameters and
-    /// coefficients of the release.
+    /// Values of constants in the order of `defaults` (name and default value), overridden by the parameters,
+    /// coefficients and wind of the release.
     pub fn constants<'a>(&self, defaults: impl IntoIterator<Item = (&'a str, f64)>) -> Vec<f64> {
+        let of_wind = self.wind_field.as_ref().map(WindField::parameters);
+        let of_wind = of_wind.unwrap_or_default();
         let set = |name: &str| {
-            self.parameters
-                .iter()
-                .chain(&self.coefficients)
-                .find(|(n, _)| n == name)
+            let all = self.parameters.iter().chain(&self.coefficients);
+            all.chain(&of_wind).find(|(n, _)| n == name)
         };
         defaults
             .into_iter()
@@ -111,6 +117,18 @@ pub struct Name {
 }
 
 impl Vocabulary {
+    /// Vocabulary of the model in a wind; the error says why the model cannot have that wind.
+    fn in_wind(&self, field: &WindField) -> Result<Vocabulary, String> {
+        let model = self.model.as_ref();
+        let model =
+            model.ok_or("found a wind by height or gusts, and no model that could fly in it")?;
+        let model = field.compose(model).map_err(|error| {
+            let name = &model.name;
+            format!("the model {name} cannot fly in this wind: {error}")
+        })?;
+        Ok(Vocabulary::of(&model))
+    }
+
     /// Vocabulary of a model: all names that its release files may use.
     pub fn of(model: &Model) -> Vocabulary {
         let names = |of: &[Parameter]| {

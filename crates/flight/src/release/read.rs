@@ -2,6 +2,7 @@
 
 use super::fault::{location, suggestion};
 use super::{Fault, Name, Release, ReleaseError, Stop, Vocabulary};
+use crate::wind::WindField;
 use std::ops::Range;
 use std::path::Path;
 use toml::Spanned;
@@ -18,6 +19,25 @@ pub fn read_file(
     path: &Path,
     vocabulary: impl FnOnce(&str) -> Result<Vocabulary, String>,
 ) -> Result<Release, ReleaseError> {
+    read_text(path, |file, text| read(file, text, vocabulary))
+}
+
+/// As [`read_file`], with a model in the wind that the file states; see [`read_in_wind`].
+///
+/// # Errors
+/// As [`read_file`].
+pub fn read_file_in_wind(
+    path: &Path,
+    vocabulary: impl FnOnce(&str) -> Result<Vocabulary, String>,
+) -> Result<(Release, Vocabulary), ReleaseError> {
+    read_text(path, |file, text| read_in_wind(file, text, &[], vocabulary))
+}
+
+/// Reads the text of a small file, given to `read` with its name.
+pub(crate) fn read_text<V>(
+    path: &Path,
+    read: impl FnOnce(&str, &str) -> Result<V, ReleaseError>,
+) -> Result<V, ReleaseError> {
     let file = path.display().to_string();
     let refuse = |location, message: String| ReleaseError {
         file: file.clone(),
@@ -34,7 +54,7 @@ pub fn read_file(
     }
     let bytes = std::fs::read(path).map_err(|e| refuse(None, format!("cannot be read: {e}")))?;
     match std::str::from_utf8(&bytes) {
-        Ok(text) => read(&file, text, vocabulary),
+        Ok(text) => read(&file, text),
         Err(e) => {
             let good = String::from_utf8_lossy(&bytes[..e.valid_up_to()]);
             let message = format!(
@@ -49,7 +69,8 @@ pub fn read_file(
 /// Parses the text of a release file (TOML).
 ///
 /// `file` is the file name in error messages. `vocabulary` returns the names that a model defines, given the model's
-/// name or path; its error becomes a fault at the location of that name.
+/// name or path; its error becomes a fault at the location of that name. Winds by height and gusts, which change the model,
+/// are refused: [`read_in_wind`] reads them.
 ///
 /// # Errors
 /// [`ReleaseError`] with all faults of the file.
@@ -58,21 +79,25 @@ pub fn read(
     text: &str,
     vocabulary: impl FnOnce(&str) -> Result<Vocabulary, String>,
 ) -> Result<Release, ReleaseError> {
-    read_with(file, text, &[], vocabulary)
+    let mut reader = Reader::new(text);
+    let release = reader.release(&[], false, vocabulary);
+    let release = release.map(|(release, _)| release);
+    reader.finish(file, release)
 }
 
-/// As [`read`], of a file that has further keys of its own, which are not read here.
+/// As [`read`], of a file that may state winds by height and gusts, and has further keys of its own, which are not read here.
+/// Returns the names of the model in that wind too: the release is to be flown with [`Vocabulary::model`].
 ///
 /// # Errors
 /// As [`read`].
-pub fn read_with(
+pub fn read_in_wind(
     file: &str,
     text: &str,
     own_keys: &[&str],
     vocabulary: impl FnOnce(&str) -> Result<Vocabulary, String>,
-) -> Result<Release, ReleaseError> {
+) -> Result<(Release, Vocabulary), ReleaseError> {
     let mut reader = Reader::new(text);
-    let release = reader.release(own_keys, vocabulary);
+    let release = reader.release(own_keys, true, vocabulary);
     reader.finish(file, release)
 }
 
@@ -130,22 +155,28 @@ impl<'t> Reader<'t> {
         });
     }
 
-    fn release(
-        &mut self,
-        own_keys: &[&str],
-        vocabulary: impl FnOnce(&str) -> Result<Vocabulary, String>,
-    ) -> Option<Release> {
-        let document = match DeTable::parse(self.text) {
-            Ok(document) => document,
+    /// The text as TOML; `None`, with a fault, where it is none.
+    pub(crate) fn document(&mut self) -> Option<Spanned<DeTable<'t>>> {
+        match DeTable::parse(self.text) {
+            Ok(document) => Some(document),
             Err(e) => {
                 let span = e.span().unwrap_or(0..0);
                 self.fault(
                     span,
                     format!("this is no TOML: {}", e.message().replace('\n', "; ")),
                 );
-                return None;
+                None
             }
-        };
+        }
+    }
+
+    fn release(
+        &mut self,
+        own_keys: &[&str],
+        in_wind: bool,
+        vocabulary: impl FnOnce(&str) -> Result<Vocabulary, String>,
+    ) -> Option<(Release, Vocabulary)> {
+        let document = self.document()?;
         let document = document.get_ref();
         const KEYS: [&str; 9] = [
             "model",
@@ -170,13 +201,31 @@ impl<'t> Reader<'t> {
             self.wrong_type(name, "model", "a name or a path, as in model = \"disc\"");
             return None;
         };
-        let vocabulary = match vocabulary(model_name) {
+        let mut vocabulary = match vocabulary(model_name) {
             Ok(vocabulary) => vocabulary,
             Err(why) => {
                 self.fault(name.span(), why);
                 return None;
             }
         };
+        let (wind, wind_field) = self.wind(document);
+        if let (Some(field), Some(table)) = (&wind_field, document.get("wind")) {
+            if !in_wind {
+                self.fault(
+                    table.span(),
+                    "found a wind by height or gusts; expected a constant wind alone here",
+                );
+                return None;
+            }
+            match vocabulary.in_wind(field) {
+                Ok(composed) => vocabulary = composed,
+                Err(why) => {
+                    self.fault(table.span(), why);
+                    return None;
+                }
+            }
+            self.stated_twice(document, field);
+        }
         let parameters = self.constants(
             document,
             "parameters",
@@ -194,7 +243,6 @@ impl<'t> Reader<'t> {
             true => Vec::new(),
             false => self.initial(document, &vocabulary),
         };
-        let wind = self.wind(document);
         let known = self.known(document, &vocabulary);
         let mut release = Release {
             model: model_name.into(),
@@ -203,12 +251,26 @@ impl<'t> Reader<'t> {
             coefficients,
             initial,
             wind,
+            wind_field,
             known,
         };
         if is_throw {
             self.throw(document, &vocabulary, &mut release);
         }
-        Some(release)
+        Some((release, vocabulary))
+    }
+
+    /// Records a fault for each parameter of the wind that `[parameters]` states too.
+    fn stated_twice(&mut self, document: &DeTable<'t>, field: &WindField) {
+        let of_wind = field.parameters();
+        for (name, span, _) in self.table(document, "parameters") {
+            if of_wind.iter().any(|(own, _)| own == name) {
+                self.fault(
+                    span,
+                    format!("{name} follows from [wind]; expected it there alone"),
+                );
+            }
+        }
     }
 
     fn stop(&mut self, document: &DeTable<'t>) -> Option<Stop> {
@@ -390,19 +452,6 @@ impl<'t> Reader<'t> {
             }
         }
         initial
-    }
-
-    fn wind(&mut self, document: &DeTable<'t>) -> [f64; 3] {
-        let mut wind = [0.0; 3];
-        for (name, span, value) in self.table(document, "wind") {
-            if name == "constant" {
-                wind = self.vector(value, "constant wind").unwrap_or(wind);
-            } else {
-                let hint = suggestion(name, ["constant"].into_iter());
-                self.fault(span, format!("unknown key {name:?} in [wind]{hint}"));
-            }
-        }
-        wind
     }
 
     fn known(

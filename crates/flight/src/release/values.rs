@@ -27,16 +27,7 @@ impl<'t> Reader<'t> {
 
     /// Parses a finite number; records a fault and returns `None` for anything else.
     pub fn number(&mut self, value: &Value<'t>, name: &str) -> Option<f64> {
-        let number = match value.get_ref() {
-            DeValue::Float(float) => float.as_str().parse::<f64>().ok(),
-            DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
-                .map(|i| i as f64)
-                // Integers beyond 64 bits.
-                .or_else(|_| integer.as_str().parse())
-                .ok(),
-            _ => None,
-        };
-        match number {
+        match number_of(value) {
             Some(number) if number.is_finite() => Some(number),
             Some(number) => {
                 self.fault(
@@ -66,6 +57,19 @@ impl<'t> Reader<'t> {
             value.span(),
             format!("{name} is {found}; expected {expected}"),
         );
+    }
+}
+
+/// The number that a value is, finite or not; `None` for another type.
+pub(crate) fn number_of(value: &Value<'_>) -> Option<f64> {
+    match value.get_ref() {
+        DeValue::Float(float) => float.as_str().parse::<f64>().ok(),
+        DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
+            .map(|i| i as f64)
+            // Integers beyond 64 bits.
+            .or_else(|_| integer.as_str().parse())
+            .ok(),
+        _ => None,
     }
 }
 

@@ -7,6 +7,8 @@ use flight::throw::{FIELDS, Throw};
 use model_spec::layout::Layout;
 use toml::de::DeTable;
 
+/// Key of `[vary]` for gusts of its own in every flight.
+const GUSTS: &str = "gusts";
 /// Greatest number of values of one axis of the grid.
 const MAX_VALUES: usize = 1_000_000;
 
@@ -100,7 +102,9 @@ impl Names<'_> {
             Some(_) => throw.collect(),
             None => states.collect(),
         };
+        // Phases of gusts vary by `gusts = true`, not one by one.
         let parameters = self.layout.parameters.iter().cloned();
+        let parameters = parameters.filter(|name| !name.starts_with("gust_phase_"));
         first.into_iter().chain(parameters).collect()
     }
 
@@ -133,17 +137,22 @@ pub(crate) fn constant<'v>(vocabulary: &'v Vocabulary, name: &str) -> Option<&'v
     constants.into_iter().find(|known| known.name == name)
 }
 
-/// Reads `[vary]`, in the order of the file.
+/// Reads `[vary]`, in the order of the file, and whether every flight has gusts of its own.
 pub(super) fn read<'t>(
     reader: &mut Reader<'t>,
     document: &DeTable<'t>,
     names: &Names<'_>,
-) -> Vec<Axis> {
+) -> (Vec<Axis>, bool) {
+    let mut gusts = false;
     let mut entries = reader.table(document, "vary");
     entries.sort_by_key(|(_, span, _)| span.start);
     let mut axes: Vec<Axis> = Vec::new();
     let mut targets = BTreeSet::new();
     for (name, span, value) in entries {
+        if name == GUSTS && names.layout.parameter(GUSTS).is_none() {
+            gusts = own_gusts(reader, names, span, value);
+            continue;
+        }
         let (target, own) = match names.find(name) {
             Ok(found) => found,
             Err(why) => {
@@ -175,7 +184,29 @@ pub(super) fn read<'t>(
             }),
         }
     }
-    axes
+    (axes, gusts)
+}
+
+/// Reads whether every flight has gusts of its own.
+fn own_gusts<'t>(
+    reader: &mut Reader<'t>,
+    names: &Names<'_>,
+    span: std::ops::Range<usize>,
+    value: &Value<'t>,
+) -> bool {
+    let field = names.release.wind_field.as_ref();
+    if field.is_none_or(|field| field.gusts.is_none()) {
+        reader.fault(
+            span,
+            "found gusts to vary and no [wind.gusts]; expected them",
+        );
+        return false;
+    }
+    let Some(varies) = value.get_ref().as_bool() else {
+        reader.wrong_type(value, GUSTS, "true, for gusts of its own in every flight");
+        return false;
+    };
+    varies
 }
 
 /// Reads how a quantity varies: a table with `values`, `range` and `count`, `normal`, `sd`, or `uniform`.

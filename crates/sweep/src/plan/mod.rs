@@ -30,6 +30,8 @@ pub struct Plan {
     pub throw: Option<Throw>,
     /// What varies, in the order of the file; coefficients of a fit come last.
     pub axes: Vec<Axis>,
+    /// Whether every flight has gusts of its own, with phases by the seed of the gusts and the number of the flight.
+    pub gusts: bool,
     /// Number of points of the grid; 1 without one.
     pub grid: u64,
     /// Number of flights.
@@ -51,6 +53,7 @@ impl Plan {
             release,
             throw,
             axes,
+            gusts,
             grid,
             flights,
             seed,
@@ -59,7 +62,7 @@ impl Plan {
         } = self;
         let source = codegen::rust::source_hash(model);
         fingerprint(format_args!(
-            "hyzer.sweep/1 {source:x} {release:?} {throw:?} {axes:?} {grid} {flights} {seed} {options:?} {factor:?}"
+            "hyzer.sweep/1 {source:x} {release:?} {throw:?} {axes:?} {gusts} {grid} {flights} {seed} {options:?} {factor:?}"
         ))
     }
 

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use flight::release::{Fault, Reader, Release, ReleaseError, Vocabulary, read_with};
+use flight::release::{Fault, Reader, Release, ReleaseError, Vocabulary, read_in_wind};
 use flight::throw::{FIELDS, Throw};
 use flight::{CompiledModel, simulate};
 use model_spec::load::load;
@@ -67,28 +67,25 @@ pub fn read_file(path: &Path) -> Result<Plan, ReleaseError> {
 /// # Errors
 /// [`ReleaseError`] with all faults of the text.
 pub fn read(file: &str, text: &str, folder: &Path) -> Result<Plan, ReleaseError> {
-    let mut loaded = None;
     let parsed = DeTable::parse(text).ok();
     let effects = parsed.as_ref().map(|d| effects(d.get_ref(), folder));
-    let release = read_with(file, text, &OWN_KEYS, |name| {
+    let (release, vocabulary) = read_in_wind(file, text, &OWN_KEYS, |name| {
         let effects = effects.clone().unwrap_or_default();
         let effects: Vec<&str> = effects.iter().map(String::as_str).collect();
         let model = load(&beside(name, folder), &effects).map_err(|e| e.to_string())?;
-        let vocabulary = Vocabulary::of(&model);
-        loaded = Some((model, vocabulary.clone()));
-        Ok(vocabulary)
+        Ok(Vocabulary::of(&model))
     })?;
+    // In the wind of the plan.
+    let model = vocabulary.model.clone();
     let mut reader = Reader::new(text);
-    let plan = parsed
-        .zip(loaded)
-        .and_then(|(document, (model, vocabulary))| {
-            let known = Known {
-                model,
-                vocabulary,
-                release,
-            };
-            plan(&mut reader, document.get_ref(), folder, known)
-        });
+    let plan = parsed.zip(model).and_then(|(document, model)| {
+        let known = Known {
+            model: Model::clone(&model),
+            vocabulary,
+            release,
+        };
+        plan(&mut reader, document.get_ref(), folder, known)
+    });
     reader.finish(file, plan)
 }
 
@@ -149,7 +146,7 @@ fn plan<'t>(
         throw: throw.as_ref(),
         parameters: &parameters,
     };
-    let mut axes = axes::read(reader, document, &names);
+    let (mut axes, gusts) = axes::read(reader, document, &names);
     let (fitted, fixed) = fit::read(reader, document, folder, &names, &axes);
     // What of a fit does not vary has its estimate.
     for (name, value) in &fixed {
@@ -163,9 +160,10 @@ fn plan<'t>(
             grid = grid.saturating_mul(values.len() as u64);
         }
     }
-    let is_random = axes
-        .iter()
-        .any(|axis| !matches!(axis.kind, AxisKind::Values(_)));
+    let is_random = gusts
+        || axes
+            .iter()
+            .any(|axis| !matches!(axis.kind, AxisKind::Values(_)));
     if is_random && draws.is_none() {
         reader.missing("found no number of flights; expected one, as in flights = 10000");
         return None;
@@ -183,6 +181,7 @@ fn plan<'t>(
         release,
         throw,
         axes,
+        gusts,
         grid,
         flights,
         seed: seed.unwrap_or(1),

@@ -125,6 +125,7 @@ fn flights_of_other_models_have_no_fault() {
             coefficients: Vec::new(),
             initial: states.collect(),
             wind: [0.0; 3],
+            wind_field: None,
             known: Vec::new(),
         };
         for seed in 0..5 {

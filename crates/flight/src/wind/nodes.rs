@@ -1,0 +1,108 @@
+//! Nodes of the syntax tree.
+
+use model_spec::diagnostic::Span;
+use model_spec::syntax::ast::{
+    BinaryOp, EffectPart, Expr, ExprKind, Item, ItemKind, Let, Name, Number, Parameter,
+    ParameterClass, Quantity, UnitExpr, UnitFactor,
+};
+
+fn expr(kind: ExprKind) -> Expr {
+    Expr {
+        kind,
+        span: Span::default(),
+    }
+}
+
+/// A name as it stands in the tree.
+pub(super) fn identifier(text: &str) -> Name {
+    Name {
+        text: text.to_owned(),
+        span: Span::default(),
+    }
+}
+
+/// A quantity by its name.
+pub(super) fn name(text: &str) -> Expr {
+    expr(ExprKind::Name(text.to_owned()))
+}
+
+/// A finite number with its unit as powers of symbols; none for a pure number.
+pub(super) fn number(value: f64, unit: &[(&str, i32)]) -> Expr {
+    let magnitude = expr(ExprKind::Number(quantity(value.abs(), unit)));
+    match value.is_sign_negative() {
+        true => expr(ExprKind::Neg(Box::new(magnitude))),
+        false => magnitude,
+    }
+}
+
+fn quantity(value: f64, unit: &[(&str, i32)]) -> Quantity {
+    let span = Span::default();
+    let factors = unit.iter().map(|(symbol, power)| UnitFactor {
+        symbol: (*symbol).to_owned(),
+        doubled: 2 * power,
+        span,
+    });
+    Quantity {
+        number: Number {
+            text: format!("{value:?}"),
+            span,
+        },
+        unit: (!unit.is_empty()).then(|| UnitExpr {
+            factors: factors.collect(),
+            span,
+        }),
+        span,
+    }
+}
+
+/// Binary operation of two expressions.
+pub(super) fn binary(op: BinaryOp, a: Expr, b: Expr) -> Expr {
+    expr(ExprKind::Binary(op, Box::new(a), Box::new(b)))
+}
+
+/// Function of its arguments.
+pub(super) fn call(function: &str, arguments: Vec<Expr>) -> Expr {
+    expr(ExprKind::Call(identifier(function), arguments))
+}
+
+/// Vector by its components in the inertial frame.
+pub(super) fn inertial_vector(components: [Expr; 3]) -> Expr {
+    let frame = identifier("inertial");
+    expr(ExprKind::Components(Box::new(components), frame))
+}
+
+/// Sum of expressions; `None` without any.
+pub(super) fn sum(terms: impl IntoIterator<Item = Expr>) -> Option<Expr> {
+    let terms = terms.into_iter();
+    terms.reduce(|a, b| binary(BinaryOp::Add, a, b))
+}
+
+/// Statement of an effect that names a quantity.
+pub(super) fn add_let(text: &str, value: Expr) -> EffectPart {
+    let binding = Let {
+        name: identifier(text),
+        unit: None,
+        value,
+    };
+    added(ItemKind::Let(binding), String::new())
+}
+
+/// Statement of an effect that declares a parameter without a unit, 0 by default.
+pub(super) fn add_parameter(text: &str, doc: &str) -> EffectPart {
+    let parameter = Parameter {
+        class: ParameterClass::Param,
+        name: identifier(text),
+        value: quantity(0.0, &[]),
+        bounds: None,
+    };
+    added(ItemKind::Parameter(parameter), doc.to_owned())
+}
+
+fn added(kind: ItemKind, doc: String) -> EffectPart {
+    EffectPart::Add(Box::new(Item {
+        kind,
+        doc,
+        span: Span::default(),
+        effect: None,
+    }))
+}

@@ -1,0 +1,32 @@
+//! The option `--wind`: a constant wind, or the wind of a file.
+
+use std::path::Path;
+
+use anyhow::{Context, bail};
+use flight::release::Release;
+use flight::wind::read_wind_file;
+use model_spec::model::Model;
+
+use super::vector;
+
+/// Gives a release the wind of the option and returns the model that flies it. Three numbers are a constant wind; anything else is a
+/// TOML file with a table `[wind]`.
+pub fn apply(text: &str, model: Model, release: &mut Release) -> anyhow::Result<Model> {
+    if release.wind_field.is_some() {
+        bail!("--wind: the release states a wind by height or gusts, expected one wind alone");
+    }
+    if text.split(',').count() == 3 && !Path::new(text).is_file() {
+        release.wind = vector("--wind", text, "m/s")?;
+        return Ok(model);
+    }
+    if !Path::new(text).is_file() {
+        bail!("--wind: found {text:?}, expected X,Y,Z in m/s or a TOML file with [wind]");
+    }
+    let (constant, field) = read_wind_file(Path::new(text)).context("--wind")?;
+    release.wind = constant;
+    release.wind_field = field;
+    match &release.wind_field {
+        Some(field) => field.compose(&model).context("--wind"),
+        None => Ok(model),
+    }
+}
