@@ -6,8 +6,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Tables to generate: name of the constant, doc comment, folder, file extension.
-const TABLES: [(&str, &str, &str, &str); 6] = [
+const TABLES: [(&str, &str, &str, &str); 7] = [
     ("MODELS", "Built-in models: name and text.", "models", "hyz"),
+    (
+        "BODIES",
+        "Built-in models that are flown by tape, without generated code in this repository: name and text.",
+        "bodies",
+        "hyz",
+    ),
     (
         "EFFECTS",
         "Built-in effects: name and text.",

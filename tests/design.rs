@@ -167,7 +167,7 @@ fn bad_input_is_refused_before_anything_is_written() {
 fn stability_says_which_body_has_no_axis_of_symmetry() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("modes");
-    let boomerang = "crates/verify/tests/models/boomerang.hyz";
+    let boomerang = "examples/boomerang/boomerang.hyz";
     let (status, text, errors) = told(
         hyzer()
             .args(["stability", boomerang, "--speed", "20", "--spin", "600"])

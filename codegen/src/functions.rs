@@ -1,8 +1,10 @@
 //! Functions of one argument: name, symmetry, range, derivative, evaluation, notation and cost, in one place.
 //!
-//! A function is added here and as a method of [`lanes::Real`]; no other file of the compiler lists them.
+//! A function is added here and as a method of [`lanes::Real`]; no other file of the compiler lists them. The tables of a model
+//! are functions, too; what they look up stands in [`Tables`].
 
 use crate::number::Number;
+use crate::table::{TableFunction, TableId, Tables};
 use lanes::Real;
 use model_spec::model::Function as Named;
 
@@ -31,6 +33,8 @@ pub enum MathFunction {
     Sqrt,
     /// Indicator of x ≠ 0: 0 at 0, else 1; equals `x * recip_or_zero(x)`.
     NonZero,
+    /// A table of the model, or a derivative of one.
+    Table(TableFunction),
 }
 
 /// Symmetry of a function about 0.
@@ -94,7 +98,7 @@ pub enum Notation {
 }
 
 impl MathFunction {
-    /// All variants of `MathFunction`.
+    /// All functions that do not depend on the model.
     pub const ALL: [MathFunction; 11] = [
         MathFunction::Sin,
         MathFunction::Cos,
@@ -109,7 +113,8 @@ impl MathFunction {
         MathFunction::NonZero,
     ];
 
-    /// Function name, used in printed expressions and in names of generated variables.
+    /// Function name, used in printed expressions and in names of generated variables; that of a table is known to
+    /// [`Tables::name`] alone.
     pub fn name(self) -> &'static str {
         match self {
             MathFunction::Sin => "sin",
@@ -123,12 +128,16 @@ impl MathFunction {
             MathFunction::Heaviside => "step",
             MathFunction::Sqrt => "sqrt",
             MathFunction::NonZero => "nonzero",
+            MathFunction::Table(_) => "table",
         }
     }
 
-    /// Value of the function at `x`.
+    /// Value of the function at `x`; `tables` are those of the model.
+    ///
+    /// # Panics
+    /// If the function is a table that is not among them.
     #[inline(always)]
-    pub fn eval<T: Real>(self, x: T) -> T {
+    pub fn eval<T: Real>(self, x: T, tables: &Tables) -> T {
         match self {
             MathFunction::Sin => x.sin_cos().0,
             MathFunction::Cos => x.sin_cos().1,
@@ -141,10 +150,12 @@ impl MathFunction {
             MathFunction::Heaviside => x.heaviside(),
             MathFunction::Sqrt => x.sqrt(),
             MathFunction::NonZero => x.if_zero(T::splat(0.0), T::splat(1.0)),
+            MathFunction::Table(function) => tables.of(function).eval(x),
         }
     }
 
-    /// Rust method call on a [`lanes::Real`] that computes the function, without the receiver: `exp()`.
+    /// Rust method call on a [`lanes::Real`] that computes the function, without the receiver: `exp()`; of a table, whose
+    /// arguments are not here, only the name.
     pub fn rust_method(self) -> &'static str {
         match self {
             MathFunction::Sin => "sin_cos().0",
@@ -158,6 +169,7 @@ impl MathFunction {
             MathFunction::Heaviside => "heaviside()",
             MathFunction::Sqrt => "sqrt()",
             MathFunction::NonZero => "if_zero(T::splat(0.0), T::splat(1.0))",
+            MathFunction::Table(_) => "piecewise_cubic",
         }
     }
 
@@ -175,6 +187,11 @@ impl MathFunction {
                 Derivative::Zero
             }
             MathFunction::Sqrt => Derivative::HalfOverValue,
+            MathFunction::Table(function) => {
+                function.derivative().map_or(Derivative::Zero, |slope| {
+                    Derivative::Call(Self::Table(slope))
+                })
+            }
         }
     }
 
@@ -188,7 +205,8 @@ impl MathFunction {
             MathFunction::Exp
             | MathFunction::Log
             | MathFunction::Heaviside
-            | MathFunction::Sqrt => Parity::None,
+            | MathFunction::Sqrt
+            | MathFunction::Table(_) => Parity::None,
         }
     }
 
@@ -235,6 +253,7 @@ impl MathFunction {
             MathFunction::Sign if negative => Some(Number::MINUS_ONE),
             MathFunction::Sign | MathFunction::NonZero => indicator(!zero),
             MathFunction::Heaviside => indicator(!zero && !negative),
+            MathFunction::Table(_) => None,
         }
     }
 
@@ -274,6 +293,7 @@ impl MathFunction {
             MathFunction::Heaviside => Notation::Bracket("> 0"),
             MathFunction::Sqrt => Notation::Radical,
             MathFunction::NonZero => Notation::Bracket(r"\neq 0"),
+            MathFunction::Table(_) => Notation::Operator("table"),
         }
     }
 }
@@ -308,6 +328,7 @@ impl FunctionLowering {
             Named::Sign => MathFunction::Sign,
             Named::Step => MathFunction::Heaviside,
             Named::Tanh => MathFunction::Tanh,
+            Named::Table(index) => MathFunction::Table(TableFunction::new(TableId::new(index), 0)),
         })
     }
 

@@ -24,6 +24,7 @@ pub mod rust;
 pub mod schedule;
 mod specialize;
 pub mod ssa;
+pub mod table;
 pub mod tape;
 pub mod tape_model;
 

@@ -2,6 +2,7 @@
 //! order.
 
 use crate::functions::MathFunction;
+use crate::table::Tables;
 
 /// Source of an operand: an input, a constant or the result of an earlier statement.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -127,6 +128,8 @@ pub struct Program {
     pub statements: Vec<Statement>,
     /// Results of the program, in the order of the function's sections.
     pub outputs: Vec<Operand>,
+    /// Tables that the statements look up.
+    pub tables: Tables,
 }
 
 /// Consecutive outputs of a function that form one vector or matrix.

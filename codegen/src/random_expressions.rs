@@ -7,10 +7,12 @@ use crate::number::Number;
 use crate::program::Program;
 use crate::schedule::{Namer, schedule};
 use crate::ssa::{Ssa, build};
+use crate::table::{TableFunction, TableId, Tables};
 use crate::tape::{Inputs, Tape};
 use num_dual::{Dual64, DualNum};
 use proptest::prelude::*;
 use proptest::sample::Index;
+use std::sync::LazyLock;
 
 /// Number of variables of a random expression.
 const VARIABLES: usize = 3;
@@ -36,7 +38,13 @@ enum Step {
     Min,
     Max,
     Call(MathFunction),
+    /// The only table, [`TABLE`].
+    Table,
 }
+
+/// A model with a table that is, by u = 1 - |x - 1|, the function (3u - u³)/2 where u > 0, and 3u/2 beyond.
+const TABLE: &str = "model table; param tau = 1 s; state a = 0; frame N;
+    table hill(x) = { 0: 0, 1: 1, 2: 0 }; der(a) = hill(a)/tau;";
 
 fn steps() -> impl Strategy<Value = Vec<(Step, Index, Index)>> {
     use MathFunction::{Abs, Asin, Cos, Exp, Log, Sin, Tanh};
@@ -61,6 +69,7 @@ fn steps() -> impl Strategy<Value = Vec<(Step, Index, Index)>> {
         Step::Call(Exp),
         Step::Call(Log),
         Step::Call(Asin),
+        Step::Table,
     ]);
     prop::collection::vec((step, any::<Index>(), any::<Index>()), 1..20)
 }
@@ -94,6 +103,10 @@ fn node(graph: &mut ExprGraph, step: Step, x: NodeId, y: NodeId) -> NodeId {
         Step::Min => graph.min(x, y),
         Step::Max => graph.max(x, y),
         Step::Call(function) => graph.call(function, x),
+        Step::Table => {
+            let value = TableFunction::new(TableId::new(0), 0);
+            graph.call(MathFunction::Table(value), x)
+        }
     }
 }
 
@@ -124,6 +137,11 @@ fn value(step: Step, x: Dual64, y: Dual64) -> Option<Dual64> {
             let first = (x.re < y.re) == matches!(step, Step::Min);
             smooth(x.re - y.re).then_some(if first { x } else { y })?
         }
+        Step::Table => {
+            let u = one - if x.re < 1.0 { one - x } else { x - one };
+            let cube = if u.re > 0.0 { u * u * u } else { u * 0.0 };
+            (u * 3.0 - cube) * 0.5
+        }
         Step::Call(function) => match function {
             MathFunction::Sin => x.sin(),
             MathFunction::Cos => x.cos(),
@@ -148,7 +166,11 @@ struct Case {
 
 /// Builds a case; `None` where a step is not smooth or a value exceeds [`MAX_MAGNITUDE`].
 fn case(steps: &[(Step, Index, Index)], at: [f64; VARIABLES]) -> Option<Case> {
-    let mut graph = ExprGraph::new();
+    static TABLES: LazyLock<Tables> = LazyLock::new(|| {
+        let model = model_spec::load::from_text("table.hyz", TABLE, &[]).expect("a model");
+        Tables::of_model(&model)
+    });
+    let mut graph = ExprGraph::with_tables(TABLES.clone());
     let symbols = [0, 1, 2].map(|k| graph.symbol(Symbol::State(k)));
     let mut nodes = symbols.to_vec();
     let seeded = |wrt: usize| (0..VARIABLES).map(move |k| Dual64::new(at[k], f64::from(k == wrt)));

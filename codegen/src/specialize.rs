@@ -21,7 +21,7 @@ impl Specialized {
     /// Specializes the nodes of `old` reachable from `roots`, with `values` substituted for symbols.
     pub fn new(old: &ExprGraph, roots: &[NodeId], values: &Values) -> Specialized {
         let mut new = Specialized {
-            graph: ExprGraph::new(),
+            graph: ExprGraph::with_tables(old.tables().clone()),
             images: vec![None; old.len()],
         };
         let mut locals: FastMap<NodeId, NodeId> = FastMap::default();

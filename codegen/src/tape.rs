@@ -7,6 +7,7 @@ mod allocate;
 
 use crate::functions::MathFunction;
 use crate::program::{Binary, Fused, Op, Operand, Program, Unary};
+use crate::table::Tables;
 use lanes::Real;
 
 /// Operation code of an instruction.
@@ -74,6 +75,7 @@ struct Bytecode<R> {
 pub struct Tape {
     code: Width,
     registers: usize,
+    tables: Tables,
 }
 
 /// Bytecode with the narrowest register indices that suffice: narrow ones halve the memory read per evaluation.
@@ -109,7 +111,11 @@ impl Tape {
             Ok(_) => Width::Narrow(wide.map(|register| register as u16)),
             Err(_) => Width::Wide(wide),
         };
-        Tape { code, registers }
+        Tape {
+            code,
+            registers,
+            tables: program.tables.clone(),
+        }
     }
 
     /// Number of instructions.
@@ -158,15 +164,15 @@ impl Tape {
     pub fn eval_in<T: Real>(&self, inputs: Inputs<'_, T>, scratch: &mut [T], out: &mut [T]) {
         let scratch = &mut scratch[..self.registers];
         match &self.code {
-            Width::Narrow(code) => code.run(inputs, scratch, out),
-            Width::Wide(code) => code.run(inputs, scratch, out),
+            Width::Narrow(code) => code.run(&self.tables, inputs, scratch, out),
+            Width::Wide(code) => code.run(&self.tables, inputs, scratch, out),
         }
     }
 }
 
 impl<R: Register> Bytecode<R> {
     #[inline(always)]
-    fn run<T: Real>(&self, inputs: Inputs<'_, T>, s: &mut [T], out: &mut [T]) {
+    fn run<T: Real>(&self, tables: &Tables, inputs: Inputs<'_, T>, s: &mut [T], out: &mut [T]) {
         for &(operand, register) in &self.loads {
             s[register.index()] = match operand {
                 Operand::Time => inputs.t,
@@ -200,7 +206,7 @@ impl<R: Register> Bytecode<R> {
                 Opcode::Neg => -a,
                 Opcode::Recip => T::splat(1.0) / a,
                 Opcode::RecipOrZero => a.recip_or_zero(),
-                Opcode::Call(function) => function.eval(a),
+                Opcode::Call(function) => function.eval(a, tables),
             };
             s[i.target.index()] = value;
         }

@@ -6,7 +6,7 @@ use crate::model::Model;
 use crate::syntax::ast::File;
 
 pub use crate::error::LoadError;
-pub use crate::library::{EFFECTS, GENERAL_EFFECTS, MODELS, REFUTED, WINDS};
+pub use crate::library::{BODIES, EFFECTS, GENERAL_EFFECTS, MODELS, REFUTED, WINDS};
 pub use crate::read::decode;
 
 /// Result of loading a model that may have errors.

@@ -4,6 +4,7 @@
 
 mod claim;
 mod effect;
+mod table;
 mod walk;
 
 use std::sync::Arc;
@@ -15,6 +16,7 @@ use crate::unit::Unit;
 pub use crate::source::Source;
 pub use claim::{Claim, ClaimedAttitude, ClaimedRotation};
 pub use effect::{AppliedEffect, EffectUnknown, OfferedEffect};
+pub use table::{Continuation, Interpolation, Table};
 
 /// A checked model of a flying body: its states, parameters, frames, loads and equations.
 #[derive(Clone, Debug)]
@@ -39,6 +41,8 @@ pub struct Model {
     pub frames: Vec<Frame>,
     /// The body whose equations of motion are derived; none if every equation is stated.
     pub body: Option<Body>,
+    /// Functions given by tables, in order of declaration.
+    pub tables: Vec<Table>,
     /// Auxiliary variables, each after those that it uses.
     pub aux_variables: Vec<AuxVariable>,
     /// Forces at the centre of mass, N, in any frame.
@@ -466,4 +470,6 @@ pub enum Function {
     Step,
     /// Hyperbolic tangent.
     Tanh,
+    /// A table, by index into [`Model::tables`].
+    Table(usize),
 }

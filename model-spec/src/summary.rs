@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::check::singular_points;
-use crate::model::{FrameKind, Model, Parameter};
+use crate::model::{Continuation, FrameKind, Interpolation, Model, Parameter};
 use crate::source::LineStarts;
 
 /// Summary of a model as text: states, parameters with units, forces, limits, singular points, effects.
@@ -39,6 +39,7 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
             )?;
         }
     }
+    tables(out, model)?;
     if let Some(body) = &model.body {
         let loads = |loads: &[crate::model::Load]| {
             loads
@@ -178,6 +179,39 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
             }
             writeln!(out)?;
         }
+    }
+    Ok(())
+}
+
+fn tables(out: &mut String, model: &Model) -> std::fmt::Result {
+    if model.tables.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "\ntables")?;
+    for table in &model.tables {
+        let [of_argument, of_value] = &table.unit_texts;
+        let argument = |knot: Option<&(f64, f64)>| knot.map_or(0.0, |knot| knot.0);
+        let (first_knot, last_knot) = (table.knots.first(), table.knots.last());
+        let way = match table.interpolation {
+            Interpolation::Spline => "spline",
+            Interpolation::Monotone => "monotone",
+        };
+        let beyond = match table.continuation {
+            Continuation::Linear => "linear",
+            Continuation::Constant => "constant",
+        };
+        write!(out, "  {}({})", table.name, table.argument)?;
+        if of_value != "1" {
+            write!(out, " in {of_value}")?;
+        }
+        writeln!(
+            out,
+            ", {} knots from {} to {}, {way}, {beyond} beyond   {}",
+            table.knots.len(),
+            with_unit(argument(first_knot), of_argument),
+            with_unit(argument(last_knot), of_argument),
+            first(&table.doc)
+        )?;
     }
     Ok(())
 }

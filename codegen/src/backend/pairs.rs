@@ -79,6 +79,7 @@ mod tests {
         let program = Program {
             statements: statements.into(),
             outputs: Vec::new(),
+            ..Program::default()
         };
         let pairs = sin_cos_pairs(&program);
         assert_eq!(pairs.get(&0), Some(&(0, 3)));

@@ -44,6 +44,12 @@ static double if_zero(double x, double a, double b) { return fabs(x) < 1e-75 ? a
 static double clamped_asin(double x) { return asin(x < -1 ? -1 : x > 1 ? 1 : x); }
 static double sign(double x) { return (x > 0) - (x < 0); }
 static double step(double x) { return x > 0; }
+static double cubic(double x, int n, const double *knots, const double (*c)[4]) {
+  int i = 0;
+  while (i < n && knots[i] <= x) i++;
+  double h = x - knots[i ? i - 1 : 0];
+  return ((c[i][3] * h + c[i][2]) * h + c[i][1]) * h + c[i][0];
+}
 ";
 
 fn emit_function(text: &mut String, compiled: &Compiled, function: &Function) {
@@ -127,6 +133,20 @@ fn op(body: &Body<'_>, op: &Op) -> String {
         Op::Unary(Unary::Recip, a) => format!("(1 / {})", v(a)),
         Op::Unary(Unary::RecipOrZero, a) => format!("recip_or_zero({})", v(a)),
         Op::Unary(Unary::Call(MathFunction::NonZero), a) => format!("if_zero({}, 0, 1)", v(a)),
+        Op::Unary(Unary::Call(MathFunction::Table(function)), a) => {
+            let cubic = body.function.program.tables.of(function);
+            let list = |values: &[f64]| {
+                let values: Vec<String> = values.iter().map(|v| format!("{v:?}")).collect();
+                format!("{{{}}}", values.join(", "))
+            };
+            let rows: Vec<String> = cubic.cubics().iter().map(|row| list(row)).collect();
+            let (n, knots) = (cubic.knots().len(), list(cubic.knots()));
+            let rows = rows.join(", ");
+            format!(
+                "cubic({}, {n}, (const double[]){knots}, (const double[][4]){{{rows}}})",
+                v(a)
+            )
+        }
         Op::Unary(Unary::Call(function), a) => {
             let name = match function {
                 MathFunction::Sqrt => "root",

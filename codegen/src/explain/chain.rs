@@ -115,7 +115,7 @@ pub(super) struct Cut {
 impl Cut {
     pub fn new(model: &Model, source: &ExprGraph, roots: &[NodeId]) -> Cut {
         let mut cut = Cut {
-            graph: ExprGraph::new(),
+            graph: ExprGraph::with_tables(source.tables().clone()),
             roots: Vec::new(),
             layout: Layout::new(model),
             names: FastMap::default(),

@@ -15,6 +15,7 @@ pub use hash::FastMap;
 
 use crate::functions::MathFunction;
 use crate::number::Number;
+use crate::table::Tables;
 use std::ops::Range;
 
 model_spec::index_type!(
@@ -95,12 +96,34 @@ pub struct ExprGraph {
     root_of: FastMap<NodeId, NodeId>,
     names: FastMap<NodeId, String>,
     has_masks: bool,
+    tables: Tables,
 }
 
 impl ExprGraph {
     /// Creates an empty graph.
     pub fn new() -> ExprGraph {
         ExprGraph::default()
+    }
+
+    /// Creates an empty graph of expressions that may look up tables.
+    pub fn with_tables(tables: Tables) -> ExprGraph {
+        ExprGraph {
+            tables,
+            ..ExprGraph::default()
+        }
+    }
+
+    /// Tables that the expressions look up.
+    pub fn tables(&self) -> &Tables {
+        &self.tables
+    }
+
+    /// Name of a function, for printed expressions and names of variables.
+    pub fn function_name(&self, function: MathFunction) -> String {
+        match function {
+            MathFunction::Table(function) => self.tables.name(function),
+            _ => function.name().to_owned(),
+        }
     }
 
     /// Number of nodes in the graph.

@@ -55,7 +55,9 @@ impl ExprGraph {
                     .collect();
                 parenthesise(parts.join("*"), level > 1)
             }
-            Node::Call(function, x) => format!("{}({})", function.name(), inner(*x, 0)),
+            Node::Call(function, x) => {
+                format!("{}({})", self.function_name(*function), inner(*x, 0))
+            }
             Node::Atan2(y, x) => format!("atan2({}, {})", inner(*y, 0), inner(*x, 0)),
             Node::Min(a, b) => format!("min({}, {})", inner(*a, 0), inner(*b, 0)),
             Node::Max(a, b) => format!("max({}, {})", inner(*a, 0), inner(*b, 0)),

@@ -1,7 +1,9 @@
 //! LaTeX of expression graph nodes; a [`Symbol::Local`] is written by its name.
 
+use super::names::{Style, name};
 use super::piece::Piece;
 use super::tree;
+use crate::functions::MathFunction;
 use crate::graph::{ExprGraph, Node, NodeId, Symbol};
 use crate::number::Number;
 
@@ -17,6 +19,12 @@ pub(crate) fn piece(
         Node::Symbol(symbol) => leaf(id, *symbol),
         Node::Sum(terms, constant) => sum(graph, terms, *constant, &of),
         Node::Product(factors) => product(graph, factors, &of),
+        Node::Call(MathFunction::Table(function), x) => {
+            let table = &graph.tables().table(function.table()).name;
+            // A prime for each order of the derivative.
+            let primes = "'".repeat(usize::from(function.order()));
+            tree::table(name(table, Style::Scalar) + &primes, of(*x))
+        }
         Node::Call(function, x) => tree::call(function.notation(), of(*x)),
         Node::Atan2(y, x) => Piece::operator("atan2", &[of(*y), of(*x)]),
         Node::Min(a, b) => Piece::function(r"\min", tree::pair(of(*a), of(*b))),
@@ -134,7 +142,6 @@ fn fraction(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::functions::MathFunction;
 
     #[test]
     fn nodes_have_the_parentheses_they_need() {

@@ -3,7 +3,7 @@
 use super::names::{Style, name};
 use super::piece::{Bind, Piece};
 use crate::functions::{FunctionLowering, Notation};
-use model_spec::model::{Expr, ExprKind, Model, Shape};
+use model_spec::model::{Expr, ExprKind, Function, Model, Shape};
 
 /// LaTeX of an expression. Changes of frame are not written: the vector remains the same.
 pub(super) fn piece(model: &Model, expr: &Expr) -> Piece {
@@ -73,6 +73,10 @@ pub(super) fn piece(model: &Model, expr: &Expr) -> Piece {
             Shape::Scalar => of(v),
         },
         E::Reexpress(v) => of(v),
+        E::Call(Function::Table(index), x) => {
+            let of_table = name(&model.tables[*index].name, Style::Scalar);
+            table(of_table, of(x))
+        }
         E::Call(function, x) => call(FunctionLowering::of(*function).notation(), of(x)),
         E::Atan2(y, x) => Piece::operator("atan2", &[of(y), of(x)]),
         E::Min(a, b) => Piece::function(r"\min", pair(of(a), of(b))),
@@ -97,6 +101,11 @@ fn axis(model: &Model, frame: usize, k: u8) -> Piece {
 /// Two arguments separated by a comma.
 pub(super) fn pair(a: Piece, b: Piece) -> Piece {
     Piece::new(format!(r"{},\, {}", a.text, b.text), Bind::Sum)
+}
+
+/// Look-up in a table of this name, in LaTeX.
+pub(super) fn table(name: String, x: Piece) -> Piece {
+    Piece::atom(format!(r"{name}\left({}\right)", x.text))
 }
 
 /// Call of an elementary function with one argument.

@@ -8,6 +8,7 @@ mod solve;
 
 use crate::graph::{ExprGraph, NodeId, Symbol};
 use crate::layout::Layout;
+use crate::table::Tables;
 use frames::Vector;
 use model_spec::diagnostic::Span;
 use model_spec::model::{ExprKind, Model};
@@ -74,7 +75,7 @@ pub fn lower(model: &Model) -> Lowered {
     let layout = Layout::new(model);
     let mut lowering = Lowering {
         model,
-        graph: ExprGraph::new(),
+        graph: ExprGraph::with_tables(Tables::of_model(model)),
         layout,
         lets: Vec::new(),
         component_rates: None,

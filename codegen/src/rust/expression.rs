@@ -61,7 +61,10 @@ impl Writer<'_> {
         let first = |a: Operand| self.operand(a, all_constant || is_receiver);
         let rest = |a: Operand| self.operand(a, false);
         match *op {
-            Op::Unary(unary, a) => self.scalar.unary(unary, first(a)),
+            Op::Unary(unary, a) => {
+                let tables = &self.body.function.program.tables;
+                self.scalar.unary(unary, first(a), tables)
+            }
             Op::Fused(fused, a, b, c) => self.scalar.fused(fused, first(a), rest(b), rest(c)),
             Op::IfZero(condition, then, otherwise) => {
                 self.scalar
@@ -107,7 +110,7 @@ mod tests {
                 "b.sqrt()/a",
             ),
             (
-                Scalar::Lanes.unary(Unary::Recip, name("b")),
+                Scalar::Lanes.unary(Unary::Recip, name("b"), &crate::table::Tables::default()),
                 Mul,
                 "a*(T::splat(1.0)/b)",
                 "T::splat(1.0)/b*a",
@@ -131,7 +134,11 @@ mod tests {
         use crate::program::Fused;
         let minus_two = || Scalar::F64.constant(-2.0, true);
         assert_eq!(
-            text(&Scalar::F64.unary(Unary::Call(MathFunction::Abs), minus_two())),
+            text(&Scalar::F64.unary(
+                Unary::Call(MathFunction::Abs),
+                minus_two(),
+                &crate::table::Tables::default()
+            )),
             "(-2.0_f64).abs()"
         );
         let a = || name("a");

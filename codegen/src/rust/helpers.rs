@@ -1,11 +1,12 @@
 //! Helper functions that `f64` lacks, with defined values at singular points.
 
+use super::table_names;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::quote;
 use std::collections::BTreeSet;
 
 /// (method of `lanes::Real`, name of the `f64` helper function that replaces the method).
-const HELPERS: [(&str, &str); 10] = [
+const HELPERS: [(&str, &str); 11] = [
     ("sqrt", "sqrt_or_zero"),
     ("recip_or_zero", "recip_or_zero"),
     ("log", "log_or_zero"),
@@ -16,6 +17,7 @@ const HELPERS: [(&str, &str); 10] = [
     ("sign", "sign"),
     ("heaviside", "heaviside"),
     ("if_zero", "if_zero"),
+    (table_names::METHOD, table_names::METHOD),
 ];
 
 /// Helper for a method of `lanes::Real`; `None` if `f64` has a method of equal name and meaning.
@@ -105,6 +107,7 @@ fn definition(helper: &str) -> TokenStream {
                 if x > 0.0 { 1.0 } else { 0.0 }
             }
         },
+        table_names::METHOD => table_names::helper(),
         _ => quote! {
             /// `then` where `|x| < 1e-75`, else `otherwise`.
             fn if_zero(x: f64, then: f64, otherwise: f64) -> f64 {

@@ -16,11 +16,15 @@ use quote::{format_ident, quote};
 pub(super) fn model_module(compiled: &Compiled, model: &Model) -> String {
     let head = inner_doc(&documentation(compiled, model));
     let mut modules: Vec<&str> = FUNCTIONS.iter().map(|function| function.name).collect();
+    if super::tables::file(compiled).is_some() {
+        modules.push("tables");
+    }
     modules.sort_unstable();
     let modules: Vec<_> = modules
         .into_iter()
         .map(|name| format_ident!("{name}"))
         .collect();
+    let functions = modules.iter().filter(|module| **module != "tables");
     let constants = constants::items(model, compiled, &TokenStream::new());
     let equations = equations(compiled);
     file(
@@ -28,7 +32,7 @@ pub(super) fn model_module(compiled: &Compiled, model: &Model) -> String {
         quote! {
             #head
             #(mod #modules;)*
-            #(pub use #modules::#modules;)*
+            #(pub use #functions::#functions;)*
             #constants
             #equations
         },

@@ -17,6 +17,8 @@ mod names;
 mod print;
 mod scalar;
 mod signature;
+mod table_names;
+mod tables;
 
 pub use library::library;
 
@@ -68,6 +70,10 @@ pub fn emit(compiled: &Compiled, model: &Model) -> Vec<SourceFile> {
         path: format!("{folder}/mod.rs"),
         text: library::model_module(compiled, model),
     }];
+    files.extend(tables::file(compiled).map(|text| SourceFile {
+        path: format!("{folder}/tables.rs"),
+        text,
+    }));
     for function in compiled.functions() {
         files.push(SourceFile {
             path: format!("{folder}/{}.rs", function.name),

@@ -4,7 +4,7 @@
 
 use super::function::{self, HEADER};
 use super::scalar::Scalar;
-use super::{constants, helpers, names, print};
+use super::{constants, helpers, names, print, tables};
 use crate::backend::SourceFile;
 use crate::compile::Compiled;
 use model_spec::model::Model;
@@ -22,6 +22,7 @@ pub(super) fn file(model: &Model, compiled: &Compiled, scalar: Scalar) -> Source
         #inline
     };
     let constants = constants::items(model, compiled, &quote!(#[allow(dead_code)]));
+    let tables = tables::items(compiled, &quote!());
     let functions = compiled
         .functions()
         .map(|function| function::item(compiled, function, scalar, attributes.clone()));
@@ -37,7 +38,7 @@ pub(super) fn file(model: &Model, compiled: &Compiled, scalar: Scalar) -> Source
     };
     let text = print::file(
         &header(model),
-        quote!(#import #constants #functions #helpers),
+        quote!(#import #constants #tables #functions #helpers),
     );
     SourceFile {
         path: format!("{}.rs", names::file_stem(&compiled.name)),

@@ -1,7 +1,7 @@
 //! Valid Rust identifiers for names of models and variables.
 
 use super::ident::ident;
-use super::{constants, helpers, signature};
+use super::{constants, helpers, signature, table_names};
 use proc_macro2::Ident;
 
 /// Whether a name cannot be a local variable of a generated function: not a Rust identifier, an argument name, or the
@@ -11,6 +11,7 @@ pub(super) fn is_reserved(name: &str) -> bool {
         || signature::is_argument(name)
         || constants::NAMES.contains(&name)
         || helpers::is_helper(name)
+        || table_names::is_constant(name)
 }
 
 /// Module name of a model; a raw identifier if the name is a keyword.

@@ -3,8 +3,10 @@
 use super::expr::{Binding, Expr};
 use super::helpers;
 use super::ident::ident;
+use super::table_names;
 use crate::functions::MathFunction;
 use crate::program::{Binary, Fused, Unary};
+use crate::table::Tables;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -83,8 +85,13 @@ impl Scalar {
     }
 
     /// Function of one argument.
-    pub fn unary(self, unary: Unary, a: Expr) -> Expr {
+    pub fn unary(self, unary: Unary, a: Expr, tables: &Tables) -> Expr {
         let name = match unary {
+            Unary::Call(MathFunction::Table(function)) => {
+                let names = table_names::names(tables, function);
+                let arguments = names.map(|name| Expr::atom(quote!(&#name)));
+                return self.call(table_names::METHOD, a, &arguments);
+            }
             Unary::Neg => return a.negated(),
             Unary::Recip => return self.constant(1.0, false).infix(Binary::Div, a),
             Unary::RecipOrZero => "recip_or_zero",

@@ -36,9 +36,12 @@ pub fn schedule(
     let mut schedule = Schedule {
         uses: Uses::of(ssa, &order, hoisted.is_some()),
         ssa,
-        graph,
         values: ssa.side_table(None),
-        program: Program::default(),
+        program: Program {
+            tables: graph.tables().clone(),
+            ..Program::default()
+        },
+        graph,
         negated: FastMap::default(),
         namer,
         hoisted,

@@ -231,7 +231,7 @@ impl Namer {
             SsaDef::Recip(x) => format!("inv_{}", inner(*x)),
             SsaDef::Call(function, (minus, x)) => {
                 let sign = if *minus { "minus_" } else { "" };
-                format!("{}_{sign}{}", function.name(), inner(*x))
+                format!("{}_{sign}{}", graph.function_name(*function), inner(*x))
             }
             SsaDef::Atan2((_, y), (_, x)) => format!("angle_{}_{}", inner(*y), inner(*x)),
             SsaDef::Min((_, a), (_, b)) => format!("min_{}_{}", inner(*a), inner(*b)),

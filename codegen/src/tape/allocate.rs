@@ -166,6 +166,7 @@ mod tests {
         Program {
             statements: statements.collect(),
             outputs: outputs.iter().map(|&t| Operand::Temp(t)).collect(),
+            ..Program::default()
         }
     }
 

@@ -120,6 +120,12 @@ impl Real for Dual {
     fn heaviside(self) -> Dual {
         Dual::new(f64::from(u8::from(self.0.re > 0.0)), 0.0)
     }
+    fn piecewise_cubic(self, knots: &[f64], cubics: &[[f64; 4]]) -> Dual {
+        let below = knots.iter().filter(|&&knot| knot <= self.0.re).count();
+        let h = self.0 - knots[below.saturating_sub(1)];
+        let [a, b, c, d] = cubics[below];
+        Dual(h * h * h * d + h * h * c + h * b + a)
+    }
     fn if_zero(self, then: Dual, otherwise: Dual) -> Dual {
         if self.0.re.abs() < 1e-75 {
             then

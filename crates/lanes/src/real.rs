@@ -1,6 +1,6 @@
 //! Arithmetic on one number or on one number per lane, and its implementation over the primitive operations.
 
-use crate::functions::{basic, exponential, inverse_trigonometric, trigonometric};
+use crate::functions::{basic, exponential, inverse_trigonometric, piecewise, trigonometric};
 use crate::primitive::{MAX_WIDTH, Primitive};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -66,6 +66,13 @@ pub trait Real:
     fn heaviside(self) -> Self;
     /// `then` where `|self| < 1e-75`, else `otherwise`.
     fn if_zero(self, then: Self, otherwise: Self) -> Self;
+    /// Piecewise cubic: `cubics[0]` where the argument is below `knots[0]`, `cubics[i]` from `knots[i - 1]` up to `knots[i]`,
+    /// the last one beyond. A cubic is given by the coefficients of the powers 0 to 3 of the distance from the knot below, or
+    /// from the first knot; it is evaluated by Horner's rule with [`mul_add`](Real::mul_add).
+    ///
+    /// # Panics
+    /// If `knots` is empty or `cubics` does not have one more element.
+    fn piecewise_cubic(self, knots: &[f64], cubics: &[[f64; 4]]) -> Self;
 }
 
 /// [`Real`] numbers with a fixed number of lanes, loaded from and stored to slices of `f64`.
@@ -185,6 +192,10 @@ impl<T: Primitive> Real for T {
     #[inline(always)]
     fn if_zero(self, then: Self, otherwise: Self) -> Self {
         basic::if_zero(self, then, otherwise)
+    }
+    #[inline(always)]
+    fn piecewise_cubic(self, knots: &[f64], cubics: &[[f64; 4]]) -> Self {
+        piecewise::piecewise_cubic(self, knots, cubics)
     }
 }
 

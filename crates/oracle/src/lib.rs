@@ -44,4 +44,5 @@ pub use physical::{Motion, Physical};
 pub use point::Point;
 pub use reference::{Law, Reference};
 pub use rigid::{inertia_in_n, solve};
+pub use scalar::Interpolant;
 pub use tree::{Tree, Value};

@@ -6,9 +6,9 @@
 use crate::frames::{PlacedFrame, place_real};
 use crate::point::Point;
 use crate::rigid::{angular_acceleration, inertia_in_n};
-use crate::scalar::{Real, call};
+use crate::scalar::{Interpolant, Real, call};
 use model_spec::layout::depends_on_accelerations;
-use model_spec::model::{Body, Expr, ExprKind, Load, Model, Rotation, Shape};
+use model_spec::model::{Body, Expr, ExprKind, Function, Load, Model, Rotation, Shape};
 use nalgebra::{Matrix3, Vector3};
 
 /// Value of an expression: scalar or vector.
@@ -30,6 +30,7 @@ pub struct Tree<'a, T> {
     pub frames: Vec<PlacedFrame<T>>,
     /// Values of the auxiliary variables, by index.
     pub aux_variables: Vec<Value<T>>,
+    tables: Vec<Interpolant>,
 }
 
 impl<'a, T: Real> Tree<'a, T> {
@@ -46,6 +47,7 @@ impl<'a, T: Real> Tree<'a, T> {
             point,
             frames,
             aux_variables: Vec::with_capacity(model.aux_variables.len()),
+            tables: model.tables.iter().map(Interpolant::new).collect(),
         };
         let of_motion = depends_on_accelerations(model);
         for (index, named) in model.aux_variables.iter().enumerate() {
@@ -237,6 +239,9 @@ impl<'a, T: Real> Tree<'a, T> {
                 )
             }
             K::Reexpress(a) => self.value(a),
+            K::Call(Function::Table(index), a) => {
+                Scalar(self.scalar(a).interpolated(&self.tables[*index], 0))
+            }
             K::Call(function, a) => Scalar(call(*function, self.scalar(a))),
             K::Atan2(y, x) => Scalar(self.scalar(y).atan2(self.scalar(x))),
             K::Min(a, b) => {

@@ -58,9 +58,25 @@ pub enum Study {
     /// Throws found by `design` against what Crowther and Potts report of a disc, and Frohlich of the discus
     #[command(after_help = "Example:\n  hyzer-studies throws --out docs/throws.md")]
     Throws(Paper),
+    /// Coefficients and flights of the program's bodies, and a driver's filmed throws
+    #[command(
+        after_help = "Example:\n  hyzer-studies bodies --data ../shared/data --out docs/bodies.md"
+    )]
+    Bodies(Bodies),
     /// From takes of throws, as laboratories write them, to a template and coefficients
     #[command(after_help = "Example:\n  hyzer-studies takes --seeds 20 --python python3")]
     Takes(Takes),
+}
+
+/// `hyzer-studies bodies`.
+#[derive(Args)]
+pub struct Bodies {
+    /// Folder of the measured data, with the folder discgolf; without it the page has no filmed throws
+    #[arg(long, value_name = "DIR")]
+    pub data: Option<PathBuf>,
+    /// File for the page, with its figure beside it; without it the page is printed
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
 }
 
 /// `hyzer-studies takes`.

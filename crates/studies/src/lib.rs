@@ -4,6 +4,7 @@
 //! that neither the generated code nor the integrator under test takes part in making them. Each study runs on its
 //! own and writes one page of `docs/`; the program `hyzer-studies` has a command for each.
 
+pub mod bodies;
 mod bounded_fit;
 mod contact;
 pub mod cuts;

@@ -9,6 +9,7 @@ use std::process::ExitCode;
 use anyhow::Context;
 use clap::Parser;
 use studies::Page;
+use studies::bodies::{bodies_page, curves, filmed, turns_and_fades};
 use studies::cuts::{CutSection, bounces, free_flights};
 use studies::discovery::{
     details, discovery_page, peer_section, plan, rejections, run_rows, with_peer_section,
@@ -60,6 +61,7 @@ fn run(study: cli::Study) -> anyhow::Result<()> {
             throws_page(&launches()?, &rolls()?, &winds()?)?,
             options.out,
         ),
+        cli::Study::Bodies(options) => (bodies(options.data.as_deref())?, options.out),
         cli::Study::Takes(options) => (takes(&options)?, options.runs.out),
         cli::Study::Cuts(options) => {
             let cuts = cut_section(options.seeds.unwrap_or(100), options.threads());
@@ -76,6 +78,15 @@ fn paper() -> anyhow::Result<Page> {
     let study = Study::run()?;
     eprintln!("{} readings flown", study.ranking.len());
     Ok(paper_page(&study)?)
+}
+
+fn bodies(data: Option<&Path>) -> anyhow::Result<Page> {
+    let filmed = match data {
+        Some(folder) => filmed(&folder.join("discgolf"))?,
+        None => Vec::new(),
+    };
+    let flights = turns_and_fades(&[16.0, 20.0, 24.0], 1.0)?;
+    Ok(bodies_page(&curves(-20, 40)?, &flights, &filmed)?)
 }
 
 fn identification(seeds: u64) -> anyhow::Result<Page> {

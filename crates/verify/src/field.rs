@@ -60,7 +60,7 @@ impl<'a> Machine<'a> {
             .map(|(&angle, &circle)| (angle, circle))
             .collect();
         for statement in &program.statements {
-            temps.push(self.step(statement.op, &temps, &mut angles));
+            temps.push(self.step(program, statement.op, &temps, &mut angles));
         }
         program
             .outputs
@@ -69,10 +69,16 @@ impl<'a> Machine<'a> {
             .collect()
     }
 
-    fn step(&self, op: Op, temps: &[Option<Prime>], angles: &mut Vec<Angle>) -> Option<Prime> {
+    fn step(
+        &self,
+        program: &Program,
+        op: Op,
+        temps: &[Option<Prime>],
+        angles: &mut Vec<Angle>,
+    ) -> Option<Prime> {
         let value = |operand| self.value(operand, temps);
         match op {
-            Op::Unary(op, a) => self.unary(op, value(a)?, angles),
+            Op::Unary(op, a) => self.unary(program, op, value(a)?, angles),
             Op::Binary(op, a, b) => {
                 let (a, b) = (value(a)?, value(b)?);
                 match op {
@@ -107,7 +113,7 @@ impl<'a> Machine<'a> {
         }
     }
 
-    fn unary(&self, op: Unary, a: Prime, angles: &[Angle]) -> Option<Prime> {
+    fn unary(&self, program: &Program, op: Unary, a: Prime, angles: &[Angle]) -> Option<Prime> {
         let circle = || known(a, angles).or_else(|| self.symbols.then(|| circle(a)));
         match op {
             Unary::Neg => Some(-a),
@@ -121,6 +127,10 @@ impl<'a> Machine<'a> {
                     Prime::one()
                 }),
                 MathFunction::Sqrt => self.symbols.then(|| root(a))?,
+                MathFunction::Table(function) => {
+                    let of = program.tables.table(function.table()).fingerprint;
+                    self.symbols.then(|| table(of, function.order(), a))
+                }
                 _ => self.symbols.then(|| call(function, a)),
             },
         }
@@ -150,12 +160,18 @@ pub fn on_circle(t: Prime) -> (Prime, Prime) {
 
 /// Value of a function without relations: a symbol with the symmetry of the function.
 pub fn call(function: MathFunction, a: Prime) -> Prime {
-    let tag = function as u64;
+    let of_function = MathFunction::ALL.iter().position(|&f| f == function);
+    let tag = of_function.map_or(u64::MAX, |k| k as u64);
     match function.parity() {
         Parity::Odd => odd(tag, a),
         Parity::Even => symbol(tag, &[least(a).0]),
         Parity::None => symbol(tag, &[a]),
     }
+}
+
+/// Value of a table, by the hash of its curve, or of a derivative of it.
+pub fn table(fingerprint: u64, order: u8, a: Prime) -> Prime {
+    symbol(0x100 + u64::from(order), &[Prime::new(fingerprint), a])
 }
 
 /// Value of a literal: the rational number that rounds to it, else that multiple of the symbol π, else a symbol of its own.

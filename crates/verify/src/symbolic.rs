@@ -6,6 +6,7 @@
 use crate::field::{self, Angle};
 use codegen::functions::MathFunction;
 use num_traits::{One, Zero};
+use oracle::Interpolant;
 use oracle::scalar::{Elementary, Field, Prime, Real};
 use std::cell::RefCell;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -135,6 +136,10 @@ impl Real for Symbolic {
             Elementary::Log => call(MathFunction::Log),
             Elementary::Tanh => call(MathFunction::Tanh),
         }
+    }
+
+    fn interpolated(self, table: &Interpolant, order: u8) -> Self {
+        Self(field::table(table.fingerprint, order, self.0))
     }
 
     fn atan2(self, x: Self) -> Self {

@@ -55,7 +55,11 @@ fn models() -> Vec<(&'static str, String, bool)> {
         ("quaternion body", worked("quaternion_dart"), true),
         ("stated equations with a claim", glider.clone(), true),
         ("the same without", unclaimed(&glider), false),
-        ("boomerang", file("tests/models/boomerang.hyz"), true),
+        (
+            "boomerang",
+            file("../../examples/boomerang/boomerang.hyz"),
+            true,
+        ),
     ]
 }
 

@@ -65,6 +65,11 @@ impl Checker<'_> {
             let argument = self.scalar(argument, &what)?;
             return self.of_scalar(function, rule, &what, argument, span);
         }
+        if let Some(table) = self.scope.table(function) {
+            let [argument] = self.arguments(name, arguments, span, "one number")?;
+            let argument = self.scalar(argument, &format!("the argument of `{function}`"))?;
+            return Some(self.call_of_table(table, argument, span));
+        }
         match function {
             "norm" => {
                 let [v] = self.arguments(name, arguments, span, "one vector")?;
@@ -345,9 +350,11 @@ impl Checker<'_> {
                 .iter()
                 .map(|f| format!("in_{}", f.name))
                 .collect();
+            let tables = self.model.tables.iter().map(|t| t.name.as_str());
             let known = super::scope::FUNCTIONS
                 .into_iter()
-                .filter(|f| !["der", "diag"].contains(f));
+                .filter(|f| !["der", "diag"].contains(f))
+                .chain(tables);
             if let Some(near) =
                 suggest::nearest(text, known.chain(frames.iter().map(String::as_str)))
             {

@@ -20,6 +20,7 @@ impl<'a> Checker<'a> {
             match &item.kind {
                 ItemKind::Parameter(constant) => self.constant(constant, item),
                 ItemKind::Input(input) => self.input(input, item),
+                ItemKind::Table(table) => self.table(table, item),
                 _ => {}
             }
         }

@@ -77,6 +77,7 @@ impl Checker<'_> {
             coefficients: model.coefficients.iter().map(|c| c.unit).collect(),
             inputs: model.inputs.iter().map(|c| c.unit).collect(),
             states: model.states.iter().map(|c| c.unit).collect(),
+            tables: model.tables.iter().map(|t| t.unit).collect(),
             lets: Vec::with_capacity(model.aux_variables.len()),
         };
         for (i, named) in model.aux_variables.iter_mut().enumerate() {
@@ -128,6 +129,7 @@ struct Tables {
     coefficients: Vec<Unit>,
     inputs: Vec<Unit>,
     states: Vec<Unit>,
+    tables: Vec<Unit>,
     lets: Vec<Unit>,
 }
 
@@ -167,6 +169,7 @@ impl Tables {
             }
             K::Call(Function::Abs, a) => a.unit,
             K::Call(Function::Sqrt, a) => a.unit.checked_pow_half(1).unwrap_or_default(),
+            K::Call(Function::Table(i), _) => self.tables[*i],
             K::Call(..) => Unit::ONE,
         };
     }

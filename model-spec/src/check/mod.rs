@@ -24,6 +24,7 @@ mod scope;
 mod singular;
 mod size;
 mod sum;
+mod table;
 mod term;
 mod unitless;
 
@@ -249,6 +250,7 @@ fn empty_model(file: &ast::File, sources: &[Source]) -> Model {
         states: Vec::new(),
         frames: Vec::new(),
         body: None,
+        tables: Vec::new(),
         aux_variables: Vec::new(),
         forces: Vec::new(),
         moments: Vec::new(),

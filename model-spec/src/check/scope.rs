@@ -26,6 +26,7 @@ pub(super) enum Symbol {
 pub(super) struct Scope {
     values: HashMap<String, (Symbol, Span)>,
     frames: HashMap<String, (usize, Span)>,
+    tables: HashMap<String, (usize, Span)>,
     /// All names in order of declaration, for spelling suggestions.
     order: Vec<String>,
 }
@@ -81,6 +82,10 @@ impl Scope {
 
     pub fn frame(&self, name: &str) -> Option<usize> {
         self.frames.get(name).map(|f| f.0)
+    }
+
+    pub fn table(&self, name: &str) -> Option<usize> {
+        self.tables.get(name).map(|t| t.0)
     }
 }
 
@@ -140,6 +145,31 @@ impl Checker<'_> {
             .frames
             .insert(name.text.clone(), (index, name.span));
         true
+    }
+
+    /// Adds a table to the names of functions; an error if there is a function of this name.
+    pub fn define_table(&mut self, name: &Name, index: usize) {
+        let fault = Diagnostic::new(Kind::Duplicate, name.span, String::new());
+        let (text, span) = (&name.text, name.span);
+        let fault = if FUNCTIONS.contains(&text.as_str()) || text.starts_with("in_") {
+            Diagnostic {
+                message: format!("`{text}` is a function of this language"),
+                ..fault
+            }
+            .help("choose another name")
+        } else if let Some(&(_, first)) = self.scope.tables.get(text) {
+            Diagnostic {
+                message: format!("the table `{text}` is declared twice"),
+                ..fault
+            }
+            .label(first, "first declared here")
+            .label(span, "declared again here")
+            .help("rename one of them, or remove it")
+        } else {
+            self.scope.tables.insert(text.clone(), (index, span));
+            return;
+        };
+        self.report(fault);
     }
 
     /// Index of a frame by name; `None`, with an error, if there is no such frame.

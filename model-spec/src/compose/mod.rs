@@ -37,7 +37,7 @@ use crate::check::{self, Checked};
 use crate::diagnostic::{Diagnostic, Source};
 use crate::effect;
 use crate::error::LoadError;
-use crate::library::{self, EFFECTS, GENERAL_EFFECTS, MODELS, REFUTED};
+use crate::library::{self, BODIES, EFFECTS, GENERAL_EFFECTS, MODELS, REFUTED};
 use crate::model::Model;
 use crate::read::read;
 use crate::syntax::ast::{File, Item, ItemKind};
@@ -233,7 +233,8 @@ pub(crate) fn model_text(name_or_path: &str) -> Result<(String, String), LoadErr
         return Ok((name_or_path.to_owned(), read(name_or_path)?));
     }
     let name = name_or_path.replace('-', "_");
-    if let Some(text) = library::find(MODELS, &name).or_else(|| library::find(REFUTED, &name)) {
+    let tables = [MODELS, BODIES, REFUTED];
+    if let Some(text) = tables.iter().find_map(|table| library::find(table, &name)) {
         return Ok((format!("{name}.hyz"), text.to_owned()));
     }
     if path.exists() {
@@ -243,7 +244,9 @@ pub(crate) fn model_text(name_or_path: &str) -> Result<(String, String), LoadErr
     }
     Err(LoadError::UnknownModel {
         wanted: name_or_path.to_owned(),
-        known: MODELS.iter().map(|(name, _)| (*name).to_owned()).collect(),
+        known: { MODELS.iter().chain(BODIES) }
+            .map(|(name, _)| (*name).to_owned())
+            .collect(),
     })
 }
 

@@ -105,12 +105,13 @@ impl Parser<'_> {
             "input" => self.input()?,
             "state" => self.state()?,
             "der" => self.equation()?,
+            "table" => self.table()?,
             "let" => self.binding()?,
             "force" | "moment" => self.load()?,
             _ => {
                 let what = "`source`, `needs`, `generalises`, `site`, `variables`, `coefficient`, `input`, \
-                            `state`, `der`, `replace`, `let`, `force`, `moment` or `negligible`";
-                const WORDS: [&str; 16] = [
+                            `state`, `der`, `replace`, `table`, `let`, `force`, `moment` or `negligible`";
+                const WORDS: [&str; 17] = [
                     "source",
                     "needs",
                     "generalises",
@@ -123,6 +124,7 @@ impl Parser<'_> {
                     "state",
                     "der",
                     "replace",
+                    "table",
                     "let",
                     "force",
                     "moment",

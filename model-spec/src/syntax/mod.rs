@@ -14,6 +14,7 @@ mod quantity;
 mod spans;
 pub mod spelling;
 mod statement;
+mod table;
 pub(crate) mod token;
 mod walk;
 

@@ -9,7 +9,7 @@ use crate::suggest;
 const MAX_DEPTH: u32 = 64;
 
 /// Keywords that begin a statement.
-pub(super) const STATEMENTS: [&str; 29] = [
+pub(super) const STATEMENTS: [&str; 30] = [
     "model",
     "reference",
     "param",
@@ -20,6 +20,7 @@ pub(super) const STATEMENTS: [&str; 29] = [
     "body",
     "point",
     "claim",
+    "table",
     "let",
     "force",
     "moment",
@@ -350,6 +351,7 @@ impl<'a> Parser<'a> {
                     open -= 1;
                     if open == 0 {
                         self.advance();
+                        self.eat(Token::Semicolon);
                         return;
                     }
                 }

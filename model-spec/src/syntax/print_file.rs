@@ -83,6 +83,7 @@ impl Display for ItemKind {
                 f.write_char('}')
             }
             ItemKind::Claim(claim) => write!(f, "{claim}"),
+            ItemKind::Table(table) => write!(f, "{table}"),
             ItemKind::Let(l) => {
                 write!(f, "let ")?;
                 write_let(f, l)
@@ -109,6 +110,33 @@ impl Display for ItemKind {
             }
             ItemKind::Effect(effect) => write!(f, "{effect}"),
         }
+    }
+}
+
+impl Display for Table {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        let unit = |unit: &Option<UnitExpr>| {
+            let text = unit.as_ref().map(|unit| format!(": {unit}"));
+            text.unwrap_or_default()
+        };
+        let (argument, value) = (unit(&self.argument_unit), unit(&self.unit));
+        let name = &self.name.text;
+        writeln!(
+            f,
+            "table {name}({}{argument}){value} = {{",
+            self.argument.text
+        )?;
+        for (argument, value) in &self.knots {
+            writeln!(f, "  {argument}: {value},")?;
+        }
+        let monotone = self.interpolation == Interpolation::Monotone;
+        let constant = self.continuation == Continuation::Constant;
+        f.write_str(match (monotone, constant) {
+            (false, false) => "};",
+            (true, false) => "} monotone;",
+            (false, true) => "} constant;",
+            (true, true) => "} monotone, constant;",
+        })
     }
 }
 
@@ -293,13 +321,14 @@ impl fmt::Display for Item {
 
 #[cfg(test)]
 mod tests {
-    use crate::load::{EFFECTS, GENERAL_EFFECTS, MODELS, REFUTED};
+    use crate::load::{BODIES, EFFECTS, GENERAL_EFFECTS, MODELS, REFUTED};
     use crate::syntax::parse;
 
     #[test]
     fn what_is_written_reads_the_same() {
         for (name, text) in MODELS
             .iter()
+            .chain(BODIES)
             .chain(REFUTED)
             .chain(EFFECTS)
             .chain(GENERAL_EFFECTS)

@@ -73,6 +73,17 @@ fn statement(item: &mut Item, change: Change<'_>) {
             change(&mut state.name.span);
             quantity(&mut state.value, change);
         }
+        ItemKind::Table(table) => {
+            change(&mut table.name.span);
+            change(&mut table.argument.span);
+            for units in [&mut table.argument_unit, &mut table.unit] {
+                units.iter_mut().for_each(|u| unit(u, change));
+            }
+            for (argument, value) in &mut table.knots {
+                quantity(argument, change);
+                quantity(value, change);
+            }
+        }
         ItemKind::Let(binding) => {
             change(&mut binding.name.span);
             binding.unit.iter_mut().for_each(|u| unit(u, change));

@@ -26,6 +26,7 @@ impl Parser<'_> {
             "frame" => self.frame()?,
             "body" | "point" => self.body()?,
             "claim" => self.claim()?,
+            "table" => self.table()?,
             "let" => self.binding()?,
             "force" | "moment" => self.load()?,
             "der" => self.equation()?,

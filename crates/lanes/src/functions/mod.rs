@@ -3,6 +3,7 @@
 pub(crate) mod basic;
 pub(crate) mod exponential;
 pub(crate) mod inverse_trigonometric;
+pub(crate) mod piecewise;
 pub(crate) mod trigonometric;
 
 use crate::primitive::Primitive;

@@ -1,5 +1,6 @@
 //! Dual numbers over any scalar; over [`ErrorBound`](super::ErrorBound) they give a derivative with its error bound.
 
+use super::table::Interpolant;
 use super::{Elementary, Field, Real};
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -124,6 +125,13 @@ impl<T: Real> Real for Dual<T> {
         Self {
             value,
             derivative: function.derivative(self.value, value) * self.derivative,
+        }
+    }
+
+    fn interpolated(self, table: &Interpolant, order: u8) -> Self {
+        Self {
+            value: self.value.interpolated(table, order),
+            derivative: self.value.interpolated(table, order + 1) * self.derivative,
         }
     }
 

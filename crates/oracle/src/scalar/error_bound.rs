@@ -4,6 +4,7 @@
 //! operation. Without cancellation it is |value|; where terms of size 1 cancel to 1e-9 it stays 2. Errors relative to
 //! it are therefore comparable with the rounding unit, whether or not terms cancel.
 
+use super::table::Interpolant;
 use super::{Elementary, Field, Real};
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -138,6 +139,19 @@ impl Real for ErrorBound {
         Self {
             value,
             magnitude: value.abs() + derivative.abs() * self.magnitude,
+        }
+    }
+
+    fn interpolated(self, table: &Interpolant, order: u8) -> Self {
+        let value: f64 = table.at(self.value, order);
+        let derivative: f64 = table.at(self.value, order + 1);
+        let terms = match order {
+            0 => table.magnitude_near(self.value),
+            _ => value.abs(),
+        };
+        Self {
+            value,
+            magnitude: value.abs() + terms + derivative.abs() * self.magnitude,
         }
     }
 

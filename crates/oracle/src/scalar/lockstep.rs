@@ -1,5 +1,6 @@
 //! Pairs of scalars evaluated in one pass.
 
+use super::table::Interpolant;
 use super::{Elementary, Field, Real};
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -100,6 +101,13 @@ impl<A: Real, B: Real> Real for Lockstep<A, B> {
     #[inline(never)]
     fn elementary(self, function: Elementary) -> Self {
         self.map(|a| a.elementary(function), |b| b.elementary(function))
+    }
+
+    fn interpolated(self, table: &Interpolant, order: u8) -> Self {
+        self.map(
+            |a| a.interpolated(table, order),
+            |b| b.interpolated(table, order),
+        )
     }
 
     #[inline(never)]

@@ -9,6 +9,7 @@ mod num_dual;
 mod ops;
 mod prime;
 mod real;
+mod table;
 
 pub use complex::{ComplexStep, STEP};
 pub use dual::Dual;
@@ -18,6 +19,7 @@ pub(crate) use function::call;
 pub use lockstep::Lockstep;
 pub use num_dual::NumDual;
 pub use prime::{PRIME, Prime};
+pub use table::Interpolant;
 
 use ::num_traits::{One, Zero};
 use ops::{assign_ops, wrapped_ops};
@@ -56,6 +58,11 @@ pub trait Real: Field {
     fn elementary(self, function: Elementary) -> Self;
     /// Polar angle of the point (`x`, `self`), rad; 0 with derivative 0 at the origin.
     fn atan2(self, x: Self) -> Self;
+
+    /// Value of a table (`order` 0) or of its derivative of an order.
+    fn interpolated(self, table: &Interpolant, order: u8) -> Self {
+        table.at(self, order)
+    }
 
     /// Square root; 0 with derivative 0 for arguments ≤ 0.
     fn sqrt(self) -> Self {

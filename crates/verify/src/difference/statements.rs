@@ -191,6 +191,7 @@ pub fn keyed(file: &File) -> Vec<(Key, &Item)> {
             ItemKind::Frame(f) => name("frame", &f.name),
             ItemKind::Body(_) => Some(("body", String::new())),
             ItemKind::Claim(_) => Some(("claim", String::new())),
+            ItemKind::Table(t) => name("table", &t.name),
             ItemKind::Let(l) => name("let", &l.name),
             ItemKind::Load(l) if l.class == LoadClass::Force => name("force", &l.name),
             ItemKind::Load(l) => name("moment", &l.name),
@@ -233,7 +234,7 @@ impl Reach {
     pub fn of_file(file: &File, rows: &[(String, super::rows::RowKind)]) -> Self {
         let items = keyed(file);
         let by_name = |name: &str| -> Vec<Key> {
-            let classes = ["let", "constant", "input", "frame", "state", "der"];
+            let classes = ["let", "table", "constant", "input", "frame", "state", "der"];
             let is = |key: &Key| key.1 == name && classes.contains(&key.0);
             let found = items.iter().map(|(key, _)| key).filter(|key| is(key));
             found.cloned().collect()

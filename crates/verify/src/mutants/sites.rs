@@ -29,6 +29,7 @@ pub fn place(item: &Item) -> String {
         ItemKind::Input(i) => format!("input {}", i.name.text),
         ItemKind::Frame(f) => format!("frame {}", f.name.text),
         ItemKind::Body(b) => format!("body {}", b.name.text),
+        ItemKind::Table(t) => format!("table {}", t.name.text),
         ItemKind::Let(l) => format!("let {}", l.name.text),
         ItemKind::Load(l) => format!("{:?} {}", l.class, l.name.text).to_lowercase(),
         ItemKind::Equation(e) => format!("der({})", e.state.text),

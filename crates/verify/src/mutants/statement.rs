@@ -3,7 +3,8 @@
 use super::Operator;
 use super::names::Names;
 use model_spec::syntax::ast::{
-    BodyPartKind, FrameKind, Item, ItemKind, LoadClass, Name, UnitExpr, UnitFactor,
+    BodyPartKind, FrameKind, Interpolation, Item, ItemKind, LoadClass, Name, Table, UnitExpr,
+    UnitFactor,
 };
 
 /// A mutation of one statement.
@@ -63,6 +64,7 @@ pub fn changes(item: &Item, names: &Names, angles: &[Name]) -> Vec<Change> {
                 });
             }
         }
+        ItemKind::Table(t) => table(&mut out, t),
         ItemKind::Frame(f) => frame(&mut out, &f.kind, names, angles),
         ItemKind::Load(l) => {
             out.list.push(Change {
@@ -117,6 +119,34 @@ impl Changes<'_> {
             }
         });
     }
+}
+
+/// One value changed, for each knot, and another way through the same knots.
+fn table(out: &mut Changes<'_>, table: &Table) {
+    let mut change = |operator, how: String, change: &dyn Fn(&mut Table)| {
+        out.push(operator, how, |item| {
+            if let ItemKind::Table(table) = &mut item.kind {
+                change(table);
+            }
+        });
+    };
+    for (k, (argument, value)) in table.knots.iter().enumerate() {
+        let Ok(number) = value.number.text.parse::<f64>() else {
+            continue;
+        };
+        let changed = if number == 0.0 { 0.1 } else { number * 1.1 };
+        change(
+            Operator::Factor,
+            format!("{changed} at {argument}"),
+            &|table| table.knots[k].1.number.text = format!("{changed:e}"),
+        );
+    }
+    change(Operator::Function, String::from("other slopes"), &|table| {
+        table.interpolation = match table.interpolation {
+            Interpolation::Spline => Interpolation::Monotone,
+            Interpolation::Monotone => Interpolation::Spline,
+        };
+    });
 }
 
 fn frame(out: &mut Changes<'_>, kind: &FrameKind, names: &Names, angles: &[Name]) {

@@ -49,7 +49,9 @@ pub fn outputs<T: Real>(program: &Program, inputs: &Inputs<T>) -> Vec<T> {
 fn evaluated<T: Real>(program: &Program, inputs: &Inputs<T>) -> Vec<T> {
     let mut temps = Vec::with_capacity(program.statements.len());
     for statement in &program.statements {
-        let next = step(statement.op, |operand| value(operand, inputs, &temps));
+        let next = step(program, statement.op, |operand| {
+            value(operand, inputs, &temps)
+        });
         temps.push(next);
     }
     temps
@@ -67,9 +69,9 @@ fn value<T: Real>(operand: Operand, inputs: &Inputs<T>, temps: &[T]) -> T {
     }
 }
 
-fn step<T: Real>(op: Op, value: impl Fn(Operand) -> T) -> T {
+fn step<T: Real>(program: &Program, op: Op, value: impl Fn(Operand) -> T) -> T {
     match op {
-        Op::Unary(op, a) => unary(op, value(a)),
+        Op::Unary(op, a) => unary(program, op, value(a)),
         Op::Binary(op, a, b) => {
             let (a, b) = (value(a), value(b));
             match op {
@@ -96,7 +98,7 @@ fn step<T: Real>(op: Op, value: impl Fn(Operand) -> T) -> T {
     }
 }
 
-fn unary<T: Real>(op: Unary, a: T) -> T {
+fn unary<T: Real>(program: &Program, op: Unary, a: T) -> T {
     let number = |yes: bool| T::lit(if yes { 1.0 } else { 0.0 });
     match op {
         Unary::Neg => -a,
@@ -114,6 +116,11 @@ fn unary<T: Real>(op: Unary, a: T) -> T {
             MathFunction::Sign | MathFunction::Heaviside => number(a.re() > 0.0),
             MathFunction::Sqrt => a.sqrt(),
             MathFunction::NonZero => number(a.re() != 0.0),
+            MathFunction::Table(function) => {
+                let (origin, [c0, c1, c2, c3]) = program.tables.of(function).piece(a.re());
+                let h = a - T::lit(origin);
+                ((T::lit(c3) * h + T::lit(c2)) * h + T::lit(c1)) * h + T::lit(c0)
+            }
         },
     }
 }

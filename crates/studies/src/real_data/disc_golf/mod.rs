@@ -11,4 +11,6 @@ mod throw;
 
 pub use launch_fit::LaunchFit;
 pub(super) use page::disc_golf_section;
+pub(crate) use read::throws as filmed_throws;
 pub(super) use results::DiscGolf;
+pub(crate) use throw::{LAUNCH_NAMES, Launch, UNCERTAINTY, rms_distance};

@@ -47,7 +47,7 @@ fn list(text: &str, key: &str) -> Option<Vec<f64>> {
 }
 
 /// Reads `throw_params.csv` and the tracks in the same folder.
-pub(super) fn throws(folder: &Path) -> Result<Vec<Throw>, StudyError> {
+pub(crate) fn throws(folder: &Path) -> Result<Vec<Throw>, StudyError> {
     let file = folder.join("throw_params.csv");
     let text = text_of(&file)?;
     let throws = rows(&text, 1).map(|row| {

@@ -6,7 +6,7 @@ use crate::real_data::wind_tunnel::Measured;
 pub(super) const RAD: f64 = std::f64::consts::PI / 180.0;
 
 /// Quantities of a launch, SI.
-pub(super) const LAUNCH_NAMES: [&str; 7] = [
+pub(crate) const LAUNCH_NAMES: [&str; 7] = [
     "speed",
     "pitch",
     "roll",
@@ -17,11 +17,11 @@ pub(super) const LAUNCH_NAMES: [&str; 7] = [
 ];
 
 /// Values of [`LAUNCH_NAMES`], m/s and rad.
-pub(super) type Launch = [f64; 7];
+pub(crate) type Launch = [f64; 7];
 
 /// Stated uncertainties (standard deviations) of a launch, m/s and rad. That of the crosswind is assumed to be as great as
 /// that of the tailwind.
-pub(super) const UNCERTAINTY: Launch = [0.6, RAD * 2.0, RAD * 5.0, RAD * 2.0, RAD * 2.0, 1.0, 1.0];
+pub(crate) const UNCERTAINTY: Launch = [0.6, RAD * 2.0, RAD * 5.0, RAD * 2.0, RAD * 2.0, 1.0, 1.0];
 
 /// Uncertainty of a point of a track, m: a camera at 100 m sees a disc at 5 to 10 m above the ground 5 to 10 % too far out.
 pub(super) const TRACK_UNCERTAINTY: f64 = 1.0;
@@ -41,26 +41,26 @@ pub(super) struct Disc {
 }
 
 /// A time, s, and the position over the ground, m.
-pub(super) type TrackPoint = (f64, [f64; 2]);
+pub(crate) type TrackPoint = (f64, [f64; 2]);
 
 /// A throw.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Throw {
+pub(crate) struct Throw {
     /// Number of the throw in the data.
-    pub(super) number: u32,
+    pub(crate) number: u32,
     /// Stated launch.
-    pub(super) launch: Launch,
+    pub(crate) launch: Launch,
     /// Spin, rad/s.
-    pub(super) spin: f64,
+    pub(crate) spin: f64,
     /// Height of the release, m.
-    pub(super) height: f64,
+    pub(crate) height: f64,
     /// Track, with times from the first point.
-    pub(super) track: Vec<TrackPoint>,
+    pub(crate) track: Vec<TrackPoint>,
 }
 
 impl Throw {
     /// The points of the track that are compared, evenly spread.
-    pub(super) fn points(&self) -> Vec<TrackPoint> {
+    pub(crate) fn points(&self) -> Vec<TrackPoint> {
         let last = self.track.len().saturating_sub(1);
         let points = (1..=POINTS).filter_map(|k| self.track.get(k * last / POINTS));
         points.copied().collect()
@@ -68,7 +68,7 @@ impl Throw {
 }
 
 /// Root mean square difference of a coordinate, m.
-pub(super) fn rms_distance(positions: &[[f64; 2]], points: &[TrackPoint]) -> f64 {
+pub(crate) fn rms_distance(positions: &[[f64; 2]], points: &[TrackPoint]) -> f64 {
     let pairs = positions.iter().zip(points);
     let differences = pairs.flat_map(|(a, (_, b))| [a[0] - b[0], a[1] - b[1]]);
     let squares: f64 = differences.map(|d| d * d).sum();

@@ -8,6 +8,7 @@
 
 use codegen::functions::MathFunction;
 use codegen::program::{Binary, Fused, Op, Operand, Program, Statement, Unary};
+use codegen::table::{PiecewiseCubic, TableFunction, TableId, Tables};
 use lanes::Real;
 use std::cell::RefCell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -21,6 +22,8 @@ struct Recording {
     statements: Vec<Statement>,
     /// Inputs, constants and results of statements, in order of appearance.
     operands: Vec<Operand>,
+    /// Piecewise cubics, in order of appearance.
+    tables: Vec<PiecewiseCubic>,
 }
 
 impl Recording {
@@ -28,6 +31,7 @@ impl Recording {
         Self {
             statements: Vec::new(),
             operands: Vec::new(),
+            tables: Vec::new(),
         }
     }
 
@@ -192,6 +196,19 @@ impl Real for Recorded {
     fn if_zero(self, then: Self, otherwise: Self) -> Self {
         push([self, then, otherwise], |[a, b, c]| Op::IfZero(a, b, c))
     }
+
+    fn piecewise_cubic(self, knots: &[f64], cubics: &[[f64; 4]]) -> Self {
+        let cubic = PiecewiseCubic::new(knots.to_vec(), cubics.to_vec());
+        let known = RECORDING.with_borrow_mut(|recording| {
+            let known = recording.tables.iter().position(|known| *known == cubic);
+            known.unwrap_or_else(|| {
+                recording.tables.push(cubic);
+                recording.tables.len() - 1
+            })
+        });
+        let function = TableFunction::new(TableId::new(known), 0);
+        call(MathFunction::Table(function), self)
+    }
 }
 
 /// The functions of a generated model as programs, in the order of [`codegen::Compiled::functions`]; `None` if no
@@ -258,6 +275,7 @@ fn record<const N: usize>(
     function(results.each_mut().map(Vec::as_mut_slice));
     RECORDING.with_borrow_mut(|recording| Program {
         statements: std::mem::take(&mut recording.statements),
+        tables: Tables::of_cubics(recording.tables.clone()),
         outputs: results
             .into_iter()
             .flatten()

@@ -1,0 +1,166 @@
+//! Piecewise cubics: cubic splines and monotone interpolation.
+
+use lanes::Real;
+use model_spec::model::{Continuation, Interpolation, Table};
+
+/// A piecewise cubic function, in the form that [`Real::piecewise_cubic`] evaluates.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PiecewiseCubic {
+    knots: Vec<f64>,
+    cubics: Vec<[f64; 4]>,
+}
+
+impl PiecewiseCubic {
+    /// A function by its knots and its cubics, as [`Real::piecewise_cubic`] takes them.
+    pub fn new(knots: Vec<f64>, cubics: Vec<[f64; 4]>) -> PiecewiseCubic {
+        PiecewiseCubic { knots, cubics }
+    }
+
+    /// Interpolates a table.
+    pub fn of(table: &Table) -> PiecewiseCubic {
+        let is_flat = table.continuation == Continuation::Constant;
+        match table.interpolation {
+            Interpolation::Spline => spline(&table.knots, is_flat),
+            Interpolation::Monotone => monotone(&table.knots, is_flat),
+        }
+    }
+
+    /// Arguments of the knots, increasing.
+    pub fn knots(&self) -> &[f64] {
+        &self.knots
+    }
+
+    /// Coefficients of the powers 0 to 3 of the distance from the knot below, one cubic more than knots: the first is that
+    /// below all knots, in the distance from the first.
+    pub fn cubics(&self) -> &[[f64; 4]] {
+        &self.cubics
+    }
+
+    /// Derivative by the argument.
+    pub fn derivative(&self) -> PiecewiseCubic {
+        let of = |&[_, b, c, d]: &[f64; 4]| [b, 2.0 * c, 3.0 * d, 0.0];
+        PiecewiseCubic {
+            knots: self.knots.clone(),
+            cubics: self.cubics.iter().map(of).collect(),
+        }
+    }
+
+    /// Origin and coefficients of the cubic at `x`.
+    pub fn piece(&self, x: f64) -> (f64, [f64; 4]) {
+        let below = self.knots.partition_point(|&knot| knot <= x);
+        (self.knots[below.saturating_sub(1)], self.cubics[below])
+    }
+
+    /// Value at `x`.
+    #[inline(always)]
+    pub fn eval<T: Real>(&self, x: T) -> T {
+        x.piecewise_cubic(&self.knots, &self.cubics)
+    }
+}
+
+/// Cubic spline by the second derivatives at the knots; they are 0 at the ends, or else the slope is.
+fn spline(knots: &[(f64, f64)], is_flat: bool) -> PiecewiseCubic {
+    let n = knots.len();
+    let width = |k: usize| knots[k + 1].0 - knots[k].0;
+    let slope = |k: usize| (knots[k + 1].1 - knots[k].1) / width(k);
+    // Rows (below, diagonal, above, right-hand side), solved by elimination downwards.
+    let row = |k: usize| match (k, is_flat) {
+        (0, true) => (0.0, 2.0 * width(0), width(0), 6.0 * slope(0)),
+        (_, true) if k == n - 1 => (width(n - 2), 2.0 * width(n - 2), 0.0, -6.0 * slope(n - 2)),
+        _ if k == 0 || k == n - 1 => (0.0, 1.0, 0.0, 0.0),
+        _ => {
+            let sum = width(k - 1) + width(k);
+            (
+                width(k - 1),
+                2.0 * sum,
+                width(k),
+                6.0 * (slope(k) - slope(k - 1)),
+            )
+        }
+    };
+    let (mut diagonal, mut value) = (vec![0.0; n], vec![0.0; n]);
+    for k in 0..n {
+        let (below, middle, _, right) = row(k);
+        (diagonal[k], value[k]) = (middle, right);
+        if k > 0 {
+            let factor = below / diagonal[k - 1];
+            diagonal[k] -= factor * row(k - 1).2;
+            value[k] -= factor * value[k - 1];
+        }
+    }
+    let mut second = vec![0.0; n];
+    for k in (0..n).rev() {
+        let above = second.get(k + 1).map_or(0.0, |next| row(k).2 * next);
+        second[k] = (value[k] - above) / diagonal[k];
+    }
+    let cubic = |k: usize| {
+        let (h, a, b) = (width(k), second[k], second[k + 1]);
+        [
+            knots[k].1,
+            slope(k) - h * (2.0 * a + b) / 6.0,
+            a / 2.0,
+            (b - a) / (6.0 * h),
+        ]
+    };
+    let end_slope = {
+        let h = width(n - 2);
+        slope(n - 2) + h * (second[n - 2] + 2.0 * second[n - 1]) / 6.0
+    };
+    continued(knots, (0..n - 1).map(cubic).collect(), end_slope, is_flat)
+}
+
+/// Cubics with slopes that keep the curve monotone wherever the values are (Fritsch and Butland 1984).
+fn monotone(knots: &[(f64, f64)], is_flat: bool) -> PiecewiseCubic {
+    let n = knots.len();
+    let width = |k: usize| knots[k + 1].0 - knots[k].0;
+    let mean = |k: usize| (knots[k + 1].1 - knots[k].1) / width(k);
+    let end = |at: usize, next: usize| {
+        let (h, s, t) = (width(at), mean(at), mean(next));
+        let sum = h + width(next);
+        let slope = ((h + sum) * s - h * t) / sum;
+        if is_flat || slope * s <= 0.0 {
+            0.0
+        } else if s * t <= 0.0 && slope.abs() > (3.0 * s).abs() {
+            3.0 * s
+        } else {
+            slope
+        }
+    };
+    let slope = |k: usize| match k {
+        0 => end(0, 1),
+        _ if k == n - 1 => end(n - 2, n - 3),
+        _ if mean(k - 1) * mean(k) <= 0.0 => 0.0,
+        _ => {
+            let (before, behind) = (width(k - 1), width(k));
+            let weights = (2.0 * behind + before, behind + 2.0 * before);
+            (weights.0 + weights.1) / (weights.0 / mean(k - 1) + weights.1 / mean(k))
+        }
+    };
+    let cubic = |k: usize| {
+        let (h, s, a, b) = (width(k), mean(k), slope(k), slope(k + 1));
+        let second = (3.0 * s - 2.0 * a - b) / h;
+        [knots[k].1, a, second, (a + b - 2.0 * s) / (h * h)]
+    };
+    continued(
+        knots,
+        (0..n - 1).map(cubic).collect(),
+        slope(n - 1),
+        is_flat,
+    )
+}
+
+/// Adds straight lines beyond the ends, flat where the table goes on with a constant.
+fn continued(
+    knots: &[(f64, f64)],
+    inner: Vec<[f64; 4]>,
+    end_slope: f64,
+    is_flat: bool,
+) -> PiecewiseCubic {
+    let line = |value: f64, slope: f64| [value, if is_flat { 0.0 } else { slope }, 0.0, 0.0];
+    let first = line(knots[0].1, inner[0][1]);
+    let last = line(knots[knots.len() - 1].1, end_slope);
+    PiecewiseCubic {
+        knots: knots.iter().map(|knot| knot.0).collect(),
+        cubics: [first].into_iter().chain(inner).chain([last]).collect(),
+    }
+}

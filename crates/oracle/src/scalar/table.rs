@@ -1,0 +1,157 @@
+//! Tables of a model, interpolated by Hermite cubics.
+//!
+//! A second way to the same curve as the compiler's: the unknowns are the slopes at the knots, not the second derivatives.
+
+use super::Real;
+use model_spec::model::{Continuation, Interpolation, Table};
+
+/// A table with its slopes at the knots.
+#[derive(Clone, Debug)]
+pub struct Interpolant {
+    /// Hash of the curve ([`Table::fingerprint`]).
+    pub fingerprint: u64,
+    knots: Vec<(f64, f64)>,
+    slopes: Vec<f64>,
+}
+
+impl Interpolant {
+    /// Interpolant of a table of a model.
+    pub fn new(table: &Table) -> Self {
+        let is_flat = table.continuation == Continuation::Constant;
+        let slopes = match table.interpolation {
+            Interpolation::Spline => spline_slopes(&table.knots, is_flat),
+            Interpolation::Monotone => monotone_slopes(&table.knots, is_flat),
+        };
+        Self {
+            fingerprint: table.fingerprint(),
+            knots: table.knots.clone(),
+            slopes,
+        }
+    }
+
+    /// Value (`order` 0) or derivative at `x`.
+    pub fn at<T: Real>(&self, x: T, order: u8) -> T {
+        let last = self.knots.len() - 1;
+        let line = |end: usize| {
+            let ((x_end, y), slope) = (self.knots[end], self.slopes[end]);
+            match order {
+                0 => T::lit(y) + (x - T::lit(x_end)) * T::lit(slope),
+                1 => T::lit(slope),
+                _ => T::zero(),
+            }
+        };
+        let at = x.re();
+        if at < self.knots[0].0 {
+            return line(0);
+        }
+        let Some(right) = self.knots.iter().position(|&(knot, _)| at < knot) else {
+            return line(last);
+        };
+        let (((x0, y0), (x1, y1)), (m0, m1)) = (
+            (self.knots[right - 1], self.knots[right]),
+            (self.slopes[right - 1], self.slopes[right]),
+        );
+        let (one, h) = (T::one(), T::lit(x1) - T::lit(x0));
+        let t = (x - T::lit(x0)) / h;
+        let s = one - t;
+        let [y0, y1, m0, m1] = [y0, y1, m0, m1].map(T::lit);
+        let [two, three, six] = [2, 3, 6].map(T::integer);
+        let rise = y1 - y0;
+        match order {
+            0 => {
+                y0 * (one + two * t) * s * s
+                    + y1 * (three - two * t) * t * t
+                    + h * t * s * (m0 * s - m1 * t)
+            }
+            1 => six * rise / h * t * s + m0 * s * (one - three * t) + m1 * t * (t + t + t - two),
+            2 => {
+                (six * rise / h * (s - t)
+                    + m0 * two * (three * t - two)
+                    + m1 * two * (three * t - one))
+                    / h
+            }
+            3 => six * (m0 + m1 - two * rise / h) / (h * h),
+            _ => T::zero(),
+        }
+    }
+
+    /// Sum of the sizes of what the value near `x` is made of.
+    pub fn magnitude_near(&self, x: f64) -> f64 {
+        let right = self.knots.iter().position(|&(knot, _)| x < knot);
+        let right = right.unwrap_or(self.knots.len() - 1).max(1);
+        let width = self.knots[right].0 - self.knots[right - 1].0;
+        let size = |k: usize| self.knots[k].1.abs() + width * self.slopes[k].abs();
+        size(right - 1) + size(right)
+    }
+}
+
+/// Width and mean slope of each interval.
+fn intervals(knots: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let of = |pair: &[(f64, f64)]| {
+        let width = pair[1].0 - pair[0].0;
+        (width, (pair[1].1 - pair[0].1) / width)
+    };
+    knots.windows(2).map(of).collect()
+}
+
+/// Slopes of the spline whose second derivative is continuous, and 0 at the ends unless its slope is.
+fn spline_slopes(knots: &[(f64, f64)], is_flat: bool) -> Vec<f64> {
+    let intervals = intervals(knots);
+    let n = knots.len();
+    // Rows (left, middle, right, right-hand side) of the tridiagonal equations.
+    let row = |k: usize| match k {
+        _ if (k == 0 || k == n - 1) && is_flat => (0.0, 1.0, 0.0, 0.0),
+        0 => (0.0, 2.0, 1.0, 3.0 * intervals[0].1),
+        _ if k == n - 1 => (1.0, 2.0, 0.0, 3.0 * intervals[n - 2].1),
+        _ => {
+            let ((left, before), (right, behind)) = (intervals[k - 1], intervals[k]);
+            let sum = 2.0 * (left + right);
+            (right, sum, left, 3.0 * (right * before + left * behind))
+        }
+    };
+    let mut reduced: Vec<(f64, f64)> = Vec::with_capacity(n);
+    for k in 0..n {
+        let (left, middle, right, value) = row(k);
+        let (ratio, solved) = reduced.last().copied().unwrap_or_default();
+        let pivot = middle - left * ratio;
+        reduced.push((right / pivot, (value - left * solved) / pivot));
+    }
+    let mut slopes = vec![0.0; n];
+    let mut next = 0.0;
+    for (slope, (ratio, solved)) in slopes.iter_mut().zip(reduced).rev() {
+        next = solved - ratio * next;
+        *slope = next;
+    }
+    slopes
+}
+
+/// Slopes that keep the curve monotone wherever the values are (Fritsch and Butland 1984).
+fn monotone_slopes(knots: &[(f64, f64)], is_flat: bool) -> Vec<f64> {
+    let intervals = intervals(knots);
+    let last = intervals.len();
+    let end = |(width, slope): (f64, f64), (next_width, next): (f64, f64)| {
+        if is_flat {
+            return 0.0;
+        }
+        let three_points = slope + (slope - next) * width / (width + next_width);
+        match () {
+            () if three_points * slope <= 0.0 => 0.0,
+            () if slope * next <= 0.0 && three_points.abs() > 3.0 * slope.abs() => 3.0 * slope,
+            () => three_points,
+        }
+    };
+    let inner = |k: usize| {
+        let ((left, before), (right, behind)) = (intervals[k - 1], intervals[k]);
+        if before * behind <= 0.0 {
+            return 0.0;
+        }
+        let (by_before, by_behind) = (left + 2.0 * right, 2.0 * left + right);
+        (by_before + by_behind) / (by_before / before + by_behind / behind)
+    };
+    let of = |k: usize| match k {
+        0 => end(intervals[0], intervals[1]),
+        _ if k == last => end(intervals[last - 1], intervals[last - 2]),
+        _ => inner(k),
+    };
+    (0..=last).map(of).collect()
+}

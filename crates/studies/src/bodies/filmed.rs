@@ -1,0 +1,139 @@
+//! Three throws of a driver, filmed from above (Giljarhus and others 2022), flown by the model `golf_driver` on the program's own
+//! integrator.
+
+use std::path::Path;
+
+use design::{ThrowFlightError, ThrownBody};
+use model_spec::{EffectTree, ModelTree};
+use ode::IntegrationOptions;
+use serde::Serialize;
+
+use crate::error::StudyError;
+use crate::real_data::{LAUNCH_NAMES, Launch, UNCERTAINTY, filmed_throws, rms_distance};
+
+/// A filmed throw, and the flight of its stated launch.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Filmed {
+    /// Number of the throw in the data.
+    pub number: u32,
+    /// End of the track over the ground, m.
+    pub track_end: [f64; 2],
+    /// Where the flight is at that time, or has landed, m.
+    pub flight_end: [f64; 2],
+    /// Distance between the two, m.
+    pub miss: f64,
+    /// RMS difference of a coordinate over the track, m.
+    pub rms: f64,
+    /// Quantity of the launch, its stated uncertainty as text, and how far the end moves by that, m.
+    pub moves: Vec<(&'static str, String, f64)>,
+    /// Root of the sum of the squares of those, m.
+    pub all_moves: f64,
+}
+
+/// Flies the throws in a folder with `throw_params.csv` and the tracks.
+///
+/// # Errors
+/// [`StudyError`] if a file cannot be read.
+pub fn filmed(folder: &Path) -> Result<Vec<Filmed>, StudyError> {
+    let wind = EffectTree::parse("log_wind.hyz", include_str!("log_wind.hyz"))?;
+    let model = ModelTree::load("golf_driver")?.with(&wind)?.check()?;
+    let body = ThrownBody::new(model)?;
+    let throws = filmed_throws(folder)?;
+    let all = throws.iter().map(|throw| {
+        let points = throw.points();
+        let times: Vec<f64> = points.iter().map(|(time, _)| *time).collect();
+        let flown = |launch: &Launch| track(&body, launch, throw.spin, throw.height, &times);
+        let stated = flown(&throw.launch)?;
+        let end = |track: &[[f64; 2]]| track[track.len() - 1];
+        let distance = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
+        let (track_end, flight_end) = (points[points.len() - 1].1, end(&stated));
+        let mut moves = Vec::new();
+        for (k, name) in LAUNCH_NAMES.into_iter().enumerate() {
+            let at = |sign: f64| {
+                let mut launch = throw.launch;
+                launch[k] += sign * UNCERTAINTY[k];
+                flown(&launch).map(|track| end(&track))
+            };
+            let by = distance(at(1.0)?, at(-1.0)?) / 2.0;
+            let size = match name {
+                "speed" | "tailwind" | "crosswind" => format!("{} m/s", UNCERTAINTY[k]),
+                _ => format!("{:.0}°", UNCERTAINTY[k].to_degrees()),
+            };
+            moves.push((name, size, by));
+        }
+        let squares: f64 = moves.iter().map(|(_, _, by)| by * by).sum();
+        Ok(Filmed {
+            number: throw.number,
+            track_end,
+            flight_end,
+            miss: distance(track_end, flight_end),
+            rms: rms_distance(&stated, &points),
+            moves,
+            all_moves: squares.sqrt(),
+        })
+    });
+    all.collect()
+}
+
+/// Positions over the ground at `times` after a launch; constant after the landing.
+fn track(
+    body: &ThrownBody,
+    launch: &Launch,
+    spin: f64,
+    height: f64,
+    times: &[f64],
+) -> Result<Vec<[f64; 2]>, StudyError> {
+    let [speed, pitch, roll, nose, yaw, tailwind, crosswind] = *launch;
+    let layout = body.compiled.layout();
+    let mut parameters = layout.default_parameters();
+    if let Some([x, y, _]) = layout.components("wind") {
+        parameters[x.index()] = tailwind;
+        parameters[y.index()] = crosswind;
+    }
+    // As the program of the paper defines them: the pitch is added to the attitude of a rolled disc.
+    let bank = roll + roll.sin() * nose.sin() * pitch;
+    let rise = nose + roll.cos() * pitch;
+    let turned = |[x, y, z]: [f64; 3]| {
+        let (sin, cos) = yaw.sin_cos();
+        [cos * x - sin * y, sin * x + cos * y, z]
+    };
+    let axis = turned([
+        -rise.sin(),
+        bank.sin() * rise.cos(),
+        bank.cos() * rise.cos(),
+    ]);
+    let [vx, vy, vz] = turned([speed * pitch.cos(), 0.0, speed * pitch.sin()]);
+    // The axis is (sin theta, -sin phi cos theta, cos phi cos theta).
+    let (theta, phi) = (axis[0].asin(), (-axis[1]).atan2(axis[2]));
+    let ((st, ct), (sp, cp)) = (theta.sin_cos(), phi.sin_cos());
+    let first = [ct, sp * st, -cp * st];
+    let second = [0.0, cp, sp];
+    let along = |axis: [f64; 3]| axis[0] * vx + axis[1] * vy + axis[2] * vz;
+    let values = [
+        ("z", height),
+        ("u", along(first)),
+        ("v", along(second)),
+        ("w", along(axis)),
+        ("phi", phi),
+        ("theta", theta),
+        // A right-hander's backhand: clockwise, seen from above.
+        ("gammadot", -spin),
+    ];
+    let mut state = layout.default_states();
+    for (name, value) in values {
+        if let Some(place) = layout.state(name) {
+            state[place.index()] = value;
+        }
+    }
+    let flights = body.with_parameters(parameters);
+    let path = flights.trajectory(&state, &IntegrationOptions::default());
+    let path = path.map_err(ThrowFlightError::from)?;
+    let place = |name: &str| layout.state(name).map_or(0, |state| state.index());
+    let (x, y) = (place("x"), place("y"));
+    let at = |time: &f64| {
+        let state = path.sample(time.min(path.end));
+        let state = state.unwrap_or_else(|| path.end_state.to_vec());
+        [state[x], state[y]]
+    };
+    Ok(times.iter().map(at).collect())
+}

@@ -1,0 +1,85 @@
+//! Level launches of every disc: turn to one side, fade to the other.
+
+use design::{ThrowFlightError, ThrownBody};
+use flight::throw::Throw;
+use ode::IntegrationOptions;
+use serde::Serialize;
+
+use super::DISCS;
+use crate::error::StudyError;
+
+/// Number of times at which a path is sampled.
+const SAMPLES: usize = 1000;
+
+/// What a level launch to the ground does, thrown by a right hand (backhand).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct TurnAndFade {
+    /// Name of the model.
+    pub disc: &'static str,
+    /// Speed at release, m/s.
+    pub speed: f64,
+    /// Distance along the launch, m.
+    pub length: f64,
+    /// Time to the ground, s.
+    pub time: f64,
+    /// Greatest departure to the right of the launch, m.
+    pub turn: f64,
+    /// Where it lands, to the left of the launch, m.
+    pub landing: f64,
+    /// Greatest angle by which the path's heading is right of the launch, deg.
+    pub turned: f64,
+    /// By how much the path turns back to the left from there, deg.
+    pub faded: f64,
+}
+
+/// Flies every disc at several speeds, launched at 10° without tilt, with a spin of `sign` 1 (a right hand's backhand) or -1.
+///
+/// # Errors
+/// [`StudyError`] if a model cannot be flown.
+pub fn turns_and_fades(speeds: &[f64], sign: f64) -> Result<Vec<TurnAndFade>, StudyError> {
+    let mut rows = Vec::new();
+    for disc in DISCS {
+        let body = ThrownBody::new(model_spec::load::load(disc, &[])?)?;
+        let flights = body.with_parameters(body.compiled.layout().default_parameters());
+        for &speed in speeds {
+            let throw = Throw {
+                launch: 10.0,
+                height: 1.5,
+                nose: Some(0.0),
+                hyzer: Some(0.0),
+                // Faster throws spin more: the rim at half the speed of the flight.
+                spin: Some(sign * speed / 0.21 * 30.0 / std::f64::consts::PI),
+                ..Throw::at_speed(speed)
+            };
+            let state = flights
+                .state(&throw, None)
+                .map_err(ThrowFlightError::from)?;
+            let path = flights.trajectory(&state, &IntegrationOptions::default());
+            let path = path.map_err(ThrowFlightError::from)?;
+            let layout = body.compiled.layout();
+            let place = |name: &str| layout.state(name).map_or(0, |state| state.index());
+            let (x, y) = (place("x"), place("y"));
+            let time = |k: usize| path.end * k as f64 / SAMPLES as f64;
+            let points = (0..=SAMPLES).filter_map(|k| path.sample(time(k)));
+            let points: Vec<[f64; 2]> = points.map(|state| [state[x], state[y]]).collect();
+            let headings = points.windows(2).map(|pair| {
+                let (dx, dy) = (pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]);
+                dy.atan2(dx).to_degrees()
+            });
+            let headings: Vec<f64> = headings.collect();
+            let turned = headings.iter().copied().fold(0.0, f64::min);
+            let [length, landing] = points[points.len() - 1];
+            rows.push(TurnAndFade {
+                disc,
+                speed,
+                length,
+                time: path.end,
+                turn: -points.iter().map(|p| p[1]).fold(0.0, f64::min),
+                landing,
+                turned: -turned,
+                faded: headings[headings.len() - 1] - turned,
+            });
+        }
+    }
+    Ok(rows)
+}

@@ -1,0 +1,89 @@
+//! Parser for `table` statements.
+
+use super::ast::{Continuation, Interpolation, ItemKind, Quantity, Table, UnitExpr};
+use super::parser::{Parser, Read};
+use super::token::Token;
+
+impl Parser<'_> {
+    /// Parses `table NAME(ARGUMENT: UNIT): UNIT = { argument: value, … } monotone, constant;`.
+    pub fn table(&mut self) -> Read<ItemKind> {
+        self.advance();
+        let name = self.name("a name after `table`")?;
+        self.need(
+            Token::Open,
+            &format!("`(` and the argument of `{}`", name.text),
+        )?;
+        let argument = self.name("the name of the argument")?;
+        let argument_unit = self.unit_behind_colon()?;
+        self.need(Token::Close, "`)` after the argument")?;
+        let unit = self.unit_behind_colon()?;
+        self.need(Token::Equals, &format!("`=` after `{}`", name.text))?;
+        self.need(
+            Token::OpenBrace,
+            "`{` and the knots, as in `{ 0: 1.2, 5: 1.4, 10: 1.3 }`",
+        )?;
+        let knots = match self.knots() {
+            Ok(knots) => knots,
+            Err(reported) => {
+                self.leave_braces();
+                return Err(reported);
+            }
+        };
+        let (mut interpolation, mut continuation) = <(Interpolation, Continuation)>::default();
+        while self.peek() == Token::Name && !self.first_on_line() {
+            match self.raw() {
+                "monotone" => interpolation = Interpolation::Monotone,
+                "constant" => continuation = Continuation::Constant,
+                _ => return self.expected_word(WAYS, &["monotone", "constant"]),
+            }
+            self.advance();
+            if self.eat(Token::Comma) && self.peek() != Token::Name {
+                return self.expected_word(WAYS, &[]);
+            }
+        }
+        self.semicolon("this `table`")?;
+        Ok(ItemKind::Table(Table {
+            name,
+            argument,
+            argument_unit,
+            unit,
+            knots,
+            interpolation,
+            continuation,
+        }))
+    }
+
+    fn unit_behind_colon(&mut self) -> Read<Option<UnitExpr>> {
+        match self.eat(Token::Colon) {
+            true => self.unit().map(Some),
+            false => Ok(None),
+        }
+    }
+
+    /// Parses `argument: value, …` and the `}` behind; a comma may follow the last knot.
+    fn knots(&mut self) -> Read<Vec<(Quantity, Quantity)>> {
+        let mut knots = Vec::new();
+        while !self.eat(Token::CloseBrace) {
+            let argument = self.quantity("the argument of a knot")?;
+            self.need(Token::Colon, "`:` between argument and value of a knot")?;
+            knots.push((argument, self.quantity("the value at a knot")?));
+            if self.peek() != Token::CloseBrace {
+                self.need(Token::Comma, "`,` or `}` after a knot")?;
+            }
+        }
+        Ok(knots)
+    }
+
+    /// Skips the rest of a block that has an error.
+    fn leave_braces(&mut self) {
+        while !matches!(
+            self.peek(),
+            Token::CloseBrace | Token::Semicolon | Token::End
+        ) {
+            self.advance();
+        }
+        self.eat(Token::CloseBrace);
+    }
+}
+
+const WAYS: &str = "`monotone`, `constant` or `;` after the knots";

@@ -1,0 +1,100 @@
+//! Tables: what is read, printed and added by effects.
+
+use model_spec::load::from_text;
+use model_spec::model::{Continuation, Interpolation, Model};
+use model_spec::syntax;
+
+const MODEL: &str = "model probe;
+frame N;
+param m = 0.5 kg;
+point probe { mass m; position (x, y, z) in N; velocity (vx, vy, vz) in N; }
+";
+
+fn read(statements: &str) -> Model {
+    let text = format!("{MODEL}{statements}");
+    from_text("probe.hyz", &text, &[]).unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[test]
+fn numbers_have_the_unit_of_their_column_or_their_own() {
+    let model = read(
+        "/// along the height\ntable wind(height: m): km/h = { 0: 0, 50 cm: 3.6, 2: 2 m/s, } monotone, constant;
+         table slope(alpha) = { -10 deg: -1, 0: 0, 0.5 rad: 2 };",
+    );
+    let [wind, slope] = &model.tables[..] else {
+        panic!("two tables")
+    };
+    let close = |(x, y): (f64, f64), (a, b): (f64, f64)| {
+        assert!((x - a).abs() < 1e-15 && (y - b).abs() < 1e-15, "({x}, {y})");
+    };
+    close(wind.knots[1], (0.5, 1.0));
+    close(wind.knots[2], (2.0, 2.0));
+    close(slope.knots[0], (-10_f64.to_radians(), -1.0));
+    assert_eq!(wind.doc, "along the height");
+    assert_eq!(wind.unit_texts, ["m", "m/s"]);
+    assert_eq!(
+        (wind.interpolation, wind.continuation),
+        (Interpolation::Monotone, Continuation::Constant)
+    );
+    assert_eq!(
+        (slope.interpolation, slope.continuation),
+        (Interpolation::Spline, Continuation::Linear)
+    );
+}
+
+#[test]
+fn a_printed_table_reads_as_the_same() {
+    let statements = "table a(x: m): kg/m = { 0: 1, 1 cm: 2 g/m, 2: 3 } constant;
+        table b(x) = { 0: 1, 1: 2, 2: 3 } monotone;
+        let c = a(z)*b(2);";
+    let text = format!("{MODEL}{statements}");
+    let printed = syntax::parse("probe.hyz", &text).file.to_string();
+    let again =
+        from_text("printed.hyz", &printed, &[]).unwrap_or_else(|e| panic!("{printed}\n{e}"));
+    let knots = |model: &Model| -> Vec<_> {
+        let tables = model.tables.iter();
+        tables
+            .map(|t| (t.knots.clone(), t.unit, t.interpolation, t.continuation))
+            .collect()
+    };
+    assert_eq!(knots(&read(statements)), knots(&again));
+}
+
+#[test]
+fn an_effect_may_bring_a_table() {
+    let text = format!(
+        "{MODEL}let share = 0;
+        effect sheltered {{ site wind; coefficient k = 0 in -2 .. 2;
+          table of_height(z: m) = {{ 0: 0, 2: 0.5, 5: 1 }};
+          replace share = previous + k*of_height(z); }}"
+    );
+    let plain = from_text("probe.hyz", &text, &[]).unwrap();
+    assert!(plain.tables.is_empty());
+    let with = from_text("probe.hyz", &text, &["sheltered"]).unwrap();
+    assert_eq!(with.tables.len(), 1);
+    assert_eq!(with.tables[0].effect, Some(0));
+}
+
+#[test]
+fn a_table_may_share_the_name_of_a_quantity() {
+    let model = read("table C_L(a) = { 0: 0, 1: 0.5, 5: 1 }; let C_L = C_L(z/1 [m]);");
+    assert_eq!(model.aux_variables[0].name, "C_L");
+}
+
+#[test]
+fn the_number_of_knots_and_of_tables_is_bounded() {
+    let table = |name: usize, knots: usize| {
+        let knots: Vec<String> = (0..knots).map(|k| format!("{k}: {}", k % 7)).collect();
+        format!("table t{name}(a) = {{ {} }};", knots.join(", "))
+    };
+    let fails = |statements: String, why: &str| {
+        let text = format!("{MODEL}{statements}");
+        let error = from_text("probe.hyz", &text, &[]).unwrap_err().to_string();
+        assert!(error.contains(why), "{error}");
+    };
+    read(&table(0, 500));
+    fails(table(0, 501), "has 501 knots");
+    let many = |count: usize| (0..count).map(|k| table(k, 3)).collect::<String>();
+    read(&many(100));
+    fails(many(101), "at most 100 tables");
+}
