@@ -78,6 +78,29 @@ fn contradictions_and_what_is_not_flown_are_refused() {
 }
 
 #[test]
+fn a_constant_wind_that_a_model_cannot_feel_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let stone = folder.path().join("stone.hyz");
+    let text = "model stone;\nparam m = 1 kg;\nframe N;\npoint stone {\n  mass m;\n  position (x, y, z) in N;\n  velocity (u, v, w) in N;\n}\nforce weight = -m*9.81 [m/s^2]*N.3;\n";
+    std::fs::write(&stone, text).expect("written");
+    let stone = stone.to_str().expect("a name");
+    let thrown = ["simulate", stone, "--speed", "5", "--wind"];
+    let (status, _, errors) = run(&[&thrown[..], &["1,0,0"]].concat());
+    assert!(
+        status == 2 && errors.contains("no input `wind`"),
+        "{errors}"
+    );
+    let (status, _, errors) = run(&[&thrown[..], &["0,0,0"]].concat());
+    assert_eq!(status, 0, "{errors}");
+    let release = folder.path().join("throw.toml");
+    let text = "model = \"stone.hyz\"\nuntil = \"ground\"\n[throw]\nspeed = 5.0\n[wind]\nconstant = [1.0, 0.0, 0.0]\n";
+    std::fs::write(&release, text).expect("written");
+    let (status, _, errors) = run(&["simulate", "--release", release.to_str().expect("a name")]);
+    let is_placed = errors.contains("throw.toml:5") && errors.contains("no input `wind`");
+    assert!(status == 2 && is_placed, "{errors}");
+}
+
+#[test]
 fn the_plan_of_the_page_on_wind_is_flown() {
     let page = std::fs::read_to_string("docs/wind.md").expect("the page");
     let mut blocks = page.split("```toml\n").skip(1);

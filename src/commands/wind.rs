@@ -17,7 +17,7 @@ pub fn apply(text: &str, model: Model, release: &mut Release) -> anyhow::Result<
     }
     if text.split(',').count() == 3 && !Path::new(text).is_file() {
         release.wind = vector("--wind", text, "m/s")?;
-        return Ok(model);
+        return with_input(model, release.wind);
     }
     if !Path::new(text).is_file() {
         bail!("--wind: found {text:?}, expected X,Y,Z in m/s or a TOML file with [wind]");
@@ -27,6 +27,17 @@ pub fn apply(text: &str, model: Model, release: &mut Release) -> anyhow::Result<
     release.wind_field = field;
     match &release.wind_field {
         Some(field) => field.compose(&model).context("--wind"),
-        None => Ok(model),
+        None => with_input(model, release.wind),
     }
+}
+
+/// A model that has the input of a constant wind, unless there is none.
+fn with_input(model: Model, wind: [f64; 3]) -> anyhow::Result<Model> {
+    if wind != [0.0; 3] && !model.inputs.iter().any(|input| input.name == "wind") {
+        bail!(
+            "--wind: found a constant wind, but {} has no input `wind`",
+            model.name
+        );
+    }
+    Ok(model)
 }

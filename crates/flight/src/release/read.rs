@@ -209,6 +209,13 @@ impl<'t> Reader<'t> {
             }
         };
         let (wind, wind_field) = self.wind(document);
+        if let (true, Some(table)) = (wind != [0.0; 3], document.get("wind"))
+            && !vocabulary.inputs.iter().any(|input| input == "wind")
+        {
+            let found = format!("found a constant wind, but {model_name} has no input `wind`");
+            self.fault(table.span(), found);
+            return None;
+        }
         if let (Some(field), Some(table)) = (&wind_field, document.get("wind")) {
             if !in_wind {
                 self.fault(
