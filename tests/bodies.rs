@@ -38,6 +38,10 @@ fn bodies_are_flown_and_verified_in_any_folder() {
         let throw = ["--speed", "14", "--launch", "12", "--until", "ground"];
         let mut simulate = vec!["simulate", body.as_str(), "--out", "flight"];
         simulate.extend(throw);
+        let model = model_spec::load::load(&body, &[]).expect("a model");
+        if model.body.is_some_and(|body| body.rotation.is_some()) {
+            simulate.extend(["--spin", "800"]);
+        }
         hyzer(folder.path(), &simulate);
         let path = folder.path().join("flight/trajectory.csv");
         let path = std::fs::read_to_string(path).expect("a trajectory");
