@@ -131,6 +131,7 @@ impl Control {
 
     /// Counts the step of every lane whose error norm is at most 1 as accepted and proposes the size of its next.
     #[inline(always)]
+    #[allow(clippy::needless_range_loop)]
     pub(crate) fn accept(&mut self, errors: &[f64; MAX_LANES]) {
         // One loop without branches over arrays of the same length, which the compiler makes vector instructions of.
         for lane in 0..MAX_LANES {

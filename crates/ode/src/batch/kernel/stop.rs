@@ -1,5 +1,8 @@
 //! Events within a step: landings, apexes and crossed limits, located on the dense output.
 
+// Iterators are functions of their own, which need not be inlined, and are then compiled for the baseline processor.
+#![allow(clippy::needless_range_loop)]
+
 use super::{EndState, Flying};
 use crate::batch::control::MAX_LANES;
 use crate::batch::events::HeightStep;
