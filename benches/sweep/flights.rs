@@ -113,7 +113,7 @@ pub unsafe extern "C" fn flights(
         )
     };
     let mut queue = Queue { next: 0, starts, parameters, ends, evaluations: 0 };
-    let span = FlightSpan { t_end: 600.0, height: Some(2), until_ground: true };
+    let span = FlightSpan { t_end: 600.0, height: Some(2), seeks_apex: false, until_ground: true };
     let method = if dop853 == 1 { Method::Dop853 } else { Method::Tsit5 };
     let options = IntegrationOptions { method, rtol, atol, ..IntegrationOptions::default() };
     match model {

@@ -201,7 +201,7 @@ flight has step sizes of its own. FrisPy's equations are those of `model-spec/re
 |---|---:|---:|---:|---:|
 {chr(10).join(rows)}
 
-Errors are of each state's magnitude or 1, against the same equations at 1e-11 (FrisPy) and 1e-12 (SciPy).
+None of them seeks the greatest height. Errors are of each state's magnitude or 1, against the same equations at 1e-11 (FrisPy) and 1e-12 (SciPy).
 
 `hyzer sweep` as a whole (the built-in plan with 60,000 flights: draws, throws, flights, Parquet, summary), best of two:
 {rates[1]:.0f} flights a second on one thread, {rates[threads]:.0f} on {threads}: {share:.2f} of each thread (bar 0.9: {'holds' if share >= 0.9 else '**missed**'}).

@@ -242,6 +242,7 @@ fn every_lane_is_the_scalar_flight() {
                 let span = FlightSpan {
                     t_end,
                     height: Some(z),
+                    seeks_apex: true,
                     until_ground,
                 };
                 let options = IntegrationOptions {
@@ -324,6 +325,7 @@ fn the_company_of_a_flight_changes_no_bit() {
             let span = FlightSpan {
                 t_end: 600.0,
                 height: Some(z),
+                seeks_apex: true,
                 until_ground: true,
             };
             let options = IntegrationOptions {
@@ -359,6 +361,7 @@ fn the_tape_flies_as_the_generated_code_does() {
     let span = FlightSpan {
         t_end: 600.0,
         height: Some(z),
+        seeks_apex: true,
         until_ground: true,
     };
     let options = IntegrationOptions::default();

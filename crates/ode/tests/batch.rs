@@ -62,6 +62,7 @@ fn a_flight_that_becomes_infinite_ends_alone() {
     let span = FlightSpan {
         t_end: 2.0,
         height: None,
+        seeks_apex: true,
         until_ground: false,
     };
     for method in [Method::Tsit5, Method::Dop853] {
@@ -105,6 +106,7 @@ fn what_cannot_start_does_not_and_an_empty_queue_is_no_work() {
     let span = FlightSpan {
         t_end: 1.0,
         height: Some(0),
+        seeks_apex: true,
         until_ground: true,
     };
     let options = IntegrationOptions::default();
@@ -134,6 +136,7 @@ fn what_cannot_start_does_not_and_an_empty_queue_is_no_work() {
     for isa in lanes::Isa::ALL {
         let mut one = queue(vec![(0.5, 9.0)]);
         let span = FlightSpan {
+            seeks_apex: true,
             until_ground: false,
             ..span
         };

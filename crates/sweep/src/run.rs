@@ -90,6 +90,7 @@ pub fn run(
                 Stop::Ground => Release::MAX_DURATION,
             },
             height: position[2],
+            seeks_apex: true,
             until_ground,
         },
         position,

@@ -7,6 +7,9 @@ use crate::root::first_past_root;
 /// Width of the bracket of an apex, in units of the step: its height is known to the square of this.
 const APEX_WIDTH: f64 = 1e-8;
 
+/// Most steps of Newton's method to a landing: each doubles the digits of the one before.
+const NEWTON_STEPS: u32 = 6;
+
 /// Height at the ends of a step, with h times its derivatives: the data of the cubic Hermite interpolant.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct HeightEnds {
@@ -18,7 +21,18 @@ pub(crate) struct HeightEnds {
 
 impl HeightEnds {
     /// Whether the cubic falls to 0 within the step.
+    #[inline(always)]
     pub(crate) fn may_land(&self) -> bool {
+        let (a, b) = (self.start, self.end);
+        if a > 0.0 && (b <= 0.0 || self.is_monotone()) {
+            return b <= 0.0;
+        }
+        self.dips()
+    }
+
+    /// Whether the cubic falls to 0 between neighbouring points of four.
+    #[inline(never)]
+    fn dips(&self) -> bool {
         let (a, b) = (self.start, self.end);
         has_falling_zero(4, |s| {
             let r = 1.0 - s;
@@ -36,12 +50,18 @@ impl HeightEnds {
         self.start.min(self.end) <= distance
     }
 
-    /// Whether the cubic falls throughout, from above 0 to below: it lands once (Fritsch & Carlson, SIAM J. Numer. Anal. 17,
-    /// 1980).
-    fn falls_once(&self) -> bool {
+    /// Whether the cubic rises or falls throughout (Fritsch & Carlson, SIAM J. Numer. Anal. 17, 1980).
+    #[inline(always)]
+    fn is_monotone(&self) -> bool {
         let steepest = 3.0 * (self.end - self.start);
-        let falls = |slope: f64| slope <= 0.0 && slope >= steepest;
-        self.start > 0.0 && self.end < 0.0 && falls(self.start_slope) && falls(self.end_slope)
+        let (least, greatest) = (steepest.min(0.0), steepest.max(0.0));
+        let (first, last) = (self.start_slope, self.end_slope);
+        (least <= first) & (first <= greatest) & (least <= last) & (last <= greatest)
+    }
+
+    /// Whether the cubic falls throughout, from above 0 to below: it lands once.
+    fn falls_once(&self) -> bool {
+        self.start > 0.0 && self.end < 0.0 && self.is_monotone()
     }
 
     /// Whether the height rises at the start and does not at the end.
@@ -86,8 +106,12 @@ impl HeightStep {
     /// Derivative of the height by the fraction `s` of the step.
     #[inline(always)]
     fn slope(&self, s: f64) -> f64 {
+        let terms = &self.terms;
+        if self.method == Method::Tsit5 {
+            return terms[1] + s * (2.0 * terms[2] + s * (3.0 * terms[3] + s * 4.0 * terms[4]));
+        }
         let (degree, odd, odd_by_s) = self.factors(s);
-        let (mut height, mut slope) = (self.terms[degree], 0.0);
+        let (mut height, mut slope) = (terms[degree], 0.0);
         for k in (0..degree).rev() {
             let (factor, by_s) = if k % 2 == 0 {
                 (s, 1.0)
@@ -95,7 +119,7 @@ impl HeightStep {
                 (odd, odd_by_s)
             };
             slope = factor * slope + by_s * height;
-            height = factor * height + self.terms[k];
+            height = factor * height + terms[k];
         }
         slope
     }
@@ -105,11 +129,29 @@ impl HeightStep {
         let height = |s: f64| self.height(s);
         if ends.falls_once() {
             let (bracket, width) = ((ends.start, ends.end), location_width(self.t, self.h));
-            return Some(first_past_root(height, (0.0, 1.0), bracket, width));
+            let found = self.newton(bracket, width);
+            return Some(
+                found.unwrap_or_else(|| first_past_root(height, (0.0, 1.0), bracket, width)),
+            );
         }
         found.clear();
         falling_zeros((self.t, self.h), height, found);
         found.first().copied()
+    }
+
+    /// The end past the root of a bracket of this width, by Newton's method from the chord; `None` if it is not found so.
+    fn newton(&self, (first, last): (f64, f64), width: f64) -> Option<f64> {
+        let mut s = first / (first - last);
+        for _ in 0..NEWTON_STEPS {
+            let step = self.height(s) / self.slope(s);
+            s -= step;
+            if step.abs() <= 0.25 * width {
+                break;
+            }
+        }
+        let past = s + 0.5 * width;
+        let is_past = past <= 1.0 && self.height(past) <= 0.0;
+        (is_past && self.height(past - width) > 0.0).then_some(past)
     }
 
     /// Fraction of the step at which the height stops rising, of a step in which it does.

@@ -126,7 +126,7 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
                     continue;
                 };
                 let x = &self.staging.values.x;
-                let height = self.span.height.map_or(f64::NAN, |z| x[z].lane(lane));
+                let height = self.span.apex().map_or(f64::NAN, |z| x[z].lane(lane));
                 let h = self.staging.h[lane];
                 self.control.start(lane, flight, h, height);
                 (*keep, any) = (0.0, true);
@@ -249,8 +249,9 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
                     end_slope: ends[3][lane],
                 };
                 self.heights[lane] = height;
-                asks[lane] = accepted[lane]
-                    & (height.has_peak() | (self.span.until_ground & height.is_near_ground()));
+                let peaks = self.span.seeks_apex & height.has_peak();
+                let is_near = self.span.until_ground & height.is_near_ground();
+                asks[lane] = accepted[lane] & (peaks | (is_near && height.may_land()));
             }
         }
         if self.margins[0].is_empty() {
@@ -334,7 +335,7 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
         for (to, value) in self.state.iter_mut().zip(from) {
             *to = value.lane(lane);
         }
-        if let Some(z) = self.span.height {
+        if let Some(z) = self.span.apex() {
             self.control.rise(lane, time, self.state[z]);
         }
         let Some(flight) = self.control.flight[lane].take() else {

@@ -96,7 +96,8 @@ pub struct FlightEnd<'a> {
     pub time: f64,
     /// State at that time.
     pub state: &'a [f64],
-    /// Greatest height: (time, height), at the start, the end, or where its derivative falls to 0; NaN without a height.
+    /// Greatest height: (time, height), at the start, the end, or where its derivative falls to 0; NaN if
+    /// it is not sought.
     pub apex: (f64, f64),
     /// Counts of the flight's own steps and evaluations.
     pub stats: SolverStats,
@@ -107,10 +108,19 @@ pub struct FlightEnd<'a> {
 pub struct FlightSpan {
     /// Final time.
     pub t_end: f64,
-    /// State component that is the height, whose maximum is recorded.
+    /// State component that is the height.
     pub height: Option<usize>,
+    /// Whether the greatest height is sought.
+    pub seeks_apex: bool,
     /// Whether a flight ends where its height falls to 0.
     pub until_ground: bool,
+}
+
+impl FlightSpan {
+    /// State component whose greatest value is sought.
+    fn apex(&self) -> Option<usize> {
+        self.height.filter(|_| self.seeks_apex)
+    }
 }
 
 /// Integrates all flights of a queue on the widest lanes of the processor.
@@ -152,7 +162,7 @@ pub struct FlightSpan {
 ///     }
 /// }
 ///
-/// let span = FlightSpan { t_end: 10.0, height: Some(0), until_ground: true };
+/// let span = FlightSpan { t_end: 10.0, height: Some(0), seeks_apex: false, until_ground: true };
 /// let mut falls = Falls(0, [0.0; 10]);
 /// fly(&Fall, &mut falls, &span, &IntegrationOptions::default());
 /// for (k, time) in falls.1.iter().enumerate() {

@@ -259,7 +259,7 @@ fn start_end<'x>(
         outcome,
         time: 0.0,
         state,
-        apex: (0.0, span.height.map_or(f64::NAN, |z| state[z])),
+        apex: (0.0, span.apex().map_or(f64::NAN, |z| state[z])),
         stats: SolverStats::default(),
     }
 }

@@ -104,7 +104,7 @@ impl<T: Lanes, R: LaneRhs> Flying<'_, T, R> {
                     stop = Some((s, FlightOutcome::Limit(limit)));
                 }
             }
-            if self.span.height.is_some() && ends.has_peak() {
+            if self.span.apex().is_some() && ends.has_peak() {
                 let s = height.peak();
                 if stop.is_none_or(|(end, _)| s <= end) {
                     self.control.rise(lane, t + s * step, height.height(s));
