@@ -6,12 +6,14 @@ use clap::{Args, Parser, Subcommand};
 
 mod bootstrap;
 mod design;
+mod fit_inputs;
 mod stability;
 mod sweep;
 mod throw;
 
 pub use bootstrap::Bootstrap;
 pub use design::Design;
+pub use fit_inputs::FitInputs;
 pub use stability::Stability;
 pub use sweep::Sweep;
 pub use throw::ThrowOptions;
@@ -393,35 +395,11 @@ pub struct Import {
 /// `hyzer fit`.
 #[derive(Args)]
 pub struct Fit {
-    /// Folder with dataset.toml
-    pub dataset: PathBuf,
-    /// Model: a name or a path; by default the dataset's own
-    #[arg(long, value_name = "MODEL")]
-    pub model: Option<String>,
-    /// Add an effect, by name or path; may be repeated
-    #[arg(long, value_name = "EFFECT")]
-    pub with: Vec<String>,
-    /// Fix a coefficient at a value (SI), by default the model's; may be repeated
-    #[arg(long, value_name = "NAME[=VALUE]")]
-    pub hold: Vec<String>,
-    /// Estimate a parameter or a component of an input too, one value for all flights; may be repeated
-    #[arg(long, value_name = "NAME")]
-    pub free: Vec<String>,
-    /// Gaussian prior of a coefficient: mean and standard deviation, SI; may be repeated
-    #[arg(long, value_name = "NAME=VALUE+-SIGMA")]
-    pub prior: Vec<String>,
-    /// Ignore the bounds of coefficients in the model
-    #[arg(long)]
-    pub unbounded: bool,
+    #[command(flatten)]
+    pub inputs: FitInputs,
     /// Profile-likelihood interval of a coefficient; may be repeated
     #[arg(long, value_name = "NAME")]
     pub profile: Vec<String>,
-    /// Also use flights whose data seem faulty: exchanged labels, wrong units or axes, samples in the hand
-    #[arg(long)]
-    pub trust_data: bool,
-    /// Number of threads; the result does not depend on it
-    #[arg(long, value_name = "N")]
-    pub threads: Option<usize>,
     /// Stop after this many seconds with the best answer so far; the result then says so
     #[arg(long, value_name = "S")]
     pub max_seconds: Option<f64>,

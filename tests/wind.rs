@@ -93,7 +93,9 @@ fn a_constant_wind_that_a_model_cannot_feel_is_refused() {
     let (status, _, errors) = run(&[&thrown[..], &["0,0,0"]].concat());
     assert_eq!(status, 0, "{errors}");
     let release = folder.path().join("throw.toml");
-    let text = "model = \"stone.hyz\"\nuntil = \"ground\"\n[throw]\nspeed = 5.0\n[wind]\nconstant = [1.0, 0.0, 0.0]\n";
+    let text = format!(
+        "model = {stone:?}\nuntil = \"ground\"\n[throw]\nspeed = 5.0\n[wind]\nconstant = [1.0, 0.0, 0.0]\n"
+    );
     std::fs::write(&release, text).expect("written");
     let (status, _, errors) = run(&["simulate", "--release", release.to_str().expect("a name")]);
     let is_placed = errors.contains("throw.toml:5") && errors.contains("no input `wind`");

@@ -11,7 +11,7 @@ use serde_json::json;
 use sweep::folder::{PartsFolder, fingerprint, share_of};
 
 use super::fit::{held, model_of, priors};
-use crate::cli::Bootstrap;
+use crate::cli::{Bootstrap, FitInputs};
 use crate::progress::{self, Progress};
 use crate::{Answer, output};
 
@@ -20,18 +20,19 @@ const LEAST_FLIGHTS: usize = 5;
 
 /// Fits the model, does the refits that the folder does not have, and prints the scatter of their estimates.
 pub fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
-    let (fixed, priors) = (held(&options.hold)?, priors(&options.prior)?);
+    let inputs = &options.inputs;
+    let (fixed, priors) = (held(&inputs.hold)?, priors(&inputs.prior)?);
     let share = options.part.as_deref().map(super::share).transpose()?;
-    let dataset = dataset::load(&options.dataset)?;
-    let model = model_of(options.model.as_ref(), &options.dataset, &dataset)?;
-    let model = model_spec::load::load(&model, &super::names(&options.with))?;
+    let dataset = dataset::load(&inputs.dataset)?;
+    let model = model_of(inputs.model.as_ref(), &inputs.dataset, &dataset)?;
+    let model = model_spec::load::load(&model, &super::names(&inputs.with))?;
     let asked = FitOptions {
         fixed: &fixed,
-        free: &options.free,
+        free: &inputs.free,
         priors: &priors,
-        unbounded: options.unbounded,
-        trust_data: options.trust_data,
-        threads: options.threads,
+        unbounded: inputs.unbounded,
+        trust_data: inputs.trust_data,
+        threads: inputs.threads,
         ..FitOptions::default()
     };
     asked.validate()?;
@@ -58,7 +59,7 @@ pub fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
             ..asked
         },
     );
-    let fit = fit.with_context(|| format!("cannot fit {}", options.dataset.display()))?;
+    let fit = fit.with_context(|| format!("cannot fit {}", inputs.dataset.display()))?;
     let fitted = flights(&fit);
     if fitted < LEAST_FLIGHTS {
         bail!(
@@ -109,15 +110,19 @@ fn flights(fit: &Fit) -> usize {
 /// Fingerprint of everything that the estimates depend on.
 fn work(options: &Bootstrap, dataset: &Dataset, model: &Model) -> String {
     let Bootstrap {
+        inputs,
         refits,
         seed,
+        ..
+    } = options;
+    let FitInputs {
         hold,
         free,
         prior,
         unbounded,
         trust_data,
         ..
-    } = options;
+    } = inputs;
     let (version, source) = (env!("CARGO_PKG_VERSION"), codegen::rust::source_hash(model));
     fingerprint(format_args!(
         "hyzer.bootstrap/1 {version} {source:x} {refits} {seed} {hold:?} {free:?} {prior:?} {unbounded} {trust_data} {dataset:?}"

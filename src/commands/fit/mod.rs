@@ -35,31 +35,32 @@ pub(super) const FIGURE_DATA: &str = "figure-data";
 
 /// Fits the model to the dataset, prints a summary, and writes the report files.
 pub fn run(options: &Fit) -> anyhow::Result<Answer> {
-    let (hold, priors) = (held(&options.hold)?, priors(&options.prior)?);
+    let inputs = &options.inputs;
+    let (hold, priors) = (held(&inputs.hold)?, priors(&inputs.prior)?);
     let out = output::folder(options.out.as_deref())?;
-    let dataset = dataset::load(&options.dataset)?;
-    let model = model_of(options.model.as_ref(), &options.dataset, &dataset)?;
+    let dataset = dataset::load(&inputs.dataset)?;
+    let model = model_of(inputs.model.as_ref(), &inputs.dataset, &dataset)?;
     let certificate = certificate::Found::read(options.certificate.as_deref(), &model)?;
-    let model = model_spec::load::load(&model, &super::names(&options.with))?;
+    let model = model_spec::load::load(&model, &super::names(&inputs.with))?;
     let progress = Progress::new()?;
     let asked = FitOptions {
         fixed: &hold,
-        free: &options.free,
+        free: &inputs.free,
         priors: &priors,
-        unbounded: options.unbounded,
+        unbounded: inputs.unbounded,
         profiles: &options.profile,
-        trust_data: options.trust_data,
-        threads: options.threads,
+        trust_data: inputs.trust_data,
+        threads: inputs.threads,
         progress: Some(&progress),
         deadline: deadline(options.max_seconds)?,
         ..FitOptions::default()
     };
     let fitted = identify::fit(&model, &dataset, &asked);
     drop(progress);
-    let fitted = fitted.with_context(|| format!("cannot fit {}", options.dataset.display()))?;
+    let fitted = fitted.with_context(|| format!("cannot fit {}", inputs.dataset.display()))?;
     if let Some(folder) = &out {
         let note = certificate.note(&model);
-        let mut files = results(&options.dataset, &model, &dataset, &fitted, &note)?;
+        let mut files = results(&inputs.dataset, &model, &dataset, &fitted, &note)?;
         output::add_figures(&mut files, &options.figures)?;
         output::replace(folder, &files)?;
     }

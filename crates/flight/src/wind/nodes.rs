@@ -2,8 +2,8 @@
 
 use model_spec::diagnostic::Span;
 use model_spec::syntax::ast::{
-    BinaryOp, EffectPart, Expr, ExprKind, Item, ItemKind, Let, Name, Number, Parameter,
-    ParameterClass, Quantity, UnitExpr, UnitFactor,
+    BinaryOp, Continuation, EffectPart, Expr, ExprKind, Interpolation, Item, ItemKind, Let, Name,
+    Number, Parameter, ParameterClass, Quantity, Table, UnitExpr, UnitFactor,
 };
 
 fn expr(kind: ExprKind) -> Expr {
@@ -35,22 +35,27 @@ pub(super) fn number(value: f64, unit: &[(&str, i32)]) -> Expr {
     }
 }
 
-fn quantity(value: f64, unit: &[(&str, i32)]) -> Quantity {
+fn quantity(value: f64, powers: &[(&str, i32)]) -> Quantity {
     let span = Span::default();
-    let factors = unit.iter().map(|(symbol, power)| UnitFactor {
-        symbol: (*symbol).to_owned(),
-        doubled: 2 * power,
-        span,
-    });
     Quantity {
         number: Number {
             text: format!("{value:?}"),
             span,
         },
-        unit: (!unit.is_empty()).then(|| UnitExpr {
-            factors: factors.collect(),
-            span,
-        }),
+        unit: (!powers.is_empty()).then(|| unit(powers)),
+        span,
+    }
+}
+
+fn unit(powers: &[(&str, i32)]) -> UnitExpr {
+    let span = Span::default();
+    let factors = powers.iter().map(|(symbol, power)| UnitFactor {
+        symbol: (*symbol).to_owned(),
+        doubled: 2 * power,
+        span,
+    });
+    UnitExpr {
+        factors: factors.collect(),
         span,
     }
 }
@@ -96,6 +101,24 @@ pub(super) fn add_parameter(text: &str, doc: &str) -> EffectPart {
         bounds: None,
     };
     added(ItemKind::Parameter(parameter), doc.to_owned())
+}
+
+/// Statement of an effect that declares a table of speeds (m/s) over heights (m), monotone between its knots and constant
+/// beyond them.
+pub(super) fn add_table(text: &str, knots: Vec<(f64, f64)>) -> EffectPart {
+    let knots = knots.into_iter();
+    let table = Table {
+        name: identifier(text),
+        argument: identifier("height"),
+        argument_unit: Some(unit(&[("m", 1)])),
+        unit: Some(unit(&[("m", 1), ("s", -1)])),
+        knots: knots
+            .map(|(height, speed)| (quantity(height, &[]), quantity(speed, &[])))
+            .collect(),
+        interpolation: Interpolation::Monotone,
+        continuation: Continuation::Constant,
+    };
+    added(ItemKind::Table(table), String::new())
 }
 
 fn added(kind: ItemKind, doc: String) -> EffectPart {

@@ -8,7 +8,7 @@ use super::{GustStrength, Gusts, Profile, ReferenceWind, WindField};
 use crate::release::{Reader, ReleaseError, Value, number_of};
 
 /// Greatest number of rows of a table of wind.
-const MAX_ROWS: usize = 40;
+const MAX_ROWS: usize = 500;
 /// Greatest component of a stated wind, m/s.
 const MAX_SPEED: f64 = 200.0;
 /// 10 ft, the least height of the low-altitude model of gusts, m.
@@ -154,7 +154,7 @@ impl<'t> Reader<'t> {
 
     fn wind_table(&mut self, value: &Value<'t>) -> Option<Profile> {
         const EXPECTED: &str =
-            "2 to 40 rows of height and wind, as in [[0.5, 1.0, 0.0, 0.0], [2.0, 2.5, 0.0, 0.0]]";
+            "2 to 500 rows of height and wind, as in [[0.5, 1.0, 0.0, 0.0], [2.0, 2.5, 0.0, 0.0]]";
         let items = value.get_ref().as_array();
         let Some(items) = items.filter(|items| (2..=MAX_ROWS).contains(&items.len())) else {
             self.wrong_type(value, "table", EXPECTED);

@@ -112,7 +112,7 @@ fn every_fault_has_its_place_and_what_was_expected() {
         (
             "[wind]\ntable = [[1.0, 0.0, 0.0, 0.0]]",
             (2, 9),
-            "2 to 40 rows",
+            "2 to 500 rows",
         ),
         (
             "[wind]\ntable = [[1.0, 0.0, 0.0, 0.0], [2.0, 0.0, 0.0]]",

@@ -68,7 +68,7 @@ pub fn rolls() -> Result<Vec<(f64, Tilts)>, StudyError> {
     let each = ROLLS.map(|roll| {
         let mut values = TUNNEL.to_vec();
         values.push(("C_Rr", roll));
-        let body = ThrownBody::new(model_spec::load::load("disc", &EFFECTS)?)?;
+        let body = body("disc", &EFFECTS)?;
         let (flights, level) = flights(&body, &values);
         Ok((roll, tilts(&flights, &level(ADVANCE))))
     });
@@ -80,14 +80,21 @@ pub fn rolls() -> Result<Vec<(f64, Tilts)>, StudyError> {
 /// # Errors
 /// [`StudyError`] if the model cannot be loaded.
 pub fn launches() -> Result<Vec<Launches>, StudyError> {
+    let disc = || body("disc", &EFFECTS);
     Ok(vec![
-        of("the model's own", &[])?,
-        of("of the wind tunnel", &TUNNEL)?,
+        of("the model's own", disc()?, &[])?,
+        of("of the wind tunnel", disc()?, &TUNNEL)?,
         of(
             "of the wind tunnel, with the model's own pitching moment",
+            disc()?,
             &own_pitch(&TUNNEL),
         )?,
+        of("the wind tunnel's tables", body("ultimate_disc", &[])?, &[])?,
     ])
+}
+
+fn body(model: &str, effects: &[&str]) -> Result<ThrownBody, StudyError> {
+    Ok(ThrownBody::new(model_spec::load::load(model, effects)?)?)
 }
 
 /// The coefficients without those of the pitching moment.
@@ -121,8 +128,11 @@ fn flights<'b>(
     (body.with_parameters(parameters), level)
 }
 
-fn of(name: &'static str, values: &[(&str, f64)]) -> Result<Launches, StudyError> {
-    let body = ThrownBody::new(model_spec::load::load("disc", &EFFECTS)?)?;
+fn of(
+    name: &'static str,
+    body: ThrownBody,
+    values: &[(&str, f64)],
+) -> Result<Launches, StudyError> {
     let (flights, at_advance) = flights(&body, values);
     let level = at_advance(ADVANCE);
     let pitches: Vec<f64> = (-10..=50).map(f64::from).collect();
