@@ -44,7 +44,7 @@ pub fn throws_page(
         .filter_map(|w| Some((w.wind, range(-w.wind)? - w.upright)))
         .collect();
     let lines = launches.iter().enumerate().map(|(k, launch)| Line {
-        name: ["own", "tunnel", "mixed"]
+        name: ["own", "tunnel", "mixed", "tables"]
             .get(k)
             .copied()
             .unwrap_or("")
