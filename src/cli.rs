@@ -397,6 +397,9 @@ pub struct Import {
 pub struct Fit {
     #[command(flatten)]
     pub inputs: FitInputs,
+    /// Ignore the bounds of coefficients in the model
+    #[arg(long)]
+    pub unbounded: bool,
     /// Profile-likelihood interval of a coefficient; may be repeated
     #[arg(long, value_name = "NAME")]
     pub profile: Vec<String>,
@@ -419,32 +422,11 @@ pub struct Fit {
 /// `hyzer diagnose`.
 #[derive(Args)]
 pub struct Diagnose {
-    /// Folder with dataset.toml
-    pub dataset: PathBuf,
-    /// Model: a name or a path; by default the dataset's own
-    #[arg(long, value_name = "MODEL")]
-    pub model: Option<String>,
-    /// Add an effect before the diagnosis, by name or path; may be repeated
-    #[arg(long, value_name = "EFFECT")]
-    pub with: Vec<String>,
+    #[command(flatten)]
+    pub inputs: FitInputs,
     /// Do not test an effect; may be repeated
     #[arg(long, value_name = "EFFECT")]
     pub without: Vec<String>,
-    /// Fix a coefficient at a value (SI), by default the model's; may be repeated
-    #[arg(long, value_name = "NAME[=VALUE]")]
-    pub hold: Vec<String>,
-    /// Estimate a parameter or a component of an input too, one value for all flights; may be repeated
-    #[arg(long, value_name = "NAME")]
-    pub free: Vec<String>,
-    /// Gaussian prior of a coefficient: mean and standard deviation, SI; may be repeated
-    #[arg(long, value_name = "NAME=VALUE+-SIGMA")]
-    pub prior: Vec<String>,
-    /// Also use flights whose data seem faulty: exchanged labels, wrong units or axes, samples in the hand
-    #[arg(long)]
-    pub trust_data: bool,
-    /// Number of threads; the result does not depend on it
-    #[arg(long, value_name = "N")]
-    pub threads: Option<usize>,
     /// Stop after this many seconds with the best answer so far, which is said in the result
     #[arg(long, value_name = "S")]
     pub max_seconds: Option<f64>,

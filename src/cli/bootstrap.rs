@@ -11,6 +11,9 @@ use super::FitInputs;
 pub struct Bootstrap {
     #[command(flatten)]
     pub inputs: FitInputs,
+    /// Ignore the bounds of coefficients in the model
+    #[arg(long)]
+    pub unbounded: bool,
     /// Number of refits, 2 to 1,000,000
     #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u64).range(2..=1_000_000))]
     pub refits: u64,

@@ -24,9 +24,6 @@ pub struct FitInputs {
     /// Gaussian prior of a coefficient: mean and standard deviation, SI; may be repeated
     #[arg(long, value_name = "NAME=VALUE+-SIGMA")]
     pub prior: Vec<String>,
-    /// Ignore the bounds of coefficients in the model
-    #[arg(long)]
-    pub unbounded: bool,
     /// Also use flights whose data seem faulty: exchanged labels, wrong units or axes, samples in the hand
     #[arg(long)]
     pub trust_data: bool,

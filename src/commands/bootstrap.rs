@@ -30,7 +30,7 @@ pub fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
         fixed: &fixed,
         free: &inputs.free,
         priors: &priors,
-        unbounded: inputs.unbounded,
+        unbounded: options.unbounded,
         trust_data: inputs.trust_data,
         threads: inputs.threads,
         ..FitOptions::default()
@@ -113,13 +113,13 @@ fn work(options: &Bootstrap, dataset: &Dataset, model: &Model) -> String {
         inputs,
         refits,
         seed,
+        unbounded,
         ..
     } = options;
     let FitInputs {
         hold,
         free,
         prior,
-        unbounded,
         trust_data,
         ..
     } = inputs;

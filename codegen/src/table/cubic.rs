@@ -30,8 +30,8 @@ impl PiecewiseCubic {
         &self.knots
     }
 
-    /// Coefficients of the powers 0 to 3 of the distance from the knot below, one cubic more than knots: the first is that
-    /// below all knots, in the distance from the first.
+    /// Coefficients of the powers 0 to 3 of the distance from the knot below, one cubic more than knots: the first
+    /// holds below the first knot, by the (negative) distance from it.
     pub fn cubics(&self) -> &[[f64; 4]] {
         &self.cubics
     }

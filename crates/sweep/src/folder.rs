@@ -71,7 +71,7 @@ pub fn fingerprint(of: impl Display) -> String {
     digest.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// The parts, of `count`, that belong to the share (from 1) of so many equal shares.
+/// Range of the parts 0 to `count` - 1 that belong to share `share` (counted from 1) of `of` equal shares.
 ///
 /// # Errors
 /// [`FolderError::NoPart`].

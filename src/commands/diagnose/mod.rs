@@ -31,24 +31,28 @@ const CASES: usize = 12;
 
 /// Diagnoses the model, prints a summary, and writes the report files.
 pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
-    let (hold, priors) = (held(&options.hold)?, priors(&options.prior)?);
+    let (hold, priors) = (held(&options.inputs.hold)?, priors(&options.inputs.prior)?);
     let out = output::folder(options.out.as_deref())?;
-    let dataset = dataset::load(&options.dataset)?;
-    let model = model_of(options.model.as_ref(), &options.dataset, &dataset)?;
+    let dataset = dataset::load(&options.inputs.dataset)?;
+    let model = model_of(
+        options.inputs.model.as_ref(),
+        &options.inputs.dataset,
+        &dataset,
+    )?;
     let certificate = certificate::Found::read(options.certificate.as_deref(), &model)?;
-    let model = model_spec::load::load(&model, &super::names(&options.with))?;
-    let name = dataset_name(&options.dataset);
+    let model = model_spec::load::load(&model, &super::names(&options.inputs.with))?;
+    let name = dataset_name(&options.inputs.dataset);
     let progress = Progress::new()?;
     let asked = DiagnosisOptions {
         dataset: &name,
         without: &options.without,
         fit: FitOptions {
             fixed: &hold,
-            free: &options.free,
+            free: &options.inputs.free,
             priors: &priors,
-            trust_data: options.trust_data,
+            trust_data: options.inputs.trust_data,
             deadline: deadline(options.max_seconds)?,
-            threads: options.threads,
+            threads: options.inputs.threads,
             progress: Some(&progress),
             ..FitOptions::default()
         },
@@ -62,7 +66,7 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     });
     drop(progress);
     let (mut found, verified) =
-        found.with_context(|| format!("cannot diagnose {}", options.dataset.display()))?;
+        found.with_context(|| format!("cannot diagnose {}", options.inputs.dataset.display()))?;
     found.report.verified = verified.transpose()?;
     let reasons = reasons_against(&found);
     let has_extension = found.after.is_some();

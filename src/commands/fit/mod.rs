@@ -47,7 +47,7 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
         fixed: &hold,
         free: &inputs.free,
         priors: &priors,
-        unbounded: inputs.unbounded,
+        unbounded: options.unbounded,
         profiles: &options.profile,
         trust_data: inputs.trust_data,
         threads: inputs.threads,

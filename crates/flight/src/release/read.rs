@@ -22,7 +22,7 @@ pub fn read_file(
     read_text(path, |file, text| read(file, text, vocabulary))
 }
 
-/// As [`read_file`], with a model in the wind that the file states; see [`read_in_wind`].
+/// Reads a file that may state winds by height and gusts, as [`read_in_wind`] reads its text.
 ///
 /// # Errors
 /// As [`read_file`].
@@ -155,7 +155,7 @@ impl<'t> Reader<'t> {
         });
     }
 
-    /// The text as TOML; `None`, with a fault, where it is none.
+    /// Parses the text as TOML; a syntax error is recorded as a fault.
     pub(crate) fn document(&mut self) -> Option<Spanned<DeTable<'t>>> {
         match DeTable::parse(self.text) {
             Ok(document) => Some(document),
