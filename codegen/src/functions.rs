@@ -5,7 +5,7 @@
 
 use crate::number::Number;
 use crate::table::{TableFunction, TableId, Tables};
-use lanes::Real;
+use lanes::{ElementaryFunction, Real};
 use model_spec::model::Function as Named;
 
 /// Elementary functions of one argument that the generated code computes as one operation.
@@ -97,6 +97,17 @@ pub enum Notation {
     Bracket(&'static str),
 }
 
+impl From<ElementaryFunction> for MathFunction {
+    fn from(function: ElementaryFunction) -> Self {
+        match function {
+            ElementaryFunction::Exp => MathFunction::Exp,
+            ElementaryFunction::Log => MathFunction::Log,
+            ElementaryFunction::Tanh => MathFunction::Tanh,
+            ElementaryFunction::Asin => MathFunction::Asin,
+        }
+    }
+}
+
 impl MathFunction {
     /// All functions that do not depend on the model.
     pub const ALL: [MathFunction; 11] = [
@@ -130,6 +141,13 @@ impl MathFunction {
             MathFunction::NonZero => "nonzero",
             MathFunction::Table(_) => "table",
         }
+    }
+
+    /// The function with this [`name`](Self::name), if it does not depend on the model.
+    pub fn named(name: &str) -> Option<MathFunction> {
+        Self::ALL
+            .into_iter()
+            .find(|function| function.name() == name)
     }
 
     /// Value of the function at `x`; `tables` are those of the model.

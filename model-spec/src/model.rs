@@ -4,6 +4,7 @@
 
 mod claim;
 mod effect;
+mod function;
 mod table;
 mod walk;
 
@@ -16,6 +17,7 @@ use crate::unit::Unit;
 pub use crate::source::Source;
 pub use claim::{Claim, ClaimedAttitude, ClaimedRotation};
 pub use effect::{AppliedEffect, EffectUnknown, OfferedEffect};
+pub use function::Function;
 pub use table::{Continuation, Interpolation, Table};
 
 /// A checked model of a flying body: its states, parameters, frames, loads and equations.
@@ -439,37 +441,4 @@ pub enum ExprKind {
     Min(Box<Expr>, Box<Expr>),
     /// The greater of two scalars.
     Max(Box<Expr>, Box<Expr>),
-}
-
-/// Functions of one scalar; each is defined everywhere, with a stated value and derivative at its singular points.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Function {
-    /// Sine.
-    Sin,
-    /// Cosine.
-    Cos,
-    /// Tangent.
-    Tan,
-    /// Arcsine, the argument clamped to -1 .. 1; derivative 0 outside.
-    Asin,
-    /// Arccosine, the argument clamped to -1 .. 1; derivative 0 outside.
-    Acos,
-    /// Arctangent.
-    Atan,
-    /// Square root; 0 with derivative 0 where the argument is 0 or less.
-    Sqrt,
-    /// Exponential.
-    Exp,
-    /// Natural logarithm; 0 with derivative 0 where the argument is 0 or less.
-    Log,
-    /// Absolute value; derivative 0 at 0.
-    Abs,
-    /// Signum: -1, 0 or 1; derivative 0.
-    Sign,
-    /// Heaviside function: 1 for arguments above 0, else 0; derivative 0.
-    Step,
-    /// Hyperbolic tangent.
-    Tanh,
-    /// A table, by index into [`Model::tables`].
-    Table(usize),
 }

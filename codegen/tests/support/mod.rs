@@ -1,9 +1,10 @@
 //! Shared by the tests: dual numbers as lanes, random states, models.
 #![allow(dead_code)]
 
-use lanes::Real;
+use lanes::{ElementaryFunction, Real};
 use model_spec::model::Model;
 use num_dual::{Dual64, DualNum};
+use oracle::scalar::{Elementary, NumDual, Real as _};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Names of the built-in models.
@@ -89,20 +90,9 @@ impl Real for Dual {
         }
         Dual::new(y.re.atan2(x.re), (x.re * y.eps - y.re * x.eps) / square)
     }
-    fn exp(self) -> Dual {
-        Dual(self.0.exp())
-    }
-    fn log(self) -> Dual {
-        self.guarded(self.0.re <= 0.0, |x| x.ln())
-    }
-    fn tanh(self) -> Dual {
-        Dual(self.0.tanh())
-    }
-    fn asin(self) -> Dual {
-        if self.0.re.abs() >= 1.0 {
-            return Dual::new(self.0.re.clamp(-1.0, 1.0).asin(), 0.0);
-        }
-        Dual(self.0.asin())
+    fn elementary(self, function: ElementaryFunction) -> Dual {
+        let function = Elementary::named(function.name()).expect("a function of the oracle");
+        Dual(NumDual(self.0).elementary(function).0)
     }
     fn abs(self) -> Dual {
         Dual::new(self.0.re.abs(), self.0.eps * self.sign().0.re)

@@ -1,58 +1,55 @@
 //! A model over SIMD lanes: generated code if its source hash matches the model, else a tape.
 
 use std::marker::PhantomData;
+use std::sync::OnceLock;
 
 use codegen::compile::{Selection, compile_for};
 use codegen::rust::source_hash;
 use codegen::tape::Inputs;
 use codegen::tape_model::{TapeFunction, TapeModel};
 use generated::{Equations, Visitor};
-use lanes::{Isa, Lanes};
+use lanes::{Isa, LaneKernel, Lanes};
 use model_spec::model::Model;
 use ode::{
-    FlightQueue, FlightSpan, IntegrationOptions, LanePoint, LaneRhs, LaneSizes, fly, fly_on,
+    FlightQueue, FlightSpan, IntegrationOptions, LanePoint, LaneRhs, LaneSizes, fly_on,
+    fly_on_widest,
 };
 
 /// A model whose flights are integrated in lanes.
 pub struct LaneModel {
-    code: Code,
+    model: Model,
+    /// Whether generated code of the model is used.
+    is_generated: bool,
+    /// Compiled when it is first needed.
+    tape: OnceLock<TapeModel>,
     /// Lower bound of each limit of validity.
     bounds: Vec<f64>,
-}
-
-/// Where the functions come from.
-enum Code {
-    /// Name of a built-in model.
-    Generated(String),
-    Tape(Box<TapeModel>),
 }
 
 impl LaneModel {
     /// Uses the generated code whose source hash is that of the model; otherwise compiles the model to a tape.
     pub fn new(model: &Model) -> LaneModel {
-        let is_same = |code: &&generated::Model| code.source_hash == source_hash(model);
-        match generated::model(&model.name).filter(is_same) {
-            Some(_) => LaneModel {
-                code: Code::Generated(model.name.clone()),
-                bounds: bounds(model),
-            },
-            None => LaneModel::interpreted(model),
+        let generated = generated::model(&model.name);
+        LaneModel {
+            is_generated: generated.is_some_and(|code| code.source_hash == source_hash(model)),
+            ..LaneModel::interpreted(model)
         }
     }
 
     /// Compiles the model to a tape, even if generated code exists.
     pub fn interpreted(model: &Model) -> LaneModel {
-        // No derivatives by parameters are evaluated.
-        let tape = TapeModel::new(&compile_for(model, &Selection::Only(Vec::new())));
         LaneModel {
-            code: Code::Tape(Box::new(tape)),
-            bounds: bounds(model),
+            model: model.clone(),
+            is_generated: false,
+            tape: OnceLock::new(),
+            bounds: model.limits.iter().map(|limit| limit.bound).collect(),
         }
     }
 
-    /// Whether the functions are generated code rather than a tape.
+    /// Whether the functions are generated code rather than a tape. Generated code is compiled for the widest
+    /// instruction sets only ([`ode::fly_on_widest`]); others run the tape, with the same results.
     pub fn is_generated(&self) -> bool {
-        matches!(self.code, Code::Generated(_))
+        self.is_generated
     }
 
     /// Integrates all flights of a queue, as [`ode::fly`] does, on the lanes of `isa`: by default the widest that the
@@ -67,60 +64,52 @@ impl LaneModel {
         options: &IntegrationOptions,
         isa: Option<Isa>,
     ) -> u64 {
-        let task = Task {
-            queue,
-            span,
-            options,
-            isa,
-        };
-        match &self.code {
-            Code::Generated(name) => {
-                let bounds = &self.bounds;
-                generated::visit(name, VisitGenerated { task, bounds }).unwrap_or(0)
-            }
-            Code::Tape(tape) => task.fly(&TapeRhs {
-                tape,
+        let isa = isa.unwrap_or_else(Isa::best);
+        if self.is_generated {
+            let task = GeneratedTask {
+                queue: &mut *queue,
+                span,
+                options,
+                isa,
                 bounds: &self.bounds,
-            }),
+            };
+            if let Some(Some(evaluations)) = generated::visit(&self.model.name, task) {
+                return evaluations;
+            }
         }
+        let rhs = TapeRhs {
+            tape: self.tape(),
+            bounds: &self.bounds,
+        };
+        fly_on(isa, &rhs, queue, span, options).unwrap_or(0)
+    }
+
+    fn tape(&self) -> &TapeModel {
+        // No derivatives by parameters are evaluated.
+        let selection = Selection::Only(Vec::new());
+        self.tape
+            .get_or_init(|| TapeModel::new(&compile_for(&self.model, &selection)))
     }
 }
 
-fn bounds(model: &Model) -> Vec<f64> {
-    model.limits.iter().map(|limit| limit.bound).collect()
-}
-
-/// What is to be integrated, and how.
-struct Task<'a> {
+/// Flights to be integrated with generated code.
+struct GeneratedTask<'a> {
     queue: &'a mut dyn FlightQueue,
     span: &'a FlightSpan,
     options: &'a IntegrationOptions,
-    isa: Option<Isa>,
-}
-
-impl Task<'_> {
-    fn fly<R: LaneRhs>(self, rhs: &R) -> u64 {
-        let queue = self.queue;
-        match self.isa {
-            None => fly(rhs, queue, self.span, self.options),
-            Some(isa) => fly_on(isa, rhs, queue, self.span, self.options).unwrap_or(0),
-        }
-    }
-}
-
-struct VisitGenerated<'a> {
-    task: Task<'a>,
+    isa: Isa,
     bounds: &'a [f64],
 }
 
-impl Visitor for VisitGenerated<'_> {
-    type Output = u64;
+impl Visitor for GeneratedTask<'_> {
+    type Output = Option<u64>;
 
-    fn visit<E: Equations>(self) -> u64 {
-        self.task.fly(&GeneratedRhs::<E> {
+    fn visit<E: Equations>(self) -> Option<u64> {
+        let rhs = GeneratedRhs::<E> {
             bounds: self.bounds,
             equations: PhantomData,
-        })
+        };
+        fly_on_widest(self.isa, &rhs, self.queue, self.span, self.options)
     }
 }
 
@@ -207,14 +196,35 @@ fn evaluate<T: Lanes>(
     scratch: &mut [T],
     out: &mut [T],
 ) {
-    let inputs = Inputs {
-        t: at.t,
-        x: at.x,
-        p: at.p,
-        prepared: at.prepared,
-        marker: &[],
-    };
-    function.tape.eval_in(inputs, scratch, out);
+    T::outlined(Evaluation {
+        function,
+        at,
+        scratch,
+        out,
+    });
+}
+
+/// An evaluation of a tape.
+struct Evaluation<'a, T> {
+    function: &'a TapeFunction,
+    at: LanePoint<'a, T>,
+    scratch: &'a mut [T],
+    out: &'a mut [T],
+}
+
+impl<T: Lanes> LaneKernel<T> for Evaluation<'_, T> {
+    #[inline(always)]
+    fn run(self) {
+        let at = self.at;
+        let inputs = Inputs {
+            t: at.t,
+            x: at.x,
+            p: at.p,
+            prepared: at.prepared,
+            marker: &[],
+        };
+        self.function.tape.eval_in(inputs, self.scratch, self.out);
+    }
 }
 
 #[inline(always)]

@@ -1,6 +1,6 @@
 //! Prints `function argument… result` lines in hexadecimal bits, for comparison with a multiple-precision reference.
 
-use lanes::Real;
+use lanes::{ElementaryFunction, Real};
 
 fn main() {
     let count: usize = std::env::args()
@@ -39,12 +39,15 @@ fn main() {
         let (y, x) = (sign * 10_f64.powf(unit() * 2.0 - 1.0), unit() * 2.0 - 1.0);
         line("atan2", y, x, Real::atan2(y, x));
         line("atan2", x, y, Real::atan2(x, y));
-        line("exp", 708.0 * x, 0.0, Real::exp(708.0 * x));
-        line("exp", x, 0.0, Real::exp(x));
-        line("log", y.abs(), 0.0, Real::log(y.abs()));
-        line("log", 1.0 + 0.3 * x, 0.0, Real::log(1.0 + 0.3 * x));
-        line("tanh", 2.0 * x, 0.0, Real::tanh(2.0 * x));
-        line("tanh", y, 0.0, Real::tanh(y));
-        line("asin", x, 0.0, Real::asin(x));
+        for function in ElementaryFunction::ALL {
+            let arguments = match function {
+                ElementaryFunction::Exp => [708.0 * x, x],
+                ElementaryFunction::Log => [y.abs(), 1.0 + 0.3 * x],
+                _ => [0.5 * x, x],
+            };
+            for x in arguments {
+                line(function.name(), x, 0.0, x.elementary(function));
+            }
+        }
     }
 }

@@ -17,6 +17,24 @@ pub fn dispatch_with<K: Kernel>(isa: Isa, kernel: K) -> Option<K::Output> {
     isa.is_supported().then(|| run_on(isa, kernel))
 }
 
+/// Runs a kernel on the lanes of one instruction set, if the processor supports it and it is among the widest of the
+/// architecture: AVX-512 and AVX2 on x86-64, portable lanes elsewhere. For large kernels, whose compilation for every
+/// instruction set would take long.
+pub fn dispatch_widest<K: Kernel>(isa: Isa, kernel: K) -> Option<K::Output> {
+    if !isa.is_supported() {
+        return None;
+    }
+    match isa {
+        #[cfg(target_arch = "x86_64")]
+        Isa::Avx512 => Some(crate::x86::run_avx512(kernel)),
+        #[cfg(target_arch = "x86_64")]
+        Isa::Avx2 => Some(crate::x86::run_avx2(kernel)),
+        #[cfg(not(target_arch = "x86_64"))]
+        Isa::Portable => Some(kernel.run::<Four>()),
+        _ => None,
+    }
+}
+
 /// Runs a kernel on `isa`, which must be supported.
 fn run_on<K: Kernel>(isa: Isa, kernel: K) -> K::Output {
     match isa {

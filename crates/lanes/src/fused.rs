@@ -1,6 +1,7 @@
 //! Single-lane types: `f64`, and `f64` with fused multiply-add.
 
 use crate::Lanes;
+use crate::kernel::LaneKernel;
 use crate::primitive::Primitive;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -53,6 +54,12 @@ impl Neg for Fused {
 impl Primitive for Fused {
     type Mask = u64;
     const WIDTH: usize = 1;
+
+    // Inlined: a function of its own would be compiled for the baseline processor.
+    #[inline(always)]
+    fn run_outlined<K: LaneKernel<Self>>(kernel: K) {
+        kernel.run();
+    }
 
     #[inline(always)]
     fn mul_add_op(self, b: Self, c: Self) -> Self {

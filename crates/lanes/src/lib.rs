@@ -40,8 +40,8 @@ mod scalar;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
-pub use dispatch::{dispatch, dispatch_scalar, dispatch_with};
+pub use dispatch::{dispatch, dispatch_scalar, dispatch_widest, dispatch_with};
 pub use fused::ScalarLane;
 pub use isa::Isa;
-pub use kernel::{Kernel, ScalarKernel};
-pub use real::{Lanes, Real};
+pub use kernel::{Kernel, LaneKernel, ScalarKernel};
+pub use real::{ElementaryFunction, Lanes, Real};

@@ -1,5 +1,6 @@
 //! Four lanes in an array, for processors without a dedicated module.
 
+use crate::kernel::LaneKernel;
 use crate::primitive::Primitive;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -49,6 +50,11 @@ impl Neg for Four {
 impl Primitive for Four {
     type Mask = [u64; 4];
     const WIDTH: usize = 4;
+
+    #[inline(never)]
+    fn run_outlined<K: LaneKernel<Self>>(kernel: K) {
+        kernel.run();
+    }
 
     #[inline(always)]
     fn broadcast(value: f64) -> Self {

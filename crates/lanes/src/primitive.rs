@@ -1,5 +1,6 @@
 //! Primitive operations over which every function is written, so that `f64` and all vector types share one source.
 
+use crate::kernel::LaneKernel;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Maximum number of lanes of any lane type.
@@ -40,6 +41,9 @@ pub(crate) trait Primitive:
     fn shr_bits<const N: u32>(self) -> Self;
     fn load_lanes(from: &[f64]) -> Self;
     fn store_lanes(self, to: &mut [f64]);
+
+    /// Runs a computation in a function that has the instruction set of the type and is not inlined.
+    fn run_outlined<K: LaneKernel<Self>>(kernel: K);
 
     /// `self * b + c`, rounded once where the type fuses; so are `mul_sub_op` and `neg_mul_add_op`.
     #[inline(always)]

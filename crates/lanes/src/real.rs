@@ -1,8 +1,37 @@
 //! Arithmetic on one number or on one number per lane, and its implementation over the primitive operations.
 
 use crate::functions::{basic, exponential, inverse_trigonometric, piecewise, trigonometric};
+use crate::kernel::LaneKernel;
 use crate::primitive::{MAX_WIDTH, Primitive};
 use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// An elementary function of one argument that is evaluated by polynomials.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ElementaryFunction {
+    /// Exponential function, within 2 ulp.
+    Exp,
+    /// Natural logarithm, within 2 ulp; 0 where the argument is 0 or less.
+    Log,
+    /// Hyperbolic tangent, within 3 ulp.
+    Tanh,
+    /// Arcsine of the argument clamped to [-1, 1], within 3 ulp.
+    Asin,
+}
+
+impl ElementaryFunction {
+    /// All functions.
+    pub const ALL: [ElementaryFunction; 4] = [Self::Exp, Self::Log, Self::Tanh, Self::Asin];
+
+    /// Name of the method of [`Real`].
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Exp => "exp",
+            Self::Log => "log",
+            Self::Tanh => "tanh",
+            Self::Asin => "asin",
+        }
+    }
+}
 
 /// A real number, or one real number per lane: the scalar type of generated code and of the tape.
 ///
@@ -46,14 +75,28 @@ pub trait Real:
     fn sin_cos(self) -> (Self, Self);
     /// Polar angle of the point (`x`, `self`), within 2 ulp; 0 at the origin.
     fn atan2(self, x: Self) -> Self;
-    /// Exponential function, within 2 ulp.
-    fn exp(self) -> Self;
-    /// Natural logarithm, within 2 ulp; 0 where the argument is 0 or less.
-    fn log(self) -> Self;
-    /// Hyperbolic tangent, within 3 ulp.
-    fn tanh(self) -> Self;
-    /// Arcsine of the argument clamped to [-1, 1], within 3 ulp.
-    fn asin(self) -> Self;
+    /// An elementary function; [`ElementaryFunction`] states its accuracy.
+    fn elementary(self, function: ElementaryFunction) -> Self;
+    /// Exponential function.
+    #[inline(always)]
+    fn exp(self) -> Self {
+        self.elementary(ElementaryFunction::Exp)
+    }
+    /// Natural logarithm; 0 where the argument is 0 or less.
+    #[inline(always)]
+    fn log(self) -> Self {
+        self.elementary(ElementaryFunction::Log)
+    }
+    /// Hyperbolic tangent.
+    #[inline(always)]
+    fn tanh(self) -> Self {
+        self.elementary(ElementaryFunction::Tanh)
+    }
+    /// Arcsine of the argument clamped to [-1, 1].
+    #[inline(always)]
+    fn asin(self) -> Self {
+        self.elementary(ElementaryFunction::Asin)
+    }
     /// Absolute value.
     fn abs(self) -> Self;
     /// Minimum of two numbers; `other` if either is NaN.
@@ -96,6 +139,9 @@ pub trait Lanes: Real {
     /// # Panics
     /// If `lane >= WIDTH`.
     fn lane(self, lane: usize) -> f64;
+    /// Runs a computation in a function of its own, compiled once for the instruction set of these lanes: for large code
+    /// that a [`Kernel`](crate::Kernel) uses in several places.
+    fn outlined<K: LaneKernel<Self>>(kernel: K);
 
     /// Loads up to `WIDTH` numbers of a slice; lanes past its end get `fill`.
     #[inline(always)]
@@ -154,20 +200,13 @@ impl<T: Primitive> Real for T {
         inverse_trigonometric::atan2(self, x)
     }
     #[inline(always)]
-    fn exp(self) -> Self {
-        exponential::exp(self)
-    }
-    #[inline(always)]
-    fn log(self) -> Self {
-        exponential::log(self)
-    }
-    #[inline(always)]
-    fn tanh(self) -> Self {
-        exponential::tanh(self)
-    }
-    #[inline(always)]
-    fn asin(self) -> Self {
-        inverse_trigonometric::asin(self)
+    fn elementary(self, function: ElementaryFunction) -> Self {
+        match function {
+            ElementaryFunction::Exp => exponential::exp(self),
+            ElementaryFunction::Log => exponential::log(self),
+            ElementaryFunction::Tanh => exponential::tanh(self),
+            ElementaryFunction::Asin => inverse_trigonometric::asin(self),
+        }
     }
     #[inline(always)]
     fn abs(self) -> Self {
@@ -201,6 +240,10 @@ impl<T: Primitive> Real for T {
 
 impl<T: Primitive> Lanes for T {
     const WIDTH: usize = <T as Primitive>::WIDTH;
+    #[inline(always)]
+    fn outlined<K: LaneKernel<Self>>(kernel: K) {
+        T::run_outlined(kernel);
+    }
     #[inline(always)]
     fn load(from: &[f64]) -> Self {
         T::load_lanes(from)

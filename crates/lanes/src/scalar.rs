@@ -1,11 +1,17 @@
 //! `f64` as a single, non-fusing lane.
 
+use crate::kernel::LaneKernel;
 use crate::primitive::Primitive;
 
 impl Primitive for f64 {
     // All ones or all zeros instead of `bool`, so that `select` compiles without unpredictable branches.
     type Mask = u64;
     const WIDTH: usize = 1;
+
+    #[inline(never)]
+    fn run_outlined<K: LaneKernel<Self>>(kernel: K) {
+        kernel.run();
+    }
 
     #[inline(always)]
     fn broadcast(value: f64) -> Self {

@@ -6,7 +6,8 @@
 //! [`run_avx512`] and [`run_avx2`], which assert [`Isa::is_supported`] first. The existence of a value therefore proves
 //! that the processor has the instructions that its methods use.
 //!
-//! *Target features.* Functions with `#[target_feature]` are called only after the corresponding detection.
+//! *Target features.* Functions with `#[target_feature]` are called only after the corresponding detection; those of
+//! `run_outlined` by code that names [`Eight`] or [`Four`], which only [`run_avx512`] and [`run_avx2`] give to kernels.
 //!
 //! *Memory.* Loads and stores go through arrays of checked length; the instructions allow unaligned addresses. The
 //! reinterpretation of `&[f64]` as `&[Fused]` is valid since [`Fused`] is `repr(transparent)` over `f64`.
@@ -14,7 +15,7 @@
 
 use crate::fused::{Fused, ScalarLane};
 use crate::isa::Isa;
-use crate::kernel::{Kernel, ScalarKernel};
+use crate::kernel::{Kernel, LaneKernel, ScalarKernel};
 use crate::primitive::Primitive;
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -160,6 +161,17 @@ macro_rules! fused {
 impl Primitive for Eight {
     type Mask = __mmask8;
     const WIDTH: usize = 8;
+
+    #[inline(always)]
+    fn run_outlined<K: LaneKernel<Self>>(kernel: K) {
+        #[target_feature(enable = "avx512f,avx512dq")]
+        #[inline(never)]
+        fn run<K: LaneKernel<Eight>>(kernel: K) {
+            kernel.run();
+        }
+        // SAFETY: see Soundness, Target features.
+        unsafe { run(kernel) }
+    }
     fused!(Eight, _mm512_fmadd_pd _mm512_fmsub_pd _mm512_fnmadd_pd);
 
     #[inline(always)]
@@ -236,6 +248,17 @@ impl Primitive for Four {
     // `blendv` selects by the sign bit of each lane.
     type Mask = __m256d;
     const WIDTH: usize = 4;
+
+    #[inline(always)]
+    fn run_outlined<K: LaneKernel<Self>>(kernel: K) {
+        #[target_feature(enable = "avx2,fma")]
+        #[inline(never)]
+        fn run<K: LaneKernel<Four>>(kernel: K) {
+            kernel.run();
+        }
+        // SAFETY: see Soundness, Target features.
+        unsafe { run(kernel) }
+    }
     fused!(Four, _mm256_fmadd_pd _mm256_fmsub_pd _mm256_fnmadd_pd);
 
     #[inline(always)]

@@ -5,8 +5,11 @@
 // Tables of reference values.
 #![allow(clippy::approx_constant)]
 
-use lanes::Real;
+mod support;
+
+use lanes::{ElementaryFunction, Real};
 use proptest::prelude::*;
+use support::{REFERENCE_VALUES, standard};
 
 /// Distance of two numbers in units in the last place (ulp).
 fn ulps(a: f64, b: f64) -> u64 {
@@ -84,49 +87,19 @@ fn angles_in_all_quadrants() {
 
 #[test]
 fn the_other_functions_at_their_seams() {
-    for (name, x, expected) in [
-        ("exp", -745.0, 5e-324),
-        ("exp", -708.5, 2.006132305331306e-308),
-        ("exp", 709.7, 1.6549840276802644e+308),
-        ("exp", 710.0, f64::INFINITY),
-        ("exp", -800.0, 0.0),
-        ("exp", f64::INFINITY, f64::INFINITY),
-        ("exp", f64::NEG_INFINITY, 0.0),
-        ("exp", 1e-17, 1.0),
-        ("exp", 0.34657, 1.4142084849595797),
-        ("exp", -0.34658, 0.7071022488445762),
-        ("log", 5e-324, -744.4400719213812),
-        ("log", 0.9999999999999999, -1.1102230246251565e-16),
-        ("log", 1.0, 0.0),
-        ("log", 1.4142135623730951, 0.3465735902799727),
-        ("log", f64::MAX, 709.782712893384),
-        ("log", 0.7071067811865475, -0.34657359027997275),
-        ("log", f64::INFINITY, f64::INFINITY),
-        ("tanh", 1e-09, 1e-09),
-        ("tanh", 0.625, 0.5545997223493823),
-        ("tanh", 0.6250000001, 0.5545997224186242),
-        ("tanh", 18.5, 0.9999999999999998),
-        ("tanh", -3.0, -0.9950547536867305),
-        ("tanh", f64::NEG_INFINITY, -1.0),
-        ("asin", 0.5, 0.5235987755982989),
-        ("asin", 0.5000000001, 0.5235987757137689),
-        ("asin", 0.9999999999999999, 1.5707963118937354),
-        ("asin", -0.3, -0.3046926540153975),
-        ("asin", 1e-09, 1e-09),
-    ] {
-        close(function(name)(x), expected, 1, &format!("{name} {x}"));
+    for (function, x, expected) in REFERENCE_VALUES {
+        close(
+            x.elementary(function),
+            expected,
+            1,
+            &format!("{function:?} {x}"),
+        );
     }
-    for name in ["exp", "log", "tanh", "asin"] {
-        assert!(function(name)(f64::NAN).is_nan(), "{name} of NaN");
-    }
-}
-
-fn function(name: &str) -> fn(f64) -> f64 {
-    match name {
-        "exp" => Real::exp,
-        "log" => Real::log,
-        "tanh" => Real::tanh,
-        _ => Real::asin,
+    for function in ElementaryFunction::ALL {
+        assert!(
+            f64::NAN.elementary(function).is_nan(),
+            "{function:?} of NaN"
+        );
     }
 }
 
@@ -179,11 +152,15 @@ proptest! {
             close(c, x.cos(), 2, &format!("cos {x:e}"));
         }
         close(Real::atan2(y, x), f64::atan2(y, x), 2, &format!("atan2 {y:e} {x:e}"));
-        close(Real::exp(x), f64::exp(x), 2, &format!("exp {x:e}"));
-        close(Real::exp(unit * 708.0), f64::exp(unit * 708.0), 2, &format!("exp {:e}", unit * 708.0));
-        close(Real::log(x.abs()), x.abs().ln(), 2, &format!("log {:e}", x.abs()));
-        close(Real::log(1.0 + unit / 2.0), (1.0 + unit / 2.0).ln(), 2, &format!("log {:e}", 1.0 + unit / 2.0));
-        close(Real::tanh(unit * 2.0), (unit * 2.0).tanh(), 3, &format!("tanh {:e}", unit * 2.0));
-        close(Real::asin(unit), unit.asin(), 3, &format!("asin {unit:e}"));
+        for function in ElementaryFunction::ALL {
+            let arguments = match function {
+                ElementaryFunction::Exp => [x, unit * 708.0],
+                ElementaryFunction::Log => [x.abs(), 1.0 + unit / 2.0],
+                _ => [unit, unit * 2.0],
+            };
+            for x in arguments {
+                close(x.elementary(function), standard(function, x), 3, &format!("{function:?} {x:e}"));
+            }
+        }
     }
 }

@@ -3,7 +3,10 @@
 // Arguments where an implementation switches branches, which resemble mathematical constants.
 #![allow(clippy::approx_constant)]
 
-use lanes::{Isa, Kernel, Lanes, Real, ScalarKernel, ScalarLane, dispatch_scalar, dispatch_with};
+use lanes::{
+    ElementaryFunction, Isa, Kernel, Lanes, Real, ScalarKernel, ScalarLane, dispatch_scalar,
+    dispatch_with,
+};
 
 /// Number of results that `everything` computes of two numbers, by every operation of `Real`.
 const RESULTS: usize = 25;
@@ -23,10 +26,10 @@ fn everything<T: Real>(a: T, b: T) -> [T; RESULTS] {
         cosine,
         a.atan2(b),
         b.atan2(a),
-        a.exp(),
-        a.log(),
-        a.tanh(),
-        a.asin(),
+        a.elementary(ElementaryFunction::ALL[0]),
+        a.elementary(ElementaryFunction::ALL[1]),
+        a.elementary(ElementaryFunction::ALL[2]),
+        a.elementary(ElementaryFunction::ALL[3]),
         a.abs(),
         a.min(b),
         a.max(b),

@@ -48,6 +48,7 @@ mod trajectory;
 pub use aligned::AlignedVec;
 pub use batch::{
     FlightEnd, FlightOutcome, FlightQueue, FlightSpan, LanePoint, LaneRhs, LaneSizes, fly, fly_on,
+    fly_on_widest,
 };
 pub use error::{IntegrationError, IntegrationFailure};
 pub use event::{Event, Occurrence};

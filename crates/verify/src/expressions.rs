@@ -3,56 +3,17 @@
 use model_spec::model::{Expr, ExprKind, Model};
 
 /// Direct subexpressions of an expression, in order.
-pub fn children(kind: &ExprKind) -> Vec<&Expr> {
-    use ExprKind as K;
-    match kind {
-        K::Neg(a)
-        | K::Call(_, a)
-        | K::Pow(a, _)
-        | K::Component(a, _)
-        | K::Reexpress(a)
-        | K::Norm(a) => vec![a],
-        K::Add(a, b)
-        | K::Sub(a, b)
-        | K::Mul(a, b)
-        | K::Div(a, b)
-        | K::Dot(a, b)
-        | K::Cross(a, b)
-        | K::Atan2(a, b)
-        | K::Min(a, b)
-        | K::Max(a, b) => vec![a, b],
-        K::Direction(a, otherwise) => std::iter::once(a).chain(otherwise).map(|e| &**e).collect(),
-        K::Components(parts) | K::Ratio(parts) => parts.iter().collect(),
-        _ => Vec::new(),
-    }
+pub fn children(e: &Expr) -> Vec<&Expr> {
+    let mut out = Vec::new();
+    e.children(&mut |child| out.push(child));
+    out
 }
 
 /// Direct subexpressions of an expression, in order, by mutable reference.
-pub fn children_mut(kind: &mut ExprKind) -> Vec<&mut Expr> {
-    use ExprKind as K;
-    match kind {
-        K::Neg(a)
-        | K::Call(_, a)
-        | K::Pow(a, _)
-        | K::Component(a, _)
-        | K::Reexpress(a)
-        | K::Norm(a) => vec![a],
-        K::Add(a, b)
-        | K::Sub(a, b)
-        | K::Mul(a, b)
-        | K::Div(a, b)
-        | K::Dot(a, b)
-        | K::Cross(a, b)
-        | K::Atan2(a, b)
-        | K::Min(a, b)
-        | K::Max(a, b) => vec![a, b],
-        K::Direction(a, otherwise) => std::iter::once(a)
-            .chain(otherwise)
-            .map(|e| &mut **e)
-            .collect(),
-        K::Components(parts) | K::Ratio(parts) => parts.iter_mut().collect(),
-        _ => Vec::new(),
-    }
+pub fn children_mut(e: &mut Expr) -> Vec<&mut Expr> {
+    let mut out = Vec::new();
+    e.children_mut(&mut |child| out.push(child));
+    out
 }
 
 /// Root of every expression of a model, by mutable reference.
@@ -106,7 +67,7 @@ fn fix(model: &mut Model, value: f64, is: impl Fn(&ExprKind) -> bool) {
             let exact = (value.fract() == 0.0 && value.abs() < 1e15).then_some((value as i64, 1));
             e.kind = ExprKind::Number { value, exact };
         }
-        children_mut(&mut e.kind)
+        children_mut(e)
             .into_iter()
             .for_each(|child| walk(child, value, is));
     }

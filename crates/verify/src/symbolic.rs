@@ -125,16 +125,16 @@ impl Real for Symbolic {
     }
 
     fn elementary(self, function: Elementary) -> Self {
-        let call = |function| Self(field::call(function, self.0));
         match function {
             Elementary::Sqrt => or_missing(field::root(self.0)),
             Elementary::Sin => Self(circle(self.0).0),
             Elementary::Cos => Self(circle(self.0).1),
             Elementary::Atan => polar(self.0, Prime::one()),
-            Elementary::Asin => call(MathFunction::Asin),
-            Elementary::Exp => call(MathFunction::Exp),
-            Elementary::Log => call(MathFunction::Log),
-            Elementary::Tanh => call(MathFunction::Tanh),
+            _ => {
+                let function =
+                    MathFunction::named(function.name()).expect("a function of the compiler");
+                Self(field::call(function, self.0))
+            }
         }
     }
 

@@ -37,7 +37,7 @@ state z = 10 m;
 state alpha = 0.1 rad;
 limit V > 0.3 m/s \"it hangs in the air\";
 let rho = rho_0*exp(-z/H);
-let stall = tanh(3*alpha/(1 rad));
+let stall = asin(alpha/(3 rad))/(1 rad);
 let pressure_force = rho*V^2/2*S;
 der(V) = -pressure_force*(C_D + stall^2/10)/m - g*sin(gamma);
 der(gamma) = (pressure_force*C_L*stall/(m*V) - g*cos(gamma)/V)*1 rad;

@@ -1,4 +1,5 @@
-//! A sample of doc comments, to be judged by a reader who sees the comment and the signature alone.
+//! A sample of doc comments, to be judged by a reader who sees the comment and the signature alone, with
+//! the header of the type or impl block around it.
 
 use std::path::Path;
 
@@ -9,9 +10,11 @@ use rand_chacha::rand_core::SeedableRng;
 
 use crate::source;
 
-/// A doc comment with the first line of its item.
+/// A doc comment with the signature of its item.
 struct Documented {
     place: String,
+    /// Header of the struct, enum, trait or impl block that contains the item, as its path in rustdoc would show it.
+    parent: Option<String>,
     comment: Vec<String>,
     signature: String,
 }
@@ -33,6 +36,9 @@ pub fn print_sample(root: &Path, seed: u64, count: usize) -> Result<()> {
     let (drawn, _) = all.partial_shuffle(&mut random, count);
     for (number, item) in drawn.iter().enumerate() {
         println!("{}. {}", number + 1, item.place);
+        if let Some(parent) = &item.parent {
+            println!("  {parent}");
+        }
         for line in &item.comment {
             println!("    /// {line}");
         }
@@ -45,19 +51,37 @@ pub fn print_sample(root: &Path, seed: u64, count: usize) -> Result<()> {
 fn documented(file: &str, text: &str) -> Vec<Documented> {
     let mut found = Vec::new();
     let mut comment: Vec<String> = Vec::new();
-    let lines: Vec<&str> = text.lines().map(str::trim).collect();
+    let raw: Vec<&str> = text.lines().collect();
+    let lines: Vec<&str> = raw.iter().map(|line| line.trim()).collect();
     for (number, line) in lines.iter().enumerate() {
         if let Some(rest) = line.strip_prefix("///") {
             comment.push(rest.trim().to_owned());
         } else if !line.starts_with("#[") && !comment.is_empty() {
             found.push(Documented {
                 place: format!("{file}:{}", number + 1),
+                parent: parent(&raw[..=number]),
                 comment: std::mem::take(&mut comment),
                 signature: signature(&lines[number..]),
             });
         }
     }
     found
+}
+
+/// The last line above the last of these, less indented, that opens a struct, enum, trait, impl block or function.
+fn parent(lines: &[&str]) -> Option<String> {
+    let indent = |line: &str| line.len() - line.trim_start().len();
+    let (item, above) = lines.split_last()?;
+    let opens = |line: &&&str| {
+        line.trim_end().ends_with('{')
+            && indent(line) < indent(item)
+            && !line.trim().starts_with('}')
+    };
+    above
+        .iter()
+        .rev()
+        .find(opens)
+        .map(|line| line.trim().to_owned())
 }
 
 /// The lines of an item up to the one that opens its body or ends it.

@@ -24,21 +24,15 @@ enum Rule {
     Root,
 }
 
-const SCALAR: [(&str, Function, Rule); 13] = [
-    ("sin", Function::Sin, Rule::OfNumber),
-    ("cos", Function::Cos, Rule::OfNumber),
-    ("tan", Function::Tan, Rule::OfNumber),
-    ("asin", Function::Asin, Rule::ToAngle),
-    ("acos", Function::Acos, Rule::ToAngle),
-    ("atan", Function::Atan, Rule::ToAngle),
-    ("sqrt", Function::Sqrt, Rule::Root),
-    ("exp", Function::Exp, Rule::OfNumber),
-    ("log", Function::Log, Rule::OfNumber),
-    ("abs", Function::Abs, Rule::Keeps),
-    ("sign", Function::Sign, Rule::Forgets),
-    ("step", Function::Step, Rule::Forgets),
-    ("tanh", Function::Tanh, Rule::OfNumber),
-];
+fn rule_of(function: Function) -> Rule {
+    match function {
+        Function::Asin | Function::Acos | Function::Atan => Rule::ToAngle,
+        Function::Sqrt => Rule::Root,
+        Function::Abs => Rule::Keeps,
+        Function::Sign | Function::Step => Rule::Forgets,
+        _ => Rule::OfNumber,
+    }
+}
 
 /// Common names in other languages (`arcsin`), each with the name in this language (`asin`), for suggestions.
 const ALIASES: [(&str, &str); 12] = [
@@ -59,11 +53,11 @@ const ALIASES: [(&str, &str); 12] = [
 impl Checker<'_> {
     pub fn call(&mut self, name: &ast::Name, arguments: &[ast::Expr], span: Span) -> Option<Typed> {
         let function = name.text.as_str();
-        if let Some(&(_, function, rule)) = SCALAR.iter().find(|f| f.0 == function) {
+        if let Some(function) = Function::named(function) {
             let [argument] = self.arguments(name, arguments, span, "one number")?;
             let what = format!("the argument of `{}`", name.text);
             let argument = self.scalar(argument, &what)?;
-            return self.of_scalar(function, rule, &what, argument, span);
+            return self.of_scalar(function, &what, argument, span);
         }
         if let Some(table) = self.scope.table(function) {
             let [argument] = self.arguments(name, arguments, span, "one number")?;
@@ -132,14 +126,8 @@ impl Checker<'_> {
         None
     }
 
-    fn of_scalar(
-        &mut self,
-        function: Function,
-        rule: Rule,
-        what: &str,
-        a: Typed,
-        span: Span,
-    ) -> Option<Typed> {
+    fn of_scalar(&mut self, function: Function, what: &str, a: Typed, span: Span) -> Option<Typed> {
+        let rule = rule_of(function);
         let unit = match rule {
             Rule::OfNumber | Rule::ToAngle => {
                 let out = if matches!(rule, Rule::ToAngle) {
@@ -351,13 +339,12 @@ impl Checker<'_> {
                 .map(|f| format!("in_{}", f.name))
                 .collect();
             let tables = self.model.tables.iter().map(|t| t.name.as_str());
-            let known = super::scope::FUNCTIONS
-                .into_iter()
+            let built_in = super::scope::function_names().map(|name| -> &str { name });
+            let known = built_in
                 .filter(|f| !["der", "diag"].contains(f))
-                .chain(tables);
-            if let Some(near) =
-                suggest::nearest(text, known.chain(frames.iter().map(String::as_str)))
-            {
+                .chain(tables)
+                .chain(frames.iter().map(String::as_str));
+            if let Some(near) = suggest::nearest(text, known) {
                 fault = fault.help(format!("did you mean `{near}`?"));
             }
         }

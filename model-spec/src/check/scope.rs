@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use super::Checker;
 use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
+use crate::model::Function;
 use crate::suggest;
 use crate::syntax::ast::Name;
 
@@ -43,22 +44,9 @@ pub(crate) const OF_BODY: [&str; 5] = [
     "angular_acceleration",
 ];
 
-/// Names of the built-in functions.
-pub(super) const FUNCTIONS: [&str; 24] = [
-    "sin",
-    "cos",
-    "tan",
-    "asin",
-    "acos",
-    "atan",
+/// Names of the built-in functions that are no [`Function`] of one scalar.
+const OTHER_FUNCTIONS: [&str; 11] = [
     "atan2",
-    "sqrt",
-    "exp",
-    "log",
-    "abs",
-    "sign",
-    "step",
-    "tanh",
     "min",
     "max",
     "norm",
@@ -70,6 +58,14 @@ pub(super) const FUNCTIONS: [&str; 24] = [
     "diag",
     "in_frame_of",
 ];
+
+/// Names of the built-in functions.
+pub(super) fn function_names() -> impl Iterator<Item = &'static str> {
+    Function::NAMES
+        .into_iter()
+        .map(|(name, _)| name)
+        .chain(OTHER_FUNCTIONS)
+}
 
 impl Scope {
     pub fn find(&self, name: &str) -> Option<Symbol> {
@@ -98,7 +94,7 @@ impl Checker<'_> {
     pub fn define_as(&mut self, name: &str, span: Span, symbol: Symbol) -> bool {
         let reserved = if FIXED.contains(&name) {
             Some(format!("`{name}` has a fixed meaning in this language"))
-        } else if FUNCTIONS.contains(&name) {
+        } else if function_names().any(|known| known == name) {
             Some(format!("`{name}` is a function of this language"))
         } else if OF_BODY.contains(&name) && self.declared_body.is_some() {
             Some(format!(
@@ -151,7 +147,7 @@ impl Checker<'_> {
     pub fn define_table(&mut self, name: &Name, index: usize) {
         let fault = Diagnostic::new(Kind::Duplicate, name.span, String::new());
         let (text, span) = (&name.text, name.span);
-        let fault = if FUNCTIONS.contains(&text.as_str()) || text.starts_with("in_") {
+        let fault = if function_names().any(|known| known == text) || text.starts_with("in_") {
             Diagnostic {
                 message: format!("`{text}` is a function of this language"),
                 ..fault

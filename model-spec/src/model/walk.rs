@@ -3,103 +3,64 @@
 use super::{Expr, ExprKind, FrameKind, Model, ValidityLimit};
 use crate::source::Span;
 
+/// The body of [`Expr::children`] and [`Expr::children_mut`], which differ in the kind of reference alone.
+macro_rules! visit_children {
+    ($kind:expr, $visit:expr, $iter:ident) => {{
+        use ExprKind as K;
+        match $kind {
+            K::Number { .. }
+            | K::Pi
+            | K::Time
+            | K::Param(_)
+            | K::Coefficient(_)
+            | K::Input(_)
+            | K::State(_)
+            | K::AuxVariable(_)
+            | K::Axis(..)
+            | K::Position
+            | K::Velocity
+            | K::AngularVelocity
+            | K::SpecificForce
+            | K::AngularAcceleration
+            | K::Marker => {}
+            K::Components(parts) | K::Ratio(parts) => parts.$iter().for_each($visit),
+            K::Neg(a)
+            | K::Pow(a, _)
+            | K::Norm(a)
+            | K::Component(a, _)
+            | K::Reexpress(a)
+            | K::Call(_, a) => $visit(a),
+            K::Add(a, b)
+            | K::Sub(a, b)
+            | K::Mul(a, b)
+            | K::Div(a, b)
+            | K::Dot(a, b)
+            | K::Cross(a, b)
+            | K::Atan2(a, b)
+            | K::Min(a, b)
+            | K::Max(a, b) => {
+                $visit(a);
+                $visit(b);
+            }
+            K::Direction(a, otherwise) => {
+                $visit(a);
+                if let Some(otherwise) = otherwise {
+                    $visit(otherwise);
+                }
+            }
+        }
+    }};
+}
+
 impl Expr {
     /// Calls `visit` on each direct subexpression, from left to right.
     pub fn children<'a>(&'a self, visit: &mut dyn FnMut(&'a Expr)) {
-        use ExprKind as K;
-        match &self.kind {
-            K::Number { .. }
-            | K::Pi
-            | K::Time
-            | K::Param(_)
-            | K::Coefficient(_)
-            | K::Input(_)
-            | K::State(_)
-            | K::AuxVariable(_)
-            | K::Axis(..)
-            | K::Position
-            | K::Velocity
-            | K::AngularVelocity
-            | K::SpecificForce
-            | K::AngularAcceleration
-            | K::Marker => {}
-            K::Components(parts) | K::Ratio(parts) => parts.iter().for_each(visit),
-            K::Neg(a)
-            | K::Pow(a, _)
-            | K::Norm(a)
-            | K::Component(a, _)
-            | K::Reexpress(a)
-            | K::Call(_, a) => {
-                visit(a);
-            }
-            K::Add(a, b)
-            | K::Sub(a, b)
-            | K::Mul(a, b)
-            | K::Div(a, b)
-            | K::Dot(a, b)
-            | K::Cross(a, b)
-            | K::Atan2(a, b)
-            | K::Min(a, b)
-            | K::Max(a, b) => {
-                visit(a);
-                visit(b);
-            }
-            K::Direction(a, otherwise) => {
-                visit(a);
-                if let Some(otherwise) = otherwise {
-                    visit(otherwise);
-                }
-            }
-        }
+        visit_children!(&self.kind, visit, iter)
     }
 
     /// Calls `visit` on each direct subexpression, from left to right, for modification.
-    pub fn children_mut(&mut self, visit: &mut dyn FnMut(&mut Expr)) {
-        use ExprKind as K;
-        match &mut self.kind {
-            K::Number { .. }
-            | K::Pi
-            | K::Time
-            | K::Param(_)
-            | K::Coefficient(_)
-            | K::Input(_)
-            | K::State(_)
-            | K::AuxVariable(_)
-            | K::Axis(..)
-            | K::Position
-            | K::Velocity
-            | K::AngularVelocity
-            | K::SpecificForce
-            | K::AngularAcceleration
-            | K::Marker => {}
-            K::Components(parts) | K::Ratio(parts) => parts.iter_mut().for_each(visit),
-            K::Neg(a)
-            | K::Pow(a, _)
-            | K::Norm(a)
-            | K::Component(a, _)
-            | K::Reexpress(a)
-            | K::Call(_, a) => {
-                visit(a);
-            }
-            K::Add(a, b)
-            | K::Sub(a, b)
-            | K::Mul(a, b)
-            | K::Div(a, b)
-            | K::Dot(a, b)
-            | K::Cross(a, b)
-            | K::Atan2(a, b)
-            | K::Min(a, b)
-            | K::Max(a, b) => {
-                visit(a);
-                visit(b);
-            }
-            K::Direction(a, otherwise) => {
-                visit(a);
-                if let Some(otherwise) = otherwise {
-                    visit(otherwise);
-                }
-            }
-        }
+    pub fn children_mut<'a>(&'a mut self, visit: &mut dyn FnMut(&'a mut Expr)) {
+        visit_children!(&mut self.kind, visit, iter_mut)
     }
 
     /// Whether two expressions are structurally equal; source spans are ignored.

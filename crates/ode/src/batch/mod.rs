@@ -14,7 +14,7 @@ mod staging;
 
 use crate::input::is_valid;
 use crate::options::{IntegrationOptions, SolverStats};
-use lanes::{Isa, Lanes, dispatch, dispatch_with};
+use lanes::{Isa, LaneKernel, Lanes, dispatch, dispatch_widest, dispatch_with};
 
 /// Numbers of values that a [`LaneRhs`] reads and writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,6 +56,36 @@ pub trait LaneRhs {
     fn derivative<T: Lanes>(&self, at: LanePoint<'_, T>, scratch: &mut [T], dx: &mut [T]);
     /// Writes the margins of the limits of validity: the right-hand side holds where all are above 0.
     fn limits<T: Lanes>(&self, at: LanePoint<'_, T>, scratch: &mut [T], margins: &mut [T]);
+}
+
+/// Left-hand sides of the limits, in a function of its own: for the rare places that need them.
+#[inline(always)]
+fn outlined_limits<T: Lanes, R: LaneRhs>(
+    rhs: &R,
+    at: LanePoint<'_, T>,
+    scratch: &mut [T],
+    margins: &mut [T],
+) {
+    T::outlined(Limits {
+        rhs,
+        at,
+        scratch,
+        margins,
+    });
+}
+
+struct Limits<'a, T, R> {
+    rhs: &'a R,
+    at: LanePoint<'a, T>,
+    scratch: &'a mut [T],
+    margins: &'a mut [T],
+}
+
+impl<T: Lanes, R: LaneRhs> LaneKernel<T> for Limits<'_, T, R> {
+    #[inline(always)]
+    fn run(self) {
+        self.rhs.limits(self.at, self.scratch, self.margins);
+    }
 }
 
 /// Flights to integrate and where their ends go.
@@ -176,13 +206,7 @@ pub fn fly<R: LaneRhs, Q: FlightQueue + ?Sized>(
     span: &FlightSpan,
     options: &IntegrationOptions,
 ) -> u64 {
-    check(rhs, span, options);
-    dispatch(kernel::Batch {
-        rhs,
-        queue,
-        span,
-        options,
-    })
+    dispatch(batch(rhs, queue, span, options))
 }
 
 /// As [`fly`], on the lanes of one instruction set; `None` if the processor does not support it.
@@ -196,17 +220,31 @@ pub fn fly_on<R: LaneRhs, Q: FlightQueue + ?Sized>(
     span: &FlightSpan,
     options: &IntegrationOptions,
 ) -> Option<u64> {
-    check(rhs, span, options);
-    let batch = kernel::Batch {
-        rhs,
-        queue,
-        span,
-        options,
-    };
-    dispatch_with(isa, batch)
+    dispatch_with(isa, batch(rhs, queue, span, options))
 }
 
-fn check<R: LaneRhs>(rhs: &R, span: &FlightSpan, options: &IntegrationOptions) {
+/// As [`fly_on`], compiled only for the widest instruction sets of the architecture; `None` for others, and if the
+/// processor does not support `isa`. See [`lanes::dispatch_widest`].
+///
+/// # Panics
+/// As [`fly`].
+pub fn fly_on_widest<R: LaneRhs, Q: FlightQueue + ?Sized>(
+    isa: Isa,
+    rhs: &R,
+    queue: &mut Q,
+    span: &FlightSpan,
+    options: &IntegrationOptions,
+) -> Option<u64> {
+    dispatch_widest(isa, batch(rhs, queue, span, options))
+}
+
+/// The kernel that integrates the flights, after a check of what it is given.
+fn batch<'a, R: LaneRhs, Q: FlightQueue + ?Sized>(
+    rhs: &'a R,
+    queue: &'a mut Q,
+    span: &'a FlightSpan,
+    options: &'a IntegrationOptions,
+) -> kernel::Batch<'a, R, Q> {
     let states = rhs.sizes().states;
     assert!(
         is_valid(options, span.t_end) && span.t_end.is_finite(),
@@ -217,4 +255,10 @@ fn check<R: LaneRhs>(rhs: &R, span: &FlightSpan, options: &IntegrationOptions) {
         span.height.is_none_or(|z| z < states),
         "a height that is a state"
     );
+    kernel::Batch {
+        rhs,
+        queue,
+        span,
+        options,
+    }
 }

@@ -2,7 +2,10 @@
 
 use super::control::MAX_LANES;
 use super::norms::{change_norm, euler_steps, initial_norms, initial_step};
-use super::{FlightEnd, FlightOutcome, FlightQueue, FlightSpan, LanePoint, LaneRhs, LaneSizes};
+use super::{
+    FlightEnd, FlightOutcome, FlightQueue, FlightSpan, LanePoint, LaneRhs, LaneSizes,
+    outlined_limits,
+};
 use crate::method::ErrorTolerance;
 use crate::options::{IntegrationOptions, SolverStats};
 use lanes::Lanes;
@@ -162,7 +165,7 @@ impl<T: Lanes> Staging<T> {
             p,
             prepared,
         };
-        rhs.limits(start, scratch, margins);
+        outlined_limits(rhs, start, scratch, margins);
         for (lane, is_new) in is_new.iter().enumerate().take(T::WIDTH) {
             if !is_new {
                 continue;

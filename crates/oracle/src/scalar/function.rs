@@ -8,6 +8,7 @@
 
 use super::Real;
 use model_spec::model::Function;
+use num_dual::DualNum;
 use std::f64::consts::FRAC_PI_2;
 
 /// A function of one argument that each scalar type implements; the other functions of the language are composed.
@@ -32,17 +33,59 @@ pub enum Elementary {
 }
 
 impl Elementary {
+    /// All functions.
+    pub const ALL: [Elementary; 8] = [
+        Self::Sqrt,
+        Self::Sin,
+        Self::Cos,
+        Self::Asin,
+        Self::Atan,
+        Self::Exp,
+        Self::Log,
+        Self::Tanh,
+    ];
+
+    /// Name of the function in the model language.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Sqrt => "sqrt",
+            Self::Sin => "sin",
+            Self::Cos => "cos",
+            Self::Asin => "asin",
+            Self::Atan => "atan",
+            Self::Exp => "exp",
+            Self::Log => "log",
+            Self::Tanh => "tanh",
+        }
+    }
+
+    /// The function with this name in the model language, if it is elementary.
+    pub fn named(name: &str) -> Option<Elementary> {
+        Self::ALL
+            .into_iter()
+            .find(|function| function.name() == name)
+    }
+
     /// Value of the function at `x`.
     pub fn value(self, x: f64) -> f64 {
         match self {
-            Self::Sqrt if x > 0.0 => x.sqrt(),
-            Self::Log if x > 0.0 => x.ln(),
+            Self::Sqrt | Self::Log if x > 0.0 => self.inside_domain(x),
             Self::Sqrt | Self::Log => 0.0,
+            Self::Asin => self.inside_domain(x.clamp(-1.0, 1.0)),
+            _ => self.inside_domain(x),
+        }
+    }
+
+    /// The function as `num-dual` evaluates it, on `f64` by the standard library, at an argument inside its domain.
+    pub(crate) fn inside_domain<D: DualNum>(self, x: D) -> D {
+        match self {
+            Self::Sqrt => x.sqrt(),
             Self::Sin => x.sin(),
             Self::Cos => x.cos(),
-            Self::Asin => x.clamp(-1.0, 1.0).asin(),
+            Self::Asin => x.asin(),
             Self::Atan => x.atan(),
             Self::Exp => x.exp(),
+            Self::Log => x.ln(),
             Self::Tanh => x.tanh(),
         }
     }

@@ -64,16 +64,7 @@ impl Real for NumDual {
         if function.is_constant_at(self.0.re) {
             return Self::lit(function.value(self.0.re));
         }
-        Self(match function {
-            Elementary::Sqrt => self.0.sqrt(),
-            Elementary::Sin => self.0.sin(),
-            Elementary::Cos => self.0.cos(),
-            Elementary::Asin => self.0.asin(),
-            Elementary::Atan => self.0.atan(),
-            Elementary::Exp => self.0.exp(),
-            Elementary::Log => self.0.ln(),
-            Elementary::Tanh => self.0.tanh(),
-        })
+        Self(function.inside_domain(self.0))
     }
 
     fn atan2(self, x: Self) -> Self {

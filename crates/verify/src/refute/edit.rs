@@ -42,9 +42,9 @@ impl<'a> Editor<'a> {
             e.kind,
             ExprKind::Add(..) | ExprKind::Sub(..) | ExprKind::Neg(..)
         );
-        let count = children(&e.kind).len();
+        let count = children(e).len();
         for k in 0..count {
-            let child = children(&e.kind)[k];
+            let child = children(e)[k];
             // The operands of a sum are terms; subexpressions of a term belong to that term.
             let inner = if is_sum {
                 self.text(child)
@@ -53,7 +53,7 @@ impl<'a> Editor<'a> {
             };
             for edit in self.edits(child, &inner) {
                 let mut to = e.clone();
-                *children_mut(&mut to.kind).swap_remove(k) = edit.to;
+                *children_mut(&mut to).swap_remove(k) = edit.to;
                 out.push(Edit { to, ..edit });
             }
         }
@@ -135,7 +135,7 @@ impl<'a> Editor<'a> {
                         kind: product,
                         ..(**part).clone()
                     };
-                    *children_mut(&mut to.kind).swap_remove(k) = product;
+                    *children_mut(&mut to).swap_remove(k) = product;
                     push(
                         4,
                         format!("the term `{}` lacks a factor `{name}`", self.text(part)),
@@ -162,7 +162,7 @@ impl<'a> Editor<'a> {
             let mut to = divided(part);
             for level in outer.iter().rev() {
                 let mut rebuilt = (*level).clone();
-                *children_mut(&mut rebuilt.kind).swap_remove(0) = to;
+                *children_mut(&mut rebuilt).swap_remove(0) = to;
                 to = rebuilt;
             }
             push(

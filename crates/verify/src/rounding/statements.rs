@@ -244,7 +244,7 @@ fn replace(e: &mut Expr, given: &[ExprKind]) {
     if let ExprKind::AuxVariable(index) = e.kind {
         e.kind = given[index].clone();
     }
-    for child in children_mut(&mut e.kind) {
+    for child in children_mut(e) {
         replace(child, given);
     }
 }

@@ -6,7 +6,7 @@
 use super::{EndState, Flying};
 use crate::batch::control::MAX_LANES;
 use crate::batch::events::HeightStep;
-use crate::batch::{FlightOutcome, FlightQueue, LanePoint, LaneRhs};
+use crate::batch::{FlightOutcome, FlightQueue, LanePoint, LaneRhs, outlined_limits};
 use crate::dense_output::DenseOutput;
 use crate::event::falling_zeros;
 use crate::method::{Method, ROWS, dop853, tsit5};
@@ -170,7 +170,7 @@ impl<T: Lanes, R: LaneRhs> Flying<'_, T, R> {
                 p: &self.values.p,
                 prepared: &self.values.prepared,
             };
-            self.rhs.limits(point, &mut self.scratch, margins);
+            outlined_limits(self.rhs, point, &mut self.scratch, margins);
             margins[limit].lane(lane)
         };
         self.found.clear();

@@ -9,7 +9,7 @@
 use codegen::functions::MathFunction;
 use codegen::program::{Binary, Fused, Op, Operand, Program, Statement, Unary};
 use codegen::table::{PiecewiseCubic, TableFunction, TableId, Tables};
-use lanes::Real;
+use lanes::{ElementaryFunction, Real};
 use std::cell::RefCell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -157,20 +157,8 @@ impl Real for Recorded {
         binary(Binary::Atan2, self, x)
     }
 
-    fn exp(self) -> Self {
-        call(MathFunction::Exp, self)
-    }
-
-    fn log(self) -> Self {
-        call(MathFunction::Log, self)
-    }
-
-    fn tanh(self) -> Self {
-        call(MathFunction::Tanh, self)
-    }
-
-    fn asin(self) -> Self {
-        call(MathFunction::Asin, self)
+    fn elementary(self, function: ElementaryFunction) -> Self {
+        call(function.into(), self)
     }
 
     fn abs(self) -> Self {
