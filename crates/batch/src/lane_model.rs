@@ -1,4 +1,5 @@
-//! A model over SIMD lanes: generated code if its source hash matches the model, else a tape.
+//! Evaluation of a model in SIMD lanes: by generated code if its source hash equals that of the model, otherwise by a
+//! tape.
 
 use std::marker::PhantomData;
 
@@ -13,22 +14,23 @@ use ode::{
     FlightQueue, FlightSpan, IntegrationOptions, LanePoint, LaneRhs, LaneSizes, fly, fly_on,
 };
 
-/// A model whose flights are integrated in lanes.
+/// A model whose flights are integrated in SIMD lanes, one flight per lane.
 pub struct LaneModel {
     code: Code,
-    /// Lower bound of each limit of validity.
+    /// Lower bound of each validity limit of the model, SI.
     bounds: Vec<f64>,
 }
 
-/// Where the functions come from.
+/// Implementation of the model's functions: generated code or a tape.
 enum Code {
-    /// Name of a built-in model.
+    /// Generated code of the built-in model of this name.
     Generated(String),
     Tape(Box<TapeModel>),
 }
 
 impl LaneModel {
-    /// Uses the generated code whose source hash is that of the model; otherwise compiles the model to a tape.
+    /// Creates the lane model. Generated code is used if its source hash equals that of the model; otherwise the model
+    /// is compiled to a tape.
     pub fn new(model: &Model) -> LaneModel {
         let is_same = |code: &&generated::Model| code.source_hash == source_hash(model);
         match generated::model(&model.name).filter(is_same) {
@@ -40,9 +42,9 @@ impl LaneModel {
         }
     }
 
-    /// Compiles the model to a tape, even if generated code exists.
+    /// Creates a lane model that evaluates a tape, even if generated code exists.
     pub fn interpreted(model: &Model) -> LaneModel {
-        // No derivatives by parameters are evaluated.
+        // No derivatives with respect to parameters are evaluated.
         let tape = TapeModel::new(&compile_for(model, &Selection::Only(Vec::new())));
         LaneModel {
             code: Code::Tape(Box::new(tape)),
@@ -50,16 +52,17 @@ impl LaneModel {
         }
     }
 
-    /// Whether the functions are generated code rather than a tape.
+    /// Whether the model's functions are generated code rather than a tape.
     pub fn is_generated(&self) -> bool {
         matches!(self.code, Code::Generated(_))
     }
 
-    /// Integrates all flights of a queue, as [`ode::fly`] does, on the lanes of `isa`: by default the widest that the
-    /// processor supports. Returns the vector evaluations of the right-hand side; 0 where the processor lacks `isa`.
+    /// Integrates all flights of `queue` with [`ode::fly`] and returns the number of vectorized evaluations of the
+    /// right-hand side. `isa` selects the instruction set; `None` selects the widest that the processor supports.
+    /// Returns 0 without integrating if the processor does not support `isa`.
     ///
     /// # Panics
-    /// As [`ode::fly`].
+    /// Under the conditions for which [`ode::fly`] panics.
     pub fn fly(
         &self,
         queue: &mut dyn FlightQueue,
@@ -90,7 +93,7 @@ fn bounds(model: &Model) -> Vec<f64> {
     model.limits.iter().map(|limit| limit.bound).collect()
 }
 
-/// What is to be integrated, and how.
+/// Arguments of [`LaneModel::fly`]: flights, time span, options and instruction set.
 struct Task<'a> {
     queue: &'a mut dyn FlightQueue,
     span: &'a FlightSpan,
@@ -124,7 +127,7 @@ impl Visitor for VisitGenerated<'_> {
     }
 }
 
-/// Generated equations over lanes.
+/// Right-hand side of the generated equations `E`, evaluated in lanes.
 struct GeneratedRhs<'a, E> {
     bounds: &'a [f64],
     equations: PhantomData<E>,
@@ -158,7 +161,7 @@ impl<E: Equations> LaneRhs for GeneratedRhs<'_, E> {
     }
 }
 
-/// A tape over lanes.
+/// Right-hand side that a tape evaluates in lanes.
 struct TapeRhs<'a> {
     tape: &'a TapeModel,
     bounds: &'a [f64],

@@ -1,4 +1,4 @@
-//! Four lanes in an array, for processors without a dedicated module.
+//! Four lanes in an array, for processors without a vector type of their own in this crate.
 
 use crate::primitive::Primitive;
 use std::ops::{Add, Div, Mul, Neg, Sub};

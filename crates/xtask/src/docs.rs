@@ -1,4 +1,4 @@
-//! A sample of doc comments, to be judged by a reader who sees the comment and the signature alone.
+//! Random sample of doc comments, for review by a reader who sees only the comment and the signature.
 
 use std::path::Path;
 
@@ -9,14 +9,15 @@ use rand_chacha::rand_core::SeedableRng;
 
 use crate::source;
 
-/// A doc comment with the first line of its item.
+/// A doc comment with the signature of its item.
 struct Documented {
     place: String,
     comment: Vec<String>,
     signature: String,
 }
 
-/// Prints doc comments drawn without replacement; the same seed draws the same comments of the same tree.
+/// Prints `count` doc comments, drawn without replacement. The same seed selects the same comments of the same source
+/// tree.
 pub fn print_sample(root: &Path, seed: u64, count: usize) -> Result<()> {
     let mut all = Vec::new();
     for folder in source::crates(root)? {
@@ -60,7 +61,7 @@ fn documented(file: &str, text: &str) -> Vec<Documented> {
     found
 }
 
-/// The lines of an item up to the one that opens its body or ends it.
+/// Lines of an item, joined, up to the line that opens its body or ends it. `lines` starts at the item.
 fn signature(lines: &[&str]) -> String {
     let ends = |line: &&str| line.ends_with(['{', ';', ',', '}']) && !line.ends_with("(,");
     let last = lines.iter().position(ends).unwrap_or(0);

@@ -53,7 +53,7 @@ impl Expr {
         }
     }
 
-    /// Calls `visit` on each direct subexpression, from left to right, for modification.
+    /// Calls `visit` with a mutable reference to each direct subexpression, from left to right.
     pub fn children_mut(&mut self, visit: &mut dyn FnMut(&mut Expr)) {
         use ExprKind as K;
         match &mut self.kind {
@@ -131,15 +131,15 @@ impl Expr {
 }
 
 impl Model {
-    /// Source text of a span, with whitespace collapsed to one line.
+    /// Source text of a span, with each run of whitespace replaced by one space; empty if the span is invalid.
     pub fn text(&self, span: Span) -> String {
         let source = self.sources.get(usize::from(span.source));
         let raw = source.and_then(|s| s.text.get(span.range())).unwrap_or("");
         raw.split_whitespace().collect::<Vec<_>>().join(" ")
     }
 
-    /// Indices of states whose initial value is the default unless a flight states one. With a body: all states that
-    /// are not the body's; without a body: the states of effects.
+    /// Indices of the states whose initial values have a default, so that a flight need not state them. In a model with
+    /// a body, these are all states that are not the body's; without a body, the states of effects.
     pub fn added_states(&self) -> Vec<usize> {
         let of_effects = |state: &usize| {
             self.effects
@@ -152,7 +152,7 @@ impl Model {
             .collect()
     }
 
-    /// State indices of each quaternion frame, scalar part first; the four states have norm 1.
+    /// Iterates over the quaternion frames: indices of the four quaternion states, scalar part first, whose norm is 1.
     pub fn quaternions(&self) -> impl Iterator<Item = [usize; 4]> {
         self.frames.iter().filter_map(|frame| match frame.kind {
             FrameKind::Quaternion { states, .. } => Some(states),
@@ -160,7 +160,7 @@ impl Model {
         })
     }
 
-    /// Whether a limit was added by the checker to avoid gimbal lock, rather than stated in the file.
+    /// Whether the checker added the limit to avoid gimbal lock, so that the file does not state it.
     pub fn is_automatic(&self, limit: &ValidityLimit) -> bool {
         self.frames.iter().any(|f| f.span == limit.span)
     }
