@@ -30,7 +30,8 @@ pub struct Cli {
 /// Commands of the program.
 #[derive(Subcommand)]
 pub enum Command {
-    /// Check models: grammar, units, frames, singular points; print what they declare, and every error with its location
+    /// Check models: grammar, units, frames, singular points; print what they declare, and every error with its
+    /// location
     #[command(
         after_help = "Example:\n  hyzer check disc ball\n  hyzer check disc_appendix_printed     # refused, with the reasons"
     )]
@@ -45,7 +46,8 @@ pub enum Command {
         after_help = "Example:\n  hyzer verify disc --json\n  hyzer verify                          # all models\n  hyzer verify disc --rounding\n  hyzer verify disc --certificate disc.certificate.json\n  hyzer verify --check disc.certificate.json\n\nA certificate is a JSON file: what was checked, on which texts and code (SHA-256), with which options, and the verdicts. With\n--check the exit status is 0 where it stands, 1 where something that it covers has changed, 2 for a bad file.\n\nExit status: 0 verified, every check that applies was made and holds; 1 refuted, at least one check fails; 3 not verified,\nno check fails and at least one that applies could not be made: the table says which and why. A check that is `skipped` does\nnot apply to the model."
     )]
     Verify(Verify),
-    /// Say what a change of a model does: which derivatives are exactly the same function, which are not and by which terms
+    /// Compare two versions of a model: which derivatives are exactly the same function, and in which terms the
+    /// others differ
     #[command(
         after_help = "Examples:\n  hyzer diff disc_appendix_printed disc_appendix\n  hyzer diff HEAD:model-spec/models/ball.hyz ball --markdown   # a file at a revision of git\n  hyzer diff disc disc_quaternion --time --json\n\nNames may change and statements may be reordered, factored or written in another frame. Whether a derivative is the same\nfunction of states, parameters and time is decided by evaluation at random points of a prime field; where functions differ as\nsymbols and agree in numbers to rounding, the output says so. Exit status: 0 the same function (stated values may differ,\nthey are listed), 1 another function."
     )]
@@ -60,17 +62,20 @@ pub enum Command {
         after_help = "Examples:\n  hyzer simulate disc --release backhand --out flight\n  hyzer simulate disc --release bffl8 --set C_Mq=-0.025 --until ground --out flight\n  hyzer simulate discus --release discus --wind=-5,0,0 --out flight\n  hyzer simulate disc --speed 20 --launch 8 --nose 2 --hyzer 10 --spin 700 --height 1.5 --out flight\n  hyzer simulate disc --techdisc examples/throws/techdisc.csv --out flight\n  hyzer simulate disc --speed 20 --nose 2 --spin 700 --wind examples/throws/gusty.toml --out flight\n\nReleases by name: run `hyzer simulate --list`. A throw by options needs --speed or a release whose throw the options change;\nsigns of the angles: docs/releases.md. With --techdisc every row is flown and listed, or the one of --row; exit status 1: some\ncould not be flown."
     )]
     Simulate(Simulate),
-    /// Fly many flights of a model: releases, coefficients and wind from grids or distributions; a table and a summary
+    /// Simulate many flights of a model: releases, coefficients and wind from grids or distributions; write a table
+    /// and a summary
     #[command(
         after_help = "Examples:\n  hyzer sweep backhands --out swept --csv\n  hyzer sweep backhands --part 2/4 --out swept   # one quarter; without --part the rest is flown and all joined\n\nA plan is a release file with what varies: `hyzer sweep --example` prints the built-in one, docs/sweep.md has all of the\nformat. The folder then holds flights.parquet, a row per flight, and summary.json. A flight depends on the plan and its\nnumber alone: results are the same bits for any number of threads and however the work is divided. A run that was ended goes\non with the same command."
     )]
     Sweep(Sweep),
-    /// Find a throw for a purpose: hit a point, fly farthest or longest, round an obstacle, flare, land with the least spread
+    /// Find a throw for a purpose: hit a point, fly farthest or longest, avoid an obstacle, flare, land with the
+    /// least spread
     #[command(
         after_help = "Examples:\n  hyzer design --goal hit --target 30,5,0 --out designed\n  hyzer design --goal range --model discus --wind=-5,0,0 --out designed\n  hyzer design --goal curve --target 30,0,0 --bounds examples/design/round-a-tree.toml --out designed\n  hyzer design --goal flare --target 25,0,1.5\n  hyzer simulate --release designed/release.toml       # flies it\n\nGoals, bounds and what is written: docs/design.md. Exit status: 0 the throw serves its purpose, 1 none within the bounds was\nfound to, and the nearest is written, 2 bad input."
     )]
     Design(Design),
-    /// Modes of the linearised motion with frequency and damping, criteria of stability, maps over speed and spin
+    /// Compute the modes of the linearised motion with frequency and damping, criteria of stability, maps over speed
+    /// and spin
     #[command(
         after_help = "Examples:\n  hyzer stability disc --out modes\n  hyzer stability disc --speed 14 --spin 300 --nose 4\n  hyzer stability discus --release discus --json\n\nDerivations, and what the names of the modes mean: docs/stability.md."
     )]
@@ -80,7 +85,8 @@ pub enum Command {
         after_help = "Examples:\n  hyzer synthesize disc --release backhand --duration 1 --out made\n  hyzer synthesize ball --release serve --flights 4 --held-out 1 --set C_D=0.5 --seed 7 --out balls\n  hyzer synthesize disc --release backhand --with zero_lift_drag_angle --set alpha_0=-0.07 --duration 1 --out odd\n\nReleases by name: run `hyzer simulate --list`. The true values are written to the dataset's folder as\ntruth.toml, which `hyzer fit` does not read."
     )]
     Synthesize(Synthesize),
-    /// Make a dataset of recordings of a laboratory (C3D, Vicon, Qualisys, OptiTrack, DLTdv8, poses, CSV), cut to the free flights
+    /// Convert recordings of a laboratory (C3D, Vicon, Qualisys, OptiTrack, DLTdv8, poses, CSV) to a dataset of the
+    /// free flights
     #[command(
         after_help = "Examples:\n  hyzer import examples/disc/flight01.csv --length m --time s --up +z --markers examples/disc/dataset.toml --out imported\n  hyzer import examples/ball/flight01.csv examples/ball/flight02.csv --length m --time s --up +z --markers examples/ball/dataset.toml --model ball --out imported\n\nThe format is recognised by the content. Units and axes are as a file states them; what it does not state is asked for by an\noption. The template of --markers is a dataset.toml, of which [[markers]], [parameters] and model are taken. Without it the positions\nof the markers are estimated from the throws of all takes, with their standard errors. What was decided is printed, and written to\nimport.txt in the dataset's folder; import.html shows each flight as it was cut."
     )]
@@ -107,7 +113,7 @@ pub enum Command {
     Effects(Effects),
 }
 
-/// `hyzer check`.
+/// Arguments of `hyzer check`.
 #[derive(Args)]
 pub struct Check {
     /// Models: names or paths
@@ -118,10 +124,10 @@ pub struct Check {
     pub with: Vec<String>,
 }
 
-/// `hyzer generate`.
+/// Arguments of `hyzer generate`.
 #[derive(Args)]
 pub struct Generate {
-    /// Models: names or paths; without any, the models of the repository go into its crates/generated
+    /// Models: names or paths; without any, generate the models of the repository into its crates/generated
     #[arg(value_name = "MODEL", requires = "out")]
     pub models: Vec<String>,
     /// Folder for the code, one module per model
@@ -130,21 +136,21 @@ pub struct Generate {
     /// Add an effect to all the models, by name or path; may be repeated
     #[arg(long, value_name = "EFFECT", requires = "out")]
     pub with: Vec<String>,
-    /// Generic over lanes::Real instead of f64: short for --backend rust-lanes
+    /// Generate code generic over lanes::Real instead of f64: short for --backend rust-lanes
     #[arg(long, requires = "out", conflicts_with = "backend")]
     pub lanes: bool,
-    /// Kind of code
+    /// Backend: the kind of code to generate
     #[arg(long, value_name = "NAME", default_value = "rust", requires = "out", value_parser = backends())]
     pub backend: String,
     /// Write nothing; print the differences and exit with status 1 if the code is stale
     #[arg(long)]
     pub check: bool,
-    /// The repository, by default the one around the current folder
+    /// Root folder of the repository, by default the one around the current folder
     #[arg(long, value_name = "DIR", conflicts_with = "out")]
     pub root: Option<PathBuf>,
 }
 
-/// The registered backends, each with its description.
+/// Parser of the names of the registered backends, with their descriptions as help.
 fn backends() -> clap::builder::PossibleValuesParser {
     let backends = codegen::backend::BACKENDS.iter();
     let values = backends.map(|backend| {
@@ -153,12 +159,12 @@ fn backends() -> clap::builder::PossibleValuesParser {
     clap::builder::PossibleValuesParser::new(values)
 }
 
-/// The kinds of figure files.
+/// Parser of the names of the kinds of figure files.
 fn figure_kinds() -> clap::builder::PossibleValuesParser {
     clap::builder::PossibleValuesParser::new(report::FigureKind::ALL.map(report::FigureKind::name))
 }
 
-/// `hyzer verify`.
+/// Arguments of `hyzer verify`.
 #[derive(Args)]
 pub struct Verify {
     /// Models: names or paths; by default all built-in ones
@@ -167,32 +173,33 @@ pub struct Verify {
     /// Add an effect, by name or path; may be repeated
     #[arg(long, value_name = "EFFECT")]
     pub with: Vec<String>,
-    /// Print JSON
+    /// Print the result as JSON
     #[arg(long)]
     pub json: bool,
-    /// Mutation test: every mutant of the model, and the check that detects it
+    /// Mutation test: list every mutant of the model, and the check that detects it
     #[arg(long)]
     pub mutants: bool,
-    /// Rounding errors of each backend and function at many states, and the statements of the model that lose digits
+    /// Measure rounding errors of each backend and function at many states; list the statements of the model that
+    /// lose digits
     #[arg(long)]
     pub rounding: bool,
     /// Seed of the random states
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
-    /// Random states for each check
+    /// Number of random states for each check
     #[arg(long, default_value_t = 200)]
     pub cases: usize,
     /// Write a certificate: what was checked, on which texts and code, and the verdicts
     #[arg(long, value_name = "FILE")]
     pub certificate: Option<PathBuf>,
-    /// Say whether a certificate still stands, and what has changed
+    /// Check whether a certificate is still valid, and list what has changed
     #[arg(
         long,
         value_name = "FILE",
         conflicts_with_all = ["models", "with", "mutants", "rounding", "seed", "cases", "certificate"]
     )]
     pub check: Option<PathBuf>,
-    /// With --check: make the checks again too, and compare the verdicts
+    /// With --check: also repeat the checks of the certificate, and compare the verdicts
     #[arg(
         long,
         requires = "check",
@@ -201,23 +208,23 @@ pub struct Verify {
     pub again: bool,
 }
 
-/// `hyzer diff`.
+/// Arguments of `hyzer diff`.
 #[derive(Args)]
 pub struct Diff {
     /// Model before the change: a name, a path, or REVISION:PATH of a file in git
     pub old: String,
     /// Model after the change: a name, a path, or REVISION:PATH of a file in git
     pub new: String,
-    /// Add an effect to both, by name or path; may be repeated
+    /// Add an effect to both models, by name or path; may be repeated
     #[arg(long, value_name = "EFFECT")]
     pub with: Vec<String>,
-    /// Print JSON
+    /// Print the result as JSON
     #[arg(long, conflicts_with = "markdown")]
     pub json: bool,
-    /// Print Markdown, for a pull request
+    /// Print the result as Markdown, for a pull request
     #[arg(long)]
     pub markdown: bool,
-    /// Measure the time of the derivatives, both models in turns
+    /// Measure the time of evaluating the derivatives, alternating between the models
     #[arg(long)]
     pub time: bool,
     /// Duration of the compared flights, s
@@ -225,12 +232,12 @@ pub struct Diff {
     pub seconds: f64,
 }
 
-/// `hyzer explain`.
+/// Arguments of `hyzer explain`.
 #[derive(Args)]
 pub struct Explain {
     /// Model: a name or a path
     pub model: String,
-    /// A named quantity, a component of one, a force or moment, or `der(u)`
+    /// Quantity to trace: a named quantity, a component of one, a force or moment, or `der(u)`
     pub quantity: String,
     /// State, parameter, coefficient or component of an input to differentiate with respect to
     #[arg(long, value_name = "X")]
@@ -240,16 +247,16 @@ pub struct Explain {
     pub with: Vec<String>,
 }
 
-/// `hyzer simulate`.
+/// Arguments of `hyzer simulate`.
 #[derive(Args)]
 pub struct Simulate {
-    /// Model: a name or a path; by default the release's own
+    /// Model: a name or a path; by default that of the release
     #[arg(value_name = "MODEL")]
     pub model: Option<String>,
     /// A release: a name, or a TOML file
     #[arg(long, value_name = "RELEASE")]
     pub release: Option<String>,
-    /// A throw by its numbers, or a launch monitor's
+    /// Throw given by its quantities, or by a launch monitor
     #[command(flatten)]
     pub throw: ThrowOptions,
     /// Set a parameter, coefficient or initial state, SI; may be repeated
@@ -261,7 +268,7 @@ pub struct Simulate {
     /// Duration of the flight, s, or `ground` to stop there
     #[arg(long, value_name = "SECONDS|ground")]
     pub until: Option<String>,
-    /// Rows of the table per second
+    /// Rows of trajectory.csv per second
     #[arg(long, default_value_t = 120.0)]
     pub rate: f64,
     /// Relative tolerance of the integration
@@ -281,23 +288,23 @@ pub struct Simulate {
     pub list: bool,
 }
 
-/// `hyzer synthesize`.
+/// Arguments of `hyzer synthesize`.
 #[derive(Args)]
 pub struct Synthesize {
-    /// Model: a name or a path; by default the release's own
+    /// Model: a name or a path; by default that of the release
     #[arg(value_name = "MODEL")]
     pub model: Option<String>,
-    /// A release: a name, or a TOML file; may be repeated, and the flights take them in turn
+    /// A release: a name, or a TOML file; may be repeated, and the flights then use the releases in turn
     #[arg(long, value_name = "RELEASE", required = true)]
     pub release: Vec<String>,
     /// Number of flights
     #[arg(long, value_name = "N", default_value_t = 8)]
     pub flights: usize,
-    /// Number of held-out flights, which are the last ones
+    /// Number of held-out flights: the last ones of the dataset
     #[arg(long, value_name = "K", default_value_t = 0)]
     pub held_out: usize,
-    /// Standard deviation of the initial states but the position, as a fraction of each state's magnitude or of 5 m/s,
-    /// 1 rad or 10 rad/s, whichever is larger
+    /// Standard deviation of the initial states except the position, as a fraction of each state's magnitude or of 5
+    /// m/s, 1 rad or 10 rad/s, whichever is larger
     #[arg(long, value_name = "FRACTION", default_value_t = 0.1)]
     pub spread: f64,
     /// Duration of each flight, s; by default that of its release
@@ -324,7 +331,7 @@ pub struct Synthesize {
     /// Fraction of marker points that are outliers
     #[arg(long, value_name = "FRACTION", default_value_t = 0.0)]
     pub outliers: f64,
-    /// Standard deviation of each axis of an outlier, m
+    /// Standard deviation of an outlier along each axis, m
     #[arg(long, value_name = "M", default_value_t = 0.05)]
     pub outlier_size: f64,
     /// Fraction of missing marker points: half isolated, half in runs of 3 to 12 samples
@@ -344,39 +351,39 @@ pub struct Synthesize {
     pub out: PathBuf,
 }
 
-/// `hyzer import`.
+/// Arguments of `hyzer import`.
 #[derive(Args)]
 pub struct Import {
-    /// Recordings: files of a laboratory
+    /// Recordings: motion-capture files of a laboratory
     #[arg(required = true, value_name = "TAKE")]
     pub takes: Vec<PathBuf>,
     /// Format: c3d, vicon, qualisys, qualisys-6dof, optitrack, dltdv, poses or csv; by default recognised by the content
     #[arg(long, value_name = "FORMAT")]
     pub format: Option<String>,
-    /// Unit of the coordinates, where a file states none or a wrong one: m, cm, mm, in or ft
+    /// Unit of the coordinates, if a file states none or a wrong one: m, cm, mm, in or ft
     #[arg(long, value_name = "UNIT")]
     pub length: Option<String>,
-    /// Unit of the times, where a file states none or a wrong one: s or ms
+    /// Unit of the times, if a file states none or a wrong one: s or ms
     #[arg(long, value_name = "UNIT")]
     pub time: Option<String>,
-    /// Frames per second, where a file states none or wrong ones
+    /// Frames per second, if a file states none or a wrong value
     #[arg(long, value_name = "HZ")]
     pub rate: Option<f64>,
-    /// Axis of the file that points up, where the file states none or a wrong one: +z, -z, +y, -y, +x or -x
+    /// Axis of the file that points up, if the file states none or a wrong one: +z, -z, +y, -y, +x or -x
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     pub up: Option<String>,
     /// The axes of the file are left-handed
     #[arg(long)]
     pub left_handed: bool,
-    /// Name in the template of a label in the files; may be repeated
+    /// Rename a label of the files to the name of a marker in the template; may be repeated
     #[arg(long, value_name = "FILE_LABEL=NAME")]
     pub label: Vec<String>,
     /// Template: a TOML file with [[markers]], their names and positions on the body, such as a dataset.toml; without it the
     /// positions are estimated from the throws
     #[arg(long, value_name = "TEMPLATE")]
     pub markers: Option<PathBuf>,
-    /// Height of the centre of mass above the mean of the markers along the axis of the spin, m, where it is known and no template
-    /// is given; negative where it is below them
+    /// Height of the centre of mass above the mean of the markers along the axis of the spin, m, if it is known and
+    /// no template is given; negative if it is below the markers
     #[arg(
         long,
         value_name = "METRES",
@@ -384,7 +391,7 @@ pub struct Import {
         conflicts_with = "markers"
     )]
     pub centre_height: Option<f64>,
-    /// Model: a name or a path; by default the template's
+    /// Model: a name or a path; by default that of the template
     #[arg(long, value_name = "MODEL")]
     pub model: Option<String>,
     /// Folder for the dataset: a new or an empty one
@@ -392,7 +399,7 @@ pub struct Import {
     pub out: PathBuf,
 }
 
-/// `hyzer fit`.
+/// Arguments of `hyzer fit`.
 #[derive(Args)]
 pub struct Fit {
     #[command(flatten)]
@@ -400,14 +407,14 @@ pub struct Fit {
     /// Ignore the bounds of coefficients in the model
     #[arg(long)]
     pub unbounded: bool,
-    /// Profile-likelihood interval of a coefficient; may be repeated
+    /// Compute the profile-likelihood interval of a coefficient; may be repeated
     #[arg(long, value_name = "NAME")]
     pub profile: Vec<String>,
     /// Stop after this many seconds with the best answer so far; the result then says so
     #[arg(long, value_name = "S")]
     pub max_seconds: Option<f64>,
-    /// Certificate of the model, by `hyzer verify --certificate`, which the page names; by default the one next to the model's
-    /// file, MODEL.certificate.json
+    /// Certificate of the model, written by `hyzer verify --certificate`, that the report cites; by default
+    /// MODEL.certificate.json next to the model's file
     #[arg(long, value_name = "FILE")]
     pub certificate: Option<PathBuf>,
     /// Also write every figure as pdf or png; may be repeated
@@ -419,19 +426,19 @@ pub struct Fit {
     pub out: Option<PathBuf>,
 }
 
-/// `hyzer diagnose`.
+/// Arguments of `hyzer diagnose`.
 #[derive(Args)]
 pub struct Diagnose {
     #[command(flatten)]
     pub inputs: FitInputs,
-    /// Do not test an effect; may be repeated
+    /// Exclude an effect from the tests; may be repeated
     #[arg(long, value_name = "EFFECT")]
     pub without: Vec<String>,
-    /// Stop after this many seconds with the best answer so far, which is said in the result
+    /// Stop after this many seconds with the best answer so far; the result then says so
     #[arg(long, value_name = "S")]
     pub max_seconds: Option<f64>,
-    /// Certificate of the model, by `hyzer verify --certificate`, which the page names; by default the one next to the model's
-    /// file, MODEL.certificate.json
+    /// Certificate of the model, written by `hyzer verify --certificate`, that the report cites; by default
+    /// MODEL.certificate.json next to the model's file
     #[arg(long, value_name = "FILE")]
     pub certificate: Option<PathBuf>,
     /// Also write every figure as pdf or png; may be repeated
@@ -443,12 +450,12 @@ pub struct Diagnose {
     pub out: Option<PathBuf>,
 }
 
-/// `hyzer effects`.
+/// Arguments of `hyzer effects`.
 #[derive(Args)]
 pub struct Effects {
-    /// Only those that apply to this model: a name or a path
+    /// List only the effects that apply to this model: a name or a path
     pub model: Option<String>,
-    /// File for the page; without it the page is printed
+    /// File for the list, as Markdown; without it the list is printed
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
 }

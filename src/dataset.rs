@@ -1,4 +1,4 @@
-//! Datasets built in memory.
+//! Builds datasets in memory and reads them from files.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -28,7 +28,7 @@ pub struct DatasetBuilder {
 }
 
 impl DatasetBuilder {
-    /// Dataset without flights of the named model.
+    /// Creates a dataset without flights for the named model.
     pub fn new(model: &str) -> DatasetBuilder {
         DatasetBuilder {
             dataset: Dataset {
@@ -44,20 +44,20 @@ impl DatasetBuilder {
         }
     }
 
-    /// Sets a known parameter of the body or its environment (SI), in place of the model's default.
+    /// Sets a known parameter of the body or its environment, SI; it replaces the model's default.
     pub fn parameter(mut self, name: &str, value: f64) -> Self {
         self.dataset.parameters.insert(name.to_owned(), value);
         self
     }
 
-    /// Adds a marker by its name and its position in the body frame, m.
+    /// Adds a marker with its name and its position in the body frame, m.
     pub fn marker(mut self, name: &str, position: [f64; 3]) -> Self {
         let name = name.to_owned();
         self.dataset.markers.push(Marker { name, position });
         self
     }
 
-    /// Adds markers named `m1`, `m2`, … by their positions in the body frame, m.
+    /// Adds markers named `m1`, `m2`, … with their positions in the body frame, m.
     pub fn markers(mut self, positions: &[[f64; 3]]) -> Self {
         for (i, position) in positions.iter().enumerate() {
             self = self.marker(&format!("m{}", i + 1), *position);
@@ -65,14 +65,14 @@ impl DatasetBuilder {
         self
     }
 
-    /// Sets the standard deviation of one measured coordinate, m; estimated from the data if never set.
+    /// Sets the standard deviation of one measured coordinate, m. If it is not set, a fit estimates it from the data.
     pub fn sigma(mut self, sigma: f64) -> Self {
         self.dataset.sigma = Some(sigma);
         self
     }
 
     /// Adds a flight: its name (unique in the dataset), its role, the times of its samples (s, increasing), and the
-    /// positions `[sample][marker]` in the inertial frame (m, z up), `None` where a marker was not measured.
+    /// positions `[sample][marker]` in the inertial frame (m, z up), `None` for a marker that was not measured.
     pub fn flight(
         mut self,
         name: &str,
@@ -91,7 +91,8 @@ impl DatasetBuilder {
         self
     }
 
-    /// Sets a quantity of the last added flight that was measured independently, by its name in the model.
+    /// Sets a value of the last added flight that is known by other means, such as a measured wind, by its name in
+    /// the model.
     pub fn known(mut self, name: &str, value: KnownValue) -> Self {
         if let Some(flight) = self.dataset.flights.last_mut() {
             flight.known.insert(name.to_owned(), value);
@@ -99,10 +100,10 @@ impl DatasetBuilder {
         self
     }
 
-    /// Builds the dataset after the checks that a dataset read from files passes.
+    /// Runs the checks of dataset files on the dataset and returns it.
     ///
     /// # Errors
-    /// [`Error::Dataset`].
+    /// [`Error::Dataset`] for the first fault found.
     pub fn build(self) -> Result<Dataset, Error> {
         self.dataset.validate()?;
         Ok(self.dataset)
@@ -112,7 +113,7 @@ impl DatasetBuilder {
 /// Reads a dataset: a folder with `dataset.toml` and a table or C3D file per flight.
 ///
 /// # Errors
-/// [`Error::Dataset`].
+/// [`Error::Dataset`] for the first fault of the files.
 pub fn read_dataset(folder: impl AsRef<Path>) -> Result<Dataset, Error> {
     Ok(identify::dataset::load(folder.as_ref())?)
 }

@@ -6,11 +6,11 @@ use crate::{Error, Model};
 
 pub use diagnose::{Diagnosis, DiagnosisOptions};
 
-/// Tests which effects a model lacks, judged by the measured flights of a dataset, and extends it by those that the
-/// data support.
+/// Tests which effects a model lacks, judged by the measured flights of a dataset, and extends the model by the
+/// effects that the data support.
 ///
 /// # Errors
-/// [`Error::Diagnosis`].
+/// [`Error::Diagnosis`] if the model cannot be fitted or the options are invalid.
 pub fn diagnose(
     model: &Model,
     dataset: &Dataset,

@@ -6,7 +6,7 @@ use identify::{FitError, InputError};
 use model_spec::LoadError;
 use ode::IntegrationError;
 
-/// Error of any operation of the library, by the operation that failed.
+/// Error of an operation of the library; the variants name the operation that failed.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -28,24 +28,24 @@ pub enum Error {
     /// A dataset cannot be diagnosed.
     #[error(transparent)]
     Diagnosis(#[from] DiagnosisError),
-    /// A sweep cannot be flown, or its results not be written.
+    /// A sweep cannot be computed, or its results cannot be written.
     #[cfg(feature = "sweep")]
     #[error(transparent)]
     Sweep(#[from] ::sweep::SweepError),
-    /// There is no built-in release of this name.
+    /// There is no built-in release of the given name.
     #[error("no built-in release {name:?}; expected one of {}", known.join(", "))]
     UnknownRelease {
-        /// Name that was asked for.
+        /// The given name.
         name: String,
         /// Names of the built-in releases.
         known: Vec<&'static str>,
     },
-    /// A release sets a name that the model does not have.
+    /// A release sets a parameter or coefficient that the model does not have.
     #[error("the model {model} has no state, parameter or coefficient {name:?}")]
     UnknownName {
         /// Name of the model.
         model: String,
-        /// Name that the model does not have.
+        /// Name that is not in the model.
         name: String,
     },
 }

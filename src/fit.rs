@@ -6,17 +6,17 @@ use statrs::distribution::{ContinuousCDF, Normal};
 
 use crate::{Error, Model};
 
-/// Fits the coefficients of a model to the measured flights of a dataset, each flight with its own initial state, by
-/// the output-error method: maximum likelihood with estimated noise.
+/// Fits the coefficients of a model to the measured flights of a dataset by the output-error method: maximum
+/// likelihood with estimated noise, and a separate initial state for each flight.
 ///
 /// # Errors
-/// [`Error::Fit`].
+/// [`Error::Fit`] if the options are invalid or the model cannot be fitted to the dataset.
 pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result<Fit, Error> {
     let fit = identify::fit(model.checked(), dataset, options)?;
     Ok(Fit { fit })
 }
 
-/// Result of a fit.
+/// Result of fitting a model to a dataset: estimates with standard errors, and the report.
 pub struct Fit {
     fit: identify::Fit,
 }
@@ -44,22 +44,23 @@ impl Fit {
         self.fit.report.rms_m
     }
 
-    /// Whether the iteration converged; estimates of a fit that did not are not reliable.
+    /// Whether the iteration converged; without convergence the estimates are not reliable.
     pub fn converged(&self) -> bool {
         self.fit.report.iterations.converged
     }
 
-    /// Whether the estimates can be relied on; [`Fit::reasons_against`] says why not.
+    /// Whether the estimates can be relied on; otherwise [`Fit::reasons_against`] states the reasons.
     pub fn is_reliable(&self) -> bool {
         self.fit.report.reliable
     }
 
-    /// Reasons not to rely on the estimates, such as flights that were excluded; empty for a reliable fit.
+    /// Reasons not to rely on the estimates, such as excluded flights; empty for a reliable fit.
     pub fn reasons_against(&self) -> &[String] {
         &self.fit.report.why
     }
 
-    /// Mistakes found in the measured data, such as exchanged markers or wrong units, each with its mend.
+    /// Mistakes found in the measured data, such as exchanged markers or wrong units, each with an instruction for
+    /// correcting it.
     pub fn data_faults(&self) -> &[DataFault] {
         &self.fit.report.data_faults
     }
@@ -69,7 +70,8 @@ impl Fit {
         &self.fit.report
     }
 
-    /// Fit of the `identify` crate with its estimation problem, for predictions and residuals.
+    /// The underlying result of the crate `identify`, which includes the estimation problem and gives predictions and
+    /// residuals.
     pub fn inner(&self) -> &identify::Fit {
         &self.fit
     }
@@ -80,19 +82,19 @@ impl Fit {
 pub struct Estimate {
     /// Maximum-likelihood estimate, SI.
     pub value: f64,
-    /// Standard error (Cramér–Rao), SI; 0 where the value was fixed.
+    /// Standard error (Cramér–Rao), SI; 0 if the value was held fixed.
     pub std_error: f64,
-    /// Unit, as the model writes it.
+    /// Unit, as the model states it.
     pub unit: String,
-    /// Whether the estimate lies on a bound of the model.
+    /// Whether the estimate lies on a bound that the model states.
     pub at_bound: bool,
 }
 
 impl Estimate {
-    /// Confidence interval of the given level (0 to 1, such as 0.95) of a normal distribution.
+    /// Confidence interval of the given level (between 0 and 1, such as 0.95), assuming a normal distribution.
     ///
     /// # Panics
-    /// Where the level is not between 0 and 1.
+    /// If the level is not strictly between 0 and 1.
     pub fn interval(&self, level: f64) -> [f64; 2] {
         assert!(0.0 < level && level < 1.0, "a level between 0 and 1");
         let quantile = Normal::standard().inverse_cdf(0.5 + 0.5 * level);

@@ -22,22 +22,22 @@ impl Flight {
         }
     }
 
-    /// Duration, s.
+    /// Duration of the flight, s.
     pub fn duration(&self) -> f64 {
         self.trajectory.end - self.trajectory.start
     }
 
-    /// Value of a state by its name at a time (s) after the release; `None` for an unknown name or a time outside the
-    /// flight.
+    /// Value of the state called `name` at time `t`, s after the release; `None` for an unknown name or a time
+    /// outside the flight.
     pub fn state(&self, name: &str, t: f64) -> Option<f64> {
         let state = self.model.compiled().layout().state(name)?;
         Some(self.trajectory.sample(t)?[state.index()])
     }
 
-    /// Positions of markers in the inertial frame at the given times (s): `[time][marker]`, m.
+    /// Positions of markers in the inertial frame, m, at the given times (s), as `[time][marker]`.
     ///
-    /// `markers` are their positions in the body frame, m. Times outside the flight give `None`, as does a model
-    /// without a measurement equation.
+    /// `markers` are the positions of the markers in the body frame, m. Positions are `None` for times outside the
+    /// flight and for a model without a measurement equation.
     pub fn marker_positions(
         &self,
         times: &[f64],
@@ -60,11 +60,11 @@ impl Flight {
         &self.trajectory
     }
 
-    /// CSV table with a header (`t` and the names of the states), `rate` rows per second and a row at the end of the
-    /// flight; SI units.
+    /// CSV table with a header (`t` and the names of the states), `rate` rows per second and a final row at the end
+    /// of the flight; SI units.
     ///
     /// # Panics
-    /// Where the rate is not positive.
+    /// If the rate is not positive.
     pub fn to_csv(&self, rate: f64) -> String {
         let names: Vec<&str> = self.model.states().collect();
         flight::trajectory_csv(&self.trajectory, &names, rate)

@@ -1,19 +1,20 @@
 //! Flight models with exact derivatives, fitted to motion capture and diagnosed for missing effects.
 //!
-//! A [`Model`] is loaded by name, path or text, with built-in effects or effects of your own. It flies a [`Release`];
-//! a [`Flight`] gives states and marker positions at any time. A [`Dataset`] is read from files ([`read_dataset`]) or
-//! built in memory ([`DatasetBuilder`]). [`fit`] estimates the model's coefficients from it, with their standard errors;
-//! [`diagnose`](fn@diagnose) tests which effects the model lacks. All operations fail with an [`Error`].
+//! A [`Model`] is loaded by name, path or text, with built-in effects or effects of your own. Simulating a
+//! [`Release`] with it gives a [`Flight`], with states and marker positions at any time. A [`Dataset`] is read from
+//! files ([`read_dataset`]) or built in memory ([`DatasetBuilder`]). [`fit`] estimates the model's coefficients from
+//! a dataset, with their standard errors; [`diagnose`](fn@diagnose) tests which effects the model lacks. All fallible
+//! operations return an [`Error`].
 //!
 //! ```
 #![doc = include_str!("../examples/library.rs")]
 //! ```
 //!
-//! Progress, cancellation, a deadline and the number of threads are the caller's: see [`FitOptions`]. Results do not
-//! depend on the number of threads. [`Fit::is_reliable`] says whether a fit can be relied on, and
-//! [`Fit::data_faults`] which mistakes the data seem to have.
+//! Progress, cancellation, a deadline and the number of threads are options of the caller: see [`FitOptions`].
+//! Results do not depend on the number of threads. [`Fit::is_reliable`] states whether a fit can be relied on, and
+//! [`Fit::data_faults`] lists mistakes that the data seem to have.
 //!
-//! The program `hyzer` is behind the feature `cli`, on by default; a library user turns it off with
+//! The feature `cli`, on by default, builds the program `hyzer`; library users disable it with
 //! `default-features = false`.
 
 #![forbid(unsafe_code)]

@@ -9,7 +9,7 @@ use ode::IntegrationOptions;
 
 use crate::{Error, Flight};
 
-/// Checked model of a flying body, with the effects applied to it.
+/// Checked model of a flying body, including the effects applied to it.
 ///
 /// ```
 /// # fn main() -> Result<(), hyzer::Error> {
@@ -29,7 +29,7 @@ impl Model {
     /// Loads a model by path, or a built-in one by name: `disc`, `disc_quaternion`, `discus`, `ball`.
     ///
     /// # Errors
-    /// [`Error::Load`].
+    /// [`Error::Load`] if there is no such model or file, or the text has faults.
     pub fn load(name_or_path: &str) -> Result<Model, Error> {
         Model::check(ModelTree::load(name_or_path)?)
     }
@@ -37,15 +37,16 @@ impl Model {
     /// Parses the text of a model; `name` is the file name in error messages.
     ///
     /// # Errors
-    /// [`Error::Load`].
+    /// [`Error::Load`] if the text has faults.
     pub fn parse(name: &str, text: &str) -> Result<Model, Error> {
         Model::check(ModelTree::parse(name, text)?)
     }
 
-    /// Returns the model extended by an effect: a name (in the model's own file or built in) or the path of a file.
+    /// Returns the model extended by an effect: a name (of an effect in the model's own file or built in) or the path
+    /// of a file.
     ///
     /// # Errors
-    /// [`Error::Load`].
+    /// [`Error::Load`] if there is no such effect, or the extended model has faults.
     pub fn with_effect(&self, name_or_path: &str) -> Result<Model, Error> {
         let effect = self.tree.find_effect(name_or_path)?;
         Model::check(self.tree.with(&effect)?)
@@ -54,7 +55,7 @@ impl Model {
     /// Returns the model extended by an effect given as text, `effect NAME { … }`.
     ///
     /// # Errors
-    /// [`Error::Load`].
+    /// [`Error::Load`] if the text or the extended model has faults.
     pub fn with_effect_text(&self, text: &str) -> Result<Model, Error> {
         let effect = EffectTree::parse("effect", text)?;
         Model::check(self.tree.with(&effect)?)
@@ -78,7 +79,7 @@ impl Model {
         self.checked.states.iter().map(|state| &*state.name)
     }
 
-    /// Names and default values (SI) of the coefficients, those of the effects included.
+    /// Names and default values (SI) of the coefficients, including those of the effects.
     pub fn coefficients(&self) -> impl Iterator<Item = (&str, f64)> {
         let coefficients = self.checked.coefficients.iter();
         coefficients.map(|coefficient| (&*coefficient.name, coefficient.value))
@@ -89,21 +90,23 @@ impl Model {
         self.tree.to_text("")
     }
 
-    /// Checked model, as defined by the model language, for the compiler and other crates of the workspace.
+    /// The checked model as a data structure of the model language, for the compiler and other crates of the
+    /// workspace.
     pub fn checked(&self) -> &model_spec::model::Model {
         &self.checked
     }
 
-    /// Compiled model, for evaluation of its functions; compiled at the first call.
+    /// The compiled model, for evaluating its functions; it is compiled at the first call.
     pub fn compiled(&self) -> &CompiledModel {
         self.compiled
             .get_or_init(|| CompiledModel::new(&self.checked))
     }
 
-    /// Built-in release (initial conditions) of this model by its name, such as `backhand`.
+    /// Returns a built-in release (initial conditions) of this model by its name, such as `backhand`.
     ///
     /// # Errors
-    /// [`Error::UnknownRelease`], or [`Error::Release`] where the release is of a model with other states.
+    /// [`Error::UnknownRelease`] if there is no such release, or [`Error::Release`] if it is for a model with other
+    /// states.
     pub fn release(&self, name: &str) -> Result<Release, Error> {
         let text = release::built_in(name).ok_or_else(|| Error::UnknownRelease {
             name: name.to_owned(),
@@ -112,21 +115,22 @@ impl Model {
         self.parse_release(name, text)
     }
 
-    /// Parses a release of this model from the text of a release file (TOML); ignores the model that the text names.
-    /// `name` is the file name in error messages. Refuses winds by height and gusts, which change the model.
+    /// Parses a release of this model from the text of a release file (TOML); the model that the text names is
+    /// ignored. `name` is the file name in error messages. Wind profiles over height and gusts are refused, because
+    /// they change the model: see [`parse_release_in_wind`](Model::parse_release_in_wind).
     ///
     /// # Errors
-    /// [`Error::Release`].
+    /// [`Error::Release`] if the text has faults.
     pub fn parse_release(&self, name: &str, text: &str) -> Result<Release, Error> {
         let vocabulary = Vocabulary::of(&self.checked);
         Ok(release::read(name, text, |_| Ok(vocabulary))?)
     }
 
-    /// As [`parse_release`](Model::parse_release), of a release that may state a wind by height and gusts; returns the model in
-    /// that wind, which flies it.
+    /// Parses a release as [`parse_release`](Model::parse_release) does, but accepts a wind profile over height and
+    /// gusts. Also returns the model extended by this wind, with which the release is to be flown.
     ///
     /// # Errors
-    /// [`Error::Release`].
+    /// [`Error::Release`] if the text has faults.
     ///
     /// ```
     /// # fn main() -> Result<(), hyzer::Error> {
@@ -155,7 +159,7 @@ impl Model {
     /// Simulates a release with relative and absolute tolerances of 1e-9.
     ///
     /// # Errors
-    /// [`Error::Integration`].
+    /// As [`fly_with`](Model::fly_with).
     pub fn fly(&self, release: &Release) -> Result<Flight, Error> {
         self.fly_with(release, &IntegrationOptions::with_tolerance(1e-9))
     }
@@ -163,7 +167,8 @@ impl Model {
     /// Simulates a release with the given tolerances.
     ///
     /// # Errors
-    /// [`Error::UnknownName`] for a parameter or coefficient that the model does not have; [`Error::Integration`].
+    /// [`Error::UnknownName`] if the release sets a parameter or coefficient that the model does not have;
+    /// [`Error::Integration`] if the trajectory cannot be computed.
     pub fn fly_with(
         &self,
         release: &Release,

@@ -1,4 +1,4 @@
-//! Output of the program: standard output, and results that appear whole.
+//! Output of the program: standard output, and result files that are written atomically.
 
 use std::io::Write;
 use std::path::Path;
@@ -19,13 +19,14 @@ pub fn write(path: &Path, contents: impl AsRef<[u8]>) -> anyhow::Result<()> {
     progress::writing(whole).with_context(|| format!("cannot write {}", path.display()))
 }
 
-/// Tries the folder of the option `--out`, if it is given, before any work.
+/// Opens the folder of the option `--out`, if given, so that an unusable folder is an error before any work is done.
 pub fn folder(out: Option<&Path>) -> anyhow::Result<Option<ResultFolder>> {
     let open = |path| ResultFolder::open(path).context("--out");
     out.map(open).transpose()
 }
 
-/// Tries a folder that is to be new or empty, before any work; one that holds files is left to the writer to judge.
+/// Checks that an output folder can be used, before any work is done. A folder that holds files is accepted here and
+/// checked when the results are written.
 pub fn new_folder(path: &Path) -> anyhow::Result<()> {
     let holds_files = std::fs::read_dir(path).is_ok_and(|mut entries| entries.next().is_some());
     if !holds_files {
@@ -34,12 +35,12 @@ pub fn new_folder(path: &Path) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Replaces the results in a folder, as a whole.
+/// Replaces the results in a folder by `files`, all at once.
 pub fn replace(folder: &ResultFolder, files: &[ResultFile]) -> anyhow::Result<()> {
     progress::writing(|| folder.replace(files)).context("--out")
 }
 
-/// Adds to the files each figure, which is one of name `….svg`, as a file of the other kinds too.
+/// Appends to `files` a copy of each figure, a file named `….svg`, in each of the requested other `kinds`.
 pub fn add_figures(files: &mut Vec<ResultFile>, kinds: &[String]) -> anyhow::Result<()> {
     let is_asked = |kind: &FigureKind| kinds.iter().any(|name| name == kind.name());
     for kind in FigureKind::ALL.into_iter().filter(is_asked) {
@@ -71,7 +72,7 @@ pub fn print(text: impl AsRef<str>) -> anyhow::Result<()> {
 /// Formats an error with its chain of causes for the terminal, prefixed by `error: `.
 pub fn error_text(error: &anyhow::Error) -> String {
     let text = format!("{error:#}");
-    // Rendered diagnostics of a model file have headings of their own.
+    // Rendered diagnostics of a model file already have headings.
     if text.contains("] Error:") {
         text
     } else {

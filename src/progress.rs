@@ -1,7 +1,8 @@
-//! Progress bar on the terminal, and the end of the program by a signal.
+//! Progress bar on the terminal, and termination of the program by a signal.
 //!
-//! Ctrl-C (SIGINT), SIGTERM and SIGHUP end every command at once while it works, since nothing is written then. What is
-//! being written is finished, if that takes less than [`WRITING_LIMIT`]; result files and folders appear whole in any case.
+//! Ctrl-C (SIGINT), SIGTERM and SIGHUP end a command at once while it computes, because nothing is written then. A
+//! write in progress is finished if that takes less than [`WRITING_LIMIT`]; result files and folders are atomic in
+//! any case.
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicU8, AtomicUsize, Ordering};
@@ -10,33 +11,33 @@ use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// Phase of work: a signal ends the program.
+/// Phase of computation, in which a signal ends the program.
 const WORKING: u8 = 0;
-/// Phase in which results are written: a signal ends the program afterwards.
+/// Phase in which results are written; a signal ends the program when they are written.
 const WRITING: u8 = 1;
-/// Phase after a signal during work: the program ends.
+/// Phase after a signal during the computation: the program is ending.
 const STOPPED: u8 = 2;
-/// Phase after a signal while results are written: the program ends when they are.
+/// Phase after a signal while results are written: the program ends when they are written.
 const STOPPED_WRITING: u8 = 3;
 
 static PHASE: AtomicU8 = AtomicU8::new(WORKING);
 
-/// Whether what was done before a signal is kept, and the same command goes on from there.
+/// Whether results computed before a signal are kept, so that the same command continues from them.
 static RESUMES: AtomicBool = AtomicBool::new(false);
 
-/// The progress bar that is shown, so that a signal can remove it.
+/// The progress bar on display, so that a signal can remove it.
 static BAR: Mutex<Option<ProgressBar>> = Mutex::new(None);
 
 /// Exit status of an interrupted program (128 + SIGINT).
 const INTERRUPTED: u8 = 130;
 
-/// Longest time that a signal waits for results to be written.
+/// Maximum time that a signal waits for results to be written.
 const WRITING_LIMIT: Duration = Duration::from_millis(400);
 
-/// Longest time that a signal waits for its message to be printed.
+/// Maximum time that a signal waits for its message to be printed.
 const MESSAGE_LIMIT: Duration = Duration::from_millis(200);
 
-/// Installs the handler of signals, for any command.
+/// Installs the signal handler, for all commands.
 pub fn handle_signals() -> anyhow::Result<()> {
     ctrlc::set_handler(|| {
         let change = |from, to| {
@@ -61,12 +62,12 @@ pub fn handle_signals() -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Says that what is done before a signal is kept: work whose parts are written whole, one by one.
+/// Declares that results computed before a signal are kept, because the work is written to files part by part.
 pub fn resumes() {
     RESUMES.store(true, Ordering::SeqCst);
 }
 
-/// Runs a function that writes results; a signal meanwhile ends the program when the function returns.
+/// Runs a function that writes results; a signal in the meantime ends the program when the function returns.
 pub fn writing<T>(write: impl FnOnce() -> T) -> T {
     remove_bar();
     enter(WORKING, WRITING);
@@ -77,7 +78,7 @@ pub fn writing<T>(write: impl FnOnce() -> T) -> T {
     written
 }
 
-/// Changes the phase; does not return if a signal has already said that nothing is written.
+/// Changes the phase; does not return if a signal has already announced that nothing is written.
 fn enter(from: u8, to: u8) {
     let entered = PHASE.compare_exchange(from, to, Ordering::SeqCst, Ordering::SeqCst);
     while entered == Err(STOPPED) {
@@ -85,9 +86,9 @@ fn enter(from: u8, to: u8) {
     }
 }
 
-/// Ends the program, with a message if standard error takes it.
+/// Ends the program, with a message if standard error accepts it.
 fn end(message: &str) {
-    // The pipe of standard error may be full with nobody to read it.
+    // Standard error may be a full pipe that nobody reads, so that printing blocks.
     thread::spawn(|| {
         thread::sleep(MESSAGE_LIMIT);
         std::process::exit(INTERRUPTED.into());
@@ -105,7 +106,7 @@ fn remove_bar() {
     }
 }
 
-/// Progress bar on standard error; hidden where that is not a terminal.
+/// Progress bar on standard error; hidden if standard error is not a terminal.
 #[derive(Debug)]
 pub struct Progress {
     bar: ProgressBar,
@@ -115,7 +116,7 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Draws the progress bar of work that starts.
+    /// Creates and draws a progress bar.
     pub fn new() -> anyhow::Result<Self> {
         let bar = ProgressBar::new(0);
         bar.set_style(
@@ -136,13 +137,13 @@ impl Progress {
 }
 
 impl Progress {
-    /// Shows a stage of so many flights.
+    /// Starts a stage of the work with the given number of flights.
     pub fn start(&self, stage: &str, flights: u64) {
         self.bar.set_length(flights);
         self.bar.set_message(stage.to_owned());
     }
 
-    /// Adds flights that are done.
+    /// Adds to the number of finished flights.
     pub fn advance(&self, flights: u64) {
         self.bar.inc(flights);
     }
@@ -170,7 +171,7 @@ impl identify::Progress for Progress {
     fn flight_done(&self) {
         let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
         let parts = self.parts.load(Ordering::Relaxed).max(1);
-        // A stage iterates over all flights repeatedly until convergence.
+        // A stage may iterate over all flights until convergence.
         if done > parts && done % parts == 1 {
             let stage = self
                 .stage

@@ -1,4 +1,4 @@
-//! Many flights of a model by a plan.
+//! Simulates many flights of a model as specified by a plan.
 
 use std::path::Path;
 
@@ -7,11 +7,12 @@ use serde_json::Value;
 
 use crate::Error;
 
-/// Flies the plan in a file over a number of threads and writes `flights.parquet` and `summary.json` to a folder: a new or
-/// an empty one, or that of an earlier call with the same plan, which is gone on with.
+/// Simulates the flights of the plan in a file on several threads and writes `flights.parquet` and `summary.json` to
+/// the folder `out`. The folder is new or empty, or that of an earlier call with the same plan, which is continued.
 ///
 /// # Errors
-/// [`Error::Release`] for a plan with faults, [`Error::Sweep`].
+/// [`Error::Release`] if the plan has faults; [`Error::Sweep`] if the flights cannot be computed or the results
+/// cannot be written.
 ///
 /// ```
 /// let folder = tempfile::tempdir()?;
@@ -35,34 +36,36 @@ pub fn sweep(plan: &Path, out: &Path, threads: usize) -> Result<Sweep, Error> {
     Ok(Sweep { summary })
 }
 
-/// Summary of a sweep.
+/// Summary statistics of a completed sweep, as in `summary.json`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sweep {
     summary: Value,
 }
 
 impl Sweep {
-    /// Number of flights, those without a landing included.
+    /// Number of flights, including those that did not reach the ground.
     pub fn flights(&self) -> u64 {
         self.summary["flights"].as_u64().unwrap_or(0)
     }
 
-    /// Number of flights that ended in this way: `landed`, `time`, `limit`, … .
+    /// Number of flights that ended with the given status: `landed`, `time`, `limit`, … .
     pub fn count(&self, status: &str) -> u64 {
         self.summary["statuses"][status].as_u64().unwrap_or(0)
     }
 
-    /// Mean of a column over the flights that came to their end; `None` for an unknown column or without such flights.
+    /// Mean of a column over the flights that reached the ground, or the final time of a plan with a duration; `None`
+    /// for an unknown column or without such flights.
     pub fn mean(&self, column: &str) -> Option<f64> {
         self.summary["columns"][column]["mean"].as_f64()
     }
 
-    /// Standard deviation of a column over the flights that came to their end.
+    /// Standard deviation of a column over the flights that [`Sweep::mean`] includes; `None` for an unknown column or
+    /// without such flights.
     pub fn standard_deviation(&self, column: &str) -> Option<f64> {
         self.summary["columns"][column]["sd"].as_f64()
     }
 
-    /// All of `summary.json`.
+    /// Contents of `summary.json`.
     pub fn summary(&self) -> &Value {
         &self.summary
     }

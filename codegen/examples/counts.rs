@@ -1,5 +1,5 @@
-//! Operations of every function of a model, and how long compiling takes:
-//! `cargo run --release -p hyzer-codegen --example counts -- disc ball`.
+//! Prints the operation counts of every function of a model, and the compile time: `cargo run --release -p
+//! hyzer-codegen --example counts -- disc ball`.
 
 use std::time::Instant;
 

@@ -1,5 +1,5 @@
-//! Writes `crates/generated/src` of this repository: `cargo run -p hyzer-codegen --example generate`.
-//! The program's own command is `hyzer generate`.
+//! Writes `crates/generated/src` of this repository: `cargo run -p hyzer-codegen --example generate`. The corresponding
+//! command of the program is `hyzer generate`.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! The check cases of a model file, evaluated on a tape.
+//! Evaluation of the check cases of a model file on a tape.
 
 use crate::compile::scheduled_values;
 use crate::graph::NodeId;
@@ -6,27 +6,28 @@ use crate::lower::lower;
 use crate::tape::{Inputs, Tape};
 use model_spec::model::{CheckCase, Expectation, Model, Observable, Target};
 
-/// An expected result of a check case, and the result found.
+/// Expected result of a check case, and the result computed from the model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
-    /// Result as the case names it: `alpha`, `der(u)`.
+    /// Result in the notation of the check case: `alpha`, `der(u)`.
     pub name: String,
     /// Unit of the result, an SI unit in the notation of model files; `1` if dimensionless.
     pub unit: String,
-    /// Value of the model, SI.
+    /// Value computed from the model, SI.
     pub found: f64,
-    /// Value and tolerance of the case.
+    /// Expected value and tolerance, as stated in the check case.
     pub expected: Expectation,
 }
 
 impl Comparison {
-    /// Whether the value is within the tolerance; false for NaN.
+    /// Whether the computed value is within the tolerance of the expected value; false for NaN.
     pub fn is_met(&self) -> bool {
         (self.found - self.expected.value).abs() <= self.expected.within
     }
 }
 
-/// Evaluates each check case of a model: title, and every expected result with the one found, in the file's order.
+/// Evaluates each check case of a model. Returns the title of each case with its expected and computed results, in the
+/// order of the file.
 pub fn check_cases(model: &Model) -> Vec<(String, Vec<Comparison>)> {
     let observables: Vec<Observable> = model
         .checks
@@ -85,7 +86,7 @@ fn compared(model: &Model, expected: &Expectation, found: f64) -> Comparison {
     }
 }
 
-/// States and parameters of a case: the defaults, overridden by its settings.
+/// States and parameters of a check case: the defaults of the model, overridden by the settings of the case.
 fn arguments(model: &Model, case: &CheckCase) -> (Vec<f64>, Vec<f64>) {
     let layout = crate::layout::Layout::new(model);
     let (mut states, mut parameters) = (layout.default_states(), layout.default_parameters());

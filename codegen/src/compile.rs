@@ -1,4 +1,4 @@
-//! The stages in order: lower, optimise, differentiate, specialize, optimise, schedule.
+//! Compilation of a model: lowering, optimisation, differentiation, specialization, optimisation, scheduling.
 
 mod every_value;
 mod jacobians;
@@ -16,21 +16,21 @@ use crate::ssa::{Ssa, build};
 use model_spec::layout::Layout;
 use model_spec::model::Model;
 
-/// Parameters by which derivatives are taken.
+/// Parameters with respect to which derivatives are computed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Selection {
-    /// All parameters.
+    /// Derivatives with respect to all parameters.
     All,
-    /// Selected parameters, by their index in [`Layout::parameters`].
+    /// Derivatives with respect to selected parameters, given by their index in [`Layout::parameters`].
     Only(Vec<usize>),
 }
 
-/// Compile time spent on reducing the operation count of the Jacobians.
+/// Trade-off between compile time and the operation count of the Jacobians.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Effort {
-    /// Each Jacobian by the cheapest of several elimination orders; for generated code.
+    /// Tries several elimination orders for each Jacobian and uses the one with the lowest cost; for generated code.
     Full,
-    /// One elimination order, and `f_jac` as a subset of `f_jac_par`; for tapes compiled at run time.
+    /// Uses one elimination order, and obtains `f_jac` as a subset of `f_jac_par`; for tapes compiled at run time.
     Quick,
 }
 
@@ -39,29 +39,31 @@ pub enum Effort {
 pub struct Compiled {
     /// Name of the model.
     pub name: String,
-    /// Names and order of states, parameters and auxiliary variables.
+    /// Names and order of the states, parameters and auxiliary variables.
     pub layout: Layout,
     /// Model lowered to scalar expressions, with names and source locations of its auxiliary variables.
     pub lowered: Lowered,
     /// Parameter index of each column of `jp` and `dy_dp`; all parameters unless a [`Selection`] was given.
     pub columns: Vec<usize>,
-    /// Invariants that depend on parameters alone; runs once per flight and is an input of all other functions.
+    /// Function that computes the invariants, which depend on parameters alone. It runs once per flight, and its
+    /// results are inputs of all other functions.
     pub prepare: Function,
     /// Names of the invariants that `prepare` computes.
     pub prepared: Vec<String>,
-    /// Time derivatives of the states, section `dx`.
+    /// Function of the time derivatives of the states, section `dx`.
     pub f: Function,
-    /// Time derivatives `dx` and their state Jacobian `j`.
+    /// Function of the time derivatives `dx` and their state Jacobian `j`.
     pub f_jac: Function,
-    /// Time derivatives `dx`, their state Jacobian `j` and their parameter Jacobian `jp`.
+    /// Function of the time derivatives `dx`, their state Jacobian `j` and their parameter Jacobian `jp`.
     pub f_jac_par: Function,
-    /// Measurement equation: position `y` of a marker in the inertial frame, m; no outputs if the model has none.
+    /// Function of the measurement equation: position `y` of a marker in the inertial frame, m. It has no outputs if
+    /// the model has no measurement equation.
     pub observe: Function,
-    /// Marker position `y` and its Jacobians `dy_dx`, `dy_dp`, `dy_dmarker`.
+    /// Function of the marker position `y` and its Jacobians `dy_dx`, `dy_dp`, `dy_dmarker`.
     pub observe_jac: Function,
-    /// Values of all auxiliary variables of the model.
+    /// Function of the values of all auxiliary variables of the model.
     pub quantities: Function,
-    /// Left-hand sides of the model's limits of validity.
+    /// Function of the left-hand sides of the model's limits of validity, each of which must exceed its bound.
     pub limits: Function,
 }
 
@@ -80,14 +82,15 @@ impl Compiled {
         ]
     }
 
-    /// Function with a given name; `None` if there is none.
+    /// Function of the model with a given name; `None` if there is none.
     pub fn function(&self, name: &str) -> Option<&Function> {
         self.functions()
             .into_iter()
             .find(|function| function.name == name)
     }
 
-    /// Operations of `prepare` that a function depends on, by kind: what hoisting removes from that function.
+    /// Counts the operations of `prepare` on which a function depends, by kind. These are the operations that hoisting
+    /// removes from the function.
     pub fn count_prepared(&self, name: &str) -> count::Count {
         let Some(function) = self.function(name) else {
             return count::Count::default();
@@ -104,7 +107,7 @@ impl Compiled {
         count::count_for(&self.prepare.program, &slots)
     }
 
-    /// Operations of a function by kind; all zero for an unknown name.
+    /// Counts the operations of a function, by kind; all counts are zero for an unknown name.
     pub fn count(&self, name: &str) -> count::Count {
         self.function(name)
             .map_or_else(count::Count::default, |function| {
@@ -113,22 +116,22 @@ impl Compiled {
     }
 }
 
-/// Compiles a model, with derivatives by all parameters.
+/// Compiles a model, with derivatives with respect to all parameters.
 pub fn compile(model: &Model) -> Compiled {
     compile_for(model, &Selection::All)
 }
 
-/// Compiles a model, with derivatives by selected parameters.
+/// Compiles a model, with derivatives with respect to the selected parameters.
 pub fn compile_for(model: &Model, selection: &Selection) -> Compiled {
     Compiler::new(model, selection).run(&model.name)
 }
 
-/// Compiles a model specialized to given values of some parameters, (index in [`Layout::parameters`], value); of two
-/// values for one parameter the last applies.
+/// Compiles a model specialized to given values of some parameters, given as (index in [`Layout::parameters`], value).
+/// If a parameter is given twice, the last value applies.
 ///
-/// Derivatives are taken by all selected parameters, fixed ones included, before the values are substituted. Entries
-/// of the Jacobians that vanish at these values are not in the sparsity patterns. The functions ignore the fixed
-/// elements of the parameter array.
+/// Derivatives are taken with respect to all selected parameters, including fixed ones, before the values are
+/// substituted. Entries of the Jacobians that vanish at these values are not in the sparsity patterns. The compiled
+/// functions ignore the fixed elements of the parameter array.
 pub fn compile_at(
     model: &Model,
     selection: &Selection,
@@ -145,8 +148,8 @@ pub fn compile_at(
     compiler.run(&model.name)
 }
 
-/// Program of the state derivatives followed by the observation, without Jacobians or hoisting; compiles in a tenth of
-/// the time of [`compile`].
+/// Compiles a program of the state derivatives followed by the observation, without Jacobians or hoisting, in a tenth
+/// of the time of [`compile`].
 pub fn compile_values(model: &Model) -> (Layout, Program) {
     let Lowered {
         mut graph,
@@ -163,7 +166,7 @@ pub fn compile_values(model: &Model) -> (Layout, Program) {
     (layout, program)
 }
 
-/// Program of the values of some nodes, without hoisting.
+/// Compiles a program of the values of the nodes `wanted`, without hoisting.
 pub(crate) fn scheduled_values(
     graph: &mut ExprGraph,
     layout: &Layout,
@@ -247,7 +250,7 @@ impl Compiler {
             .map_or_else(Vec::new, |y| y.to_vec())
     }
 
-    /// Function with one dense section of values and no derivatives.
+    /// Compiles a function with one dense output section and no derivatives.
     fn values(&mut self, name: &'static str, section: &'static str, values: &[NodeId]) -> Function {
         let ssa = self.optimised(values);
         self.scheduled(name, &ssa, vec![dense(section, values.len())])
@@ -279,7 +282,7 @@ impl Compiler {
         }
     }
 
-    /// Names of all outputs of some sections: `u_dot`, `d_u_dot_d_w`, …
+    /// Names of all outputs of the given sections: `u_dot`, `d_u_dot_d_w`, …
     fn results(&self, sections: &[Section]) -> Vec<String> {
         let layout = &self.lowered.layout;
         let names = sections.iter().flat_map(|section| {

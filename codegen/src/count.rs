@@ -25,7 +25,7 @@ pub struct Count {
 }
 
 impl Count {
-    /// Sum of all counts.
+    /// Total number of operations of all kinds.
     pub fn total(&self) -> usize {
         self.add + self.mul + self.div + self.neg + self.sqrt + self.call + self.select
     }
@@ -58,7 +58,7 @@ impl Count {
     }
 }
 
-/// Counts all operations of a program.
+/// Counts the operations of all statements of a program, by kind.
 pub fn count(program: &Program) -> Count {
     let mut count = Count::default();
     for statement in &program.statements {
@@ -67,7 +67,7 @@ pub fn count(program: &Program) -> Count {
     count
 }
 
-/// Counts the operations that selected outputs (by index) of a program depend on.
+/// Counts the operations of a program on which the selected outputs (by index) depend.
 pub fn count_for(program: &Program, outputs: &[usize]) -> Count {
     let mut needed = vec![false; program.statements.len()];
     for &output in outputs {

@@ -1,25 +1,25 @@
-//! Functions of one argument: name, symmetry, range, derivative, evaluation, notation and cost, in one place.
+//! Functions of one argument: their name, symmetry, range, derivative, evaluation, notation and cost, all in this file.
 //!
-//! A function is added here and as a method of [`lanes::Real`]; no other file of the compiler lists them. The tables of a model
-//! are functions, too; what they look up stands in [`Tables`].
+//! A new function is added here and as a method of [`lanes::Real`]; no other file of the compiler lists the functions.
+//! The tables of a model are functions too; their knots and values are in [`Tables`].
 
 use crate::number::Number;
 use crate::table::{TableFunction, TableId, Tables};
 use lanes::{ElementaryFunction, Real};
 use model_spec::model::Function as Named;
 
-/// Elementary functions of one argument that the generated code computes as one operation.
+/// Elementary function of one argument that the generated code computes as one operation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum MathFunction {
-    /// Sine.
+    /// Sine of the argument, rad.
     Sin,
-    /// Cosine.
+    /// Cosine of the argument, rad.
     Cos,
-    /// Arcsine of the argument clamped to -1 .. 1.
+    /// Arcsine, rad, of the argument clamped to -1 .. 1.
     Asin,
-    /// Exponential.
+    /// Exponential function e^x.
     Exp,
-    /// Natural logarithm; 0 for arguments up to 0.
+    /// Natural logarithm; 0 where the argument is 0 or less.
     Log,
     /// Hyperbolic tangent.
     Tanh,
@@ -29,7 +29,7 @@ pub enum MathFunction {
     Sign,
     /// Heaviside function: 1 for arguments above 0, else 0.
     Heaviside,
-    /// Square root; 0 for arguments up to 0.
+    /// Square root; 0 where the argument is 0 or less.
     Sqrt,
     /// Indicator of x ≠ 0: 0 at 0, else 1; equals `x * recip_or_zero(x)`.
     NonZero,
@@ -80,7 +80,7 @@ pub enum CostKind {
     Select,
 }
 
-/// How a function is written in LaTeX.
+/// Form in which a function is written in LaTeX.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Notation {
     /// LaTeX command followed by the argument; `true` if an exponent goes between command and argument, as in sin² x.
@@ -109,7 +109,7 @@ impl From<ElementaryFunction> for MathFunction {
 }
 
 impl MathFunction {
-    /// All functions that do not depend on the model.
+    /// All functions except tables.
     pub const ALL: [MathFunction; 11] = [
         MathFunction::Sin,
         MathFunction::Cos,
@@ -124,8 +124,8 @@ impl MathFunction {
         MathFunction::NonZero,
     ];
 
-    /// Function name, used in printed expressions and in names of generated variables; that of a table is known to
-    /// [`Tables::name`] alone.
+    /// Name of the function, used in printed expressions and in names of generated variables. For a table it is only
+    /// `table`; see [`Tables::name`].
     pub fn name(self) -> &'static str {
         match self {
             MathFunction::Sin => "sin",
@@ -150,10 +150,10 @@ impl MathFunction {
             .find(|function| function.name() == name)
     }
 
-    /// Value of the function at `x`; `tables` are those of the model.
+    /// Evaluates the function at `x`; `tables` are the tables of the model.
     ///
     /// # Panics
-    /// If the function is a table that is not among them.
+    /// If the function is a table that is not in `tables`.
     #[inline(always)]
     pub fn eval<T: Real>(self, x: T, tables: &Tables) -> T {
         match self {
@@ -172,8 +172,8 @@ impl MathFunction {
         }
     }
 
-    /// Rust method call on a [`lanes::Real`] that computes the function, without the receiver: `exp()`; of a table, whose
-    /// arguments are not here, only the name.
+    /// Rust method call on a [`lanes::Real`] that computes the function, without the receiver, such as `exp()`. For a
+    /// table it is only the name of the method, since the knots and cubics are not known here.
     pub fn rust_method(self) -> &'static str {
         match self {
             MathFunction::Sin => "sin_cos().0",
@@ -248,7 +248,7 @@ impl MathFunction {
         )
     }
 
-    /// Whether f(x) ≠ 0 is certain; `argument_nonzero` states that x ≠ 0 is known.
+    /// Whether f(x) is known to be nonzero; `argument_nonzero` states whether x is known to be nonzero.
     pub fn is_nonzero(self, argument_nonzero: bool) -> bool {
         match self {
             MathFunction::Exp => true,
@@ -275,7 +275,7 @@ impl MathFunction {
         }
     }
 
-    /// Operation class under which the function is counted.
+    /// Operation class under which the function is counted in a [`Count`](crate::count::Count).
     pub fn cost_kind(self) -> CostKind {
         match self {
             MathFunction::Sqrt => CostKind::Root,
@@ -316,7 +316,7 @@ impl MathFunction {
     }
 }
 
-/// Lowering of a function of the model language: one operation, or a composition of operations.
+/// Lowering of a function of the model language: to one operation, or to a composition of operations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FunctionLowering {
     /// Lowered to one operation.
@@ -361,7 +361,7 @@ impl FunctionLowering {
     }
 }
 
-/// LaTeX commands that take an exponent between command and argument, such as `\sin`.
+/// LaTeX commands of functions whose exponent is written between command and argument, such as `\sin`.
 pub fn commands_with_exponent() -> impl Iterator<Item = &'static str> {
     let all = MathFunction::ALL.map(FunctionLowering::Call).into_iter();
     let all = all.chain([

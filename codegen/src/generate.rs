@@ -1,4 +1,4 @@
-//! Generated files on disk: written, or compared with what is there.
+//! Writing of generated files, and comparison of generated files with the files on disk.
 
 use crate::backend::{Backend, SourceFile};
 use crate::compile::compile;
@@ -10,7 +10,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Source files of the crate `generated`, sorted by path relative to its `src` directory.
+/// Generates the source files of the crate `generated`, sorted by path relative to its `src` directory.
 pub fn generate(models: &[Model]) -> Vec<SourceFile> {
     let mut ordered: Vec<&Model> = models.iter().collect();
     ordered.sort_by(|a, b| a.name.cmp(&b.name));
@@ -23,7 +23,7 @@ pub fn generate(models: &[Model]) -> Vec<SourceFile> {
     files
 }
 
-/// Source files of some models in the language of a backend, sorted by path.
+/// Generates the source files of some models in the language of a backend, sorted by path.
 pub fn generate_with(backend: &dyn Backend, models: &[Model]) -> Vec<SourceFile> {
     let each = models.iter();
     let mut files: Vec<SourceFile> = each
@@ -48,11 +48,11 @@ impl fmt::Display for Difference {
     }
 }
 
-/// Compares `directory`, the `src` of the crate `generated`, with the generated files. Rust files that belong to no
-/// model count as differences. Empty if nothing differs.
+/// Compares `directory`, the `src` of the crate `generated`, with the generated files. Rust files in the directory that
+/// are not among the generated files also count as differences. Returns an empty list if nothing differs.
 ///
 /// # Errors
-/// If the directory cannot be read.
+/// If the directory or a file in it cannot be read.
 pub fn check(directory: &Path, models: &[Model]) -> io::Result<Vec<Difference>> {
     let files = generate(models);
     let mut differences = check_files(directory, &files)?;
@@ -97,11 +97,11 @@ fn difference(path: &str, found: &str, expected: &str) -> Option<Difference> {
     })
 }
 
-/// Writes the changed files of the crate `generated` and removes Rust files that belong to no model. Returns the paths
-/// of all changed files.
+/// Writes the changed files of the crate `generated`, and removes Rust files that are not among the generated files.
+/// Returns the paths of all changed and removed files.
 ///
 /// # Errors
-/// If a file cannot be written.
+/// If a file cannot be read, written or removed.
 pub fn write(directory: &Path, models: &[Model]) -> io::Result<Vec<String>> {
     let files = generate(models);
     let mut changed = write_files(directory, &files)?;
@@ -116,11 +116,11 @@ pub fn write(directory: &Path, models: &[Model]) -> io::Result<Vec<String>> {
     Ok(changed)
 }
 
-/// Writes files that differ from those in a directory, each atomically (by renaming). Returns the paths of the changed
-/// files.
+/// Writes the files whose text differs from the file on disk, each atomically by renaming a temporary file. Returns the
+/// paths of the written files.
 ///
 /// # Errors
-/// If a file cannot be written.
+/// If a file or its directory cannot be written.
 pub fn write_files(directory: &Path, files: &[SourceFile]) -> io::Result<Vec<String>> {
     let mut changed = Vec::new();
     for SourceFile { path, text } in files {

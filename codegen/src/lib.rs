@@ -3,7 +3,7 @@
 //!
 //! Pipeline: [`lower`](mod@lower) turns the model's vector equations into scalar nodes of one expression [`graph`];
 //! `differentiate` adds partial derivatives and `specialize` substitutes constants; [`ssa`] eliminates common
-//! subexpressions and lists the definitions; [`schedule`] orders them as a [`program`].
+//! subexpressions and lists the definitions; [`schedule`] orders the definitions as the statements of a [`program`].
 
 pub mod backend;
 mod cases;

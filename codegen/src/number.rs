@@ -7,7 +7,7 @@ use std::hash::{Hash, Hasher};
 pub enum Number {
     /// Exact fraction: numerator and positive denominator, in lowest terms.
     Exact(i64, i64),
-    /// Floating-point value without an exact fraction.
+    /// Floating-point value that has no exact fraction.
     Float(f64),
 }
 
@@ -19,12 +19,13 @@ impl Number {
     /// The constant -1, exact.
     pub const MINUS_ONE: Number = Number::Exact(-1, 1);
 
-    /// Exact integer constant.
+    /// Exact constant of an integer value.
     pub fn whole(value: i64) -> Number {
         Number::Exact(value, 1)
     }
 
-    /// Fraction in lowest terms; `Float` if numerator or denominator exceeds `i64`, or if the denominator is 0.
+    /// Constant numerator / denominator in lowest terms; `Float` if the reduced numerator or denominator exceeds `i64`,
+    /// or if the denominator is 0.
     pub fn fraction(numerator: i128, denominator: i128) -> Number {
         if denominator == 0 {
             return Number::Float(numerator as f64 / denominator as f64);
@@ -38,7 +39,8 @@ impl Number {
         }
     }
 
-    /// Constant of a literal: the fraction `exact` if given, else an integer if below 1e15, else `Float(value)`.
+    /// Constant of a literal in the model text: the fraction `exact` if given, else an exact integer if `value` is an
+    /// integer below 1e15 in magnitude, else `Float(value)`.
     pub fn literal(value: f64, exact: Option<(i64, i64)>) -> Number {
         match exact {
             Some((n, d)) => Number::fraction(n.into(), d.into()),
@@ -47,7 +49,7 @@ impl Number {
         }
     }
 
-    /// Value as `f64`.
+    /// Value of the constant as `f64`, rounded if necessary.
     pub fn value(self) -> f64 {
         match self {
             Number::Exact(n, d) => n as f64 / d as f64,
@@ -70,7 +72,7 @@ impl Number {
         self.value() < 0.0
     }
 
-    /// Absolute value.
+    /// Absolute value of the constant.
     pub fn abs(self) -> Number {
         if self.is_negative() {
             self.opposite()
@@ -113,7 +115,7 @@ impl Number {
         }
     }
 
-    /// `self` to an integer power; a negative exponent of 0 gives infinity.
+    /// `self` to an integer power; infinite if the base is 0 and the exponent negative.
     pub fn power(self, exponent: i32) -> Number {
         let base = if exponent < 0 { self.recip() } else { self };
         (0..exponent.unsigned_abs()).fold(Number::ONE, |product, _| product.times(base))

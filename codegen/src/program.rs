@@ -1,5 +1,5 @@
-//! Straight-line programs: scheduled statements of one operation each, which every backend prints or interprets in
-//! order.
+//! Straight-line programs: scheduled statements of one operation each, in the order in which every backend prints or
+//! interprets them.
 
 use crate::functions::MathFunction;
 use crate::table::Tables;
@@ -7,17 +7,17 @@ use crate::table::Tables;
 /// Source of an operand: an input, a constant or the result of an earlier statement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Operand {
-    /// Time since release.
+    /// Time since release, s.
     Time,
-    /// State, by its index in the layout.
+    /// State variable, by its index in the state vector.
     State(u32),
-    /// Parameter, by its index in the layout.
+    /// Parameter, by its index in the parameter vector.
     Parameter(u32),
     /// Hoisted invariant, by its index among the results of `prepare`: depends on parameters alone.
     Prepared(u32),
     /// Body-fixed coordinate of the marker, m, by its index (0 to 2).
     Marker(u32),
-    /// Constant, as its value.
+    /// Constant with this value.
     Constant(f64),
     /// Result of an earlier statement, by the index of that statement.
     Temp(u32),
@@ -28,7 +28,7 @@ pub enum Operand {
 pub enum Unary {
     /// `-x`
     Neg,
-    /// Unguarded reciprocal `1 / x`; only for `x` that is never 0.
+    /// Unguarded reciprocal `1 / x`; used only if `x` is never 0.
     Recip,
     /// Guarded reciprocal: `1 / x`, and 0 at `x = 0`.
     RecipOrZero,
@@ -108,14 +108,15 @@ pub struct Statement {
     pub op: Op,
     /// Variable name; `None` if backends may print the statement as a subexpression of its user.
     pub name: Option<String>,
-    /// Auxiliary variable of the model that the statement computes or contributes to, for comments in generated code.
+    /// Auxiliary variable of the model that the statement computes or contributes to, for comments in generated code;
+    /// `None` if there is none.
     pub about: Option<About>,
 }
 
-/// Auxiliary variable that a statement belongs to.
+/// Auxiliary variable to which a statement contributes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct About {
-    /// Index into `Lowered::origins`.
+    /// Index of the auxiliary variable in `Lowered::provenance`.
     pub origin: usize,
     /// Whether the statement computes the variable itself rather than a subexpression of it.
     pub exact: bool,
@@ -124,9 +125,9 @@ pub struct About {
 /// Straight-line program: statements without branches or loops, and outputs.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Program {
-    /// Statements in order of execution; operands refer only to earlier ones.
+    /// Statements in order of execution; operands refer only to earlier statements.
     pub statements: Vec<Statement>,
-    /// Results of the program, in the order of the function's sections.
+    /// Operands whose values are the results of the program, in the order of the function's sections.
     pub outputs: Vec<Operand>,
     /// Tables that the statements look up.
     pub tables: Tables,
@@ -143,7 +144,7 @@ pub struct Section {
     pub pattern: Option<Vec<(u32, u32)>>,
 }
 
-/// Function of a model: a program and the layout of its outputs.
+/// Function of a model: a program, and the layout and names of its outputs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Function {
     /// Name of the function: `f`, `f_jac`, …
@@ -169,7 +170,8 @@ impl Function {
             .unwrap_or(&[])
     }
 
-    /// Index range of a section within the outputs.
+    /// Index range of a section within the outputs; empty at the end of the outputs if the function has no such
+    /// section.
     pub fn range(&self, name: &str) -> std::ops::Range<usize> {
         let mut start = 0;
         for section in &self.sections {

@@ -1,4 +1,4 @@
-//! Property tests: compiled random expressions and their derivatives against evaluation with dual numbers.
+//! Property tests: compiled random expressions and their derivatives are compared with evaluation by dual numbers.
 
 use crate::differentiate::{EliminationOrder, Labelled, LinearizedGraph, share_values};
 use crate::functions::MathFunction;
@@ -17,10 +17,10 @@ use std::sync::LazyLock;
 
 /// Number of variables of a random expression.
 const VARIABLES: usize = 3;
-/// Upper bound on |value| and |derivative| of every subexpression: beyond it cancellation would hide errors.
+/// Maximum |value| and |derivative| of every subexpression; cancellation between larger values would hide errors.
 const MAX_MAGNITUDE: f64 = 1e3;
 
-/// Operation on earlier values of a random expression.
+/// Step of a random expression: an operation on the values of earlier steps.
 #[derive(Clone, Copy, Debug)]
 enum Step {
     Add,
@@ -39,11 +39,12 @@ enum Step {
     Min,
     Max,
     Call(MathFunction),
-    /// The only table, [`TABLE`].
+    /// Lookup in the only table, [`TABLE`].
     Table,
 }
 
-/// A model with a table that is, by u = 1 - |x - 1|, the function (3u - u³)/2 where u > 0, and 3u/2 beyond.
+/// Model with a table that represents, in terms of u = 1 - |x - 1|, the function (3u - u³)/2 where u > 0, and 3u/2
+/// elsewhere.
 const TABLE: &str = "model table; param tau = 1 s; state a = 0; frame N;
     table hill(x) = { 0: 0, 1: 1, 2: 0 }; der(a) = hill(a)/tau;";
 
@@ -112,7 +113,7 @@ fn node(graph: &mut ExprGraph, step: Step, x: NodeId, y: NodeId) -> NodeId {
     }
 }
 
-/// Value by definition; `None` within 1e-3 of a point where the operation is not smooth.
+/// Value of a step by the definition of its operation; `None` within 1e-3 of a point where the operation is not smooth.
 fn value(step: Step, x: Dual64, y: Dual64) -> Option<Dual64> {
     let smooth = |margin: f64| margin.abs() > 1e-3;
     let one = Dual64::from(1.0);
@@ -157,7 +158,7 @@ fn value(step: Step, x: Dual64, y: Dual64) -> Option<Dual64> {
     })
 }
 
-/// Compiled and reference forms: graph with the node of the last step, and its dual-number value with derivatives.
+/// Random expression in two forms: graph with the node of the last step, and its value and derivatives by dual numbers.
 struct Case {
     graph: ExprGraph,
     root: NodeId,
@@ -166,7 +167,7 @@ struct Case {
     magnitude: f64,
 }
 
-/// Builds a case; `None` where a step is not smooth or a value exceeds [`MAX_MAGNITUDE`].
+/// Builds a random expression; `None` if a step is not smooth or a value exceeds [`MAX_MAGNITUDE`].
 fn case(steps: &[(Step, Index, Index)], at: [f64; VARIABLES]) -> Option<Case> {
     static TABLES: LazyLock<Tables> = LazyLock::new(|| {
         let model = model_spec::load::from_text("table.hyz", TABLE, &[]).expect("a model");

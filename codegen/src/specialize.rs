@@ -1,18 +1,18 @@
-//! Partial evaluation: symbols replaced by constants, and everything simplified that depends on them.
+//! Partial evaluation: replaces symbols by constants and simplifies all expressions that depend on them.
 //!
-//! Nodes are rebuilt by the constructors of a new graph. Value facts carry over to the specialized nodes, since they
-//! hold for all values of the symbols.
+//! Nodes are rebuilt by the constructors of a new graph. Value facts carry over to the specialized nodes, since the
+//! facts hold for all values of the symbols.
 
 use crate::graph::{ExprGraph, FastMap, Node, NodeId, Symbol, ValueFacts};
 use crate::number::Number;
 
-/// Values of the symbols that become constants.
+/// Values of the symbols that are replaced by constants.
 pub type Values = FastMap<Symbol, Number>;
 
 /// Expression graph with some symbols replaced by constants and the results simplified.
 #[derive(Debug)]
 pub struct Specialized {
-    /// The specialized graph.
+    /// Graph of the specialized nodes.
     pub graph: ExprGraph,
     images: Vec<Option<NodeId>>,
 }
@@ -43,7 +43,7 @@ impl Specialized {
         new
     }
 
-    /// Specialized node of an original node; the constant 0 for nodes that the roots do not reach.
+    /// Specialized node of the original node `id`; the constant 0 if the roots do not depend on `id`.
     pub fn image(&mut self, id: NodeId) -> NodeId {
         match self.images[id.index()] {
             Some(image) => image,
@@ -110,7 +110,8 @@ impl Specialized {
         }
     }
 
-    /// Specialized local: remains a shared subexpression unless its definition became a leaf or a constant.
+    /// Specialized node of a local. The node is a local again unless the specialized definition is a leaf or a
+    /// constant.
     fn local(
         &mut self,
         old: &ExprGraph,
@@ -156,7 +157,7 @@ impl Specialized {
     }
 }
 
-/// For each node, whether the roots reach it, definitions of locals included.
+/// For each node, whether the roots depend on it, directly or through the definitions of locals.
 fn needed(graph: &ExprGraph, roots: &[NodeId]) -> Vec<bool> {
     let mut needed = vec![false; graph.len()];
     for root in roots {

@@ -1,7 +1,7 @@
 //! Tables of a model as piecewise cubics, with their derivatives.
 //!
-//! A table is one operation of a program, as an elementary function is: looking up the interval costs less than evaluating
-//! the cubics of all intervals and choosing among them, and the printed code has the table's name.
+//! A table lookup is one operation of a program, as an elementary function is. Searching the interval costs less than
+//! evaluating the cubics of all intervals and selecting one, and the generated code contains the table's name.
 
 mod cubic;
 
@@ -11,54 +11,56 @@ use model_spec::model;
 use std::sync::Arc;
 
 model_spec::index_type!(
-    /// Index of a table among those of a model.
+    /// Index of a table among the tables of a model.
     pub struct TableId;
 );
 
-/// A table or one of its derivatives, as a function of one argument; in two bytes, as instructions of a tape hold it.
+/// A table or one of its derivatives, as a function of one argument; encoded in two bytes, to keep the instructions of
+/// a tape small.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct TableFunction(u16);
 
 impl TableFunction {
-    /// Order of the last derivative that is not zero everywhere: the third is a constant in each interval.
+    /// Highest order of a derivative that is not identically zero: the third derivative is constant in each interval.
     pub const LAST: u8 = 3;
 
-    /// The value (`order` 0) or a derivative of a table.
+    /// Returns the function of a table (`order` 0) or of its derivative of the given order.
     ///
     /// # Panics
-    /// If the order exceeds [`TableFunction::LAST`], or the index 16383, far beyond the number of tables of a model.
+    /// If the order exceeds [`TableFunction::LAST`], or the index exceeds 16383, far above the number of tables of a
+    /// model.
     pub fn new(table: TableId, order: u8) -> TableFunction {
         assert!(order <= Self::LAST);
         let code = (table.index() << 2) | usize::from(order);
         TableFunction(u16::try_from(code).expect("few tables"))
     }
 
-    /// The table.
+    /// Index of the table.
     pub fn table(self) -> TableId {
         TableId::new(usize::from(self.0 >> 2))
     }
 
-    /// Order of the derivative, 0 for the value.
+    /// Order of the derivative; 0 for the value of the table.
     pub fn order(self) -> u8 {
         (self.0 & 3) as u8
     }
 
-    /// The derivative; `None` if it is zero everywhere.
+    /// Derivative of this function; `None` if it is identically zero.
     pub fn derivative(self) -> Option<TableFunction> {
         (self.order() < Self::LAST).then_some(TableFunction(self.0 + 1))
     }
 }
 
-/// A table of a model, with its derivatives.
+/// Table of a model as a piecewise cubic, with its derivatives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CubicTable {
     /// Name of the table in the model; empty for a table that was read from generated code.
     pub name: String,
     /// Documentation of the table in the model.
     pub doc: String,
-    /// Name of the argument.
+    /// Name of the table's argument.
     pub argument: String,
-    /// Texts of the units of argument and value, SI units.
+    /// Units of the argument and of the value, as text in SI units.
     pub unit_texts: [String; 2],
     /// Hash of the curve ([`model::Table::fingerprint`]); 0 for a table that was read from generated code.
     pub fingerprint: u64,
@@ -80,10 +82,10 @@ impl CubicTable {
         }
     }
 
-    /// The value (`order` 0) or a derivative, of an order of at most [`TableFunction::LAST`].
+    /// Piecewise cubic of the value (`order` 0) or of a derivative, of an order up to [`TableFunction::LAST`].
     ///
     /// # Panics
-    /// If the order is higher.
+    /// If the order exceeds [`TableFunction::LAST`].
     pub fn cubic(&self, order: u8) -> &PiecewiseCubic {
         &self.derivatives[usize::from(order)]
     }
@@ -107,34 +109,35 @@ impl From<&model::Table> for CubicTable {
 pub struct Tables(Arc<[CubicTable]>);
 
 impl Tables {
-    /// Tables of a model, in its order.
+    /// Tables of a model, in their order in the model.
     pub fn of_model(model: &model::Model) -> Tables {
         Tables(model.tables.iter().map(CubicTable::from).collect())
     }
 
-    /// Tables without names.
+    /// Tables of the given cubics, without names.
     pub fn of_cubics(cubics: Vec<PiecewiseCubic>) -> Tables {
         Tables(cubics.into_iter().map(CubicTable::new).collect())
     }
 
-    /// A table by its index.
+    /// Returns the table of this index.
     ///
     /// # Panics
-    /// If there is no such table.
+    /// If no table has this index.
     pub fn table(&self, id: TableId) -> &CubicTable {
         &self.0[id.index()]
     }
 
-    /// The cubics of a function.
+    /// Returns the piecewise cubic of a table or of its derivative.
     ///
     /// # Panics
-    /// If there is no such table.
+    /// If the function belongs to a table that is not in `self`.
     #[inline]
     pub fn of(&self, function: TableFunction) -> &PiecewiseCubic {
         self.table(function.table()).cubic(function.order())
     }
 
-    /// Name of a function in printed expressions and in names of variables: `C_L`, and `C_L_slope` for the derivative.
+    /// Name of a table or of its derivative, in printed expressions and in names of variables: `C_L` for the table,
+    /// `C_L_slope` for its first derivative.
     pub fn name(&self, function: TableFunction) -> String {
         let known = self.0.get(function.table().index());
         let name = known.map_or("", |table| table.name.as_str());

@@ -1,4 +1,4 @@
-//! The tape: a program as register bytecode, evaluated for one number or one number per lane.
+//! Tape: a program as register bytecode, which can be evaluated for one number or for one number per lane.
 //!
 //! The instructions follow the schedule operation by operation through [`lanes::Real`], so that results are
 //! bit-identical to those of generated code over the same number type.
@@ -28,11 +28,11 @@ enum Opcode {
     Atan2,
     IfZero,
     Call(MathFunction),
-    /// Sine of `a` to the target, cosine of `a` to `b`.
+    /// Writes the sine of `a` to the target register and the cosine of `a` to register `b`.
     SinCos,
 }
 
-/// Register index: position of a value in the scratch space of an evaluation.
+/// Register index: position of a value in the scratch space of an evaluation, as an integer of 16 or 32 bits.
 trait Register: Copy {
     fn index(self) -> usize;
 }
@@ -51,7 +51,7 @@ impl Register for u32 {
     }
 }
 
-/// An operation on registers. Operands that the operation lacks repeat `a`.
+/// Operation on registers. Operand fields that the operation does not use repeat `a`.
 #[derive(Clone, Copy, Debug)]
 struct Instruction<R> {
     opcode: Opcode,
@@ -61,16 +61,16 @@ struct Instruction<R> {
     c: R,
 }
 
-/// Instructions with register indices of one integer width.
+/// Bytecode whose register indices have one integer type `R`.
 #[derive(Clone, Debug)]
 struct Bytecode<R> {
     instructions: Vec<Instruction<R>>,
-    /// Inputs and constants that the program reads, each with the register it is loaded to.
+    /// Inputs and constants that the program reads, each with the register into which it is loaded.
     loads: Vec<(Operand, R)>,
     outputs: Vec<R>,
 }
 
-/// Register bytecode of a program; register allocation follows the live ranges.
+/// Register bytecode of a program; registers are allocated by the live ranges of the values.
 #[derive(Clone, Debug)]
 pub struct Tape {
     code: Width,
@@ -78,7 +78,8 @@ pub struct Tape {
     tables: Tables,
 }
 
-/// Bytecode with the narrowest register indices that suffice: narrow ones halve the memory read per evaluation.
+/// Bytecode with 16-bit register indices if they suffice, else 32-bit ones: narrow indices halve the memory read per
+/// evaluation.
 #[derive(Clone, Debug)]
 enum Width {
     Narrow(Bytecode<u16>),
@@ -92,19 +93,20 @@ pub struct Inputs<'a, T> {
     pub t: T,
     /// State vector, in the order of the layout.
     pub x: &'a [T],
-    /// Parameters: constants, coefficients, components of inputs.
+    /// Parameters: known constants, then coefficients, then components of inputs.
     pub p: &'a [T],
-    /// Results of `prepare` for these parameters.
+    /// Results of the function `prepare` for these parameters.
     pub prepared: &'a [T],
     /// Body-fixed coordinates of the marker, m.
     pub marker: &'a [T],
 }
 
 impl Tape {
-    /// Compiles a program to instructions.
+    /// Compiles a program to bytecode.
     ///
     /// # Panics
-    /// If a statement or output refers to a statement that does not precede it. Compiled models never do.
+    /// If a statement or output refers to a statement that does not precede it; compiled models contain no such
+    /// reference.
     pub fn new(program: &Program) -> Tape {
         let (wide, registers) = allocate::bytecode(program);
         let code = match u16::try_from(registers) {
@@ -118,7 +120,7 @@ impl Tape {
         }
     }
 
-    /// Number of instructions.
+    /// Number of instructions of the tape.
     pub fn len(&self) -> usize {
         match &self.code {
             Width::Narrow(code) => code.instructions.len(),
@@ -126,12 +128,12 @@ impl Tape {
         }
     }
 
-    /// True if the tape has no instructions.
+    /// Whether the tape has no instructions.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Number of registers: minimum length of the scratch space.
+    /// Number of registers, which is the minimum length of the scratch space.
     pub fn registers(&self) -> usize {
         self.registers
     }

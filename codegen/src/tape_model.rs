@@ -1,4 +1,4 @@
-//! All functions of a model on tapes, evaluated for `f64`: models compiled at run time need no Rust compiler.
+//! All functions of a model as tapes, evaluated for `f64`. Models that are compiled at run time need no Rust compiler.
 
 use crate::compile::Compiled;
 use crate::program::{Function, Section};
@@ -8,9 +8,9 @@ use lanes::{ScalarKernel, ScalarLane, dispatch_scalar};
 /// Tape of one function, with the layout of its results.
 #[derive(Clone, Debug)]
 pub struct TapeFunction {
-    /// Instructions of the function.
+    /// Bytecode of the function.
     pub tape: Tape,
-    /// Sections of the results, in order; each is one output array.
+    /// Sections of the results, in order; each section is written to its own output array.
     pub sections: Vec<Section>,
 }
 
@@ -22,7 +22,7 @@ impl TapeFunction {
         }
     }
 
-    /// Length of each output array.
+    /// Length of each output array, in the order of the sections.
     pub fn lens(&self) -> Vec<usize> {
         self.sections.iter().map(|section| section.len).collect()
     }
@@ -35,52 +35,52 @@ impl TapeFunction {
     }
 }
 
-/// Reusable buffers of evaluations: registers and results. Any tape can use any scratch space.
+/// Reusable buffers for registers and results. Tapes of any model and function can use the same buffers.
 #[derive(Clone, Debug, Default)]
 pub struct Scratch {
     registers: Vec<f64>,
     out: Vec<f64>,
 }
 
-/// The functions of a model as tapes.
+/// Functions of a model, compiled to tapes.
 #[derive(Clone, Debug)]
 pub struct TapeModel {
     /// Name of the model.
     pub name: String,
     /// Number of states.
     pub states: usize,
-    /// Number of parameters: constants, coefficients, components of inputs.
+    /// Number of parameters: known constants, coefficients and components of inputs together.
     pub parameters: usize,
     /// Number of invariants that `prepare` computes.
     pub prepared: usize,
-    /// Invariants of a flight, from the parameters.
+    /// Function that computes the invariants of a flight from the parameters.
     pub prepare: TapeFunction,
-    /// Time derivatives of the states, `dx`.
+    /// Function that computes the time derivatives `dx` of the states.
     pub f: TapeFunction,
-    /// `dx` and its state Jacobian `j`.
+    /// Function that computes `dx` and its state Jacobian `j`.
     pub f_jac: TapeFunction,
-    /// `dx`, its state Jacobian `j` and its parameter Jacobian `jp`.
+    /// Function that computes `dx`, its state Jacobian `j` and its parameter Jacobian `jp`.
     pub f_jac_par: TapeFunction,
-    /// Position of a marker in the inertial frame, `y`.
+    /// Function that computes the position `y` of a marker in the inertial frame.
     pub observe: TapeFunction,
-    /// `y` and its Jacobians `dy_dx`, `dy_dp`, `dy_dmarker`.
+    /// Function that computes `y` and its Jacobians `dy_dx`, `dy_dp`, `dy_dmarker`.
     pub observe_jac: TapeFunction,
-    /// Auxiliary variables of the model.
+    /// Function that computes the auxiliary variables of the model.
     pub quantities: TapeFunction,
-    /// Left-hand sides of the limits of validity.
+    /// Function that computes the left-hand sides of the limits of validity.
     pub limits: TapeFunction,
 }
 
-/// Arguments of an evaluation.
+/// Arguments of an evaluation of a model function.
 #[derive(Clone, Copy, Debug)]
 pub struct At<'a> {
     /// Time since release, s.
     pub t: f64,
     /// State vector, in the order of the layout.
     pub x: &'a [f64],
-    /// Parameters: constants, coefficients, components of inputs.
+    /// Parameters: known constants, then coefficients, then components of inputs.
     pub p: &'a [f64],
-    /// Result of [`TapeModel::prepare`] for these parameters.
+    /// Invariants that [`TapeModel::prepare`] returned for these parameters.
     pub prepared: &'a [f64],
 }
 
@@ -103,32 +103,32 @@ impl TapeModel {
         }
     }
 
-    /// (row, column) of each entry of `j` = ∂dx/∂state.
+    /// Sparsity pattern: (row, column) of each entry of `j` = ∂dx/∂state.
     pub fn j_pattern(&self) -> &[(u32, u32)] {
         self.f_jac_par.pattern("j")
     }
 
-    /// (row, column) of each entry of `jp` = ∂dx/∂parameters.
+    /// Sparsity pattern: (row, column) of each entry of `jp` = ∂dx/∂parameters.
     pub fn jp_pattern(&self) -> &[(u32, u32)] {
         self.f_jac_par.pattern("jp")
     }
 
-    /// (row, column) of each entry of `dy_dx` = ∂y/∂state.
+    /// Sparsity pattern: (row, column) of each entry of `dy_dx` = ∂y/∂state.
     pub fn dy_dx_pattern(&self) -> &[(u32, u32)] {
         self.observe_jac.pattern("dy_dx")
     }
 
-    /// (row, column) of each entry of `dy_dp` = ∂y/∂parameters.
+    /// Sparsity pattern: (row, column) of each entry of `dy_dp` = ∂y/∂parameters.
     pub fn dy_dp_pattern(&self) -> &[(u32, u32)] {
         self.observe_jac.pattern("dy_dp")
     }
 
-    /// (row, column) of each entry of `dy_dmarker` = ∂y/∂marker.
+    /// Sparsity pattern: (row, column) of each entry of `dy_dmarker` = ∂y/∂marker.
     pub fn dy_dmarker_pattern(&self) -> &[(u32, u32)] {
         self.observe_jac.pattern("dy_dmarker")
     }
 
-    /// Invariants of a flight: everything that depends only on the parameters `p`.
+    /// Computes the invariants of a flight: all subexpressions that depend only on the parameters `p`.
     pub fn prepare(&self, p: &[f64]) -> Vec<f64> {
         let mut prepared = vec![0.0; self.prepared];
         let at = At {
@@ -147,17 +147,18 @@ impl TapeModel {
         prepared
     }
 
-    /// Time derivatives of the states.
+    /// Writes the time derivatives of the states to `dx`.
     pub fn f(&self, at: At<'_>, scratch: &mut Scratch, dx: &mut [f64]) {
         run(&self.f, at, &[], scratch, &mut [dx]);
     }
 
-    /// Time derivatives of the states, with the nonzero entries of the state Jacobian.
+    /// Writes the time derivatives of the states to `dx` and the nonzero entries of the state Jacobian to `j`.
     pub fn f_jac(&self, at: At<'_>, scratch: &mut Scratch, dx: &mut [f64], j: &mut [f64]) {
         run(&self.f_jac, at, &[], scratch, &mut [dx, j]);
     }
 
-    /// Time derivatives of the states, with the nonzero entries of the state and parameter Jacobians.
+    /// Writes the time derivatives of the states to `dx`, and the nonzero entries of the state and parameter Jacobians
+    /// to `j` and `jp`.
     pub fn f_jac_par(
         &self,
         at: At<'_>,
@@ -169,12 +170,14 @@ impl TapeModel {
         run(&self.f_jac_par, at, &[], scratch, &mut [dx, j, jp]);
     }
 
-    /// Position of a marker in the inertial frame, m, from its body-fixed coordinates, m.
+    /// Writes the position of a marker in the inertial frame, m, to `y`; `marker` contains the body-fixed coordinates,
+    /// m.
     pub fn observe(&self, at: At<'_>, marker: &[f64], scratch: &mut Scratch, y: &mut [f64]) {
         run(&self.observe, at, marker, scratch, &mut [y]);
     }
 
-    /// Position of a marker and its Jacobians: `results` are `[y, dy_dx, dy_dp, dy_dmarker]`.
+    /// Writes the position of a marker, m, and its Jacobians to `results`, in the order `[y, dy_dx, dy_dp,
+    /// dy_dmarker]`.
     pub fn observe_jac(
         &self,
         at: At<'_>,
@@ -186,12 +189,12 @@ impl TapeModel {
         run(&self.observe_jac, at, marker, scratch, &mut results);
     }
 
-    /// Auxiliary variables, in the order of [`Layout::quantities`](crate::Layout::quantities).
+    /// Writes the auxiliary variables to `q`, in the order of [`Layout::quantities`](crate::Layout::quantities).
     pub fn quantities(&self, at: At<'_>, scratch: &mut Scratch, q: &mut [f64]) {
         run(&self.quantities, at, &[], scratch, &mut [q]);
     }
 
-    /// Left-hand sides of the limits; the model holds where each exceeds its bound.
+    /// Writes the left-hand sides of the limits of validity to `l`; the model is valid where each exceeds its bound.
     pub fn limits(&self, at: At<'_>, scratch: &mut Scratch, l: &mut [f64]) {
         run(&self.limits, at, &[], scratch, &mut [l]);
     }
@@ -226,7 +229,7 @@ fn run(
     }
 }
 
-/// Scalar kernel of one evaluation.
+/// Scalar kernel that evaluates one tape.
 struct Run<'a> {
     tape: &'a Tape,
     at: At<'a>,

@@ -2,7 +2,8 @@
 
 pub use crate::source::{Source, Span};
 
-/// Maximum number of errors that are shown and for which suggestions are looked up; further ones are counted.
+/// Maximum number of errors that are shown and for which spelling suggestions are searched; further errors are only
+/// counted.
 pub(crate) const MAX_SHOWN: usize = 50;
 
 /// Category of an error; [`Kind::slug`] is its stable name.
@@ -43,7 +44,7 @@ impl Kind {
     }
 }
 
-/// A further source span of an error, with an annotation.
+/// An additional source span of an error, with an annotation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Label {
     /// Annotated source span.
@@ -59,7 +60,7 @@ pub struct Diagnostic {
     pub kind: Kind,
     /// Source span of the error.
     pub span: Span,
-    /// What is wrong, in one sentence.
+    /// Description of the error, in one sentence.
     pub message: String,
     /// Annotated source spans that explain the error.
     pub labels: Vec<Label>,
@@ -70,7 +71,7 @@ pub struct Diagnostic {
 }
 
 impl Diagnostic {
-    /// An error without labels, notes or help.
+    /// Creates an error without labels, notes or help.
     pub fn new(kind: Kind, span: Span, message: impl Into<String>) -> Diagnostic {
         Diagnostic {
             kind,
@@ -106,7 +107,7 @@ impl Diagnostic {
         self
     }
 
-    /// Sets the suggested remedy if `text` is some; otherwise leaves it unchanged.
+    /// Sets the suggested remedy if `text` is `Some`; otherwise leaves the remedy unchanged.
     #[must_use]
     pub fn help_if(mut self, text: Option<String>) -> Diagnostic {
         self.help = text.or(self.help);

@@ -9,7 +9,7 @@ use crate::diagnostic::{Diagnostic, Source};
 use crate::render::render;
 use crate::suggest;
 
-/// Why a model or an effect cannot be loaded.
+/// Error of loading a model or an effect.
 #[derive(Clone, Debug, Error)]
 pub enum LoadError {
     /// A model or effect has errors in its text.
@@ -34,32 +34,32 @@ pub enum LoadError {
         /// Path of the folder.
         path: String,
     },
-    /// The name is neither a file nor a built-in model.
+    /// The given name is neither an existing file nor a built-in model.
     #[error(
         "there is no model `{wanted}`: no such file, and no such model is built in{}\nbuilt in are {}",
         suggestion(wanted, known), known.join(", ")
     )]
     UnknownModel {
-        /// Name or path as given.
+        /// Name or path that was requested.
         wanted: String,
         /// Names of the built-in models.
         known: Vec<String>,
     },
-    /// The name is neither a file, nor an effect of the model's file, nor a built-in effect.
+    /// The given name is neither an existing file, nor an effect of the model's file, nor a built-in effect.
     #[error(
         "there is no effect `{wanted}`: not in the model, not among the built-in ones, and no such file{}\nknown are {}",
         suggestion(wanted, known), known.join(", ")
     )]
     UnknownEffect {
-        /// Name or path as given.
+        /// Name or path that was requested.
         wanted: String,
-        /// Names of the effects of the model's file and of the built-in ones.
+        /// Names of the effects of the model's file and of the built-in effects.
         known: Vec<String>,
     },
 }
 
 impl LoadError {
-    /// Errors in the source texts; empty for all other variants.
+    /// Errors in the source texts of [`LoadError::Faults`]; empty for all other variants.
     pub fn diagnostics(&self) -> &[Diagnostic] {
         match self {
             LoadError::Faults { diagnostics, .. } => diagnostics,
@@ -68,7 +68,7 @@ impl LoadError {
     }
 }
 
-/// Line of text suggesting the known name nearest in spelling; empty if none is near.
+/// Line of text that suggests the known name nearest in spelling to `wanted`; empty if no name is near.
 fn suggestion(wanted: &str, known: &[String]) -> String {
     let name = wanted.replace('-', "_");
     suggest::nearest(&name, known.iter().map(String::as_str))

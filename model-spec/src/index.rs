@@ -1,4 +1,5 @@
-//! Index newtypes: the index of a state cannot be mistaken for that of a parameter.
+//! Index newtypes: typed indices, so that the index of one kind of item, such as a state, cannot be used for another
+//! kind, such as a parameter.
 //!
 //! ```
 //! use model_spec::index::{Idx, IndexVec};
@@ -20,15 +21,15 @@ use std::ops::{Index, IndexMut};
 
 pub use crate::index_type;
 
-/// An index newtype, declared by [`index_type!`].
+/// Trait of the index newtypes declared by [`index_type!`].
 pub trait Idx: Copy + Eq + Ord + fmt::Debug {
-    /// The index with this value, counted from 0.
+    /// Creates the index with the value `position`, counted from 0.
     ///
     /// # Panics
     /// If `position` exceeds `u32::MAX`.
     fn new(position: usize) -> Self;
 
-    /// The index as an integer, counted from 0.
+    /// Value of the index as an integer, counted from 0.
     fn index(self) -> usize;
 }
 
@@ -42,13 +43,13 @@ macro_rules! index_type {
 
         #[allow(dead_code)]
         impl $name {
-            /// The index with this value, counted from 0; panics beyond `u32::MAX`.
+            /// Creates the index with the value `position`, counted from 0. Panics if `position` exceeds `u32::MAX`.
             #[must_use]
             $visibility fn new(position: usize) -> Self {
                 Self(u32::try_from(position).expect("at most u32::MAX items are indexed"))
             }
 
-            /// The index as an integer, counted from 0.
+            /// Value of the index as an integer, counted from 0.
             #[must_use]
             $visibility const fn index(self) -> usize {
                 self.0 as usize
@@ -67,7 +68,7 @@ macro_rules! index_type {
     };
 }
 
-/// A vector that can be indexed only by the index type `I`; [`IndexVec::as_slice`] gives a plain slice.
+/// A vector that can be indexed only by the index type `I`; [`IndexVec::as_slice`] returns a plain slice.
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct IndexVec<I, T> {
     items: Vec<T>,
@@ -75,7 +76,7 @@ pub struct IndexVec<I, T> {
 }
 
 impl<I: Idx, T> IndexVec<I, T> {
-    /// An empty vector.
+    /// Creates an empty vector.
     pub fn new() -> Self {
         Self::default()
     }
@@ -130,7 +131,7 @@ impl<I: Idx, T> IndexVec<I, T> {
         self.items.get(index.index())
     }
 
-    /// Index of the first item that satisfies a predicate; `None` if there is none.
+    /// Index of the first item that satisfies `predicate`; `None` if no item does.
     pub fn position(&self, predicate: impl FnMut(&T) -> bool) -> Option<I> {
         self.items.iter().position(predicate).map(I::new)
     }

@@ -16,7 +16,7 @@ index_type!(
 );
 
 index_type!(
-    /// Index into the vector of auxiliary variables, one entry per scalar or vector component.
+    /// Index into the vector of auxiliary variables, which has one entry per scalar and per vector component.
     pub struct QuantityId;
 );
 
@@ -29,13 +29,14 @@ pub struct Layout {
     pub states: Vec<String>,
     /// Names of the parameters: known constants, then coefficients, then components of inputs (`wind_x`, …).
     pub parameters: Vec<String>,
-    /// Number of known constants, the first parameters.
+    /// Number of known constants, which are the first entries of [`Layout::parameters`].
     pub params: usize,
-    /// Number of coefficients, the parameters after the known constants.
+    /// Number of coefficients, which follow the known constants in [`Layout::parameters`].
     pub coefficients: usize,
-    /// Names of the marker's coordinates; empty if the model has no marker.
+    /// Names of the marker's three coordinates; empty if the model has no marker.
     pub marker: Vec<String>,
-    /// Names of auxiliary variables by component, without those of an observation.
+    /// Names of the auxiliary variables, one per scalar or vector component; without variables that are defined only at
+    /// observations ([`is_of_observation`]).
     pub quantities: Vec<String>,
     /// Default values of the parameters, SI, in parameter-vector order.
     pub defaults: Vec<f64>,
@@ -44,7 +45,7 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// Array layout of a model's states, parameters and auxiliary variables.
+    /// Creates the array layout of a model's states, parameters and auxiliary variables.
     pub fn new(model: &Model) -> Layout {
         let constants = || model.params.iter().chain(&model.coefficients);
         let inputs = model.inputs.iter();
@@ -72,8 +73,8 @@ impl Layout {
         layout
     }
 
-    /// Names of the auxiliary variables by component. Components of a vector `v` are `v_x` in the inertial frame, `v_1`
-    /// in others, or `v_B1` with the frame's name where a scalar is named `v_1`.
+    /// Names for [`Layout::quantities`]. The components of a vector `v` are named `v_x` in the inertial frame and `v_1`
+    /// in other frames. If that name is already used, the frame's name is inserted, as in `v_B1`.
     fn quantity_names(&self, model: &Model) -> Vec<String> {
         let scalars = model
             .aux_variables
@@ -129,12 +130,14 @@ impl Layout {
         position(&self.states, name).map(StateId::new)
     }
 
-    /// Index of a constant, coefficient or input component by name; `None` if there is no such parameter.
+    /// Index of a parameter by name: known constant, coefficient or input component. `None` if there is no such
+    /// parameter.
     pub fn parameter(&self, name: &str) -> Option<ParamId> {
         position(&self.parameters, name).map(ParamId::new)
     }
 
-    /// Index of a scalar auxiliary variable, or of a vector's component, by name; `None` if there is none.
+    /// Index of a scalar auxiliary variable, or of a component of a vector, by name; `None` if [`Layout::quantities`]
+    /// does not contain the name.
     pub fn quantity(&self, name: &str) -> Option<QuantityId> {
         position(&self.quantities, name).map(QuantityId::new)
     }
@@ -164,8 +167,8 @@ fn position(names: &[String], name: &str) -> Option<usize> {
     names.iter().position(|own| own == name)
 }
 
-/// For each auxiliary variable, whether it is defined only at observations: it depends on the marker, or on what is known
-/// once forces and moments are.
+/// For each auxiliary variable, whether it is defined only at observations: it depends on the marker, on the specific
+/// force or on the angular acceleration.
 pub fn is_of_observation(model: &Model) -> Vec<bool> {
     let of_marker = depending_on(model, |kind| matches!(kind, ExprKind::Marker));
     let of_motion = depends_on_accelerations(model);
@@ -176,12 +179,14 @@ pub fn is_of_observation(model: &Model) -> Vec<bool> {
         .collect()
 }
 
-/// For each auxiliary variable, whether it depends on the specific force or the angular acceleration.
+/// For each auxiliary variable, whether it depends on the specific force or on the angular acceleration, directly or
+/// through other auxiliary variables.
 pub fn depends_on_accelerations(model: &Model) -> Vec<bool> {
     depending_on(model, is_acceleration)
 }
 
-/// Whether an expression is known only once forces and moments are.
+/// Whether an expression node is the specific force or the angular acceleration, which can be evaluated only after all
+/// forces and moments.
 pub(crate) fn is_acceleration(kind: &ExprKind) -> bool {
     matches!(
         kind,
@@ -189,7 +194,8 @@ pub(crate) fn is_acceleration(kind: &ExprKind) -> bool {
     )
 }
 
-/// For each auxiliary variable, whether its definition has such a leaf, by itself or by others.
+/// For each auxiliary variable, whether its definition contains a leaf that satisfies `is_leaf`, directly or through
+/// other auxiliary variables.
 fn depending_on(model: &Model, is_leaf: fn(&ExprKind) -> bool) -> Vec<bool> {
     let mut known: Vec<bool> = Vec::new();
     for quantity in &model.aux_variables {
@@ -199,7 +205,8 @@ fn depending_on(model: &Model, is_leaf: fn(&ExprKind) -> bool) -> Vec<bool> {
     known
 }
 
-/// Whether an expression has such a leaf, given which auxiliary variables have one.
+/// Whether an expression contains a leaf that satisfies `is_leaf`, directly or through an auxiliary variable `k` with
+/// `known[k]`.
 pub(crate) fn depends(e: &Expr, known: &[bool], is_leaf: fn(&ExprKind) -> bool) -> bool {
     match &e.kind {
         kind if is_leaf(kind) => return true,

@@ -1,5 +1,5 @@
-//! The language of flight models: a text is parsed, checked for units, frames and singular points, and becomes a
-//! [`Model`](model::Model) that the compiler and the oracle read.
+//! The language of flight models. A text is parsed, checked for units, frames and singular points, and converted to a
+//! [`Model`](model::Model), which the compiler and the oracle read.
 //!
 //! | task | items |
 //! |---|---|

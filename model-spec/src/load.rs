@@ -12,18 +12,19 @@ pub use crate::read::decode;
 /// Result of loading a model that may have errors.
 #[derive(Clone, Debug)]
 pub struct Loaded {
-    /// The checked model; `None` after any error other than a unit error.
+    /// The checked model; `None` if there is any error other than a unit error.
     pub model: Option<Model>,
-    /// Syntax tree with the effects applied.
+    /// Syntax tree of the model with the effects applied.
     pub file: File,
     /// Errors of the model and its effects.
     pub diagnostics: Vec<Diagnostic>,
-    /// Source texts that spans refer to.
+    /// Source texts that the spans of tree and diagnostics refer to.
     pub sources: Vec<Source>,
 }
 
-/// Loads an error-free model from a path or built-in name; an existing file takes precedence. `with` lists effects to
-/// apply, by path or by name of an effect in the model's file or a built-in one.
+/// Loads a model without errors from a path or by the name of a built-in model; an existing file takes precedence.
+/// `with` lists the effects to apply, each by path or by the name of an effect in the model's file or of a built-in
+/// effect.
 ///
 /// # Errors
 /// [`LoadError`] if a file is missing or any text has an error, unit errors included.
@@ -32,7 +33,7 @@ pub fn load(name_or_path: &str, with: &[&str]) -> Result<Model, LoadError> {
     from_text(&name, &text, with)
 }
 
-/// Loads an error-free model from text, with the effects `with` applied; `name` appears in messages.
+/// Loads a model without errors from text and applies the effects `with`; messages refer to the text as `name`.
 ///
 /// # Errors
 /// [`LoadError`] if an effect is missing or any text has an error, unit errors included.
@@ -47,19 +48,19 @@ pub fn from_text(name: &str, text: &str, with: &[&str]) -> Result<Model, LoadErr
     }
 }
 
-/// Loads a model and returns its errors as diagnostics; also finds built-in models that are wrong on purpose.
+/// Loads a model, by path or name as in [`load`](load()), and returns its errors as diagnostics.
 ///
 /// # Errors
-/// [`LoadError`] if the model or an effect is missing, or an effect's own file has errors.
+/// [`LoadError`] if the model or an effect is missing, or if the file of an effect has errors.
 pub fn inspect(name_or_path: &str, with: &[&str]) -> Result<Loaded, LoadError> {
     let (name, text) = model_text(name_or_path)?;
     inspect_text(&name, &text, with)
 }
 
-/// Loads a model from text and returns its errors as diagnostics; `name` appears in messages.
+/// Loads a model from text and returns its errors as diagnostics; messages refer to the text as `name`.
 ///
 /// # Errors
-/// [`LoadError`] if an effect is missing or its own file has errors.
+/// [`LoadError`] if an effect is missing or if the file of an effect has errors.
 pub fn inspect_text(name: &str, text: &str, with: &[&str]) -> Result<Loaded, LoadError> {
     let (mut tree, mut diagnostics) = ModelTree::parse_with_faults(name, text);
     for wanted in with {
@@ -93,7 +94,8 @@ pub fn inspect_text(name: &str, text: &str, with: &[&str]) -> Result<Loaded, Loa
     })
 }
 
-/// Prepends a model's errors to those of an effect's text; other errors pass unchanged.
+/// Combines the errors `earlier` of a model with the errors of an effect's text; an `error` of another kind is returned
+/// unchanged.
 fn after(tree: ModelTree, mut earlier: Vec<Diagnostic>, error: LoadError) -> LoadError {
     let LoadError::Faults {
         mut diagnostics,

@@ -1,6 +1,6 @@
 //! The checked model: names resolved to indices, each expression with its shape, unit and source span.
 //!
-//! The compiler and the tree oracle read this representation. Indices are positions in the vectors of [`Model`].
+//! The compiler and the tree oracle read this representation. All indices refer to the vectors of [`Model`].
 
 mod claim;
 mod effect;
@@ -27,7 +27,8 @@ pub struct Model {
     pub name: String,
     /// Documentation: the `//!` lines of the file.
     pub doc: String,
-    /// Name of the reference implementation that `hyzer verify` compares the model with.
+    /// Name of the reference implementation with which `hyzer verify` compares the model; `None` if the model names
+    /// none.
     pub reference: Option<String>,
     /// Source texts: the model file first, then each applied effect.
     pub sources: Vec<Source>,
@@ -35,45 +36,48 @@ pub struct Model {
     pub params: Vec<Parameter>,
     /// Coefficients, which are estimated from flights, in order of declaration; those of effects come last.
     pub coefficients: Vec<Parameter>,
-    /// Vectors given with each flight, such as the wind.
+    /// Input vectors, whose values are specified for each flight, such as the wind.
     pub inputs: Vec<Input>,
     /// Components of the state vector, in order.
     pub states: Vec<State>,
     /// Frames of reference, parents before children; frame 0 is inertial with its third axis up.
     pub frames: Vec<Frame>,
-    /// The body whose equations of motion are derived; none if every equation is stated.
+    /// The body whose equations of motion are derived from its loads; `None` if the model states every equation.
     pub body: Option<Body>,
     /// Functions given by tables, in order of declaration.
     pub tables: Vec<Table>,
-    /// Auxiliary variables, each after those that it uses.
+    /// Auxiliary variables, ordered so that each follows the variables that its definition uses.
     pub aux_variables: Vec<AuxVariable>,
-    /// Forces at the centre of mass, N, in any frame.
+    /// Forces at the centre of mass, N; each may have its components in any frame.
     pub forces: Vec<Load>,
-    /// Moments about the centre of mass, N m, in any frame.
+    /// Moments about the centre of mass, N m; each may have its components in any frame.
     pub moments: Vec<Load>,
-    /// Stated derivatives `der(state) = …`, in order of the states; with a body, only of states beyond the body's own.
+    /// Stated differential equations `der(state) = …`, in order of the states. In a model with a body, they cover only
+    /// the states whose derivatives do not follow from the body's equations of motion.
     pub equations: Vec<Equation>,
-    /// What the stated equations are about; none if the model does not say it, or has a body.
+    /// Physical meaning of the stated equations: expressions for the mass, motion and loads of a body, which are
+    /// compared with the equations. `None` if the model declares no claim, or has a body.
     pub claim: Option<Claim>,
-    /// The point that is observed, if the model observes one; its coordinates are given with each observation.
+    /// The observed point, whose coordinates are specified with each observation; `None` if the model observes no
+    /// marker.
     pub marker: Option<Marker>,
-    /// The measurement equation: a vector in the inertial frame, m.
+    /// The measurement equation: a vector in the inertial frame, m; `None` if the model has none.
     pub observation: Option<Observation>,
-    /// Rate of flight time against measured time; none if it is 1. It multiplies every derivative with respect to time.
+    /// Rate of flight time relative to measured time, a factor of every time derivative; `None` if the rate is 1.
     pub clock: Option<Clock>,
-    /// Domain of validity: each expression must stay above its bound.
+    /// Limits of the domain of validity: each expression must stay above its lower bound.
     pub limits: Vec<ValidityLimit>,
-    /// Check cases of the model file.
+    /// Check cases of the model file, each with values to set and expected results.
     pub checks: Vec<CheckCase>,
-    /// Applied effects, in order.
+    /// Applied effects, in order of application.
     pub effects: Vec<AppliedEffect>,
-    /// Effects that the model's file declares, applied or not.
+    /// Effects declared in the model's file, whether applied or not.
     pub offers: Vec<OfferedEffect>,
     /// The syntax tree that was checked, with the effects applied to it.
     pub tree: Arc<ast::File>,
 }
 
-/// A known constant or a coefficient: a number that does not change during a flight.
+/// A known constant or a coefficient: a scalar that is constant during a flight.
 #[derive(Clone, Debug)]
 pub struct Parameter {
     /// Name, such as `C_La` or `m`.
@@ -82,27 +86,28 @@ pub struct Parameter {
     pub doc: String,
     /// Unit, declared or inferred.
     pub unit: Unit,
-    /// Text of the unit of [`Parameter::value`]: as declared or inferred (`1`, `1/rad`, `kg*m^2`), and always an SI unit
-    /// (`rad` where the file has `deg`).
+    /// Text of the unit of [`Parameter::value`], declared or inferred, always an SI unit: `1`, `1/rad`, `kg*m^2`, or
+    /// `rad` if the file states `deg`.
     pub unit_text: String,
     /// Whether the unit was inferred from the uses of the parameter.
     pub inferred: bool,
     /// Default value, SI.
     pub value: f64,
-    /// Lower and upper bound of the value, SI.
+    /// Lower and upper bound of the value, SI; `None` if the declaration states no bounds.
     pub bounds: Option<(f64, f64)>,
     /// Source span of the declaration.
     pub span: Span,
 }
 
-/// A vector given with each flight; its components are the parameters `<name>_x`, `<name>_y`, `<name>_z`.
+/// A vector whose value is specified for each flight. Its components are the parameters `<name>_x`, `<name>_y`,
+/// `<name>_z`.
 #[derive(Clone, Debug)]
 pub struct Input {
     /// Name of the input vector.
     pub name: String,
     /// Documentation: the `///` lines before the declaration.
     pub doc: String,
-    /// Index of the frame of the vector's components, in [`Model::frames`].
+    /// Index into [`Model::frames`] of the frame of the vector's components.
     pub frame: usize,
     /// Unit of the vector's components.
     pub unit: Unit,
@@ -123,7 +128,8 @@ pub struct State {
     pub unit: Unit,
     /// Text of the state's unit, an SI unit.
     pub unit_text: String,
-    /// Default initial value, SI: 0 unless stated, 1 for the scalar part of a quaternion.
+    /// Default initial value, SI: as stated in the file, else 1 for the scalar part of a quaternion and 0 for other
+    /// states.
     pub value: f64,
     /// Source span of the declaration.
     pub span: Span,
@@ -143,24 +149,25 @@ pub struct Frame {
 /// Orientation of a frame relative to its parent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FrameKind {
-    /// Inertial, third axis up; frame 0 and no other.
+    /// The inertial frame, with its third axis up. Only frame 0 has this kind.
     Inertial,
-    /// The parent rotated about its own axis `axis` by an angle.
+    /// The parent frame rotated by an angle about the parent's axis `axis`.
     Turned {
-        /// Index of the parent frame.
+        /// Index into [`Model::frames`] of the parent frame.
         parent: usize,
-        /// Index of the state that is the rotation angle, rad.
+        /// Index into [`Model::states`] of the rotation angle, rad.
         angle: usize,
-        /// Index of the state that is the angle's rate, rad/s; none if equations are stated and the rate is no state.
+        /// Index into [`Model::states`] of the angle's rate, rad/s; `None` if the model states its equations and the
+        /// rate is not a state.
         rate: Option<usize>,
         /// Number of the rotation axis: 1, 2 or 3.
         axis: u8,
     },
-    /// The parent rotated by a unit quaternion: v_parent = q v_frame q*.
+    /// The parent frame rotated by a unit quaternion q: v_parent = q v_frame q*.
     Quaternion {
-        /// Index of the parent frame.
+        /// Index into [`Model::frames`] of the parent frame.
         parent: usize,
-        /// Indices of the quaternion's states, scalar part first.
+        /// Indices into [`Model::states`] of the quaternion's components, scalar part first.
         states: [usize; 4],
     },
 }
@@ -170,15 +177,16 @@ pub enum FrameKind {
 pub struct Body {
     /// Name of the body.
     pub name: String,
-    /// Mass, kg; constant during a flight: depends only on parameters and coefficients.
+    /// Mass, kg. It depends only on parameters and coefficients, so it is constant during a flight.
     pub mass: Expr,
-    /// Indices of the states of the position of the centre of mass, in frame 0.
+    /// Indices into [`Model::states`] of the position of the centre of mass; its components are in frame 0.
     pub position: [usize; 3],
-    /// Indices of the states of the velocity of the centre of mass.
+    /// Indices into [`Model::states`] of the velocity of the centre of mass; its components are in
+    /// [`Body::velocity_frame`].
     pub velocity: [usize; 3],
-    /// Index of the frame of the velocity's components.
+    /// Index into [`Model::frames`] of the frame of the velocity's components.
     pub velocity_frame: usize,
-    /// Rotational motion; none for a point mass.
+    /// Rotational motion; `None` for a point mass.
     pub rotation: Option<Rotation>,
     /// Source span of the declaration.
     pub span: Span,
@@ -187,17 +195,18 @@ pub struct Body {
 /// Rotational motion of a rigid body.
 #[derive(Clone, Debug)]
 pub struct Rotation {
-    /// Index of the body-fixed frame.
+    /// Index into [`Model::frames`] of the body-fixed frame.
     pub body_frame: usize,
-    /// Index of the frame of [`ExprKind::AngularVelocity`]; the inertia frame unless the body states another.
+    /// Index into [`Model::frames`] of the frame of [`ExprKind::AngularVelocity`]: the inertia frame unless the body
+    /// states another frame.
     pub angular_velocity_frame: usize,
-    /// Index of the frame in which the inertia is constant: the body-fixed one, or one that differs from it by a rotation
-    /// about an axis of symmetry.
+    /// Index of the frame in which the inertia tensor is constant: the body-fixed frame, or a frame that differs from
+    /// it by a rotation about an axis of symmetry.
     pub inertia_frame: usize,
     /// Inertia tensor, kg m², symmetric; entries depend on parameters and coefficients alone.
     pub inertia: [[Expr; 3]; 3],
-    /// Indices of the angular velocity's states and of their frame for a quaternion attitude; none if the rates of the
-    /// attitude angles are the states.
+    /// For a quaternion attitude, indices of the states of the angular velocity and of the frame of its components.
+    /// `None` if the rates of the attitude angles are states.
     pub angular_velocity: Option<([usize; 3], usize)>,
 }
 
@@ -212,11 +221,12 @@ pub struct AuxVariable {
     pub value: Expr,
     /// Source span of the declaration.
     pub span: Span,
-    /// Index into [`Model::effects`] of the effect that added or replaced the statement; `None` for the model's own.
+    /// Index into [`Model::effects`] of the effect that added or replaced the statement; `None` for a statement of the
+    /// model's file.
     pub effect: Option<usize>,
 }
 
-/// A force or a moment.
+/// A force or a moment that acts on the body.
 #[derive(Clone, Debug)]
 pub struct Load {
     /// Name of the load.
@@ -225,22 +235,23 @@ pub struct Load {
     pub value: Expr,
     /// Source span of the declaration.
     pub span: Span,
-    /// Index into [`Model::effects`] of the effect that added or replaced the statement; `None` for the model's own.
+    /// Index into [`Model::effects`] of the effect that added or replaced the statement; `None` for a statement of the
+    /// model's file.
     pub effect: Option<usize>,
 }
 
 impl Load {
-    /// Whether the force is the body's weight, which an accelerometer does not feel: by its name, `weight` or one with
-    /// `gravity` in it.
+    /// Whether the force is the body's weight, which an accelerometer does not measure. This is decided by name:
+    /// `weight`, or a name that contains `gravity`.
     pub fn is_weight(&self) -> bool {
         self.name == "weight" || self.name.contains("gravity")
     }
 }
 
-/// `der(state) = value`.
+/// A stated differential equation `der(state) = value`.
 #[derive(Clone, Debug)]
 pub struct Equation {
-    /// Index of the state, in [`Model::states`].
+    /// Index into [`Model::states`] of the state whose derivative the equation states.
     pub state: usize,
     /// Derivative of the state with respect to time.
     pub value: Expr,
@@ -248,12 +259,12 @@ pub struct Equation {
     pub span: Span,
 }
 
-/// The observed point, given by its coordinates in a frame.
+/// The observed point, which is fixed in a frame.
 #[derive(Clone, Debug)]
 pub struct Marker {
     /// Name of the marker.
     pub name: String,
-    /// Index of the frame of the marker's coordinates, in [`Model::frames`].
+    /// Index into [`Model::frames`] of the frame in which the marker is fixed and has its coordinates.
     pub frame: usize,
     /// Source span of the declaration.
     pub span: Span,
@@ -270,14 +281,15 @@ pub struct Observation {
     pub span: Span,
 }
 
-/// Rate of flight time against the time of the measuring clock.
+/// Rate of flight time relative to the time of the measuring clock.
 #[derive(Clone, Debug)]
 pub struct Clock {
     /// Seconds of flight per second of the clock, dimensionless.
     pub value: Expr,
     /// Source span of the declaration.
     pub span: Span,
-    /// Index into [`Model::effects`] of the effect that added or replaced the statement; `None` for the model's own.
+    /// Index into [`Model::effects`] of the effect that added or replaced the statement; `None` for a statement of the
+    /// model's file.
     pub effect: Option<usize>,
 }
 
@@ -288,18 +300,18 @@ pub struct ValidityLimit {
     pub value: Expr,
     /// Exclusive lower bound of the expression, SI.
     pub bound: f64,
-    /// Reason why the model is invalid beyond the limit, for messages.
+    /// Reason why the model is invalid where the condition fails, for messages.
     pub reason: String,
     /// Source span of the declaration.
     pub span: Span,
 }
 
-/// A check case of the model file: settings and expected results.
+/// A check case of the model file: values to set and the expected results.
 #[derive(Clone, Debug)]
 pub struct CheckCase {
     /// Title of the check case.
     pub title: String,
-    /// Values that are set, SI; all others have their defaults.
+    /// Quantities that the check case sets, with their values, SI; all other quantities have their default values.
     pub settings: Vec<(Target, f64)>,
     /// Results to compare, with expected values and tolerances.
     pub expectations: Vec<Expectation>,
@@ -307,20 +319,20 @@ pub struct CheckCase {
     pub span: Span,
 }
 
-/// A number that a check case sets; indices into the vectors of [`Model`].
+/// A scalar that a check case sets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Target {
     /// A known constant, by index into [`Model::params`].
     Param(usize),
     /// A coefficient, by index into [`Model::coefficients`].
     Coefficient(usize),
-    /// An input and the position (0 to 2) of its component.
+    /// A component of an input: index into [`Model::inputs`], and component 0, 1 or 2.
     Input(usize, usize),
     /// A state, by index into [`Model::states`].
     State(usize),
 }
 
-/// A result that a check case compares.
+/// A scalar result of the model that a check case compares with an expected value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Observable {
     /// The time derivative of a state, by index into [`Model::states`].
@@ -332,31 +344,31 @@ pub enum Observable {
 /// An expected result of a check case.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Expectation {
-    /// Model result that is compared.
+    /// Result of the model that is compared with the expected value.
     pub what: Observable,
     /// Expected value of the result, SI.
     pub value: f64,
-    /// Absolute tolerance of the result, SI.
+    /// Absolute tolerance of the comparison, SI.
     pub within: f64,
     /// Source span of the statement.
     pub span: Span,
 }
 
-/// Shape of an expression: a number, or a vector with the frame of its components.
+/// Shape of an expression: a scalar, or a vector with the frame of its components.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
     /// A scalar.
     Scalar,
-    /// A vector with components in the frame of this index.
+    /// A vector with components in the frame of this index into [`Model::frames`].
     Vector(usize),
 }
 
-/// A checked expression.
+/// A checked expression: a node of the expression tree, with shape and unit.
 #[derive(Clone, Debug)]
 pub struct Expr {
-    /// Operation with its operands, or a name or literal.
+    /// Operation with its operands, or a leaf such as a literal or a state.
     pub kind: ExprKind,
-    /// Whether the value is a scalar, or a vector in which frame.
+    /// Shape of the value: scalar, or vector with the frame of its components.
     pub shape: Shape,
     /// Unit of the expression's value.
     pub unit: Unit,
@@ -364,20 +376,20 @@ pub struct Expr {
     pub span: Span,
 }
 
-/// Operations and operands of expressions. Indices point into the vectors of [`Model`]. Vectors are combined only in one
-/// frame; `Reexpress` changes the frame.
+/// Operations and leaves of expressions. Indices refer to the vectors of [`Model`]. Operands of a vector operation have
+/// the same frame; `Reexpress` changes the frame of a vector.
 #[derive(Clone, Debug)]
 pub enum ExprKind {
-    /// A literal, with its exact value if that is a fraction of small integers.
+    /// A numeric literal, with its exact value if that is a fraction of small integers.
     Number {
-        /// SI value.
+        /// Value of the literal, SI.
         value: f64,
-        /// SI value as numerator and denominator; none if it is not exact.
+        /// SI value as numerator and denominator; `None` if it has no such exact form.
         exact: Option<(i64, i64)>,
     },
     /// The number π.
     Pi,
-    /// Measured time since release, s; with a clock rate, that of the clock.
+    /// Measured time since release, s. In a model with a [`Clock`], it is the time of that clock, not flight time.
     Time,
     /// A known constant, by index into [`Model::params`].
     Param(usize),
@@ -389,7 +401,7 @@ pub enum ExprKind {
     State(usize),
     /// An auxiliary variable (`let`), by index into [`Model::aux_variables`].
     AuxVariable(usize),
-    /// Unit vector along axis 1, 2 or 3 of the frame of this index.
+    /// Unit vector along an axis of a frame: index into [`Model::frames`], and number of the axis (1 to 3).
     Axis(usize, u8),
     /// Position of the centre of mass, in the inertial frame 0, m.
     Position,
@@ -397,29 +409,29 @@ pub enum ExprKind {
     Velocity,
     /// Angular velocity of the body, in the frame [`Rotation::angular_velocity_frame`].
     AngularVelocity,
-    /// Sum of the forces other than the body's weight over its mass, in [`Body::velocity_frame`], m/s²; known once the
-    /// forces are.
+    /// Specific force: the sum of the forces other than the weight, divided by the mass, in [`Body::velocity_frame`],
+    /// m/s². It can be evaluated only after the forces.
     SpecificForce,
-    /// Derivative of the angular velocity in the inertial frame, with its components in
-    /// [`Rotation::angular_velocity_frame`], rad/s²; known once forces and moments are.
+    /// Time derivative of the angular velocity in the inertial frame, with components in
+    /// [`Rotation::angular_velocity_frame`], rad/s². It can be evaluated only after the forces and moments.
     AngularAcceleration,
-    /// Coordinates of the marker in the marker's frame, m.
+    /// Coordinates of the marker in the frame [`Marker::frame`], m.
     Marker,
-    /// Three scalars as a vector in the expression's frame.
+    /// A vector made of three scalar components, in the frame of the expression's shape.
     Components(Box<[Expr; 3]>),
-    /// `-a`.
+    /// Negation `-a`.
     Neg(Box<Expr>),
-    /// `a + b`.
+    /// Sum `a + b`.
     Add(Box<Expr>, Box<Expr>),
-    /// `a - b`.
+    /// Difference `a - b`.
     Sub(Box<Expr>, Box<Expr>),
-    /// `a * b`; one of them may be a vector.
+    /// Product `a * b`; one operand may be a vector.
     Mul(Box<Expr>, Box<Expr>),
-    /// `a / b`; the scalar `b` is nonzero in the domain of validity.
+    /// Quotient `a / b`; the scalar `b` is nonzero in the domain of validity.
     Div(Box<Expr>, Box<Expr>),
-    /// `ratio(a, b, otherwise)`: `a / b`, or `otherwise` if `b` is 0.
+    /// Guarded quotient `ratio(a, b, otherwise)`: `a / b`, or `otherwise` if `b` is 0.
     Ratio(Box<[Expr; 3]>),
-    /// `a ^ (n/2)`, with `n` as the second field.
+    /// Power `a ^ (n/2)`; the integer `n` is the second field.
     Pow(Box<Expr>, i32),
     /// Scalar product of two vectors.
     Dot(Box<Expr>, Box<Expr>),
@@ -427,15 +439,16 @@ pub enum ExprKind {
     Cross(Box<Expr>, Box<Expr>),
     /// Euclidean norm of a vector; 0 with derivative 0 at the zero vector.
     Norm(Box<Expr>),
-    /// Unit vector along a vector; at the zero vector the second expression, or else the zero vector.
+    /// Unit vector along the vector of the first field. At the zero vector, its value is the second field, or the zero
+    /// vector if that is `None`.
     Direction(Box<Expr>, Option<Box<Expr>>),
-    /// Component 1, 2 or 3 of a vector in the frame of its shape.
+    /// Component 1, 2 or 3 of a vector, in the frame of the vector's shape.
     Component(Box<Expr>, u8),
     /// A vector with its components transformed to the frame of the expression's shape.
     Reexpress(Box<Expr>),
-    /// A function of one scalar.
+    /// A function of one scalar, with its argument.
     Call(Function, Box<Expr>),
-    /// `atan2(y, x)`: 0 with derivative 0 where both are 0.
+    /// Arctangent `atan2(y, x)` of y/x in the correct quadrant; 0 with derivative 0 where both arguments are 0.
     Atan2(Box<Expr>, Box<Expr>),
     /// The smaller of two scalars.
     Min(Box<Expr>, Box<Expr>),

@@ -9,7 +9,7 @@ use crate::syntax::{MAX_SOURCE_BYTES, Parsed, too_long};
 /// Reads a model or effect file as text.
 ///
 /// # Errors
-/// [`LoadError::Unreadable`]; [`LoadError::Faults`] if the file is too long or not UTF-8.
+/// [`LoadError::Unreadable`] if the file cannot be read; [`LoadError::Faults`] if it is too long or not UTF-8.
 pub(crate) fn read(path: &str) -> Result<String, LoadError> {
     let unreadable = |error| LoadError::Unreadable {
         path: path.to_owned(),
@@ -31,10 +31,10 @@ pub(crate) fn read(path: &str) -> Result<String, LoadError> {
     decode(path, std::fs::read(path).map_err(unreadable)?)
 }
 
-/// Decodes the bytes of a model file as UTF-8; `name` appears in messages.
+/// Decodes the bytes of a model file as UTF-8; messages refer to the file as `name`.
 ///
 /// # Errors
-/// [`LoadError::Faults`] with line and column of the first byte that is not UTF-8.
+/// [`LoadError::Faults`] if the bytes are not UTF-8, with line and column of the first invalid byte.
 pub fn decode(name: &str, bytes: Vec<u8>) -> Result<String, LoadError> {
     let error = match String::from_utf8(bytes) {
         Ok(text) => return Ok(text),

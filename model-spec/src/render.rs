@@ -8,7 +8,8 @@ use crate::source::{Source, Span};
 /// Maximum length of a source line that is drawn in an excerpt, bytes.
 const MAX_LINE_BYTES: usize = 300;
 
-/// Diagnostics as text in the order of their source spans, with ANSI colours if `color`; at most 50, the others counted.
+/// Formats diagnostics as text, in the order of their source spans, with ANSI colours if `color`. At most 50 are shown;
+/// the number of further ones is stated.
 pub fn render(diagnostics: &[Diagnostic], sources: &[Source], color: bool) -> String {
     let mut ordered: Vec<&Diagnostic> = diagnostics.iter().collect();
     ordered.sort_by_key(|d| d.span);
@@ -34,7 +35,7 @@ pub fn render(diagnostics: &[Diagnostic], sources: &[Source], color: bool) -> St
     out
 }
 
-/// Line and column, both from 1, of a byte offset in a text.
+/// Line and column of a byte offset in a text, both counted from 1; columns count characters.
 pub fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
     let mut byte = byte.min(text.len());
     while !text.is_char_boundary(byte) {
@@ -140,7 +141,7 @@ fn draw(
         let mut lines = text.lines().peekable();
         let mut place = String::new();
         while let Some(line) = lines.next() {
-            // Omit a header that repeats the location of the excerpt before.
+            // Omit a header that repeats the location of the preceding excerpt.
             if let Some((_, at)) = line.split_once("─[") {
                 if at == place {
                     lines.next();

@@ -2,33 +2,33 @@
 
 use std::ops::Range;
 
-/// A source text of a model: its file, or the text of an applied effect.
+/// A source text of a model: the text of the model file or of an applied effect.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Source {
     /// File name, or name of a built-in model or effect, for messages.
     pub name: String,
-    /// Content of the text.
+    /// Full content of the source text.
     pub text: String,
 }
 
 /// A byte range of a source text: from `start` up to, not including, `end`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Span {
-    /// Byte offset of the first byte.
+    /// Byte offset of the start of the range.
     pub start: u32,
-    /// Byte offset one past the last byte.
+    /// Byte offset of the end of the range, exclusive.
     pub end: u32,
     /// Index of the source text: 0 is the model file; applied effects follow.
     pub source: u16,
 }
 
 impl Span {
-    /// The span as a byte range of its source text.
+    /// The span as a range of byte offsets in its source text.
     pub fn range(self) -> Range<usize> {
         self.start as usize..self.end as usize
     }
 
-    /// Span from the start of `self` to the end of `end`, in the same source text.
+    /// Span from the start of `self` to the end of `end`; both must lie in the same source text.
     #[must_use]
     pub fn to(self, end: Span) -> Span {
         Span {
@@ -38,7 +38,7 @@ impl Span {
     }
 }
 
-/// Byte offsets of the line starts of a text, for fast line numbers.
+/// Byte offsets of the line starts of a text, for a binary search of line numbers.
 pub(crate) struct LineStarts(Vec<usize>);
 
 impl LineStarts {

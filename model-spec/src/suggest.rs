@@ -1,10 +1,11 @@
-//! Spelling suggestions by edit distance.
+//! Spelling suggestions for misspelt names, by edit distance.
 
-/// Maximum length of a name for which suggestions are looked up, characters.
+/// Maximum length of a misspelt name for which suggestions are searched, characters.
 const MAX_NAME_CHARS: usize = 40;
 
-/// The name nearest to a misspelt one: equal but for case, with a common beginning, or a few edits away (the first of
-/// equally near ones). None if no name is near.
+/// Finds the name nearest in spelling to `wrong`: equal except for case, one name a prefix of the other, or a small
+/// edit distance (at most 1 to 3, depending on length). Of equally near names, the first is returned; `None` if no name
+/// is near.
 pub fn nearest<'a>(wrong: &str, names: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     if wrong.is_empty() || wrong.chars().count() > MAX_NAME_CHARS {
         return None;
@@ -27,7 +28,7 @@ pub fn nearest<'a>(wrong: &str, names: impl Iterator<Item = &'a str>) -> Option<
         } else {
             distance(wrong, name)
         };
-        // Half of a short name must agree, or `a` would be taken for `b`.
+        // At least half of a short name must match, or `a` would be suggested for `b`.
         let most = allowed.min(name.chars().count().max(wrong.chars().count()).div_ceil(2));
         let most = if wrong.chars().count() == 1 && name.chars().count() == 1 {
             0

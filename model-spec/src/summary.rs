@@ -238,7 +238,7 @@ fn first(doc: &str) -> &str {
     doc.lines().next().unwrap_or("")
 }
 
-/// A number with its unit as text; no unit if dimensionless.
+/// Formats a value with its unit; the unit `1` is omitted.
 pub fn with_unit(value: f64, unit: &str) -> String {
     let small = value != 0.0 && value.abs() < 1e-3;
     let number = if small {

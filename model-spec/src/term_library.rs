@@ -1,14 +1,17 @@
 //! Term libraries (as in SINDy): candidate terms, each a product of flight variables that acts on one component of the
 //! aerodynamic loads, for model errors that no known effect explains.
 //!
-//! A library is a TOML file of `model-spec/term_libraries`:
-//! - `loads`: an effect with one dimensionless coefficient per channel, and a quantity per variable;
-//! - `variables`: the quantity of each, its `name` in names of terms, and what an effect with it `depends_on`;
-//! - `products`: the names of their factors, a power as a repeated name, the constant 1 as an empty list;
-//! - `channels`: the coefficient of each, its `name` in names of terms, and the effect of a `term`, in which `NAME` and
-//!   `TERM` are replaced.
+//! A built-in library is a TOML file in `model-spec/term_libraries` with these keys:
+//! - `loads`: an effect that declares one dimensionless coefficient per channel and one auxiliary variable per
+//!   variable;
+//! - `variables`: for each variable its `quantity`, its `name` as used in names of terms, and the word that states what
+//!   an effect with this variable `depends_on`;
+//! - `products`: for each product the list of the names of its factors; a power is a repeated name, and the constant 1
+//!   is an empty list;
+//! - `channels`: for each channel its `coefficient`, its `name` as used in names of terms, and the effect of a `term`,
+//!   in which `NAME` and `TERM` are placeholders.
 //!
-//! A model that is compatible with none of them gets one that is generated from its own quantities.
+//! For a model that is compatible with no built-in library, a library is generated from the model's own quantities.
 //!
 //! ```
 //! use model_spec::compose::ModelTree;
@@ -43,7 +46,7 @@ use crate::syntax::ast::{
     ParameterClass, Quantity, UnitExpr,
 };
 
-/// Citation of effects generated from a term, and documentation of their coefficients.
+/// Text used as citation of the effects generated from terms and as documentation of their coefficients.
 const FOUND: &str = "found in measured flights";
 
 index_type!(
@@ -61,7 +64,7 @@ index_type!(
     pub struct ProductId;
 );
 
-/// Term library: load components, variables and products of variables, for a family of models.
+/// Term library for a family of models: load components, variables, and products of variables.
 #[derive(Clone, Debug)]
 pub struct TermLibrary {
     /// Effect that adds one coefficient per channel to a model and defines the variables.
@@ -83,20 +86,20 @@ pub struct Channel {
     pub name: String,
     /// Component of the model that the channel's terms change: one of [`SITES`](crate::SITES).
     pub site: String,
-    /// Effect that adds a term to the channel, with the placeholders `NAME` and `TERM`.
+    /// Effect that adds a term to the channel; it contains the placeholders `NAME` and `TERM`.
     template: Effect,
 }
 
-/// A flight variable, a factor of products.
+/// A flight variable, whose powers are the factors of products.
 #[derive(Clone, Debug)]
 pub struct Variable {
     /// Name of the auxiliary variable or state that holds the value, in the model or in [`TermLibrary::loads`].
     pub quantity: String,
     /// Name of the variable as it appears in names of terms.
     pub name: String,
-    /// Dependence of an effect with this variable: one of [`VARIABLES`](crate::VARIABLES).
+    /// Word that states what an effect with this variable depends on: one of [`VARIABLES`](crate::VARIABLES).
     pub depends_on: String,
-    /// Definition of the variable as source text.
+    /// Definition of the variable as source text in model notation.
     pub formula: String,
     /// Definition of the variable as syntax tree.
     value: Expr,
@@ -105,25 +108,25 @@ pub struct Variable {
 /// An integer power of a variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Factor {
-    /// The variable.
+    /// Index of the variable that is raised to the power.
     pub variable: VariableId,
     /// Exponent, at least 1.
     pub power: i32,
 }
 
-/// Candidate term: a product of variables acting on a channel.
+/// Candidate term: a product of variables that acts on a channel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Term {
     /// Channel that the term acts on.
     pub channel: ChannelId,
-    /// Product of variables.
+    /// Product of variables that the term adds, times a coefficient, to the channel.
     pub product: ProductId,
 }
 
-/// Why a term library cannot be loaded.
+/// Error of parsing a term library.
 #[derive(Clone, Debug, Error)]
 pub enum TermLibraryError {
-    /// The text does not have the structure of a term library.
+    /// The text is not valid TOML or does not have the structure of a term library.
     #[error("{name}: {error}")]
     Form {
         /// Name of the library.
@@ -171,7 +174,7 @@ struct ChannelEntry {
 }
 
 impl TermLibrary {
-    /// The built-in term libraries, parsed once.
+    /// Returns the built-in term libraries, which are parsed on the first call.
     pub fn built_in() -> &'static [Arc<TermLibrary>] {
         static BUILT_IN: LazyLock<Vec<Arc<TermLibrary>>> = LazyLock::new(|| {
             let parse = |(name, text): &(&str, &str)| TermLibrary::parse(name, text).map(Arc::new);
@@ -181,8 +184,9 @@ impl TermLibrary {
         &BUILT_IN
     }
 
-    /// The first built-in library compatible with a model, or else one generated from its quantities, and the model with its
-    /// loads effect; `None` if the model has neither a body nor stated equations.
+    /// Returns a term library for a model, together with the model extended by the library's loads effect. The library
+    /// is the first built-in one that is compatible with the model, or else one generated from the model's quantities.
+    /// `None` if no library can be generated, because the model has neither a body nor stated equations.
     pub fn for_model(model: &Model) -> Option<(Arc<TermLibrary>, ModelTree)> {
         let (tree, binding) = (ModelTree::of(model), Binding::new(model));
         let with_loads = |library: &TermLibrary| {
@@ -205,10 +209,11 @@ impl TermLibrary {
         })
     }
 
-    /// Parses a term library from TOML text; `name` appears in messages.
+    /// Parses a term library from TOML text; messages refer to the text as `name`.
     ///
     /// # Errors
-    /// [`TermLibraryError`]. Whether the effects are compatible with a model is checked only on application.
+    /// [`TermLibraryError`] if the structure is invalid, an effect has errors, or a product has an unknown factor.
+    /// Whether the effects are compatible with a model is checked only when they are applied.
     pub fn parse(name: &str, text: &str) -> Result<TermLibrary, TermLibraryError> {
         let file: LibraryFile = toml::from_str(text).map_err(|error| TermLibraryError::Form {
             name: name.to_owned(),
@@ -290,7 +295,8 @@ impl TermLibrary {
         }
     }
 
-    /// Variables that a term depends on, from [`VARIABLES`](crate::VARIABLES), without duplicates; empty for constants.
+    /// Words that state what a term depends on, from [`VARIABLES`](crate::VARIABLES), without duplicates; empty for the
+    /// constant 1.
     pub fn depends_on(&self, term: Term) -> Vec<&str> {
         let mut words: Vec<&str> = Vec::new();
         for factor in self.factors(term) {
@@ -302,7 +308,8 @@ impl TermLibrary {
         words
     }
 
-    /// Effect that adds a term with a coefficient `k_NAME` to a model; `doc` becomes its documentation.
+    /// Effect that adds a term to a model, with the coefficient `k_NAME`, where `NAME` is the name of the effect. `doc`
+    /// becomes the documentation of the effect.
     pub fn effect(&self, term: Term, doc: &str) -> EffectTree {
         let name = self.name(term).replace('-', "_");
         let coefficient = format!("k_{name}");
@@ -341,7 +348,8 @@ impl TermLibrary {
 }
 
 impl Variable {
-    /// A variable with its definition in the loads effect; a variable of the model is its own definition.
+    /// Creates a variable. Its definition is a `let` of the loads effect, or the name itself if the model declares the
+    /// quantity.
     fn new(entry: VariableEntry, loads: &EffectTree) -> Variable {
         let defined = loads.tree().parts.iter().find_map(|part| match part {
             EffectPart::Add(item) => match &item.kind {
@@ -385,7 +393,8 @@ impl Channel {
     }
 }
 
-/// Factors of a product from its variable names; adjacent equal names become powers. Error: the unknown name.
+/// Converts the variable names of a product to factors; adjacent equal names become a power. Returns the first unknown
+/// name as error.
 fn factors(
     names: &[String],
     variables: &IndexVec<VariableId, Variable>,
@@ -402,7 +411,7 @@ fn factors(
     Ok(factors)
 }
 
-/// A statement of a template with the placeholders replaced.
+/// Copy of a template's statement in which `name` replaces the placeholder `NAME` and `term` replaces `TERM`.
 fn filled(part: &EffectPart, name: &str, term: &Expr) -> EffectPart {
     let mut part = part.clone();
     if let EffectPart::Replace(item) | EffectPart::Add(item) = &mut part {
@@ -416,7 +425,7 @@ fn filled(part: &EffectPart, name: &str, term: &Expr) -> EffectPart {
     part
 }
 
-/// Substitutes an expression for the name `TERM`.
+/// Substitutes the expression `term` for each name `TERM` in `e`.
 fn substitute(e: &mut Expr, term: &Expr) {
     if matches!(&e.kind, ExprKind::Name(name) if name == "TERM") {
         e.clone_from(term);
@@ -425,7 +434,7 @@ fn substitute(e: &mut Expr, term: &Expr) {
     }
 }
 
-/// `a * b`, grouped to the left as `a*b` is read where `b` is a product or a quotient.
+/// Product `a * b`. If `b` is a product or a quotient, the tree is left-associative, as parsed from the text `a*b`.
 fn times(a: Expr, b: &Expr) -> Expr {
     match &b.kind {
         ExprKind::Binary(op @ (BinaryOp::Mul | BinaryOp::Div), left, right) => expression(
@@ -466,7 +475,7 @@ fn number(text: &str, unit: Option<UnitExpr>) -> Quantity {
     Quantity { number, unit, span }
 }
 
-/// Declaration `coefficient NAME = 0 [1];`.
+/// Declaration `coefficient NAME = 0 [1];` of a dimensionless coefficient.
 fn declaration(name: &str) -> Item {
     let one = UnitExpr {
         factors: Vec::new(),

@@ -1,12 +1,12 @@
 //! Units of measure as exponents of the seven SI base units and of the radian.
 //!
-//! The radian is tracked so that messages can say `rad/s`, but units are compared without it, as in the SI.
+//! The radian is stored so that messages can state `rad/s`, but units are compared without it, as in the SI.
 
 use std::fmt;
 
 pub mod symbol;
 
-/// A base unit: position of its exponent in [`Unit::doubled`].
+/// A base unit. The discriminant is the index of its exponent in [`Unit::doubled`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[allow(missing_docs)]
 pub enum Base {
@@ -20,7 +20,7 @@ pub enum Base {
     Radian,
 }
 
-/// A unit of measure: twice the exponents of the base units, so that square roots stay integers.
+/// A unit of measure, stored as twice the exponents of the base units, so that square roots have integer entries.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Unit {
     /// Twice the exponent of each [`Base`] unit, in the order of the enum.
@@ -30,7 +30,7 @@ pub struct Unit {
 /// Symbols of the base units, in the order of [`Base`].
 const SYMBOLS: [&str; 8] = ["m", "kg", "s", "A", "K", "mol", "cd", "rad"];
 
-/// Indices into [`SYMBOLS`] in printing order: kg before m.
+/// Indices into [`SYMBOLS`] in printing order, in which kg precedes m.
 const WRITTEN: [usize; 8] = [1, 0, 2, 3, 4, 5, 6, 7];
 
 impl Unit {
@@ -59,7 +59,7 @@ impl Unit {
     /// Kilogram square metre, kg m².
     pub const INERTIA: Unit = Unit::of([2, 1, 0, 0, 0, 0, 0, 0]);
 
-    /// The unit with these exponents, in the order of [`Base`].
+    /// Unit with the given integer exponents, in the order of [`Base`].
     pub const fn of(exponents: [i8; 8]) -> Unit {
         let mut doubled = [0; 8];
         let mut i = 0;
@@ -70,7 +70,7 @@ impl Unit {
         Unit { doubled }
     }
 
-    /// Unit of a product; none if an exponent overflows.
+    /// Unit of the product of two quantities; `None` if an exponent overflows.
     pub fn checked_mul(self, other: Unit) -> Option<Unit> {
         let mut doubled = [0; 8];
         for (i, d) in doubled.iter_mut().enumerate() {
@@ -79,17 +79,17 @@ impl Unit {
         Some(Unit { doubled })
     }
 
-    /// Unit of a quotient; none if an exponent overflows.
+    /// Unit of the quotient of two quantities; `None` if an exponent overflows.
     pub fn checked_div(self, other: Unit) -> Option<Unit> {
         self.checked_mul(other.checked_powi(-1)?)
     }
 
-    /// Unit of an integer power; none if an exponent overflows.
+    /// Unit of the power `n` of a quantity; `None` if an exponent overflows.
     pub fn checked_powi(self, n: i32) -> Option<Unit> {
         self.checked_pow_half(n.checked_mul(2)?)
     }
 
-    /// Unit of the power `twice / 2`; none if an exponent is no multiple of 1/2 or overflows.
+    /// Unit of the power `twice / 2` of a quantity; `None` if an exponent is not a multiple of 1/2 or overflows.
     pub fn checked_pow_half(self, twice: i32) -> Option<Unit> {
         let mut doubled = [0; 8];
         for (i, d) in doubled.iter_mut().enumerate() {
@@ -102,7 +102,7 @@ impl Unit {
         Some(Unit { doubled })
     }
 
-    /// Whether two units have the same dimension; the radian counts as 1.
+    /// Whether two units are equal; the radian counts as 1.
     pub fn agrees(self, other: Unit) -> bool {
         self.doubled[..7] == other.doubled[..7]
     }
@@ -112,7 +112,8 @@ impl Unit {
         self.agrees(Unit::ONE)
     }
 
-    /// The unit without the radian (`m*rad/s²` becomes `m/s²`), unless it is an angle or an angular rate.
+    /// Removes the radian if it is redundant: if other base units than the second occur (`m*rad/s²` becomes `m/s²`), or
+    /// if its exponent exceeds 1. An angle or an angular rate is returned unchanged.
     #[must_use]
     pub fn tidy(self) -> Unit {
         let mut tidied = self;
@@ -123,7 +124,7 @@ impl Unit {
         tidied
     }
 
-    /// Text with dots and superscripts: `kg·m²/s²`.
+    /// Text of the unit with dots and superscripts, such as `kg·m²/s²`.
     pub fn pretty(self) -> String {
         self.written("·", |twice| {
             if twice % 2 == 0 {
@@ -134,7 +135,7 @@ impl Unit {
         })
     }
 
-    /// Symbol of the derived SI unit, if there is one: `N` for `kg·m/s²`.
+    /// Symbol of the derived SI unit, such as `N` for `kg·m/s²`; `None` if the unit has no such symbol here.
     pub fn named(self) -> Option<&'static str> {
         let unit = self.tidy();
         [("N", Unit::NEWTON), ("N·m", Unit::NEWTON_METRE)]
@@ -148,7 +149,8 @@ impl Unit {
             .map(|(name, _)| name)
     }
 
-    /// Name of the unit's physical quantity, singular and plural (`a length`, `lengths`); `None` if it has none.
+    /// Name of the physical quantity that has this unit, singular and plural (`a length`, `lengths`); `None` if no name
+    /// is known.
     pub fn quantity(self) -> Option<(&'static str, &'static str)> {
         const NAMES: [([i8; 3], &str, &str); 18] = [
             ([1, 0, 0], "a length", "lengths"),
@@ -183,7 +185,8 @@ impl Unit {
             .map(|&(_, one, many)| (one, many))
     }
 
-    /// Text with the derived SI unit and the base units: `N = kg·m/s²`, or just `m/s²`.
+    /// Text of the unit with its derived SI unit and base units, such as `N = kg·m/s²`, or only base units, such as
+    /// `m/s²`.
     pub fn explained(self) -> String {
         let tidy = self.tidy();
         match self.named() {
@@ -192,7 +195,7 @@ impl Unit {
         }
     }
 
-    /// Nonzero powers of base units in printing order: symbol, exponent times 2.
+    /// Iterates over the base units with nonzero exponents, in printing order: symbol, and twice the exponent.
     pub(crate) fn powers(self) -> impl Iterator<Item = (&'static str, i8)> {
         let power = move |&i: &usize| (SYMBOLS[i], self.doubled[i]);
         WRITTEN
@@ -201,7 +204,8 @@ impl Unit {
             .filter(|&(_, doubled)| doubled != 0)
     }
 
-    /// Text of numerator over denominator; `times` separates factors, `power` writes an exponent.
+    /// Formats the unit as numerator over denominator. `times` separates factors; `power` formats an exponent from
+    /// twice its value.
     fn written(self, times: &str, power: impl Fn(i8) -> String) -> String {
         let side = |sign: i8| -> Vec<String> {
             WRITTEN
@@ -233,7 +237,7 @@ impl Unit {
     }
 }
 
-/// Text in the notation of model files: `kg*m^2/s^2`.
+/// Formats the unit in the notation of model files, such as `kg*m^2/s^2`.
 impl fmt::Display for Unit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.written("*", |twice| {
@@ -246,7 +250,7 @@ impl fmt::Display for Unit {
     }
 }
 
-/// An integer in superscript digits: `⁻²`.
+/// Text of an integer in superscript digits, such as `⁻²`.
 pub fn superscript(n: i32) -> String {
     n.to_string()
         .chars()

@@ -6,7 +6,7 @@ use clap::Args;
 
 use super::FitInputs;
 
-/// `hyzer bootstrap`.
+/// Arguments of `hyzer bootstrap`.
 #[derive(Args)]
 pub struct Bootstrap {
     #[command(flatten)]
@@ -17,13 +17,14 @@ pub struct Bootstrap {
     /// Number of refits, 2 to 1,000,000
     #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u64).range(2..=1_000_000))]
     pub refits: u64,
-    /// Seed of the draws
+    /// Seed of drawing the flights
     #[arg(long, value_name = "SEED", default_value_t = 1)]
     pub seed: u64,
-    /// Folder for the results: a new or an empty one, or that of the same refits, to go on
+    /// Folder for the results: a new or an empty one, or that of an interrupted run of the same refits, to continue
+    /// it
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
-    /// Do the I-th of N equal shares alone, for several processes or machines with one folder
+    /// Do only the I-th of N equal shares, for several processes or machines with one folder
     #[arg(long, value_name = "I/N")]
     pub part: Option<String>,
 }

@@ -1,16 +1,16 @@
-//! Options of `hyzer design`.
+//! Arguments of `hyzer design`.
 
 use std::path::PathBuf;
 
 use clap::Args;
 
-/// `hyzer design`.
+/// Arguments of `hyzer design`.
 #[derive(Args)]
 pub struct Design {
-    /// Purpose of the throw
+    /// Goal: the purpose of the throw
     #[arg(long, value_name = "GOAL", value_parser = clap::builder::PossibleValuesParser::new(design::GOALS))]
     pub goal: String,
-    /// Point to hit, to curve to, to flare over or to land at, m; on the ground where Z is 0
+    /// Point to hit, to curve to, to flare over or to land at, m; on the ground if Z is 0
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     pub target: Option<String>,
     /// Bounds of the throw, obstacle, landing circle and scatter: a TOML file
@@ -28,13 +28,13 @@ pub struct Design {
     /// Wind: its velocity in the inertial frame, m/s, or a TOML file with [wind]: profiles in height, gusts (docs/wind.md)
     #[arg(long, value_name = "X,Y,Z|FILE", allow_hyphen_values = true)]
     pub wind: Option<String>,
-    /// Errors of the coefficients for the spread: report.json of `hyzer fit`
+    /// Standard errors of the coefficients, included in the spread: report.json of `hyzer fit`
     #[arg(long, value_name = "FILE")]
     pub fit: Option<PathBuf>,
-    /// Flights that are sampled for the spread
+    /// Number of flights that are sampled for the spread
     #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u32).range(0..=1_000_000))]
     pub samples: u32,
-    /// Throws that are tried before the search proper
+    /// Number of throws that are evaluated before the descents
     #[arg(long, value_name = "N", default_value_t = 384, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub starts: u32,
     /// Seed of all random numbers

@@ -1,15 +1,15 @@
-//! Arguments of every command that fits a dataset.
+//! Arguments shared by all commands that fit a dataset.
 
 use std::path::PathBuf;
 
 use clap::Args;
 
-/// What is fitted, and how.
+/// Dataset, model and options of a fit.
 #[derive(Args)]
 pub struct FitInputs {
     /// Folder with dataset.toml
     pub dataset: PathBuf,
-    /// Model: a name or a path; by default the dataset's own
+    /// Model: a name or a path; by default that of the dataset
     #[arg(long, value_name = "MODEL")]
     pub model: Option<String>,
     /// Add an effect, by name or path; may be repeated
@@ -18,7 +18,7 @@ pub struct FitInputs {
     /// Fix a coefficient at a value (SI), by default the model's; may be repeated
     #[arg(long, value_name = "NAME[=VALUE]")]
     pub hold: Vec<String>,
-    /// Estimate a parameter or a component of an input too, one value for all flights; may be repeated
+    /// Also estimate a parameter or a component of an input, one value for all flights; may be repeated
     #[arg(long, value_name = "NAME")]
     pub free: Vec<String>,
     /// Gaussian prior of a coefficient: mean and standard deviation, SI; may be repeated

@@ -1,4 +1,4 @@
-//! Options of `hyzer stability`.
+//! Arguments of `hyzer stability`.
 
 use std::path::PathBuf;
 
@@ -6,15 +6,16 @@ use clap::Args;
 
 use super::ThrowOptions;
 
-/// `hyzer stability`.
+/// Arguments of `hyzer stability`.
 #[derive(Args)]
 pub struct Stability {
     /// Model: a name or a path
     pub model: String,
-    /// A release: a name, or a TOML file; without it a throw of 16 m/s and 700 rpm, which the options of a throw change
+    /// A release: a name, or a TOML file; without it a throw of 16 m/s and 700 rpm, which the options of a throw
+    /// modify
     #[arg(long, value_name = "RELEASE")]
     pub release: Option<String>,
-    /// A throw by its numbers
+    /// Throw given by its quantities
     #[command(flatten)]
     pub throw: ThrowOptions,
     /// Set a parameter or coefficient, SI; may be repeated
@@ -26,10 +27,10 @@ pub struct Stability {
     /// Constant wind: its velocity in the inertial frame, m/s
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     pub wind: Option<String>,
-    /// Times of the flight at which modes are computed
+    /// Number of times of the flight at which modes are computed
     #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(u32).range(2..=10_000))]
     pub times: u32,
-    /// Print JSON
+    /// Print the result as JSON
     #[arg(long)]
     pub json: bool,
     /// Also write every figure as pdf or png; may be repeated

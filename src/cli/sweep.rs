@@ -4,25 +4,25 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-/// `hyzer sweep`.
+/// Arguments of `hyzer sweep`.
 #[derive(Args)]
 pub struct Sweep {
-    /// Plan: a TOML file, or `backhands`
+    /// Plan: a TOML file, or `backhands`, the built-in one
     #[arg(value_name = "PLAN", required_unless_present = "example")]
     pub plan: Option<PathBuf>,
-    /// Print a plan to start from
+    /// Print an example of a plan
     #[arg(long, exclusive = true)]
     pub example: bool,
-    /// Folder for the results: a new or an empty one, or that of the same plan, to go on
+    /// Folder for the results: a new or an empty one, or that of an interrupted run of the same plan, to continue it
     #[arg(long, value_name = "DIR", required_unless_present = "example")]
     pub out: Option<PathBuf>,
-    /// Fly the I-th of N equal shares alone, for several processes or machines with one folder
+    /// Fly only the I-th of N equal shares, for several processes or machines with one folder
     #[arg(long, value_name = "I/N")]
     pub part: Option<String>,
-    /// Number of threads; by default that of the processors
+    /// Number of threads; by default the number of processors
     #[arg(long, value_name = "N")]
     pub threads: Option<usize>,
-    /// Write flights.csv too
+    /// Also write flights.csv
     #[arg(long)]
     pub csv: bool,
 }

@@ -1,17 +1,18 @@
-//! Options of `hyzer simulate` for throws.
+//! Options that describe a throw, for `hyzer simulate` and `hyzer stability`.
 
 use std::path::PathBuf;
 
 use clap::Args;
 
-/// A throw by its numbers, or those of a launch monitor. Options win over the release and over the launch monitor.
+/// A throw given by its quantities, or by a launch monitor. Options take precedence over the release and the launch
+/// monitor.
 #[derive(Args)]
 #[command(next_help_heading = "Throw")]
 pub struct ThrowOptions {
     /// Speed over the ground, m/s
     #[arg(long, value_name = "M/S", allow_hyphen_values = true)]
     pub speed: Option<String>,
-    /// Direction of the velocity over the ground, from +x to the left, deg
+    /// Direction of the velocity over the ground, measured from +x, positive to the left, deg
     #[arg(long, value_name = "DEG", allow_hyphen_values = true)]
     pub heading: Option<String>,
     /// Angle of the velocity above the horizontal, deg
@@ -26,22 +27,22 @@ pub struct ThrowOptions {
     /// Spin, positive clockwise seen from above (a right-hander's backhand), rpm
     #[arg(long, value_name = "RPM", allow_hyphen_values = true)]
     pub spin: Option<String>,
-    /// Height at release, m; 1 where nothing states it
+    /// Height at release, m; by default 1
     #[arg(long, value_name = "M", allow_hyphen_values = true)]
     pub height: Option<String>,
-    /// Half the opening angle of the cone that the axis describes, deg
+    /// Wobble: half the opening angle of the cone that the axis describes, deg
     #[arg(long, value_name = "DEG", allow_hyphen_values = true)]
     pub wobble: Option<String>,
     /// Throws of a launch monitor: a CSV file of TechDisc
     #[arg(long, value_name = "FILE", conflicts_with = "release")]
     pub techdisc: Option<PathBuf>,
-    /// Of the launch monitor's throws this one alone: its id, or its number from 1
+    /// Fly only this throw of the launch monitor: its id, or its number from 1
     #[arg(long, value_name = "ID|N", requires = "techdisc")]
     pub row: Option<String>,
 }
 
 impl ThrowOptions {
-    /// Name and text of each number that is given.
+    /// Names and texts of the throw options that were given on the command line.
     pub fn given(&self) -> impl Iterator<Item = (&'static str, &str)> {
         let all = [
             ("speed", &self.speed),

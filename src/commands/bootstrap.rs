@@ -1,4 +1,4 @@
-//! Command `hyzer bootstrap`: refits to flights drawn with replacement, and the scatter of their estimates.
+//! Command `hyzer bootstrap`: refits to flights drawn with replacement, and the distribution of their estimates.
 
 mod parts;
 mod summary;
@@ -15,10 +15,11 @@ use crate::cli::{Bootstrap, FitInputs};
 use crate::progress::{self, Progress};
 use crate::{Answer, output};
 
-/// Least number of fitted flights: fewer have too few different draws.
+/// Minimum number of fitted flights; with fewer there are too few different draws.
 const LEAST_FLIGHTS: usize = 5;
 
-/// Fits the model, does the refits that the folder does not have, and prints the scatter of their estimates.
+/// Fits the model, computes the refits that are not in the folder yet, and prints the distribution of their
+/// estimates.
 pub fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
     let inputs = &options.inputs;
     let (fixed, priors) = (held(&inputs.hold)?, priors(&inputs.prior)?);
@@ -107,7 +108,7 @@ fn flights(fit: &Fit) -> usize {
         .count()
 }
 
-/// Fingerprint of everything that the estimates depend on.
+/// Fingerprint of everything on which the estimates depend.
 fn work(options: &Bootstrap, dataset: &Dataset, model: &Model) -> String {
     let Bootstrap {
         inputs,

@@ -1,4 +1,5 @@
-//! Certificates: whether one stands, and what the pages of a fit or a diagnosis say of it.
+//! Certificates of models: checks whether a certificate is still valid, and makes the statement about it in reports
+//! of fits and diagnoses.
 
 use std::path::{Path, PathBuf};
 
@@ -10,10 +11,11 @@ use verify::report::Outcome;
 
 use crate::{Answer, output};
 
-/// Ending of the certificate next to a model's file.
+/// File extension of the certificate next to a model's file.
 const ENDING: &str = "certificate.json";
 
-/// Says whether a certificate stands; answers no where something that it covers has changed.
+/// Prints whether a certificate is still valid; answers no if something that it covers has changed. With `again` the
+/// checks are repeated.
 pub fn check(
     path: &Path,
     again: bool,
@@ -45,11 +47,13 @@ pub fn check(
     })
 }
 
-/// The certificate that is asked for, or the one next to the file of a model; read before any work.
+/// The certificate given by an option, or the one next to the file of a model. It is read before any other work;
+/// `None` if there is none.
 pub struct Found(Option<(PathBuf, Result<Certificate, String>)>);
 
 impl Found {
-    /// Reads the certificate; `name_or_path` is that of the model. One that is asked for must be readable.
+    /// Reads the certificate `asked`, which must be readable, or else the one next to the model `name_or_path`, if
+    /// there is one.
     pub fn read(asked: Option<&Path>, name_or_path: &str) -> anyhow::Result<Self> {
         if let Some(path) = asked {
             let read = Certificate::read(path)
@@ -65,7 +69,7 @@ impl Found {
         Ok(Self(Some((path, read))))
     }
 
-    /// What the certificate says of the model.
+    /// Statement on the certificate and the given model for a report: none, still valid, or changed.
     pub fn note(&self, model: &Model) -> CertificateNote {
         let Some((path, read)) = &self.0 else {
             return CertificateNote::none();

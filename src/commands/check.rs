@@ -41,7 +41,7 @@ pub fn run(options: &Check) -> anyhow::Result<Answer> {
     Ok(answer)
 }
 
-/// The result of each check case of a model as text, and whether all pass.
+/// Runs the check cases of a model. Returns the results as text, and whether all of them pass.
 fn cases(model: &Model) -> (String, bool) {
     let mut text = String::new();
     let mut all_pass = true;

@@ -1,4 +1,4 @@
-//! Command `hyzer diff`: what a change of a model does.
+//! Command `hyzer diff`: prints the effect of a change of a model.
 
 use std::io::Read;
 use std::path::Path;
@@ -13,12 +13,12 @@ use verify::difference::{DifferenceOptions, compare};
 use crate::cli::Diff;
 use crate::{Answer, output};
 
-/// Maximum size of a model file, bytes; that of the language.
+/// Maximum size of a model file, bytes; equal to the limit of the model language.
 const MAX_BYTES: u64 = 1_000_000;
 /// Maximum duration of the compared flights, s.
 const MAX_SECONDS: f64 = 60.0;
 
-/// Compares two models; answers no if the new one is another function.
+/// Compares two models; answers no if the new model is a different function.
 pub fn run(options: &Diff) -> anyhow::Result<Answer> {
     if !(options.seconds > 0.0 && options.seconds <= MAX_SECONDS) {
         bail!(
@@ -48,8 +48,8 @@ pub fn run(options: &Diff) -> anyhow::Result<Answer> {
     })
 }
 
-/// A model by name, by path, or by `REVISION:PATH` of a file in git, with the messages on units that do not agree; an existing
-/// file takes precedence.
+/// Loads a model by name, by path, or by `REVISION:PATH` of a file in git; an existing file takes precedence. Also
+/// returns the messages on inconsistent units.
 fn model(wanted: &str, with: &[&str]) -> anyhow::Result<(Model, Vec<String>)> {
     let loaded = loaded(wanted, with)?;
     let faults = loaded.diagnostics.iter().map(|d| d.message.clone());
@@ -73,7 +73,7 @@ fn loaded(wanted: &str, with: &[&str]) -> anyhow::Result<Loaded> {
     }
 }
 
-/// Text of a file at a revision, from `git show`.
+/// Text of a file at a git revision, from `git show`.
 fn of_git(revision: &str, path: &str) -> anyhow::Result<String> {
     let object = format!("{revision}:{path}");
     if revision.starts_with('-') {

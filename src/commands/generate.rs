@@ -16,7 +16,8 @@ const SOURCES: &str = "crates/generated/src";
 /// Folder of the model files, relative to the root of the repository.
 const MODELS: &str = "model-spec/models";
 
-/// Writes the generated files that changed; with `--check` prints the differences and answers no if there are any.
+/// Writes the generated files that changed; with `--check` prints the differences instead and answers no if there are
+/// any.
 pub fn run(options: &Generate) -> anyhow::Result<Answer> {
     match &options.out {
         Some(out) => generate_modules(options, out),
@@ -100,7 +101,7 @@ fn list(changed: &[String], folder: &str, models: usize) -> anyhow::Result<Answe
     Ok(Answer::Yes)
 }
 
-/// Root of the repository that contains the current folder.
+/// Root folder of the repository that contains the current folder; an error outside of the repository.
 fn repository() -> anyhow::Result<PathBuf> {
     let here = std::env::current_dir()?;
     match here

@@ -1,4 +1,4 @@
-//! Implementations of the commands, one file each.
+//! Implementations of the commands, one module each.
 
 mod bootstrap;
 mod certificate;
@@ -47,7 +47,7 @@ fn names(with: &[String]) -> Vec<&str> {
     with.iter().map(String::as_str).collect()
 }
 
-/// Parses the value of a command-line option as a finite number (SI units).
+/// Parses the value of a command-line option as a finite number (SI units); `option` names it in messages.
 fn number(option: &str, text: &str) -> anyhow::Result<f64> {
     match text.trim().parse::<f64>() {
         Ok(number) if number.is_finite() => Ok(number),
@@ -55,7 +55,7 @@ fn number(option: &str, text: &str) -> anyhow::Result<f64> {
     }
 }
 
-/// Parses the option `--part`, `I/N`.
+/// Parses the value `I/N` of the option `--part`: share number I, from 1, of N.
 fn share(text: &str) -> anyhow::Result<(u64, u64)> {
     let numbers = text.split_once('/');
     let numbers = numbers.and_then(|(part, of)| Some((part.parse().ok()?, of.parse().ok()?)));
@@ -65,7 +65,7 @@ fn share(text: &str) -> anyhow::Result<(u64, u64)> {
     }
 }
 
-/// Three numbers of an option.
+/// Parses the value `X,Y,Z` of a command-line option as three numbers; `option` and `unit` appear in messages.
 fn vector(option: &str, text: &str, unit: &str) -> anyhow::Result<[f64; 3]> {
     let parts: Vec<&str> = text.split(',').collect();
     let [x, y, z] = parts[..] else {

@@ -89,16 +89,16 @@ pub fn run(options: &Simulate) -> anyhow::Result<Answer> {
     Ok(Answer::Yes)
 }
 
-/// The figures of a flight as a file.
+/// Result file with the characteristics of a flight as JSON.
 fn summary_file(path: &str, flown: &Flown, model: &Model) -> ResultFile {
     let text = format!("{:#}\n", flown.json(&model.name));
     ResultFile::new(path, text)
 }
 
-/// Maximum number of rows of `trajectory.csv`, some 200 MB.
+/// Maximum number of rows of `trajectory.csv`, about 200 MB.
 const MAX_ROWS: f64 = 1e6;
 
-/// Refuses a table that would have too many rows; says what to change.
+/// Returns an error if the table would have too many rows; the message states which option to change.
 fn check_rows(options: &Simulate, seconds: f64) -> anyhow::Result<()> {
     let (rate, rows) = (options.rate, seconds * options.rate);
     if options.out.is_some() && rows > MAX_ROWS {
@@ -165,8 +165,8 @@ fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     Ok((model, release))
 }
 
-/// Loads a release by name or file, with the model given on the command line or else the release's own model. Refuses a wind by
-/// height and gusts.
+/// Loads a release by name or file, with the model given on the command line or else the one that the release names.
+/// Returns an error if the release has a wind profile over height or gusts.
 pub(super) fn released(
     name: &str,
     named: Option<&str>,
@@ -189,7 +189,8 @@ pub(super) fn released(
     Ok((model, release))
 }
 
-/// As [`released`], of a release that may state a wind by height and gusts, with the model in that wind.
+/// Loads a release as [`released`] does, but accepts a wind profile over height and gusts; the model returned
+/// includes this wind.
 fn released_in_wind(
     name: &str,
     named: Option<&str>,
@@ -286,7 +287,7 @@ fn summary(model: &Model, body: &CompiledModel, flight: &Trajectory) -> String {
     text
 }
 
-/// The files that `--out` holds.
+/// Result files of a simulation: the trajectory, the figure and the three-dimensional view.
 fn results(
     model: &Model,
     body: &CompiledModel,

@@ -15,7 +15,7 @@ use crate::{Answer, output};
 /// Name and text of the built-in plan.
 const BUILT_IN: (&str, &str) = ("backhands", include_str!("sweep/backhands.toml"));
 
-/// Flies the plan and prints the summary, or what is left to do.
+/// Flies the plan and prints the summary, or what remains to be done after a share.
 pub fn run(options: &Sweep) -> anyhow::Result<Answer> {
     if options.example {
         output::print(BUILT_IN.1)?;
@@ -30,7 +30,7 @@ pub fn run(options: &Sweep) -> anyhow::Result<Answer> {
         Some(threads) => threads,
         None => flight::batch::threads(),
     };
-    // A file wins over the name.
+    // A file takes precedence over the built-in name.
     let plan = match path.as_os_str() == BUILT_IN.0 && !path.is_file() {
         true => plan::read(BUILT_IN.0, BUILT_IN.1, Path::new("."))?,
         false => plan::read_file(path)?,
@@ -64,7 +64,8 @@ pub fn run(options: &Sweep) -> anyhow::Result<Answer> {
     Ok(Answer::Yes)
 }
 
-/// Says on standard error where the results are and how long they took, which is no part of them.
+/// Prints on standard error where the results are, and the number of flights per second, which is not part of the
+/// results.
 fn tell(plan: &Plan, out: &Path, csv: bool, seconds: f64) {
     let csv = if csv { ", flights.csv" } else { "" };
     eprintln!(
@@ -74,7 +75,7 @@ fn tell(plan: &Plan, out: &Path, csv: bool, seconds: f64) {
     );
 }
 
-/// The summary as text.
+/// The summary of a sweep as a text table.
 fn table(plan: &Plan, summary: &Value) -> String {
     let mut text = format!("{}: {} flights", plan.model.name, plan.flights);
     for (status, count) in summary["statuses"].as_object().into_iter().flatten() {

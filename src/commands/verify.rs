@@ -12,11 +12,11 @@ use super::certificate;
 use crate::cli::Verify;
 use crate::{Answer, output};
 
-/// Built-in models that describe one motion in different formulations.
+/// Built-in models that describe the same motion in different formulations.
 const SAME: [&str; 3] = ["disc", "disc_appendix", "disc_quaternion"];
 
-/// Verifies each model; answers no if any check of any model fails, and undecided if none fails and some that apply could
-/// not be made. With `--check`, answers whether a certificate stands.
+/// Verifies each model; answers no if any check of any model fails, and undecided if none fails but some applicable
+/// checks could not be made. With `--check`, answers whether a certificate is still valid.
 pub fn run(options: &Verify) -> anyhow::Result<Answer> {
     if let Some(path) = &options.check {
         return certificate::check(path, options.again, options.json, is_same);
@@ -100,7 +100,8 @@ fn is_same(model: &Model) -> bool {
     SAME.contains(&model.name.as_str())
 }
 
-/// Writes a certificate; none where a text was refused, which yields no model to certify.
+/// Writes a certificate; writes nothing if the text of a model was refused, because there is then no model to
+/// certify.
 fn write(path: &Path, certificate: &Certificate, refused: &[&str]) -> anyhow::Result<()> {
     if !refused.is_empty() {
         eprintln!("no certificate is written: {} refused", refused.join(", "));

@@ -1,4 +1,4 @@
-//! The option `--wind`: a constant wind, or the wind of a file.
+//! The option `--wind`: a constant wind, or the wind described in a file.
 
 use std::path::Path;
 
@@ -9,8 +9,8 @@ use model_spec::model::Model;
 
 use super::vector;
 
-/// Gives a release the wind of the option and returns the model that flies it. Three numbers are a constant wind; anything else is a
-/// TOML file with a table `[wind]`.
+/// Sets the wind of a release from the value of the option and returns the model to fly it with. Three numbers are a
+/// constant wind; anything else is the path of a TOML file with a table `[wind]`.
 pub fn apply(text: &str, model: Model, release: &mut Release) -> anyhow::Result<Model> {
     if release.wind_field.is_some() {
         bail!("--wind: the release states a wind by height or gusts, expected one wind alone");
@@ -31,7 +31,7 @@ pub fn apply(text: &str, model: Model, release: &mut Release) -> anyhow::Result<
     }
 }
 
-/// A model that has the input of a constant wind, unless there is none.
+/// Returns the model, or an error if the wind is not zero and the model has no input `wind`.
 fn with_input(model: Model, wind: [f64; 3]) -> anyhow::Result<Model> {
     if wind != [0.0; 3] && !model.inputs.iter().any(|input| input.name == "wind") {
         bail!(

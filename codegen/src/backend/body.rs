@@ -1,4 +1,4 @@
-//! Language-independent function bodies: variables, loads, statements, stores and comments.
+//! Language-independent function bodies: variables, loads, statements, stores and comments in order.
 
 mod variables;
 mod width;
@@ -12,11 +12,12 @@ pub(crate) use variables::Variables;
 /// One line of a function body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Step {
-    /// Comment with a source line of the model for the statements that follow, by index into the model's provenance.
+    /// Comment that quotes the source line of the model for the statements that follow; the value is an index into the
+    /// model's provenance.
     Source(usize),
-    /// Loads an input array element into its local variable.
+    /// Loads an input array element into its local variable; the operand identifies the element.
     Load(Operand),
-    /// Assigns the statement with this index to its local variable.
+    /// Assigns the result of the statement with this index to its local variable.
     Let(usize),
     /// Assigns sine and cosine of one angle to their local variables.
     SinCos {
@@ -24,26 +25,26 @@ pub(crate) enum Step {
         sin: usize,
         /// Index of the cosine's statement.
         cos: usize,
-        /// The angle, rad.
+        /// Operand whose value is the angle, rad.
         angle: Operand,
     },
     /// Stores an output of the program to an output array element.
     Store {
         /// Index of the output among all outputs of the function.
         output: usize,
-        /// Index of the section, which is that of the output array.
+        /// Index of the output section, which is also the index of the output array.
         section: usize,
-        /// Index within the output array.
+        /// Index of the element within the output array.
         element: usize,
     },
-    /// Blank line between the stores of constants or inputs and the computed rest.
+    /// Blank line between the computed statements and the stores of outputs that are constants or inputs.
     Gap,
 }
 
 /// Function body as a list of lines over named local variables.
 ///
-/// Inputs are loaded at first use and results stored as soon as they are computed, which shortens the live ranges of
-/// variables.
+/// Inputs are loaded at their first use and results stored as soon as they are computed, which shortens the live ranges
+/// of variables.
 pub(crate) struct Body<'a> {
     pub compiled: &'a Compiled,
     pub function: &'a Function,
@@ -68,12 +69,13 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// Operation of a statement, by the statement's index.
+    /// Returns the operation of the statement with this index.
     pub fn op(&self, statement: usize) -> &'a Op {
         &self.function.program.statements[statement].op
     }
 
-    /// Model source line of an auxiliary variable as `file:line  text`, truncated to `MAX_CHARS`.
+    /// Returns the model source line of an auxiliary variable as `file:line  text`, truncated to `MAX_CHARS`; `origin`
+    /// is an index into the model's provenance.
     pub fn source_line(&self, origin: usize) -> String {
         const MAX_CHARS: usize = 94;
         let origin = &self.compiled.lowered.provenance[origin];
@@ -89,7 +91,7 @@ impl<'a> Body<'a> {
         line
     }
 
-    /// Whether the function reads an input array or the time.
+    /// Whether the function reads the input argument `input`.
     pub fn reads(&self, input: Input) -> bool {
         operands(&self.function.program).any(|operand| Input::of(operand) == Some(input))
     }
@@ -106,7 +108,7 @@ pub(crate) enum Input {
 }
 
 impl Input {
-    /// Argument that an operand belongs to; `None` for constants and statement results.
+    /// Input argument to which an operand belongs; `None` for constants and statement results.
     pub fn of(operand: Operand) -> Option<Input> {
         match operand {
             Operand::Time => Some(Input::Time),
@@ -140,7 +142,7 @@ pub(crate) fn input_element(operand: Operand) -> Option<(Input, u32)> {
     }
 }
 
-/// All operands of a program's statements, followed by its outputs.
+/// All operands of a program's statements, followed by the outputs of the program.
 fn operands(program: &Program) -> impl Iterator<Item = Operand> + '_ {
     let inside = program.statements.iter().flat_map(|s| s.op.operands());
     inside.chain(program.outputs.iter().copied())
@@ -150,12 +152,12 @@ struct Planner<'a> {
     compiled: &'a Compiled,
     function: &'a Function,
     variables: &'a Variables,
-    /// Output indices that each statement computes.
+    /// For each statement, the indices of the outputs that it computes.
     outputs: Vec<Vec<usize>>,
-    /// (sine, cosine) statement indices of one angle, keyed by either statement.
+    /// Statement indices (sine, cosine) of angles of which both functions are computed, stored under either index.
     pairs: HashMap<usize, (usize, usize)>,
     loaded: HashSet<(Input, u32)>,
-    /// Source lines already emitted as comments.
+    /// Source lines of the model that have been emitted as comments.
     quoted: HashSet<(&'a str, usize)>,
     steps: Vec<Step>,
 }

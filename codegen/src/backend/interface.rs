@@ -20,6 +20,6 @@ pub trait Backend: Sync {
     /// One-line description of the generated code, for help texts.
     fn description(&self) -> &'static str;
 
-    /// Generated files of one model; equal arguments give equal text.
+    /// Generates the source files of one model; equal arguments give equal text.
     fn emit(&self, model: &Model, compiled: &Compiled) -> Vec<SourceFile>;
 }

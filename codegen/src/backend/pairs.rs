@@ -1,7 +1,7 @@
-//! Pairing of sine and cosine statements of one angle, which all backends compute together.
+//! Pairing of the sine and cosine statements of one angle, which all backends compute together.
 //!
 //! **Invariant.** A pair is computed at the position of the earlier of its two statements. The angle is available
-//! there, since that statement reads it; the later statement does not extend the angle's live range.
+//! there, since the earlier statement reads it; the later statement does not extend the angle's live range.
 
 use crate::functions::MathFunction;
 use crate::program::{Op, Operand, Program, Unary};
@@ -25,7 +25,8 @@ impl From<Operand> for OperandKey {
     }
 }
 
-/// (sine, cosine) statement indices of each angle with both functions, keyed by either statement.
+/// For each angle of which both sine and cosine are computed: the indices (sine, cosine) of the two statements. Each
+/// pair is stored under the index of either statement.
 pub(crate) fn sin_cos_pairs(program: &Program) -> HashMap<usize, (usize, usize)> {
     #[derive(Default)]
     struct Found {

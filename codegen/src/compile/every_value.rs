@@ -1,4 +1,4 @@
-//! All values of a model in one program, for the comparison of two models.
+//! Program that computes all values of a model, for the comparison of two models.
 
 use super::scheduled_values;
 use crate::lower::{Lowered, lower};
@@ -6,22 +6,23 @@ use crate::program::Program;
 use model_spec::layout::Layout;
 use model_spec::model::Model;
 
-/// Program of all values of a model: state derivatives, observation, limits, auxiliary variables, in this order.
+/// Program of all values of a model. Its outputs are the state derivatives, the observation, the limits of validity and
+/// the auxiliary variables, in this order.
 #[derive(Clone, Debug)]
 pub struct EveryValue {
-    /// Order of the states and parameters.
+    /// Names and order of the states and parameters.
     pub layout: Layout,
-    /// The program, without hoisting.
+    /// Program that computes the outputs, without hoisting.
     pub program: Program,
-    /// Number of outputs of the observation: 3, or 0 without one.
+    /// Number of outputs of the observation: 3, or 0 if the model has no observation.
     pub observed: usize,
-    /// Number of limits.
+    /// Number of outputs that are left-hand sides of limits of validity.
     pub limits: usize,
     /// Number of components of each auxiliary variable: 1 or 3.
     pub lets: Vec<usize>,
 }
 
-/// Compiles all values of a model, without Jacobians.
+/// Compiles a program of all values of a model, without Jacobians.
 pub fn compile_every_value(model: &Model) -> EveryValue {
     let Lowered {
         mut graph,

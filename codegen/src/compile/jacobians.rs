@@ -8,11 +8,11 @@ use crate::specialize::Specialized;
 use crate::ssa::{Ssa, build};
 use std::ops::Range;
 
-/// Values and the linearized computational graph below them.
+/// Values to be differentiated, and their linearized computational graph.
 pub(super) struct Differentiable {
     roots: Vec<NodeId>,
     edges: LinearizedGraph,
-    /// Range of the local symbols that stand for shared subexpressions.
+    /// Index range of the local symbols that represent shared subexpressions.
     locals: Range<usize>,
 }
 
@@ -26,10 +26,11 @@ struct Jacobians {
 type Columns = (&'static str, usize);
 
 impl Compiler {
-    /// Linearized graphs of the state derivatives and of the observation if parameters are fixed; `None` otherwise.
+    /// Returns the linearized graphs of the state derivatives and of the observation if some parameters are fixed;
+    /// `None` otherwise.
     ///
     /// Fixed values change which subexpressions are worth sharing. Partial derivatives are therefore taken of the
-    /// unspecialized model, and values and partials are specialized together.
+    /// unspecialized model, and then values and partial derivatives are specialized together.
     pub(super) fn differentiable(&mut self) -> (Option<Differentiable>, Option<Differentiable>) {
         if self.fixed.is_empty() {
             return (None, None);
@@ -64,7 +65,8 @@ impl Compiler {
         self.lowered.graph = at.graph;
     }
 
-    /// The functions `f`, `f_jac`, `f_jac_par`.
+    /// Compiles the functions `f`, `f_jac`, `f_jac_par`; `known` is the linearized graph of the state derivatives if it
+    /// has been computed.
     pub(super) fn motion(&mut self, known: Option<Differentiable>) -> [Function; 3] {
         let ssa = self.optimised(&self.lowered.dx);
         let (rows, states) = (ssa.roots.len(), self.lowered.layout.states.len());
@@ -91,7 +93,8 @@ impl Compiler {
         [f, f_jac, f_jac_par]
     }
 
-    /// The functions `observe`, `observe_jac`.
+    /// Compiles the functions `observe`, `observe_jac`; `known` is the linearized graph of the observation if it has
+    /// been computed.
     pub(super) fn observation(&mut self, known: Option<Differentiable>) -> [Function; 2] {
         let ssa = self.optimised(&self.observed());
         let layout = &self.lowered.layout;
@@ -128,7 +131,7 @@ impl Compiler {
         states.chain(parameters).collect()
     }
 
-    /// Linearized graph of values with respect to symbols.
+    /// Builds the linearized graph of the roots of `ssa` with respect to `symbols`.
     fn linearized(&mut self, ssa: &Ssa, value: &str, symbols: &[Symbol]) -> Differentiable {
         let columns: Vec<String> = symbols.iter().map(|&s| self.symbol_name(s)).collect();
         let rows = (0..ssa.roots.len()).map(|row| self.row_name(value, row));
@@ -156,7 +159,8 @@ impl Compiler {
         }
     }
 
-    /// Values and their Jacobians by column groups, by the elimination order with the lowest operation cost.
+    /// Compiles the values and their Jacobians with respect to the column groups, by the elimination order with the
+    /// lowest operation cost.
     fn jacobians(
         &mut self,
         of: &Differentiable,
@@ -207,7 +211,7 @@ impl Compiler {
 }
 
 impl Differentiable {
-    /// Restriction to the derivatives by the first `columns` symbols.
+    /// Returns the restriction to the derivatives with respect to the first `columns` symbols.
     fn towards_first(&self, columns: usize) -> Differentiable {
         Differentiable {
             roots: self.roots.clone(),
@@ -218,7 +222,7 @@ impl Differentiable {
 }
 
 impl Jacobians {
-    /// Restriction to the first `sections` sections.
+    /// Returns the restriction to the first `sections` output sections.
     fn first_sections(&self, sections: usize) -> Jacobians {
         let sections = self.sections[..sections].to_vec();
         let mut ssa = self.ssa.clone();
@@ -227,7 +231,7 @@ impl Jacobians {
     }
 }
 
-/// Submatrix of the columns `start .. start + width` of a Jacobian, columns renumbered from 0.
+/// Submatrix of the columns `start .. start + width` of a Jacobian, with the columns renumbered from 0.
 fn columns_of(all: &Jacobian, start: u32, width: u32) -> Jacobian {
     let mut part = Jacobian::default();
     for (&(row, column), &entry) in all.pattern.iter().zip(&all.entries) {

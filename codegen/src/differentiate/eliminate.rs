@@ -1,7 +1,8 @@
 //! Jacobian accumulation by vertex elimination (Griewank and Walther, Evaluating Derivatives, chapter 9).
 //!
-//! Eliminating a vertex multiplies each edge above the vertex with each edge below. The order determines the number of
-//! products; an optimal order is NP-complete to find, so that two greedy rules are offered: see [`EliminationOrder`].
+//! Eliminating a vertex multiplies the partial derivative on each edge above the vertex with that on each edge below.
+//! The order of elimination determines the number of products. Finding an optimal order is NP-complete;
+//! [`EliminationOrder`] offers two greedy rules.
 
 use super::linearized::{LinearizedGraph, Vertex, add_edge};
 use crate::graph::{ExprGraph, Node, NodeId};
@@ -9,9 +10,9 @@ use crate::graph::{ExprGraph, Node, NodeId};
 /// Greedy rule that selects the next vertex to eliminate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum EliminationOrder {
-    /// Fewest products minus edges removed (Markowitz rule).
+    /// Selects the vertex with the smallest number of products minus removed edges (Markowitz rule).
     FewestProducts,
-    /// Fewest edges after the elimination (minimum fill).
+    /// Selects the vertex whose elimination leaves the fewest edges (minimum fill).
     FewestEdges,
 }
 
@@ -24,11 +25,12 @@ pub(crate) struct Jacobian {
     pub entries: Vec<NodeId>,
 }
 
-/// Maximum total length of the two variable names in a derivative's name, characters.
+/// Maximum total length, in characters, of the two variable names in the name of a derivative; a derivative with longer
+/// names stays unnamed.
 const MAX_NAMES_LEN: usize = 30;
 
 impl LinearizedGraph {
-    /// Jacobian of the results with respect to the symbols, by eliminating all intermediate vertices.
+    /// Computes the Jacobian of the results with respect to the symbols by eliminating all intermediate vertices.
     pub fn eliminate_vertices(self, graph: &mut ExprGraph, order: EliminationOrder) -> Jacobian {
         let LinearizedGraph {
             mut vertices,
@@ -71,12 +73,12 @@ fn cheapest(vertices: &[Vertex], inner: &[usize], order: EliminationOrder) -> Op
             EliminationOrder::FewestProducts => 2 * products - 2 * up - 3 * down,
             EliminationOrder::FewestEdges => fill(vertices, v) - up - down,
         };
-        // Ties: fewer products, then the vertex nearest to the inputs.
+        // Ties are broken by fewer products, then by the later vertex, which is nearer to the inputs.
         (cost, products, std::cmp::Reverse(v))
     })
 }
 
-/// Fill: number of new edges that eliminating vertex `v` would create.
+/// Fill of vertex `v`: number of new edges that eliminating the vertex would create.
 fn fill(vertices: &[Vertex], v: usize) -> i64 {
     let missing = |user: usize| {
         let known = &vertices[user].down;
@@ -119,7 +121,7 @@ fn eliminate(graph: &mut ExprGraph, vertices: &mut [Vertex], v: usize) {
     }
 }
 
-/// Names the partial derivative of one named vertex by another `d_A_d_B`.
+/// Names the partial derivative on the edge between two named vertices A and B: `d_A_d_B`.
 fn name_edge(graph: &mut ExprGraph, vertices: &[Vertex], from: usize, to: usize, partial: NodeId) {
     if let (Some(from), Some(to)) = (&vertices[from].name, &vertices[to].name) {
         name_derivative(graph, partial, from, to);
@@ -134,7 +136,8 @@ fn name_derivative(graph: &mut ExprGraph, partial: NodeId, of: &str, by: &str) {
     }
 }
 
-/// Makes a sum that becomes a factor of several products a shared subexpression.
+/// Replaces a sum that becomes a factor of several products by a local symbol, so that it is computed once; returns
+/// other nodes unchanged.
 fn bind(graph: &mut ExprGraph, id: NodeId) -> NodeId {
     match graph.node(id) {
         Node::Sum(terms, _) if terms.len() > 1 => {

@@ -1,10 +1,10 @@
-//! Linearized computational graph: one vertex per value that is neither sum nor product; each edge holds the partial
-//! derivative of its upper vertex by its lower vertex.
+//! Linearized computational graph: one vertex per value that is neither sum nor product. Each edge stores the partial
+//! derivative of its upper vertex with respect to its lower vertex.
 
 use super::partials;
 use crate::graph::{ExprGraph, FastMap, Node, NodeId, Symbol};
 
-/// Nodes or symbols, each with its name in generated code.
+/// Slice of nodes or symbols, and the name of each in generated code.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Labelled<'a, T> {
     pub items: &'a [T],
@@ -17,16 +17,16 @@ pub(super) struct Vertex {
     /// Jacobian column of an independent symbol; `None` for other vertices.
     pub column: Option<u32>,
     pub name: Option<String>,
-    /// Edges to operands: (vertex index, partial derivative by that vertex).
+    /// Edges to the operands: (index of the operand's vertex, partial derivative with respect to the operand).
     pub down: Vec<(usize, NodeId)>,
-    /// Indices of the vertices that depend directly on this one.
+    /// Indices of the vertices that depend directly on this vertex.
     pub up: Vec<usize>,
 }
 
 /// Linearized computational graph between results and independent symbols.
 #[derive(Clone, Debug)]
 pub(crate) struct LinearizedGraph {
-    /// Vertices; the results come first, in row order.
+    /// All vertices of the graph; the vertices of the results come first, in row order.
     pub(super) vertices: Vec<Vertex>,
     /// Names of the results, one per Jacobian row.
     pub(super) rows: Vec<String>,
@@ -75,7 +75,7 @@ impl LinearizedGraph {
         linearized
     }
 
-    /// Partial derivatives on all edges, vertex by vertex.
+    /// Returns the partial derivatives on all edges, vertex by vertex.
     pub fn partials(&self) -> Vec<NodeId> {
         let edges = self.vertices.iter().flat_map(|vertex| &vertex.down);
         edges.map(|&(_, partial)| partial).collect()
@@ -91,7 +91,7 @@ impl LinearizedGraph {
         });
     }
 
-    /// Restriction of the graph to the first `columns` symbols.
+    /// Restricts the graph to the first `columns` symbols.
     pub fn towards_first(mut self, columns: usize) -> LinearizedGraph {
         let beyond: Vec<bool> = self
             .vertices
@@ -107,7 +107,8 @@ impl LinearizedGraph {
         self
     }
 
-    /// Removes edges for which `keep` is false, then the vertices that no longer reach a symbol.
+    /// Calls `keep` with the lower vertex and the partial derivative of each edge. Removes the edges for which `keep`
+    /// returns false, then the vertices from which no symbol can be reached.
     fn retain_edges(&mut self, mut keep: impl FnMut(usize, &mut NodeId) -> bool) {
         let mut dropped = Vec::new();
         for (from, vertex) in self.vertices.iter_mut().enumerate() {
@@ -147,7 +148,7 @@ impl LinearizedGraph {
     }
 }
 
-/// Adds the edges below a vertex, and recursively the vertices they lead to.
+/// Adds the edges from the vertex `from` to its operands, and recursively the vertices and edges below.
 fn attach(
     graph: &mut ExprGraph,
     from: usize,
@@ -190,7 +191,7 @@ fn attach(
     }
 }
 
-/// Operand vertices of a vertex, each with the partial derivative by that operand.
+/// Returns the operand vertices of a vertex, each with the partial derivative with respect to that operand.
 fn partials_of_vertex(graph: &mut ExprGraph, node: NodeId) -> Vec<(NodeId, NodeId)> {
     if let Node::Symbol(Symbol::Local(k)) = graph.node(node) {
         let definition = graph.definition(*k);

@@ -4,7 +4,7 @@ use crate::functions::{Derivative, MathFunction};
 use crate::graph::{ExprGraph, FastMap, Node, NodeId, Symbol};
 use crate::number::Number;
 
-/// Derivative of an elementary function at `x`; `value` is the node of the function's value.
+/// Derivative of an elementary function at the argument `x`; `value` is the node of `function(x)`.
 fn of_call(graph: &mut ExprGraph, function: MathFunction, x: NodeId, value: NodeId) -> NodeId {
     match function.derivative() {
         Derivative::Zero => graph.whole(0),
@@ -31,13 +31,13 @@ fn of_call(graph: &mut ExprGraph, function: MathFunction, x: NodeId, value: Node
     }
 }
 
-/// The expression `1 - x²`.
+/// Node of `1 - x²`.
 fn one_minus_square(graph: &mut ExprGraph, x: NodeId) -> NodeId {
     let square = graph.power(x, 4);
     graph.sum(vec![(Number::MINUS_ONE, square)], Number::ONE)
 }
 
-/// Operands of a node that is neither sum nor product, each with the partial derivative by that operand.
+/// Operands of a node that is neither sum nor product, each with the partial derivative with respect to that operand.
 pub(crate) fn of_node(graph: &mut ExprGraph, id: NodeId) -> Vec<(NodeId, NodeId)> {
     match graph.node(id).clone() {
         Node::Number(_) | Node::Symbol(_) | Node::Sum(..) | Node::Product(_) => Vec::new(),
@@ -70,8 +70,8 @@ pub(crate) fn of_node(graph: &mut ExprGraph, id: NodeId) -> Vec<(NodeId, NodeId)
     }
 }
 
-/// Leaves (symbols and nodes that are neither sum nor product) of a sum-of-products expression, each with the partial
-/// derivative by that leaf.
+/// Leaves of a sum-of-products expression, each with the partial derivative with respect to that leaf. Leaves are the
+/// symbols and the nodes that are neither sum nor product.
 pub(crate) fn of_expression(graph: &mut ExprGraph, id: NodeId) -> Vec<(NodeId, NodeId)> {
     let mut found = PartialSums::default();
     let one = graph.whole(1);
@@ -83,7 +83,7 @@ pub(crate) fn of_expression(graph: &mut ExprGraph, id: NodeId) -> Vec<(NodeId, N
         .collect()
 }
 
-/// Terms of the partial derivatives by vertex, in order of first occurrence.
+/// Terms of the partial derivative with respect to each vertex, in order of first occurrence of the vertices.
 #[derive(Default)]
 struct PartialSums {
     sums: Vec<(NodeId, Vec<(Number, NodeId)>)>,
@@ -119,7 +119,7 @@ fn collect(
             for k in 0..factors.len() {
                 let (base, exponent) = factors[k];
                 let mut others = factors.to_vec();
-                // d/dx of x^(e/2) is e/2 x^(e/2 - 1); at x = 0 its guarded reciprocal makes the derivative 0.
+                // d/dx of x^(e/2) is e/2 x^(e/2 - 1); at x = 0 the guarded reciprocal makes the derivative 0.
                 others[k].1 = exponent - 2;
                 others.push((cofactor, 2));
                 let lowered = graph.product(others);
@@ -131,7 +131,8 @@ fn collect(
     }
 }
 
-/// Total derivative of an expression by one symbol, by the chain rule over the whole graph below.
+/// Total derivative of an expression with respect to one symbol, by the chain rule over all nodes that the expression
+/// depends on.
 pub(crate) fn total(graph: &mut ExprGraph, id: NodeId, by: Symbol) -> NodeId {
     let mut known = FastMap::default();
     total_of(graph, id, by, &mut known)

@@ -1,11 +1,11 @@
-//! Vertices of the linearized graph: values that the optimised SSA definitions compute once.
+//! Choice of the vertices of the linearized graph: the values that the optimised SSA definitions compute once.
 
 use crate::graph::{ExprGraph, Node, NodeId, Symbol, ValueFacts};
 use crate::schedule::Namer;
 use crate::ssa::{Ssa, SsaDef};
 
-/// Turns every sum, and every product with several users, into a local symbol defined by its value. Returns the roots
-/// over these symbols; `namer` names the shared values.
+/// Replaces every sum, and every product with several users, by a local symbol defined by its value; `namer` names the
+/// shared values. Returns the roots expressed by these symbols.
 pub(crate) fn share_values(ssa: &Ssa, graph: &mut ExprGraph, namer: &mut Namer) -> Vec<NodeId> {
     let uses = ssa.uses();
     let order = ssa.order();
@@ -46,7 +46,8 @@ pub(crate) fn share_values(ssa: &Ssa, graph: &mut ExprGraph, namer: &mut Namer) 
     roots.collect()
 }
 
-/// Local symbol for a sum; if `rooted`, the square of a local symbol for the sum's square root.
+/// Returns a local symbol for a sum. If `rooted`, the square root of the sum is a value too: returns the square of a
+/// local symbol for the square root.
 fn share_sum(graph: &mut ExprGraph, sum: NodeId, facts: ValueFacts, rooted: bool) -> NodeId {
     if rooted && matches!(graph.node(sum), Node::Sum(..)) {
         let root = graph.local_root(facts, sum);

@@ -1,4 +1,4 @@
-//! Formulas in terms of the model's auxiliary variables, with derivatives by the chain rule.
+//! Formulas in terms of the auxiliary variables of the model, with derivatives by the chain rule.
 
 use super::find::{Found, symbol_of};
 use crate::differentiate::partials;
@@ -9,13 +9,13 @@ use crate::layout::Layout;
 use crate::number::Number;
 use model_spec::model::Model;
 
-/// LaTeX formulas of a quantity and its derivatives, `left = right` each.
+/// LaTeX formulas `left = right` of a quantity and of its derivatives.
 pub(super) struct Formulas {
     pub values: Vec<String>,
     pub derivatives: Vec<String>,
 }
 
-/// LaTeX formulas of a quantity and, if `by` is given, of its derivative by that symbol.
+/// Writes the LaTeX formulas of a quantity and, if `by` is given, of its derivative with respect to that symbol.
 pub(super) fn formulas(model: &Model, found: &Found, by: Option<(Symbol, &str)>) -> Formulas {
     let mut cut = Cut::new(model, &found.compiled.lowered.graph, &found.nodes);
     let roots: Vec<NodeId> = cut
@@ -44,13 +44,13 @@ pub(super) fn formulas(model: &Model, found: &Found, by: Option<(Symbol, &str)>)
             derivatives.push(format!("{left} = {}", cut.write(derivative)));
             needed.push(derivative);
         }
-        // Users before the derivatives they refer to.
+        // Formulas precede the derivatives to which they refer.
         for local in cut.mentioned(&needed).into_iter().rev() {
             let (left, definition) = (cut.names[&local].clone(), cut.graph.definition(local));
             derivatives.push(format!("{left} = {}", cut.write(definition)));
         }
     }
-    // Users before the parts they refer to.
+    // Formulas precede the parts to which they refer.
     let last = if by.is_some() {
         &mut derivatives
     } else {
@@ -70,13 +70,14 @@ fn fraction(above: &str, below: &str) -> String {
     format!(r"\frac{{\partial {above}}}{{\partial {below}}}")
 }
 
-/// Size of a formula, in nodes of its tree, beyond which parts that it repeats are named.
+/// Maximum size of a formula, in nodes of its tree, without names for its repeated parts.
 const MAX_FORMULA: u64 = 2_000;
 
-/// Smallest part that is worth a name, in nodes of its tree.
+/// Minimum size of a repeated part that is given a name, in nodes of its tree.
 const MIN_PART: u64 = 6;
 
-/// Maps each sum that is the negative of a named sum to that named sum; the graph stores no minus before a sum.
+/// Maps each sum that is the negative of a named sum to that named sum, because the graph represents the negative of a
+/// sum as a sum of its own with opposite coefficients.
 fn opposites(source: &ExprGraph) -> FastMap<NodeId, NodeId> {
     let mut graph = source.clone();
     let mut opposites = FastMap::default();
@@ -93,19 +94,20 @@ fn opposites(source: &ExprGraph) -> FastMap<NodeId, NodeId> {
     opposites
 }
 
-/// Copy of an expression graph in which every named node is a local symbol with a definition.
+/// Copy of an expression graph in which each named node is replaced by a local symbol with a definition, so that
+/// formulas end at names.
 pub(super) struct Cut {
     pub graph: ExprGraph,
     /// Images of the requested nodes in the copy.
     pub roots: Vec<NodeId>,
     layout: Layout,
-    /// LaTeX of each local symbol, by its index.
+    /// LaTeX name of each local symbol, by the index of the symbol.
     names: FastMap<u32, String>,
-    /// For each sum whose square root is named, the square of that root's local symbol.
+    /// For each sum whose square root is named, the square of the local symbol of the square root.
     squares: FastMap<NodeId, NodeId>,
-    /// Indices of local symbols that are derivatives, in order of creation.
+    /// Indices of the local symbols that are derivatives, in order of creation.
     made: Vec<u32>,
-    /// Indices of local symbols that stand for repeated parts of large formulas, in order of creation.
+    /// Indices of the local symbols that represent repeated parts of large formulas, in order of creation.
     parts: Vec<u32>,
     pub by: Symbol,
     wrt: String,
@@ -167,7 +169,8 @@ impl Cut {
         cut
     }
 
-    /// Rewrites sums under named roots as squares of the roots, also where differentiation created the sum again.
+    /// Replaces each sum whose square root is named by the square of that name, also where differentiation has created
+    /// the sum again.
     pub fn tidy(&mut self, roots: &[NodeId]) -> Vec<NodeId> {
         let source = self.graph.clone();
         let mut images: FastMap<NodeId, NodeId> = FastMap::default();
@@ -182,8 +185,8 @@ impl Cut {
         roots.iter().map(|root| images[root]).collect()
     }
 
-    /// Names the parts that a large formula repeats, whose text would grow exponentially with their nesting; a formula of
-    /// ordinary size is returned unchanged.
+    /// Names the repeated parts of a large formula, whose text would otherwise grow exponentially with the nesting
+    /// depth. A formula of ordinary size is returned unchanged.
     pub fn share_repeated(&mut self, root: NodeId) -> NodeId {
         let order = self.graph.reachable(&[root]);
         let mut uses: FastMap<NodeId, u32> = FastMap::default();
@@ -221,7 +224,7 @@ impl Cut {
         images[&root]
     }
 
-    /// Nodes of an expression as a tree, given those of its operands.
+    /// Number of nodes of an expression as a tree, given the numbers of its operands.
     fn tree_size(&self, id: NodeId, sizes: &FastMap<NodeId, u64>) -> u64 {
         let mut size = 1_u64;
         self.graph
@@ -251,8 +254,8 @@ impl Cut {
         }
     }
 
-    /// Local symbol with a definition and a LaTeX name; symbols and numbers, up to a coefficient, are returned
-    /// unchanged.
+    /// Returns a new local symbol with a definition and a LaTeX name. A definition that is a symbol or a number, or a
+    /// multiple of one, is returned unchanged.
     fn leaf(&mut self, facts: ValueFacts, definition: NodeId, name: String) -> NodeId {
         let inner = self.graph.split_coefficient(definition).1;
         if matches!(self.graph.node(inner), Node::Symbol(_) | Node::Number(_)) {
@@ -265,7 +268,7 @@ impl Cut {
         leaf
     }
 
-    /// Definition of a local symbol; any other node unchanged.
+    /// Returns the definition of a local symbol, and any other node unchanged.
     pub fn inside(&self, id: NodeId) -> NodeId {
         match self.graph.node(id) {
             Node::Symbol(Symbol::Local(k)) => self.graph.definition(*k),
@@ -273,7 +276,8 @@ impl Cut {
         }
     }
 
-    /// Total derivative by [`Cut::by`]; derivatives of named quantities become local symbols too.
+    /// Total derivative of a node with respect to the symbol [`Cut::by`]; the derivatives of named quantities become
+    /// local symbols too.
     pub fn derivative(&mut self, id: NodeId) -> NodeId {
         let derivative = self.differentiated(id);
         self.tidy(&[derivative])[0]
@@ -320,7 +324,7 @@ impl Cut {
         self.graph.sum(terms, Number::ZERO)
     }
 
-    /// Indices of the derivative symbols that some nodes depend on; definitions precede their users.
+    /// Indices of the derivative symbols on which the nodes `roots` depend; definitions precede their users.
     fn mentioned(&self, roots: &[NodeId]) -> Vec<u32> {
         let mut needed: Vec<u32> = Vec::new();
         let mut waiting = roots.to_vec();

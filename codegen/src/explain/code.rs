@@ -1,4 +1,4 @@
-//! Generated code of a single quantity or derivative, by the same compiler stages as for whole models.
+//! Generated code of a single quantity or derivative, by the compiler stages that also compile whole models.
 
 use super::find::Found;
 use crate::compile::Compiled;
@@ -24,7 +24,7 @@ pub(super) struct Made {
     pub rows: Vec<u32>,
 }
 
-/// Compiles a quantity or, if `by` is given, its derivative by that symbol.
+/// Compiles a quantity or, if `by` is given, its derivative with respect to that symbol.
 pub(super) fn generate(found: &Found, by: Option<(Symbol, &str)>) -> Made {
     let mut compiled = found.compiled.clone();
     let quantities = compiled.lowered.provenance.iter();
@@ -58,7 +58,7 @@ pub(super) fn generate(found: &Found, by: Option<(Symbol, &str)>) -> Made {
         sections: vec![dense("q", rows.len())],
         results: names,
     };
-    // The other functions would refer to invariants that this `prepare` does not compute.
+    // The programs of the other functions refer to invariants that this `prepare` does not compute.
     for other in [
         &mut compiled.f,
         &mut compiled.f_jac,
@@ -87,7 +87,7 @@ pub(super) fn generate(found: &Found, by: Option<(Symbol, &str)>) -> Made {
     }
 }
 
-/// Optimised SSA definitions of the derivatives that are not identically 0, with their names and row indices.
+/// Optimised SSA definitions of the derivatives that are not identically 0, with the name and the row index of each.
 fn derivative(
     ssa: &Ssa,
     graph: &mut ExprGraph,
@@ -125,7 +125,8 @@ fn dense(name: &'static str, len: usize) -> Section {
     }
 }
 
-/// Statements of a function's body, with array loads and stores replaced by variable names.
+/// Extracts the statements of a function's body; array loads are removed, and array stores become assignments to
+/// variables.
 fn statements(text: &str, array: &str, outputs: &[String]) -> String {
     let lines = text
         .lines()

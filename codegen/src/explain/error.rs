@@ -1,4 +1,4 @@
-//! Errors for unknown or ambiguous names.
+//! Errors of explanations: unknown or ambiguous names.
 
 use model_spec::nearest_name;
 use std::fmt;
@@ -15,7 +15,8 @@ pub enum ExplainError {
         /// All valid names.
         known: Vec<String>,
     },
-    /// No state, parameter or other symbol to differentiate by has the requested name.
+    /// No state, parameter or other symbol with respect to which a quantity can be differentiated has the requested
+    /// name.
     Wrt {
         /// Name that the caller requested.
         wanted: String,
@@ -66,8 +67,8 @@ impl fmt::Display for ExplainError {
 
 impl std::error::Error for ExplainError {}
 
-/// Most similar valid name: one that contains the requested name, else the nearest by edit distance; `None` if none is
-/// near.
+/// Most similar valid name: a name that contains the requested name, else the nearest by edit distance; `None` if no
+/// name is similar.
 pub(super) fn nearest(wanted: &str, known: &[String]) -> Option<String> {
     let part = |name: &&String| {
         let starts = wanted.len() >= 3 && name.starts_with(wanted);

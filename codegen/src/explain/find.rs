@@ -15,14 +15,14 @@ pub(super) struct Found {
     pub place: String,
     pub line: String,
     pub doc: String,
-    /// LaTeX definition; `None` where the model states none.
+    /// LaTeX formula of the definition; `None` if the model does not define the quantity by one expression.
     pub latex: Option<String>,
     /// Names of the components in generated code.
     pub names: Vec<String>,
     /// LaTeX names of the components.
     pub symbols: Vec<String>,
     pub nodes: Vec<NodeId>,
-    /// Model that the nodes belong to; an explained force or moment is an additional auxiliary variable of this model.
+    /// Model to which the nodes belong; an explained force or moment is an additional auxiliary variable of this model.
     pub model: Model,
     pub compiled: Compiled,
 }
@@ -35,7 +35,7 @@ enum Meaning<'a> {
     Rate(usize),
 }
 
-/// Resolves the name of a quantity.
+/// Resolves the name of a quantity; an error if the name is unknown or ambiguous.
 pub(super) fn quantity(model: &Model, wanted: &str) -> Result<Found, ExplainError> {
     let wanted = wanted.trim();
     let meaning = meaning(model, wanted)?;
@@ -177,7 +177,7 @@ fn meaning<'a>(model: &'a Model, wanted: &str) -> Result<Meaning<'a>, ExplainErr
     })
 }
 
-/// Names of the components of a vector.
+/// Names of the components of a vector; empty for a scalar.
 fn components<'a>(
     model: &Model,
     quantity: &'a AuxVariable,
@@ -192,7 +192,7 @@ fn components<'a>(
         .filter(move |name| *name != quantity.name)
 }
 
-/// Symbol of a state, parameter, coefficient or input component by name.
+/// Symbol of a state, parameter, coefficient or input component of this name.
 pub(super) fn symbol(model: &Model, wanted: &str) -> Result<Symbol, ExplainError> {
     let layout = Layout::new(model);
     if let Some(k) = layout.state(wanted) {
@@ -210,7 +210,7 @@ pub(super) fn symbol(model: &Model, wanted: &str) -> Result<Symbol, ExplainError
     })
 }
 
-/// LaTeX name of a quantity; components of forces and moments are written F and M, as in the paper.
+/// LaTeX name of a quantity; components of forces and moments are written with the letters F and M, as in the paper.
 pub(super) fn symbol_of(model: &Model, name: &str) -> String {
     for (loads, kind, letter) in [
         (&model.forces, "force_", "F"),
@@ -231,8 +231,8 @@ pub(super) fn symbol_of(model: &Model, name: &str) -> String {
     latex::name(name, latex::Style::Scalar)
 }
 
-/// Spans from the start to the end of a state's time derivative, and its doc comment (empty): the equation if stated,
-/// else the body declaration.
+/// Spans of the start and the end of the declaration of a state's time derivative, and its (empty) doc comment. The
+/// declaration is the equation if the model states one, else the body.
 fn rate_place(model: &Model, state: usize) -> (Span, Span, String) {
     if let Some(equation) = model.equations.iter().find(|e| e.state == state) {
         return (equation.span, equation.value.span, String::new());
@@ -252,7 +252,7 @@ fn rate_place(model: &Model, state: usize) -> (Span, Span, String) {
     (span, end, String::new())
 }
 
-/// Location `file:line` of a span, and the source lines between the two spans.
+/// Location `file:line` of the span `from`, and the source lines from the start of `from` to the end of `to`.
 fn source(model: &Model, from: Span, to: Span) -> (String, String) {
     let Some(source) = model.sources.get(usize::from(from.source)) else {
         return (model.name.clone(), String::new());

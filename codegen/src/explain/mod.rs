@@ -1,7 +1,7 @@
 //! Explanation of one quantity or derivative: model source line, formula, generated code and operation count.
 //!
-//! Derivative formulas follow the chain rule over the model's auxiliary variables; the code is compiled for that
-//! derivative alone. Formula and code derive from the same graph nodes.
+//! Derivative formulas follow the chain rule over the model's auxiliary variables. The code is compiled for the
+//! requested quantity or derivative alone. Formula and code derive from the same graph nodes.
 
 mod chain;
 mod code;
@@ -21,17 +21,19 @@ use std::fmt;
 pub struct Explanation {
     /// Name of the explained quantity: `alpha`, `der(u)`, `force aero`.
     pub quantity: String,
-    /// State or parameter by which the quantity is differentiated; `None` for the quantity itself.
+    /// State or parameter with respect to which the quantity is differentiated; `None` if the quantity itself is
+    /// explained.
     pub wrt: Option<String>,
     /// Source location of the declaration: `disc.hyz:58`.
     pub place: String,
-    /// Source lines of the declaration; for derivatives from Newton's and Euler's laws, those of the body.
+    /// Source lines of the declaration; for derivatives by Newton's and Euler's laws, the source lines of the body.
     pub line: String,
     /// Doc comment (`///` lines) of the declaration.
     pub doc: String,
-    /// LaTeX formula `left = right` of the quantity; one per component where no vector formula exists.
+    /// LaTeX formula `left = right` of the quantity; one formula per component if there is no vector formula.
     pub latex: Vec<String>,
-    /// LaTeX of the derivative, then of the derivatives of auxiliary variables it refers to; empty if `wrt` is `None`.
+    /// LaTeX formula of the derivative, then formulas of the derivatives of auxiliary variables that it refers to;
+    /// empty if `wrt` is `None`.
     pub derivative: Vec<String>,
     /// Generated statements that depend on parameters alone and run once per flight.
     pub once: String,
@@ -44,7 +46,7 @@ pub struct Explanation {
 }
 
 /// Explains a quantity (an auxiliary variable, a component such as `air_velocity_1`, a force, a moment, `der(u)`), or
-/// its derivative by a state, a parameter, a coefficient or a component of an input.
+/// its derivative with respect to a state, a parameter, a coefficient or a component of an input.
 pub fn explain(
     model: &Model,
     quantity: &str,

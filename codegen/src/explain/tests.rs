@@ -37,7 +37,7 @@ fn values(tape: &TapeModel, count: usize, x: &[f64], p: &[f64]) -> Vec<f64> {
     q
 }
 
-/// Code and formula of every derivative of every quantity agree with finite differences.
+/// Checks that code and formula of every derivative of every quantity agree with finite differences.
 #[test]
 fn derivatives_agree_with_differences() {
     for model in ["disc", "disc_appendix", "disc_quaternion", "ball", "discus"].map(load) {
@@ -103,7 +103,7 @@ fn derivatives_agree_with_differences() {
     }
 }
 
-/// Values of the nodes that the formulas are written from.
+/// Values of the nodes from which the formulas are written.
 fn written(
     model: &Model,
     found: &find::Found,
@@ -249,7 +249,7 @@ fn what_is_not_there_is_said_with_what_is() {
     }
 }
 
-/// The text of a formula grows with its parts, not with the paths through them.
+/// Checks that the length of a formula grows with the number of its parts, not with the number of paths through them.
 #[test]
 fn a_chain_of_frames_is_explained_in_little_text() {
     let mut text = String::from("model chain;\nframe F0;\n");

@@ -1,12 +1,13 @@
-//! Construction and simplification of function nodes: sine and cosine of `atan2` become algebraic, square roots half
-//! powers.
+//! Construction and simplification of function nodes: sine and cosine of `atan2` become algebraic expressions, square
+//! roots become half powers.
 
 use super::{ExprGraph, Node, NodeId};
 use crate::functions::{MathFunction, Parity};
 use crate::number::Number;
 
 impl ExprGraph {
-    /// Node of `function(x)`, simplified: constants folded, inverse functions cancelled, signs moved out by parity.
+    /// Node of `function(x)`, simplified: constants are folded, inverse functions cancelled, and signs moved out of the
+    /// argument by parity.
     pub fn call(&mut self, function: MathFunction, x: NodeId) -> NodeId {
         if let Some(value) = self.as_number(x).and_then(|x| function.constant_value(x)) {
             return self.number(value);
@@ -18,7 +19,7 @@ impl ExprGraph {
                 return self.product(vec![(y, 2), (radius, -1)]);
             }
             (MathFunction::Cos, Node::Atan2(y, x)) => {
-                // cos 0 = 1 at the origin, where x / h is 0
+                // cos 0 = 1 at the origin, where x / radius is defined as 0
                 let radius = self.squares(y, x);
                 let quotient = self.product(vec![(x, 2), (radius, -1)]);
                 let mask = self.call(MathFunction::NonZero, radius);

@@ -1,4 +1,4 @@
-//! Fast non-cryptographic hashing of small keys; no output depends on the iteration order of these maps.
+//! Fast non-cryptographic hashing of small keys; no output of the compiler depends on the iteration order of the maps.
 
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};

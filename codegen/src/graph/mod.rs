@@ -1,8 +1,8 @@
-//! Hash-consed expression graph: each expression is stored once, numbered in the order of creation.
+//! Hash-consed expression graph: each expression is stored once; nodes are numbered in the order of creation.
 //!
-//! **Invariant:** nodes are immutable and hash-consed. The constructors simplify: expressions that a rule identifies
-//! become one node, and every rule also holds at singular points. No output depends on the iteration order of a hash
-//! map.
+//! **Invariant:** nodes are immutable and hash-consed. The constructors simplify: expressions that a simplification
+//! rule proves equal become one node, and every rule also holds at singular points. No output depends on the iteration
+//! order of a hash map.
 
 mod calls;
 mod hash;
@@ -26,11 +26,11 @@ model_spec::index_type!(
 /// Leaf of an expression: a variable or constant whose value is not computed by the graph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Symbol {
-    /// Measured time since release, s.
+    /// Time since release, s, as measured.
     Time,
     /// The constant π.
     Pi,
-    /// State variable, by its index in the layout.
+    /// State variable, by its index in the state vector.
     State(u32),
     /// Parameter, coefficient or input component, by its index among the layout's parameters.
     Parameter(u32),
@@ -43,15 +43,15 @@ pub enum Symbol {
 /// Expression whose operands are other nodes of the graph.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Node {
-    /// Numerical constant.
+    /// Node of a numerical constant.
     Number(Number),
     /// Leaf: state, parameter, time or another symbol.
     Symbol(Symbol),
-    /// Sum Σ coefficient · node + constant, ordered by node. At least one term, and either two summands or a
-    /// coefficient other than 1.
+    /// Sum Σ coefficient · node + constant, ordered by node. The sum has at least one term, and either two summands,
+    /// the constant included, or a coefficient other than 1.
     Sum(Box<[(Number, NodeId)]>, Number),
-    /// Product of (base, *doubled* exponent) pairs, ordered by node; odd numbers are half powers. A negative exponent
-    /// on a factor that may be zero gives 0 there.
+    /// Product of (base, *doubled* exponent) pairs, ordered by node; an odd number stands for a half-integer power. A
+    /// factor with a negative exponent has the value 0 where its base is 0.
     Product(Box<[(NodeId, i32)]>),
     /// Elementary function of one argument.
     Call(MathFunction, NodeId),
@@ -68,15 +68,15 @@ pub enum Node {
 /// Value facts of an expression: whether the value is constant during a flight, nonnegative, nonzero.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ValueFacts {
-    /// Constant during a flight: depends on constants and parameters only.
+    /// Whether the value is constant during a flight, because it depends on constants and parameters only.
     pub fixed: bool,
-    /// Value known to be ≥ 0.
+    /// Whether the value is known to be ≥ 0.
     pub nonneg: bool,
-    /// Value known to be nonzero, proved or assumed.
+    /// Whether the value is known to be nonzero, by proof or by assumption.
     pub nonzero: bool,
 }
 
-/// Name of the negated quantity: adds the prefix `minus_`, or removes the prefix if present.
+/// Name of the negative of a named quantity: adds the prefix `minus_`, or removes the prefix if present.
 pub fn opposite_name(name: &str) -> String {
     name.strip_prefix("minus_")
         .map_or_else(|| format!("minus_{name}"), str::to_string)
@@ -105,7 +105,7 @@ impl ExprGraph {
         ExprGraph::default()
     }
 
-    /// Creates an empty graph of expressions that may look up tables.
+    /// Creates an empty graph whose expressions may look up the given tables.
     pub fn with_tables(tables: Tables) -> ExprGraph {
         ExprGraph {
             tables,
@@ -146,7 +146,8 @@ impl ExprGraph {
         self.facts[id.index()]
     }
 
-    /// Assumes that a node and all its factors are nonzero, for example for a divisor that the model guarantees.
+    /// Assumes that a node and all its factors are nonzero, for example because the model guarantees that a divisor is
+    /// nonzero.
     pub fn assume_nonzero(&mut self, id: NodeId) {
         self.facts[id.index()].nonzero = true;
         match self.node(id).clone() {
@@ -160,7 +161,7 @@ impl ExprGraph {
         }
     }
 
-    /// Adds sign and nonzero facts to a node; `fixed` is not changed.
+    /// Adds the facts `nonneg` and `nonzero` to a node; the fact `fixed` is not changed.
     pub fn know(&mut self, id: NodeId, facts: ValueFacts) {
         self.facts[id.index()].nonneg |= facts.nonneg;
         if facts.nonzero {
@@ -168,7 +169,7 @@ impl ExprGraph {
         }
     }
 
-    /// Names a node unless it is named; the negated node of a sum is named with the prefix `minus_`.
+    /// Names a node that has no name yet. If the node is a sum, its negative is also named, with the prefix `minus_`.
     pub fn name(&mut self, id: NodeId, name: impl Into<String>) {
         let name = name.into();
         if let Node::Sum(terms, _) = self.node(id)
@@ -188,9 +189,9 @@ impl ExprGraph {
         self.names.get(&id).map(String::as_str)
     }
 
-    /// Creates a local: a leaf with the given definition, opaque to simplification, so that a value used several
-    /// times is computed once. Within the current [scope](ExprGraph::scope) sums equal to the definition become this
-    /// leaf.
+    /// Creates a local: a leaf with the given definition, opaque to simplification, so that a value used several times
+    /// is computed once. Within the current [scope](ExprGraph::scope), sums equal to the definition are replaced by
+    /// this leaf.
     pub fn local(&mut self, facts: ValueFacts, definition: NodeId) -> NodeId {
         self.locals.push((facts, definition));
         let id = self.intern(Node::Symbol(Symbol::Local(self.locals.len() as u32 - 1)));
@@ -200,7 +201,7 @@ impl ExprGraph {
         id
     }
 
-    /// Creates a local for the square root of a sum. Within the current scope the sum becomes the square of the
+    /// Creates a local for the square root of a sum. Within the current scope, the sum is replaced by the square of the
     /// local, so that no half powers appear in derivatives.
     pub fn local_root(&mut self, facts: ValueFacts, sum: NodeId) -> NodeId {
         let definition = self.intern(Node::Product(Box::new([(sum, 1)])));
@@ -220,8 +221,9 @@ impl ExprGraph {
         self.locals.len()
     }
 
-    /// Runs `build` with sums replaced by the locals defined by them: the locals in the range `locals` and those that
-    /// `build` creates. Afterwards the replacement ends; the locals stay valid.
+    /// Runs `build`, during which each sum that defines a local is replaced by that local. This applies to the locals
+    /// in the range `locals` and to the locals that `build` creates. After `build` the replacement ends; the locals
+    /// stay valid.
     pub fn scope<R>(&mut self, locals: Range<usize>, build: impl FnOnce(&mut ExprGraph) -> R) -> R {
         let first = self.locals.len();
         let contents = std::mem::take(&mut self.contents);
@@ -247,7 +249,7 @@ impl ExprGraph {
         result
     }
 
-    /// Sum of which a node is the square root; `None` unless the node is made by [`ExprGraph::local_root`].
+    /// Sum whose square root is the node `id`; `None` unless the node was created by [`ExprGraph::local_root`].
     pub fn rooted_sum(&self, id: NodeId) -> Option<NodeId> {
         let Node::Symbol(Symbol::Local(k)) = self.node(id) else {
             return None;
@@ -261,7 +263,7 @@ impl ExprGraph {
         }
     }
 
-    /// Existing node for the square root of a node; `None` if there is none.
+    /// Existing node for the square root of the node `id`; `None` if the graph contains no such node.
     pub fn root_node(&self, id: NodeId) -> Option<NodeId> {
         match self.root_of.get(&id) {
             Some(&root) => Some(root),
@@ -399,7 +401,8 @@ impl ExprGraph {
         }
     }
 
-    /// Nodes on which `roots` (the requested outputs) depend, roots included, operands first, in order of creation.
+    /// Nodes on which `roots` (the requested outputs) depend, roots included, in order of creation, so that operands
+    /// precede their users.
     pub fn reachable(&self, roots: &[NodeId]) -> Vec<NodeId> {
         let mut needed = vec![false; self.len()];
         for root in roots {

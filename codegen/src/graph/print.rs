@@ -1,16 +1,16 @@
-//! Expression nodes as plain text, for tests and messages.
+//! Plain text of expression nodes, for tests and messages.
 
 use super::{ExprGraph, Node, NodeId, Symbol};
 use crate::number::Number;
 
 impl ExprGraph {
-    /// Expression of a node as plain text; `symbol` gives the names of the leaves.
+    /// Returns the expression of a node as plain text; `symbol` returns the name of a leaf.
     pub fn show(&self, id: NodeId, symbol: &dyn Fn(Symbol) -> String) -> String {
         self.shown(id, symbol, 0)
     }
 
-    /// Expression of a node as text, parenthesized by context `level`: 0 in a sum, 1 in a product, 2 as base of a
-    /// power.
+    /// Returns the expression of a node as text, in parentheses if the context `level` requires them: 0 in a sum, 1 in
+    /// a product, 2 as the base of a power.
     fn shown(&self, id: NodeId, symbol: &dyn Fn(Symbol) -> String, level: u8) -> String {
         let inner = |id: NodeId, level: u8| self.shown(id, symbol, level);
         let parenthesise =

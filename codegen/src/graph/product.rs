@@ -1,11 +1,11 @@
-//! Construction of products: exponents of equal bases are added, coefficients and common factors of sums extracted.
+//! Construction of products: exponents of equal bases are added; coefficients and common factors of sums are extracted.
 
 use super::sum::divide;
 use super::{ExprGraph, Node, NodeId};
 use crate::functions::MathFunction;
 use crate::number::Number;
 
-/// Factorization of a sum: coefficient · monomial of common factors · remaining sum.
+/// Factorization of a sum: coefficient · monomial of common factors · remaining sum `rest`.
 #[derive(Clone, Debug)]
 pub(super) struct Content {
     coefficient: Number,
@@ -19,8 +19,8 @@ impl ExprGraph {
         self.product(vec![(a, 2), (b, 2)])
     }
 
-    /// Node of the product `a b`; returns the other operand unchanged if one is the constant 1, so that no common
-    /// factor is extracted from that operand.
+    /// Node of the product `a b`. If one operand is the constant 1, returns the other operand unchanged, without
+    /// extracting common factors from it.
     pub fn times(&mut self, a: NodeId, b: NodeId) -> NodeId {
         match (self.is_one(a), self.is_one(b)) {
             (true, _) => b,
@@ -49,7 +49,7 @@ impl ExprGraph {
         self.product(vec![(a, 2), (b, -2)])
     }
 
-    /// Node of `a ^ (doubled / 2)`; with an odd `doubled`, 0 where `a` is negative.
+    /// Node of `a ^ (doubled / 2)`; if `doubled` is odd, the value is 0 where `a` is negative.
     pub fn power(&mut self, a: NodeId, doubled: i32) -> NodeId {
         if doubled % 2 == 0 {
             return self.product(vec![(a, doubled)]);
@@ -58,7 +58,8 @@ impl ExprGraph {
         self.product(vec![(root, 2 * doubled)])
     }
 
-    /// Node of the product of `(base, doubled exponent)` factors: exponent 2 is the base, 1 its square root.
+    /// Node of the product of (base, doubled exponent) factors: exponent 2 stands for the base, exponent 1 for its
+    /// square root.
     pub fn product(&mut self, factors: Vec<(NodeId, i32)>) -> NodeId {
         let (coefficient, factors) = self.collect(factors);
         if coefficient.is_zero() {
@@ -89,8 +90,8 @@ impl ExprGraph {
         }
     }
 
-    /// Expands a factor into a coefficient and simpler factors, pushed onto `pending`; false if it cannot be
-    /// expanded.
+    /// Expands a factor into a constant, multiplied onto `coefficient`, and simpler factors, pushed onto `pending`.
+    /// Returns false if the factor cannot be expanded.
     fn open(
         &mut self,
         id: NodeId,
@@ -156,7 +157,8 @@ impl ExprGraph {
         }
     }
 
-    /// Adds the doubled exponents of equal bases; a cancelled base that may be zero leaves its `NonZero` indicator.
+    /// Adds the doubled exponents of equal bases. A base that cancels but may be zero is replaced by its `NonZero`
+    /// indicator.
     fn merge(&mut self, mut flat: Vec<(NodeId, i32)>) -> Vec<(NodeId, i32)> {
         flat.sort_unstable();
         let mut merged: Vec<(NodeId, i32)> = Vec::with_capacity(flat.len());
@@ -190,7 +192,8 @@ impl ExprGraph {
         merged
     }
 
-    /// Whether `whole` is a sum of squares, or the square root of one, in which `part` is squared.
+    /// Whether `whole` is a sum of squares, or the square root of a sum of squares, that has the square of `part` as a
+    /// term.
     fn is_component(&self, part: NodeId, whole: NodeId) -> bool {
         let sum = self.rooted_sum(whole).unwrap_or(whole);
         let Node::Sum(terms, _) = self.node(sum) else {
@@ -202,7 +205,8 @@ impl ExprGraph {
             })
     }
 
-    /// Replaces `NonZero(X)` by 1 inside sums that are multiplied by X or by `NonZero(X)`; true if a factor changed.
+    /// Replaces `NonZero(X)` by 1 inside one sum that is multiplied by X or by `NonZero(X)`. Returns true if a sum was
+    /// replaced; all factors are then moved to `pending`.
     fn unmask(&mut self, flat: &mut Vec<(NodeId, i32)>, pending: &mut Vec<(NodeId, i32)>) -> bool {
         if !self.has_masks {
             return false;
@@ -254,7 +258,7 @@ impl ExprGraph {
         false
     }
 
-    /// Cached factorization of a sum into coefficient, common factors and remaining sum.
+    /// Returns the factorization of a sum into coefficient, common factors and remaining sum; results are cached.
     pub(super) fn content(&mut self, id: NodeId) -> Content {
         if let Some(known) = self.contents.get(&id) {
             return known.clone();

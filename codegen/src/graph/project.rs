@@ -6,12 +6,12 @@
 use super::{ExprGraph, Node, NodeId};
 use crate::number::Number;
 
-/// Upper bound on the number of terms after expanding a sum of products.
+/// Maximum number of terms of an expanded sum of products; longer sums are not simplified.
 const MOST: usize = 48;
 
 impl ExprGraph {
-    /// Expands products to cancel projections; returns the expanded sum if that has fewer terms, else the sum
-    /// unchanged.
+    /// Expands products to cancel projections in the sum `id`. Returns the expanded sum if it has fewer terms, else
+    /// `id`.
     pub fn project(&mut self, id: NodeId) -> NodeId {
         let Node::Sum(terms, constant) = self.node(id).clone() else {
             return id;
@@ -50,7 +50,7 @@ impl ExprGraph {
         id
     }
 
-    /// Sums whose negative power is a factor of a node within `depth` operand levels of `id`, sorted.
+    /// Sums that occur with a negative exponent in a product within `depth` operand levels of `id`, sorted.
     fn lengths(&self, id: NodeId, depth: u32) -> Vec<NodeId> {
         let mut found = Vec::new();
         let mut pending = vec![(id, depth)];
@@ -71,7 +71,8 @@ impl ExprGraph {
         found
     }
 
-    /// Appends to `open` the terms of `c · term`, with the sums that contain a component expanded.
+    /// Appends to `open` the terms of `c · term`, after expanding the factors that are sums containing one of the
+    /// `components`, at most `depth` levels deep.
     fn open_term(
         &mut self,
         c: Number,
@@ -112,7 +113,7 @@ impl ExprGraph {
         }
     }
 
-    /// Whether a node is a sum with one of the components as a factor in a term, nested at most `depth` sums deep.
+    /// Whether a node is a sum in which one of `components` is a factor of a term, nested at most `depth` sums deep.
     fn holds(&self, id: NodeId, components: &[NodeId], depth: u32) -> bool {
         let Node::Sum(terms, _) = self.node(id) else {
             return false;

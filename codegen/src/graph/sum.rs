@@ -32,7 +32,7 @@ impl ExprGraph {
                 if let Some(&root) = self.root_of.get(&id) {
                     return self.product(vec![(root, 4)]);
                 }
-                // a sum for which an earlier pass defined a local
+                // replaced by the local that a caller defined for this sum
                 self.local_of.get(&id).copied().unwrap_or(id)
             }
         }
@@ -79,7 +79,7 @@ impl ExprGraph {
         }
     }
 
-    /// Splits a node into constant coefficient and remaining node; the coefficient is 1 if there is none.
+    /// Splits a node into its constant coefficient and the remaining node; the coefficient is 1 if the node has none.
     pub fn split_coefficient(&self, id: NodeId) -> (Number, NodeId) {
         match self.node(id) {
             Node::Sum(terms, constant) if terms.len() == 1 && constant.is_zero() => terms[0],
@@ -102,7 +102,7 @@ impl ExprGraph {
         }
     }
 
-    /// Factors of a term as a monomial: (base, doubled exponent) pairs.
+    /// Returns a term as a monomial: (base, doubled exponent) pairs.
     pub(super) fn monomial(&self, id: NodeId) -> Vec<(NodeId, i32)> {
         match self.node(id) {
             Node::Product(factors) => factors.to_vec(),
@@ -205,7 +205,7 @@ impl ExprGraph {
     }
 }
 
-/// Quotient of two monomials; `None` unless the divisor's factors are all contained in `factors`.
+/// Quotient of the monomials `factors` and `divisor`; `None` unless `factors` contains all factors of the divisor.
 pub(super) fn divide(
     factors: &[(NodeId, i32)],
     divisor: &[(NodeId, i32)],
@@ -223,7 +223,8 @@ pub(super) fn divide(
     Some(quotient)
 }
 
-/// Product of two monomials, sorted by base; used for matching only, so zero exponents are not removed.
+/// Product of two monomials, sorted by base. Factors with exponent 0 are not removed, since the result is only compared
+/// with other monomials.
 fn multiply(a: &[(NodeId, i32)], b: &[(NodeId, i32)]) -> Vec<(NodeId, i32)> {
     let mut product = a.to_vec();
     for &(base, exponent) in b {

@@ -1,6 +1,6 @@
-//! LaTeX formulas, in the notation of the paper, of a model's syntax tree and of expression graph nodes.
+//! LaTeX formulas, in the notation of the paper, of a model's expressions and of expression graph nodes.
 //!
-//! The output needs `amsmath` (or MathJax, KaTeX).
+//! The output requires `amsmath` (or MathJax, KaTeX).
 
 mod names;
 pub(crate) mod node;
@@ -12,19 +12,19 @@ pub(crate) use names::{Style, name, rate};
 use model_spec::model::{Equation, Expr, ExprKind, Load, Model};
 use names::words;
 
-/// LaTeX of an expression of the model.
+/// LaTeX of an expression of a model.
 pub fn expression(model: &Model, expr: &Expr) -> String {
     tree::piece(model, expr).text
 }
 
-/// LaTeX `left = right` of an auxiliary variable, a force, a moment or a stated derivative `der(u)`; `None` for an
-/// unknown name. If a force and a moment share a name, `force aero` and `moment aero` select one; the bare name is the
-/// force.
+/// LaTeX formula `left = right` of an auxiliary variable, a force, a moment or a stated derivative `der(u)`; `None` for
+/// an unknown name. If a force and a moment have the same name, `force aero` and `moment aero` select one of them; the
+/// name without prefix refers to the force.
 pub fn definition(model: &Model, name: &str) -> Option<String> {
     sides(model, name).map(|(left, right)| format!("{left} = {right}"))
 }
 
-/// Left and right side of a definition in LaTeX; `None` for an unknown name.
+/// LaTeX of the left-hand and right-hand side of a definition; `None` for an unknown name.
 pub(crate) fn sides(model: &Model, wanted: &str) -> Option<(String, String)> {
     if let Some(quantity) = model
         .aux_variables
@@ -55,7 +55,8 @@ pub(crate) fn sides(model: &Model, wanted: &str) -> Option<(String, String)> {
         .or_else(equation)
 }
 
-/// Right-hand side of an equation; references to a derivative's auxiliary variable are replaced by its definition.
+/// Right-hand side of an equation. If it only refers to the auxiliary variable of a derivative (`der_…`), the
+/// definition of that variable is returned instead.
 fn stated<'a>(model: &'a Model, equation: &'a Equation) -> &'a Expr {
     match equation.value.kind {
         ExprKind::AuxVariable(k) if model.aux_variables[k].name.starts_with("der_") => {
@@ -74,7 +75,7 @@ pub(crate) fn load_name(letter: &str, load: &str) -> String {
 pub fn model(model: &Model) -> String {
     let mut lines: Vec<(String, String)> = Vec::new();
     for quantity in &model.aux_variables {
-        // Stated derivatives used elsewhere are auxiliary variables too; the equations list them already.
+        // Stated derivatives that other expressions use are auxiliary variables too; the equations below include them.
         if !quantity.name.starts_with("der_") {
             lines.extend(sides(model, &quantity.name));
         }

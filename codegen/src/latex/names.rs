@@ -9,14 +9,14 @@ const GREEK: [&str; 25] = [
     "Gamma", "Delta", "Omega",
 ];
 
-/// Typeface of a name: scalar or vector.
+/// Typeface of a name: italic for scalars, bold for vectors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Style {
     Scalar,
     Vector,
 }
 
-/// LaTeX of a variable name.
+/// LaTeX of a variable of the model, from its name in the model text.
 pub(crate) fn name(name: &str, style: Style) -> String {
     if let Some(state) = name.strip_prefix("der(").and_then(|n| n.strip_suffix(')')) {
         return rate(state);
@@ -52,7 +52,7 @@ pub(crate) fn rate(state: &str) -> String {
     }
 }
 
-/// Name as upright text, underscores as spaces.
+/// LaTeX of a name in upright type, with underscores as spaces.
 pub(crate) fn words(name: &str) -> String {
     format!(r"\mathrm{{{}}}", name.replace('_', r"\ "))
 }
@@ -69,7 +69,7 @@ fn is_letter(name: &str) -> bool {
     GREEK.contains(&name) || name.chars().count() == 1
 }
 
-/// Base symbol and subscript of a name.
+/// Splits a name into base symbol and subscript.
 fn split(name: &str) -> (String, String) {
     let mut parts: Vec<&str> = name.split('_').filter(|part| !part.is_empty()).collect();
     let mut base = String::new();
@@ -104,7 +104,8 @@ fn is_word(base: &str) -> bool {
     base.chars().count() > 1 && !GREEK.contains(&base)
 }
 
-/// LaTeX of one subscript part; in coefficients `a` is the angle of attack α.
+/// LaTeX of one part of a subscript; in the subscript of a coefficient, `a` after a capital letter is the angle of
+/// attack α.
 fn below(part: &str, coefficient: bool) -> String {
     if GREEK.contains(&part) {
         return format!(r"\{part}");

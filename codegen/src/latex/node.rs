@@ -1,4 +1,4 @@
-//! LaTeX of expression graph nodes; a [`Symbol::Local`] is written by its name.
+//! LaTeX of expression graph nodes.
 
 use super::names::{Style, name};
 use super::piece::Piece;
@@ -7,7 +7,7 @@ use crate::functions::MathFunction;
 use crate::graph::{ExprGraph, Node, NodeId, Symbol};
 use crate::number::Number;
 
-/// LaTeX of a node; `leaf` gives the LaTeX of symbols.
+/// LaTeX of a node; `leaf` returns the LaTeX of a symbol.
 pub(crate) fn piece(
     graph: &ExprGraph,
     id: NodeId,
@@ -84,7 +84,7 @@ fn sum(
     )
 }
 
-/// LaTeX of a term with the absolute value of its coefficient.
+/// LaTeX of a term multiplied by the absolute value of its coefficient.
 fn scaled(
     graph: &ExprGraph,
     coefficient: Number,

@@ -1,8 +1,8 @@
-//! LaTeX fragments with operator precedence, for minimal parentheses.
+//! LaTeX fragments with operator precedence, so that parentheses are written only where required.
 
 use crate::functions::commands_with_exponent;
 
-/// Operator precedence of a fragment's outermost operator, loosest first.
+/// Precedence of a fragment's outermost operator, loosest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Bind {
     Sum,
@@ -20,7 +20,7 @@ pub(crate) enum Bind {
 pub(crate) struct Piece {
     pub text: String,
     pub bind: Bind,
-    /// Whether the text ends in a function whose argument has no parentheses.
+    /// Whether the text ends in a function whose argument has no parentheses, such as `\sin\alpha`.
     bare: bool,
 }
 
@@ -127,7 +127,7 @@ impl Piece {
         Piece::new(format!(r"{minus}\frac{{{above}}}{{{}}}", other.text), bind)
     }
 
-    /// Power with exponent `doubled / 2`.
+    /// LaTeX of the fragment to the power `doubled / 2`.
     pub fn power(self, doubled: i32) -> Piece {
         if doubled < 0 {
             return Piece::atom("1").div(self.power(-doubled));
@@ -151,19 +151,19 @@ impl Piece {
                     };
                 }
                 let base = self.at_least(Bind::Atom).text;
-                // Not an atom: a second exponent would be a LaTeX error.
+                // Not an atom: a second exponent would be an error in LaTeX.
                 Piece::new(format!("{base}^{exponent}"), Bind::Product)
             }
         }
     }
 
-    /// Scalar or vector product with the operator `sign`.
+    /// LaTeX of a scalar or vector product with the operator `sign`.
     pub fn dotted(self, sign: &str, other: Piece) -> Piece {
         let (a, b) = (self.at_least(Bind::Product), other.at_least(Bind::Product));
         Piece::new(format!(r"{} {sign} {}", a.text, b.text), Bind::Dotted)
     }
 
-    /// Function call; without parentheses if the argument is one symbol.
+    /// LaTeX of a function call; the argument has no parentheses if it is a single symbol.
     pub fn function(name: &str, x: Piece) -> Piece {
         if x.bind == Bind::Atom && is_symbol(&x.text) {
             let gap = if x.text.starts_with('\\') { "" } else { " " };
@@ -176,14 +176,14 @@ impl Piece {
         Piece::new(format!("{name}{}", parentheses(&x.text)), Bind::Atom)
     }
 
-    /// Function call with its arguments in parentheses.
+    /// LaTeX of a call of an operator written by name, with the arguments in parentheses.
     pub fn operator(name: &str, arguments: &[Piece]) -> Piece {
         let arguments: Vec<&str> = arguments.iter().map(|a| a.text.as_str()).collect();
         let inside = parentheses(&arguments.join(r",\, "));
         Piece::atom(format!(r"\operatorname{{{name}}}{inside}"))
     }
 
-    /// Case distinction: `other` under the condition `case`, else `value`.
+    /// LaTeX of a case distinction: `other` if the condition `case` holds, else `value`.
     pub fn cases(value: Piece, other: Piece, case: &str) -> Piece {
         Piece::atom(format!(
             r"\begin{{cases}} {} & {case} \\ {} & \text{{otherwise}} \end{{cases}}",
@@ -192,7 +192,7 @@ impl Piece {
     }
 }
 
-/// Whether the text ends in an upright word.
+/// Whether the text ends in a word in upright type.
 fn ends_upright(text: &str) -> bool {
     text.rfind(r"\mathrm{").is_some_and(|at| {
         let word = text[at..].replace(r"\ ", "");
@@ -200,7 +200,7 @@ fn ends_upright(text: &str) -> bool {
     })
 }
 
-/// Parentheses, of variable height if the content is tall.
+/// Text in parentheses, which are of variable height if the text is tall.
 pub(crate) fn parentheses(text: &str) -> String {
     let tall = [r"\frac", r"\begin", r"\sqrt", r"\left"];
     if tall.iter().any(|part| text.contains(part)) {
@@ -210,7 +210,7 @@ pub(crate) fn parentheses(text: &str) -> String {
     }
 }
 
-/// Subscript or superscript: in braces if longer than one character.
+/// Text of a subscript or superscript, in braces if longer than one character.
 pub(crate) fn braces(text: &str) -> String {
     if text.chars().count() == 1 {
         text.to_string()
@@ -219,7 +219,7 @@ pub(crate) fn braces(text: &str) -> String {
     }
 }
 
-/// Whether the text is one letter or LaTeX command, optionally with a dot accent.
+/// Whether the text is a single letter or LaTeX command, optionally with a dot accent.
 fn is_symbol(text: &str) -> bool {
     let text = text.strip_prefix(r"\dot").unwrap_or(text);
     match text.strip_prefix('\\') {

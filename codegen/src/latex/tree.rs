@@ -1,11 +1,11 @@
-//! LaTeX of a model's syntax tree, as its author wrote the expressions.
+//! LaTeX of the expressions of a model, in the form in which its author wrote them.
 
 use super::names::{Style, name};
 use super::piece::{Bind, Piece};
 use crate::functions::{FunctionLowering, Notation};
 use model_spec::model::{Expr, ExprKind, Function, Model, Shape};
 
-/// LaTeX of an expression. Changes of frame are not written: the vector remains the same.
+/// LaTeX of an expression. Changes of frame are not written, since they do not change the vector.
 pub(super) fn piece(model: &Model, expr: &Expr) -> Piece {
     use ExprKind as E;
     let of = |e: &Expr| piece(model, e);
@@ -84,7 +84,7 @@ pub(super) fn piece(model: &Model, expr: &Expr) -> Piece {
     }
 }
 
-/// Typeface of an expression: bold for vectors.
+/// Typeface of an expression: vector for vector-valued expressions, else scalar.
 pub(super) fn style(expr: &Expr) -> Style {
     match expr.shape {
         Shape::Scalar => Style::Scalar,
@@ -92,23 +92,23 @@ pub(super) fn style(expr: &Expr) -> Style {
     }
 }
 
-/// Unit vector `k` of a frame, named by the frame's letter in lower case.
+/// LaTeX of the unit vector along axis `k` of a frame, named by the frame's letter in lower case.
 fn axis(model: &Model, frame: usize, k: u8) -> Piece {
     let frame = model.frames[frame].name.to_lowercase();
     Piece::atom(format!("{}_{k}", name(&frame, Style::Vector)))
 }
 
-/// Two arguments separated by a comma.
+/// LaTeX of two arguments, separated by a comma.
 pub(super) fn pair(a: Piece, b: Piece) -> Piece {
     Piece::new(format!(r"{},\, {}", a.text, b.text), Bind::Sum)
 }
 
-/// Look-up in a table of this name, in LaTeX.
+/// LaTeX of the lookup of `x` in a table of this name.
 pub(super) fn table(name: String, x: Piece) -> Piece {
     Piece::atom(format!(r"{name}\left({}\right)", x.text))
 }
 
-/// Call of an elementary function with one argument.
+/// LaTeX of the call of an elementary function with one argument.
 pub(super) fn call(notation: Notation, x: Piece) -> Piece {
     match notation {
         Notation::Command(command, _) => Piece::function(command, x),

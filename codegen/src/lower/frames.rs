@@ -1,4 +1,4 @@
-//! Symbolic 3-vectors, and rotations along the tree of frames.
+//! Symbolic 3-vectors, and rotations between frames along the tree of frames.
 
 use crate::functions::MathFunction;
 use crate::graph::{ExprGraph, NodeId, Symbol};
@@ -40,18 +40,18 @@ pub fn cross(graph: &mut ExprGraph, a: Vector, b: Vector) -> Vector {
     })
 }
 
-/// Zero vector.
+/// Vector whose three components are the constant 0.
 pub fn zero(graph: &mut ExprGraph) -> Vector {
     let zero = graph.whole(0);
     [zero; 3]
 }
 
-/// Unit vector along coordinate axis 1, 2 or 3.
+/// Unit vector along coordinate axis `axis` (1, 2 or 3).
 pub fn axis(graph: &mut ExprGraph, axis: u8) -> Vector {
     [1, 2, 3].map(|k| graph.whole(i64::from(k == axis)))
 }
 
-/// Index of the parent of a frame, relative to which its rotation is defined; `None` for the inertial frame.
+/// Index of the parent frame, relative to which the rotation of `frame` is defined; `None` for the inertial frame.
 pub fn parent(model: &Model, frame: usize) -> Option<usize> {
     match model.frames[frame].kind {
         FrameKind::Inertial => None,
@@ -91,7 +91,7 @@ pub fn reexpress(
     vector
 }
 
-/// Transforms components from `frame` to its parent (`up`) or from the parent to `frame`.
+/// Transforms the components `v` of a vector from `frame` to its parent if `up`, else from the parent to `frame`.
 pub fn turn(graph: &mut ExprGraph, model: &Model, v: Vector, frame: usize, up: bool) -> Vector {
     match model.frames[frame].kind {
         FrameKind::Inertial => v,
@@ -128,7 +128,8 @@ pub fn turn(graph: &mut ExprGraph, model: &Model, v: Vector, frame: usize, up: b
     }
 }
 
-/// Rotation matrix of a unit quaternion (scalar first): transforms components from the rotated frame to its parent.
+/// Rotation matrix of a unit quaternion (scalar first), which transforms components from the rotated frame to its
+/// parent.
 fn quaternion_matrix(graph: &mut ExprGraph, states: [usize; 4]) -> [Vector; 3] {
     let q = states.map(|state| graph.symbol(Symbol::State(state as u32)));
     let two = Number::whole(2);
@@ -155,7 +156,7 @@ fn quaternion_matrix(graph: &mut ExprGraph, states: [usize; 4]) -> [Vector; 3] {
 /// Angular velocity of frame `of` relative to the inertial frame, rad/s; components in frame `within`.
 pub fn angular_velocity(graph: &mut ExprGraph, model: &Model, of: usize, within: usize) -> Vector {
     let chain = path(model, of);
-    // with a quaternion attitude the angular velocity is a state
+    // with a quaternion attitude, the angular velocity is a state
     if let Some(rotation) = model.body.as_ref().and_then(|body| body.rotation.as_ref())
         && let Some((states, frame)) = rotation.angular_velocity
     {

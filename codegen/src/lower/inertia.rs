@@ -1,7 +1,7 @@
 //! Transformation of an inertia tensor that is constant in one frame to another, rotating frame.
 //!
-//! The tensor is split into a part symmetric about the rotation axis between the frames, equal in both, and a
-//! remainder that rotates. If the remainder is 0, the equations do not depend on the rotation angle.
+//! The tensor is split into a part that is symmetric about the rotation axis between the frames, and therefore equal in
+//! both frames, and a remainder that rotates. If the remainder is 0, the equations do not depend on the rotation angle.
 
 use super::Lowering;
 use super::frames::{self, Vector};
@@ -10,12 +10,12 @@ use model_spec::model::{FrameKind, Model, Rotation};
 /// Symmetric 3×3 matrix of nodes, by row.
 type Matrix = [Vector; 3];
 
-/// Inertia tensor, kg m², in the frame of the angular velocity, with its rotating part.
+/// Inertia tensor, kg m², transformed to the frame of the angular velocity, and its part that rotates in that frame.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Turned {
-    /// Complete inertia tensor.
+    /// Complete inertia tensor, in the frame of the angular velocity.
     pub whole: Matrix,
-    /// Rotating part of the inertia tensor: not symmetric about the rotation axis.
+    /// Part of the inertia tensor that is not symmetric about the rotation axis, and therefore rotates.
     rest: Matrix,
     /// Angular velocity, rad/s, of the frame of constant inertia relative to the angular-velocity frame.
     relative: Vector,
@@ -47,7 +47,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// Rate of change of angular momentum, N m, as the inertia part K rotates at σ: `σ × K ω - K (σ × ω)`.
+    /// Rate of change of the angular momentum, N m, that is due to the inertia part K rotating at σ: `σ × K ω - K (σ ×
+    /// ω)`.
     pub(super) fn drift(&mut self, turned: &Turned, spin: Vector) -> Vector {
         let graph = &mut self.graph;
         let momentum = turned.rest.map(|row| frames::dot(graph, row, spin));
@@ -58,7 +59,8 @@ impl Lowering<'_> {
     }
 }
 
-/// Axis (0 to 2) of the rotation between two frames; `None` unless one is the parent of the other.
+/// Index (0 to 2) of the axis of the rotation between two frames; `None` if neither is the parent of the other by a
+/// single rotation.
 fn axis_between(model: &Model, a: usize, b: usize) -> Option<usize> {
     let turn = |child: usize, of: usize| match model.frames[child].kind {
         FrameKind::Turned { parent, axis, .. } if parent == of => Some(usize::from(axis) - 1),

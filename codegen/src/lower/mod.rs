@@ -1,4 +1,4 @@
-//! Lowering: vector expressions of a model become scalar graph nodes.
+//! Lowering: translates the vector expressions of a model to scalar graph nodes.
 
 mod expressions;
 pub mod frames;
@@ -34,19 +34,20 @@ pub struct Provenance {
 pub struct Lowered {
     /// Expression graph that contains all nodes of the model.
     pub graph: ExprGraph,
-    /// Order of states, parameters, marker coordinates and quantities in arrays.
+    /// Names and order of the states, parameters, marker coordinates and auxiliary variables in arrays.
     pub layout: Layout,
     /// Time derivatives of the states, in layout order.
     pub dx: Vec<NodeId>,
-    /// Observed vector of the measurement equation, m, inertial frame; `None` without an observation.
+    /// Observed vector of the measurement equation, m, in the inertial frame; `None` if the model has no observation.
     pub observation: Option<Vector>,
-    /// Name and node of each auxiliary variable, by component; without those that depend on the marker.
+    /// Name and node of each auxiliary variable, one entry per component; variables that depend on the marker are
+    /// omitted.
     pub quantities: Vec<(String, NodeId)>,
-    /// Expressions of the validity limits, in order of declaration; each must stay above its bound.
+    /// Expressions of the limits of validity, in order of declaration; the model is valid while each exceeds its bound.
     pub limits: Vec<NodeId>,
-    /// Source locations of the named nodes, in order of first naming.
+    /// Names and source locations of the named nodes, in the order in which the names were first assigned.
     pub provenance: Vec<Provenance>,
-    /// Values of all auxiliary variables: one node for a scalar, three for a vector.
+    /// Values of all auxiliary variables, in order of declaration: one node for a scalar, three for a vector.
     pub lets: Vec<Vec<NodeId>>,
 }
 
@@ -62,15 +63,16 @@ pub(crate) struct Lowering<'a> {
     pub(crate) graph: ExprGraph,
     pub(crate) layout: Layout,
     pub(crate) lets: Vec<Value>,
-    /// Rates of the components of the angular velocity in its frame, and the angular velocity of that frame, once the
-    /// equations of motion are lowered.
+    /// Time derivatives of the components of the angular velocity in its frame, and the angular velocity of that frame;
+    /// `None` until the equations of motion are lowered.
     pub(crate) component_rates: Option<(Vector, Vector)>,
     pub(crate) provenance: Vec<Provenance>,
-    /// Names in `provenance`.
+    /// Names that are already in `provenance`.
     pub(crate) recorded: HashSet<String>,
 }
 
-/// Lowers a model: derives the equations of motion, observation, limits and auxiliary variables as scalar nodes.
+/// Lowers a model: returns its equations of motion, observation, limits of validity and auxiliary variables as scalar
+/// nodes.
 pub fn lower(model: &Model) -> Lowered {
     let layout = Layout::new(model);
     let mut lowering = Lowering {
@@ -103,7 +105,7 @@ pub fn lower(model: &Model) -> Lowered {
         .zip(lowering.lets.clone())
         .zip(of_marker)
     {
-        // the compiled function `quantities` has no marker argument, and is known without the motion
+        // the compiled function `quantities` has no marker argument
         if of_marker {
             continue;
         }
@@ -156,7 +158,7 @@ pub fn lower(model: &Model) -> Lowered {
 }
 
 impl Lowered {
-    /// Nodes of all outputs: derivatives, limits, observation, quantities and auxiliary variables.
+    /// Returns the nodes of all outputs: derivatives, limits, observation, quantities and auxiliary variables.
     pub(crate) fn nodes(&mut self) -> Vec<NodeId> {
         let mut nodes = Vec::new();
         self.replace_nodes(|node| {
@@ -186,7 +188,7 @@ fn nodes(value: Value) -> Vec<NodeId> {
 }
 
 impl Lowering<'_> {
-    /// Creates the nodes of states and parameters first, so that terms are ordered as in the layout.
+    /// Creates the nodes of states and parameters before all other nodes, so that terms are ordered as in the layout.
     fn leaves(&mut self) {
         for k in 0..self.layout.states.len() {
             self.graph.symbol(Symbol::State(k as u32));
@@ -196,7 +198,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// Assumes as nonzero: expressions with a validity limit at or above 0, and the mass of the body.
+    /// Marks as nonzero the expressions whose validity limit has a bound of at least 0, and the mass of the body.
     fn assumptions(&mut self) {
         let model = self.model;
         for limit in &model.limits {
@@ -214,7 +216,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// Names a node, unless a constant or leaf, and records its source location under that name.
+    /// Names a node and records its source location under that name; constants and leaves are skipped.
     pub(crate) fn record(&mut self, node: NodeId, name: &str, span: Span) {
         use crate::graph::Node;
         if matches!(self.graph.node(node), Node::Number(_) | Node::Symbol(_)) {
@@ -245,7 +247,7 @@ fn mentions_let(expr: &model_spec::model::Expr) -> bool {
     found
 }
 
-/// Line number (from 1) and trimmed text of the line that contains byte offset `at`.
+/// Returns the number (from 1) and the trimmed text of the line that contains the byte offset `at`.
 pub(crate) fn line_of(text: &str, at: usize) -> (usize, String) {
     let at = at.min(text.len());
     let line = text.as_bytes()[..at]

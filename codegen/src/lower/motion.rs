@@ -1,4 +1,4 @@
-//! Equations of motion: Newton's and Euler's laws for a rigid body, or derivatives stated in the model.
+//! Equations of motion of a rigid body by Newton's and Euler's laws, and derivatives stated in the model.
 
 use super::frames::{self, Vector};
 use super::{Lowering, solve};
@@ -8,7 +8,7 @@ use crate::number::Number;
 use model_spec::model::{Body, FrameKind, Load, Rotation, Shape};
 
 impl Lowering<'_> {
-    /// Derivatives of all states with respect to measured time, in layout order.
+    /// Derivatives of all states with respect to measured time, one node per state, in layout order.
     pub(crate) fn motion(&mut self) -> Vec<NodeId> {
         let model = self.model;
         let zero = self.graph.whole(0);
@@ -46,8 +46,8 @@ impl Lowering<'_> {
         dx
     }
 
-    /// Translation: `der(x) = v` in the inertial frame, `m (der(v) + ω × v) = Σ F` in the frame of the velocity.
-    /// Writes the derivatives of position and velocity to `dx`.
+    /// Lowers the translational equations: `der(x) = v` in the inertial frame, and `m (der(v) + ω × v) = Σ F` in the
+    /// frame of the velocity. Writes the derivatives of position and velocity to `dx`.
     fn newton(&mut self, body: &Body, dx: &mut [NodeId]) {
         let model = self.model;
         let velocity = body
@@ -74,7 +74,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// Sum of the forces other than the weight over the mass, m/s², in the frame of the velocity.
+    /// Specific force: sum of all forces except the weight, divided by the mass, m/s²; components in the frame of the
+    /// velocity.
     pub(crate) fn specific_force(&mut self) -> Vector {
         let model = self.model;
         let Some(body) = &model.body else {
@@ -87,7 +88,8 @@ impl Lowering<'_> {
         force.map(|component| self.graph.distribute(component, lightness))
     }
 
-    /// Derivative of the angular velocity in the inertial frame, rad/s², components in the frame of the angular velocity.
+    /// Derivative of the angular velocity with respect to time in the inertial frame, rad/s²; components in the frame
+    /// of the angular velocity.
     pub(crate) fn angular_acceleration(&mut self) -> Vector {
         let Some((rates, turning)) = self.component_rates else {
             return frames::zero(&mut self.graph);
@@ -123,7 +125,7 @@ impl Lowering<'_> {
         total.map(|component| self.graph.project(component))
     }
 
-    /// Attitude kinematics: writes the derivatives of rotation angles and quaternions to `dx`.
+    /// Lowers the attitude kinematics: writes the derivatives of rotation angles and quaternions to `dx`.
     fn angles(&mut self, dx: &mut [NodeId]) {
         let model = self.model;
         for (k, frame) in model.frames.iter().enumerate() {
@@ -158,8 +160,9 @@ impl Lowering<'_> {
         }
     }
 
-    /// Rotation: `I der(ω) + ω_F × I ω = Σ M` in the frame F of the angular velocity. If the inertia is constant in
-    /// another frame, the term of the inertia rotating in F is subtracted from Σ M.
+    /// Lowers the rotational equations: `I der(ω) + ω_F × I ω = Σ M` in the frame F of the angular velocity. If the
+    /// inertia is constant in another frame, its rate of change in F times ω is subtracted from Σ M. Writes the
+    /// derivatives of the angular velocity or of the angle rates to `dx`.
     fn euler(&mut self, rotation: &Rotation, dx: &mut [NodeId]) {
         let model = self.model;
         let frame = rotation.angular_velocity_frame;
@@ -192,7 +195,7 @@ impl Lowering<'_> {
                 }
             }
             Some((states, within)) => {
-                // derivative in another frame: der in `within` = der in F + (ω_F - ω_within) × ω
+                // derivative in another frame: der_within(ω) = der_F(ω) + (ω_F - ω_within) × ω
                 let other = frames::angular_velocity(&mut self.graph, model, within, frame);
                 let relative = frames::sub(&mut self.graph, turning, other);
                 let extra = frames::cross(&mut self.graph, relative, spin);
@@ -206,8 +209,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// Solves for the second derivatives of the rotation angles, rad/s², given the angular acceleration
-    /// `acceleration`.
+    /// Solves for the second derivatives of the rotation angles, rad/s², given the angular acceleration `acceleration`,
+    /// and writes them to `dx`.
     fn rates(
         &mut self,
         rotation: &Rotation,

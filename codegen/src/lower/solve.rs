@@ -1,4 +1,4 @@
-//! Solution of small symbolic linear systems, sparse rows first.
+//! Symbolic solution of small linear systems.
 
 use crate::graph::{ExprGraph, NodeId};
 use crate::number::Number;
@@ -36,8 +36,8 @@ fn determinant_has(graph: &ExprGraph, determinant: NodeId, entry: NodeId) -> boo
     }
 }
 
-/// Solves `matrix · unknowns = right`: rows with one unknown first, the remaining system by Cramer's rule. Unknowns
-/// that the rows do not determine are 0.
+/// Solves `matrix · unknowns = right` symbolically: first the rows with a single unknown, then the remaining system by
+/// Cramer's rule. Unknowns that the rows do not determine are 0.
 pub fn solve(graph: &mut ExprGraph, matrix: Vec<Vec<NodeId>>, right: Vec<NodeId>) -> Vec<NodeId> {
     let columns = matrix.first().map_or(0, Vec::len);
     let zero = graph.whole(0);

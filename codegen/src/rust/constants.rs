@@ -7,7 +7,7 @@ use model_spec::model::Model;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// Names of all generated constants.
+/// Names of the constants that are generated for each model.
 pub(super) const NAMES: [&str; 16] = [
     "STATES",
     "INITIAL",

@@ -5,7 +5,7 @@ use crate::program::Binary;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// Operator precedence of an expression, weakest first.
+/// Precedence of an expression's outermost operator, weakest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Binding {
     Sum,
@@ -30,7 +30,7 @@ impl Expr {
         }
     }
 
-    /// The negation `-self`.
+    /// Expression of the negation `-self`.
     pub fn negated(self) -> Expr {
         let operand = self.bound(Binding::Atom);
         Expr {
@@ -39,7 +39,7 @@ impl Expr {
         }
     }
 
-    /// The method call `self.method(arguments)`.
+    /// Expression of the method call `self.name(arguments)`.
     pub fn method(self, name: &str, arguments: &[Expr]) -> Expr {
         let method = ident(name);
         let receiver = self.bound(Binding::Atom);
@@ -47,7 +47,7 @@ impl Expr {
         Expr::atom(quote!(#receiver.#method(#(#arguments),*)))
     }
 
-    /// Binary operator expression: `self + other`, `self - other`, …
+    /// Expression with a binary operator: `self + other`, `self - other`, …
     ///
     /// # Panics
     /// If `binary` is not an operator of Rust.
@@ -69,7 +69,7 @@ impl Expr {
         }
     }
 
-    /// Tokens of the expression, in parentheses if its precedence is below `least`.
+    /// Tokens of the expression, in parentheses if its precedence is below the minimum `least`.
     pub fn bound(self, least: Binding) -> TokenStream {
         let tokens = self.tokens;
         if self.binding < least {

@@ -1,4 +1,4 @@
-//! Operations of a function body as Rust expressions.
+//! Writing of the operations of a function body as Rust expressions.
 
 use super::expr::{Binding, Expr};
 use super::ident::ident;
@@ -16,7 +16,7 @@ pub(super) struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    /// Right-hand side of a statement, by the statement's index.
+    /// Tokens of the right-hand side of the statement with this index.
     pub fn statement(&self, k: usize) -> TokenStream {
         self.op(self.body.op(k)).tokens
     }

@@ -1,11 +1,12 @@
-//! Helper functions that `f64` lacks, with defined values at singular points.
+//! Helper functions of generated `f64` code: functions that `f64` lacks, or that need defined values at singular
+//! points.
 
 use super::table_names;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::quote;
 use std::collections::BTreeSet;
 
-/// (method of `lanes::Real`, name of the `f64` helper function that replaces the method).
+/// Pairs of (method of `lanes::Real`, name of the `f64` helper function that replaces the method).
 const HELPERS: [(&str, &str); 11] = [
     ("sqrt", "sqrt_or_zero"),
     ("recip_or_zero", "recip_or_zero"),
@@ -20,18 +21,18 @@ const HELPERS: [(&str, &str); 11] = [
     (table_names::METHOD, table_names::METHOD),
 ];
 
-/// Helper for a method of `lanes::Real`; `None` if `f64` has a method of equal name and meaning.
+/// Name of the helper function for a method of `lanes::Real`; `None` if `f64` has a method of equal name and meaning.
 pub(super) fn for_method(method: &str) -> Option<&'static str> {
     let found = HELPERS.iter().find(|(known, _)| *known == method);
     found.map(|(_, helper)| *helper)
 }
 
-/// Whether a name is that of a helper function.
+/// Whether a name is the name of a helper function.
 pub(super) fn is_helper(name: &str) -> bool {
     HELPERS.iter().any(|(_, helper)| *helper == name)
 }
 
-/// Definitions of the helper functions that occur in some tokens.
+/// Definitions of the helper functions whose names occur in `tokens`.
 pub(super) fn used_in(tokens: &TokenStream) -> TokenStream {
     let mut used = BTreeSet::new();
     collect(tokens.clone(), &mut used);

@@ -2,7 +2,7 @@
 
 use proc_macro2::{Ident, Span};
 
-/// Identifier of a name; a keyword gets a trailing underscore.
+/// Converts a name to a Rust identifier; an underscore is appended to a keyword.
 pub(super) fn ident(name: &str) -> Ident {
     syn::parse_str(name).unwrap_or_else(|_| Ident::new(&format!("{name}_"), Span::call_site()))
 }

@@ -1,4 +1,5 @@
-//! Source files of the crate `generated`: models as modules, as values of type `Model`, and as types of one trait.
+//! Source files of the crate `generated`, in which each model is a module, a value of type `Model`, and a type that
+//! implements the trait `Equations`.
 
 use super::constants;
 use super::function::HEADER;
@@ -12,7 +13,7 @@ use model_spec::model::Model;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-/// Text of a model's `mod.rs`: constants, implementation of `Equations`, and value of type `Model`.
+/// Text of a model's `mod.rs`: constants, implementation of the trait `Equations`, and value of type `Model`.
 pub(super) fn model_module(compiled: &Compiled, model: &Model) -> String {
     let head = inner_doc(&documentation(compiled, model));
     let mut modules: Vec<&str> = FUNCTIONS.iter().map(|function| function.name).collect();
@@ -52,7 +53,7 @@ fn documentation(compiled: &Compiled, model: &Model) -> String {
     text
 }
 
-/// Type of a model and its value of type `Model`.
+/// Tokens of the type of a model, which implements `Equations`, and of its value of type `Model`.
 fn equations(compiled: &Compiled) -> TokenStream {
     let kind = type_ident(&compiled.name);
     let methods = FUNCTIONS.iter().map(|function| {
@@ -121,7 +122,7 @@ impl Signature {
             .collect()
     }
 
-    /// Generic signature over slices: `fn f<T: Real>(time: T, state: &[T], …)`.
+    /// Tokens of the generic signature over slices: `fn f<T: Real>(time: T, state: &[T], …)`.
     fn head(&self) -> TokenStream {
         let name = format_ident!("{}", self.name);
         let inputs = self.inputs.iter().map(|&input| {
@@ -135,7 +136,7 @@ impl Signature {
         quote!(fn #name<T: lanes::Real>(#(#inputs,)* #(#outputs: &mut [T]),*))
     }
 
-    /// Function pointer type for `f64`: `fn(f64, &[f64], …)`.
+    /// Tokens of the function pointer type for `f64`: `fn(f64, &[f64], …)`.
     fn pointer(&self) -> TokenStream {
         let inputs = self.inputs.iter().map(|&input| match input {
             Input::Time => quote!(f64),
@@ -145,7 +146,7 @@ impl Signature {
         quote!(fn(#(#inputs,)* #(#outputs),*))
     }
 
-    /// Scalar `f64` function compiled for the processor's target features.
+    /// Tokens of the `f64` function that is compiled for the processor's target features.
     fn dispatched(&self) -> TokenStream {
         let name = format_ident!("{}", self.name);
         let call = format_ident!("{}Call", type_ident(self.name));
@@ -194,7 +195,8 @@ impl Signature {
     }
 }
 
-/// Files in `src` that list all models or functions: `lib.rs`, `model.rs`, `scalar.rs`.
+/// Generates the files in `src` that list all models or functions: `lib.rs`, `model.rs`, `scalar.rs`; `names` are the
+/// names of the models.
 pub fn library(names: &[String]) -> Vec<SourceFile> {
     let text = [
         ("lib.rs", root(names)),

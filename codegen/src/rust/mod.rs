@@ -1,8 +1,8 @@
 //! Rust backends: token trees by `quote`, printed by `prettyplease`.
 //!
-//! [`PlainRust`] writes a model as one module of plain `f64` without dependencies, for any crate. [`LanesRust`] writes
-//! the module generic over [`lanes::Real`]. [`emit`] and [`library`] write the crate `generated` of this repository,
-//! whose models are also values of one type and can be selected at run time.
+//! [`PlainRust`] writes a model as one module over `f64` without dependencies, for use in any crate. [`LanesRust`]
+//! writes the same module generic over [`lanes::Real`]. [`emit`] and [`library`] write the crate `generated` of this
+//! repository, whose models can also be selected at run time.
 
 mod body;
 mod constants;
@@ -27,11 +27,11 @@ use crate::compile::Compiled;
 use model_spec::model::Model;
 use scalar::Scalar;
 
-/// Backend with one module per model over `f64`, without dependencies or `unsafe`.
+/// Backend that writes one module per model over `f64`, without dependencies or `unsafe`.
 #[derive(Clone, Copy, Debug)]
 pub struct PlainRust;
 
-/// Backend with one module per model, generic over [`lanes::Real`]: `f64` or SIMD vectors.
+/// Backend that writes one module per model, generic over [`lanes::Real`]: for `f64` or SIMD vectors.
 #[derive(Clone, Copy, Debug)]
 pub struct LanesRust;
 
@@ -63,7 +63,8 @@ impl Backend for LanesRust {
     }
 }
 
-/// Source files of one model in the crate `generated`, relative to its `src`: `disc/mod.rs`, `disc/f.rs`, …
+/// Generates the source files of one model in the crate `generated`, with paths relative to its `src`: `disc/mod.rs`,
+/// `disc/f.rs`, …
 pub fn emit(compiled: &Compiled, model: &Model) -> Vec<SourceFile> {
     let folder = names::file_stem(&compiled.name);
     let mut files = vec![SourceFile {

@@ -1,4 +1,4 @@
-//! A model as a single file, for use as a module of any crate.
+//! A model as a single source file, for use as a module of any crate.
 //!
 //! The file has no inner attributes or inner documentation, so that it works with `mod` and with `include!`.
 
@@ -10,11 +10,12 @@ use crate::compile::Compiled;
 use model_spec::model::Model;
 use quote::quote;
 
-/// Source file `NAME.rs` of a model for one number type.
+/// Source file `NAME.rs` of a model, for the number type `scalar`.
 pub(super) fn file(model: &Model, compiled: &Compiled, scalar: Scalar) -> SourceFile {
     let inline = match scalar {
         Scalar::F64 => quote!(),
-        // What is not inlined is compiled for the baseline processor, where every operation on wide lanes is a call.
+        // Functions that are not inlined are compiled for the baseline processor, where every operation on wide lanes
+        // is a call.
         Scalar::Lanes => quote!(#[inline(always)]),
     };
     let attributes = quote! {

@@ -1,11 +1,11 @@
-//! Valid Rust identifiers for names of models and variables.
+//! Conversion of names of models and variables to valid Rust identifiers.
 
 use super::ident::ident;
 use super::{constants, helpers, signature, table_names};
 use proc_macro2::Ident;
 
-/// Whether a name cannot be a local variable of a generated function: not a Rust identifier, an argument name, or the
-/// name of an item in scope that a `let` would match as a pattern or shadow.
+/// Whether a name cannot be a local variable of a generated function: it is not a Rust identifier, it is an argument
+/// name, or it is the name of an item in scope, which a `let` would match as a pattern or shadow.
 pub(super) fn is_reserved(name: &str) -> bool {
     syn::parse_str::<Ident>(name).is_err()
         || signature::is_argument(name)

@@ -1,7 +1,8 @@
-//! Printing of tokens: `prettyplease`, then the comments, blank lines and tables that tokens cannot express.
+//! Printing of tokens by `prettyplease`, and insertion of the comments, blank lines and filled arrays that tokens
+//! cannot express.
 //!
 //! Comments are encoded as the pseudo-attribute `#[comment = "…"]`, which `prettyplease` prints as `//…`. Comments
-//! that start with `@` are markers, which [`finish`] replaces.
+//! whose text starts with `@` are markers, which [`finish`] replaces.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -9,42 +10,42 @@ use quote::quote;
 /// Maximum line width in printed arrays and trailing comments, characters.
 const WIDTH: usize = 100;
 
-/// Text of the marker for a blank line.
+/// Comment text that marks a blank line.
 const BLANK: &str = "@blank";
-/// Prefix of the marker for a comment at the end of the following statement.
+/// Prefix of a comment text that is printed at the end of the following statement.
 const TRAILING: &str = "@trailing ";
-/// Text of the marker for an array printed with several elements per line.
+/// Comment text that marks an array to be printed with several elements per line.
 const FILL: &str = "@fill";
 
-/// A comment line before an item or a statement.
+/// Tokens of a comment line before an item or a statement.
 pub(super) fn comment(text: &str) -> TokenStream {
     let text = format!(" {text}");
     quote!(#[comment = #text])
 }
 
-/// A blank line before an item or a statement.
+/// Tokens of a blank line before an item or a statement.
 pub(super) fn blank_line() -> TokenStream {
     quote!(#[comment = #BLANK])
 }
 
-/// Trailing comment of a one-line statement; printed on the line before a longer statement.
+/// Tokens of a comment at the end of a one-line statement; it is printed on the line before a longer statement.
 pub(super) fn trailing_comment(text: &str) -> TokenStream {
     let text = format!("{TRAILING}{text}");
     quote!(#[comment = #text])
 }
 
-/// Marker: the following array constant is printed with several elements per line.
+/// Tokens that mark the following array constant to be printed with several elements per line.
 pub(super) fn fill() -> TokenStream {
     quote!(#[comment = #FILL])
 }
 
-/// Outer doc comment for an item, one line per line of text.
+/// Tokens of an outer doc comment for an item, with one line per line of `text`.
 pub(super) fn doc(text: &str) -> TokenStream {
     let lines = text.lines().map(doc_line);
     quote!(#(#[doc = #lines])*)
 }
 
-/// Inner doc comment for the enclosing module, one line per line of text.
+/// Tokens of an inner doc comment for the enclosing module, with one line per line of `text`.
 pub(super) fn inner_doc(text: &str) -> TokenStream {
     let lines = text.lines().map(doc_line);
     quote!(#(#![doc = #lines])*)
@@ -58,7 +59,7 @@ fn doc_line(line: &str) -> String {
     }
 }
 
-/// Text of a source file: header comments, then the tokens.
+/// Text of a source file: the header lines as comments, then the tokens.
 ///
 /// # Panics
 /// If the tokens are not a Rust file, which is a defect of the backend.
@@ -78,7 +79,7 @@ pub(super) fn file(header: &[impl AsRef<str>], tokens: TokenStream) -> String {
     text
 }
 
-/// Replaces the markers and inserts blank lines between items.
+/// Replaces the markers in printed code and inserts blank lines between items.
 fn finish(printed: &str) -> String {
     let mut lines: Vec<String> = Vec::new();
     let mut trailing: Option<String> = None;
@@ -152,7 +153,7 @@ fn ends_item(line: &str) -> bool {
     }
 }
 
-/// Whether a blank line separates two lines: both are items, and not of one list of declarations.
+/// Whether a blank line is printed between two lines: both belong to items, and not to one list of declarations.
 fn separate(last: &str, line: &str) -> bool {
     const LISTS: [&str; 4] = ["mod ", "use ", "pub mod ", "pub use "];
     let indent = |line: &str| line.len() - line.trim_start().len();

@@ -21,7 +21,7 @@ pub(super) enum Scalar {
 }
 
 impl Scalar {
-    /// Type of a number in signatures.
+    /// Type of a number in generated signatures: `f64` or `T`.
     pub fn kind(self) -> TokenStream {
         match self {
             Scalar::F64 => quote!(f64),
@@ -29,7 +29,7 @@ impl Scalar {
         }
     }
 
-    /// Generic parameters of a function.
+    /// Generic parameters of a generated function; empty for `f64`.
     pub fn generics(self) -> TokenStream {
         match self {
             Scalar::F64 => TokenStream::new(),
@@ -37,7 +37,7 @@ impl Scalar {
         }
     }
 
-    /// Numeric constant; `typed` requests a literal with a type suffix.
+    /// Expression of a numeric constant; `typed` requests a literal with a type suffix.
     pub fn constant(self, value: f64, typed: bool) -> Expr {
         let path = match value {
             _ if value == PI => Some(quote!(std::f64::consts::PI)),
@@ -66,7 +66,8 @@ impl Scalar {
         }
     }
 
-    /// Fused multiply-add `a * b + c` or one of its sign variants.
+    /// Expression of the multiply-add `a * b + c` or one of its sign variants; fused for lanes, separate operations for
+    /// `f64`.
     pub fn fused(self, fused: Fused, a: Expr, b: Expr, c: Expr) -> Expr {
         if self == Scalar::Lanes {
             let method = match fused {
@@ -84,7 +85,7 @@ impl Scalar {
         }
     }
 
-    /// Function of one argument.
+    /// Expression of an operation with one operand.
     pub fn unary(self, unary: Unary, a: Expr, tables: &Tables) -> Expr {
         let name = match unary {
             Unary::Call(MathFunction::Table(function)) => {
@@ -107,7 +108,7 @@ impl Scalar {
         self.call(name, a, &[])
     }
 
-    /// Sine or cosine alone, where the other of the two is not computed.
+    /// Expression of a sine or cosine if only one of them is computed for the angle.
     fn sin_or_cos(self, function: MathFunction, angle: Expr) -> Expr {
         let element = match function {
             MathFunction::Sin => Literal::usize_unsuffixed(0),
@@ -122,12 +123,12 @@ impl Scalar {
         }
     }
 
-    /// Selection: `then` where `condition` is 0, else `otherwise`.
+    /// Expression of a selection: `then` where `condition` is 0, else `otherwise`.
     pub fn if_zero(self, condition: Expr, then: Expr, otherwise: Expr) -> Expr {
         self.call("if_zero", condition, &[then, otherwise])
     }
 
-    /// Call of a function, given the name of the corresponding `lanes::Real` method.
+    /// Expression of a function call, given the name of the corresponding `lanes::Real` method.
     pub fn call(self, name: &str, first: Expr, rest: &[Expr]) -> Expr {
         let helper = match self {
             Scalar::F64 => helpers::for_method(name),
@@ -142,7 +143,7 @@ impl Scalar {
     }
 }
 
-/// Shortest literal that reads back as exactly the given finite number.
+/// Shortest literal that parses to exactly the given finite number.
 fn literal(value: f64, suffix: &str) -> TokenStream {
     let digits = format!("{:?}{suffix}", value.abs());
     let literal: Option<Literal> = digits.parse().ok();

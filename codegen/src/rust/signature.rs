@@ -1,4 +1,4 @@
-//! Signatures of the generated functions: names, arguments and documentation; [`FUNCTIONS`] lists all.
+//! Signatures of the generated functions: names, arguments and documentation; [`FUNCTIONS`] lists all of them.
 
 use crate::backend::body::Input;
 use crate::compile::Compiled;
@@ -103,14 +103,14 @@ pub(super) fn of(function: &Function) -> &'static Signature {
 }
 
 impl Signature {
-    /// Argument name of the output array for a program section.
+    /// Name of the output argument to which a program section is written.
     pub fn argument(&self, section: &str) -> &'static str {
         let found = self.outputs.iter().find(|(known, _)| *known == section);
         found.map_or("output", |(_, argument)| argument)
     }
 }
 
-/// Length of an input array; `None` for the time, a single number.
+/// Length of an input array; `None` for the time, which is a single number.
 pub(super) fn input_len(compiled: &Compiled, input: Input) -> Option<usize> {
     let layout = &compiled.layout;
     match input {

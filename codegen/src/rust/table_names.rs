@@ -1,4 +1,4 @@
-//! Names of what generated code has of a table, and the function that looks one up.
+//! Names of the constants of a table in generated code, and the helper function that looks up a table.
 
 use crate::functions::MathFunction;
 use crate::program::{Function, Op, Unary};
@@ -10,15 +10,16 @@ use std::collections::BTreeSet;
 /// Method of `lanes::Real`, and helper function for `f64`, that looks up a table.
 pub(super) const METHOD: &str = "piecewise_cubic";
 
-/// Ends of the names of constants for the knots and for the cubics between them; derivatives have their order behind.
+/// Suffixes in the names of the constants for knots and for cubics; in the name of a derivative, the order of the
+/// derivative follows.
 const ENDS: [&str; 2] = ["_KNOTS", "_CUBICS"];
 
-/// Whether a name may be that of a constant of a table.
+/// Whether a name may be the name of a table's constant.
 pub(super) fn is_constant(name: &str) -> bool {
     ENDS.iter().any(|end| name.contains(end))
 }
 
-/// Names of the constants of a function: the knots of its table and its cubics.
+/// Names of the two constants of a table function: the knots of its table, and the cubics of the function.
 pub(super) fn names(tables: &Tables, function: TableFunction) -> [Ident; 2] {
     let table = &tables.table(function.table()).name;
     let [knots, cubics] = ENDS;
@@ -32,7 +33,7 @@ pub(super) fn names(tables: &Tables, function: TableFunction) -> [Ident; 2] {
     ]
 }
 
-/// Tables and their derivatives that a function looks up, in order.
+/// Tables and derivatives of tables that a function looks up, in order of index.
 pub(super) fn used_by(function: &Function) -> BTreeSet<TableFunction> {
     let statements = function.program.statements.iter();
     let used = statements.filter_map(|statement| match statement.op {
@@ -42,7 +43,8 @@ pub(super) fn used_by(function: &Function) -> BTreeSet<TableFunction> {
     used.collect()
 }
 
-/// Import of the constants that a function looks up, from the file of [`file`]; nothing without tables.
+/// Tokens that import the constants that a function looks up from the generated module `tables`; empty if the function
+/// looks up no table.
 pub(super) fn import(function: &Function) -> TokenStream {
     let tables = &function.program.tables;
     let used = used_by(function).into_iter();
@@ -53,7 +55,7 @@ pub(super) fn import(function: &Function) -> TokenStream {
     }
 }
 
-/// Definition of the function that looks up a table, for `f64`.
+/// Tokens of the `f64` function that looks up a table.
 pub(super) fn helper() -> TokenStream {
     quote! {
         /// Piecewise cubic: `cubics[0]` below the first knot, `cubics[i]` from `knots[i - 1]` on; each by the coefficients of

@@ -1,4 +1,4 @@
-//! Constants of tables in generated code, with the name of the table.
+//! Generated constants of tables: knots and cubics, named after the table.
 
 use super::function::HEADER;
 use super::print;
@@ -10,7 +10,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use std::collections::BTreeSet;
 
-/// Source file of the tables of a model in the crate `generated`; `None` without tables.
+/// Text of the source file with the tables of a model in the crate `generated`; `None` if the model uses no tables.
 pub(super) fn file(compiled: &Compiled) -> Option<String> {
     let items = items(compiled, &quote!(pub(super)));
     let title = print::inner_doc(&format!("Tables of `{}`.", compiled.name));

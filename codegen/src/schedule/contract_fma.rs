@@ -1,9 +1,9 @@
-//! FMA contraction: a product used once, by a sum, is merged with that sum.
+//! FMA contraction: merges a product whose only use is in a sum with that sum.
 
 use crate::program::{Binary, Fused, Op, Operand, Program};
 
-/// Contracts products and sums to fused multiply-adds; the operation count, with two per fused operation, is
-/// unchanged.
+/// Contracts products and sums to fused multiply-adds. The operation count is unchanged, since a fused operation counts
+/// as two.
 pub(super) fn contract_fma(mut program: Program) -> Program {
     let mut uses = vec![0_u32; program.statements.len()];
     let operands = program.statements.iter().flat_map(|s| s.op.operands());
@@ -46,7 +46,7 @@ pub(super) fn contract_fma(mut program: Program) -> Program {
     without(program, &fused)
 }
 
-/// Factors of a product with a single use that is not an auxiliary variable of the model; `None` for other operands.
+/// Factors of a product that has a single use and is not an auxiliary variable of the model; `None` for other operands.
 fn product(program: &Program, uses: &[u32], operand: Operand) -> Option<(Operand, Operand)> {
     let Operand::Temp(t) = operand else {
         return None;
@@ -60,7 +60,7 @@ fn product(program: &Program, uses: &[u32], operand: Operand) -> Option<(Operand
     }
 }
 
-/// Whether `a.mul_add(b, c)` is more readable than `b.mul_add(a, c)`: a named variable as receiver.
+/// Whether `a.mul_add(b, c)` is more readable than `b.mul_add(a, c)`: `a` is a named variable and `b` is not.
 fn reads_first(program: &Program, a: Operand, b: Operand) -> bool {
     let plain = |operand| match operand {
         Operand::Temp(t) => program.statements[t as usize].name.is_some(),
@@ -92,7 +92,7 @@ pub(super) fn latency(op: &Op) -> u32 {
     }
 }
 
-/// Removes the statements marked in `gone`, which must be unused, and renumbers operands.
+/// Removes the statements marked in `gone`, which must be unused, and renumbers the operands.
 fn without(mut program: Program, gone: &[bool]) -> Program {
     let mut places = Vec::with_capacity(gone.len());
     let mut next = 0;

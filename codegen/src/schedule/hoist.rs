@@ -1,5 +1,5 @@
-//! Invariant hoisting: expressions of parameters alone move from all functions of a model to `prepare`, which runs
-//! once per flight.
+//! Invariant hoisting: moves expressions that depend only on parameters from all functions of a model to `prepare`,
+//! which runs once per flight.
 
 use super::{Namer, schedule};
 use crate::graph::{ExprGraph, FastMap, Node, NodeId, Symbol};
@@ -7,7 +7,7 @@ use crate::program::{Operand, Program};
 use crate::ssa::{DefId, Ssa, build};
 use std::collections::BTreeSet;
 
-/// Hoisted expressions of a model; each has a slot, its index among the results of `prepare`.
+/// Hoisted expressions of a model. Each has a slot: its index among the results of `prepare`.
 #[derive(Clone, Debug, Default)]
 pub struct Hoisted {
     slots: Vec<NodeId>,
@@ -17,11 +17,11 @@ pub struct Hoisted {
     parameters: Vec<String>,
 }
 
-/// Expression over parameters of each hoisted definition of one function.
+/// Graph node, in terms of parameters, of each hoisted definition of one function.
 pub(super) type HoistedNodes = FastMap<DefId, NodeId>;
 
 impl Hoisted {
-    /// Empty set of hoisted expressions for a model with these parameter names.
+    /// Creates an empty set of hoisted expressions for a model with these parameter names.
     pub fn new(parameters: &[String]) -> Hoisted {
         Hoisted {
             parameters: parameters.to_vec(),
@@ -29,13 +29,13 @@ impl Hoisted {
         }
     }
 
-    /// Names of the slots, in slot order.
+    /// Names of the hoisted expressions, in the order of their slots.
     pub fn names(&self) -> &[String] {
         &self.names
     }
 
-    /// Operand with the value of a definition or, if `minus`, its negative. Allocates a slot for an expression without
-    /// one.
+    /// Returns an operand with the value of a definition or, if `minus`, its negative. Allocates a slot if the
+    /// expression has none.
     pub(super) fn operand(
         &mut self,
         ssa: &Ssa,
@@ -76,7 +76,7 @@ impl Hoisted {
         unique
     }
 
-    /// Program of `prepare`: computes all slots from the parameters.
+    /// Returns the program of `prepare`, which computes all slots from the parameters.
     pub fn program(&self, graph: &mut ExprGraph) -> Program {
         let mut ssa = build(graph, &self.slots);
         // `prepare` itself hoists nothing.
@@ -89,7 +89,7 @@ impl Hoisted {
     }
 }
 
-/// Expression of a hoisted definition in terms of parameters.
+/// Returns the graph node of a hoisted definition, in terms of parameters.
 fn expression(ssa: &Ssa, graph: &mut ExprGraph, nodes: &mut HoistedNodes, id: DefId) -> NodeId {
     if let Some(&node) = nodes.get(&id) {
         return node;

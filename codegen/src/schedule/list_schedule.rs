@@ -6,15 +6,15 @@ use crate::graph::FastMap;
 use crate::program::{Op, Operand, Program, Statement, Unary};
 use std::cmp::Reverse;
 
-/// Issue width of the processor model, operations per cycle.
+/// Issue width of the processor model: maximum number of operations started per clock cycle.
 const WIDTH: u32 = 2;
 
-/// Number of live values above which register pressure takes precedence over latency; processors have 16 or 32
+/// Number of live values above which register pressure takes precedence over latency, as processors have 16 or 32
 /// registers.
 const MOST: usize = 20;
 
-/// Reorders the statements by list scheduling: among ready statements, the one with the longest latency path to a
-/// result comes first.
+/// Reorders the statements by list scheduling: of the ready statements, issues the one with the longest latency path to
+/// a result.
 pub(super) fn list_schedule(program: Program) -> Program {
     let sequence = Order::new(&program).sequence();
     permuted(program, &sequence)
@@ -22,21 +22,22 @@ pub(super) fn list_schedule(program: Program) -> Program {
 
 struct Order<'a> {
     program: &'a Program,
-    /// For each statement the statements whose results it reads; `users` is the inverse relation.
+    /// For each statement, the statements whose results it reads; `users` is the inverse relation.
     needs: Vec<Vec<usize>>,
     users: Vec<Vec<usize>>,
-    /// Latency of the longest path from each statement to a result, cycles.
+    /// Latency of the longest path from each statement to a result, in clock cycles.
     height: Vec<u32>,
-    /// Cycle in which each statement's operands are available; `None` until known and after the statement is issued.
+    /// Clock cycle in which the operands of each statement are available; `None` while unknown, and after the statement
+    /// is issued.
     ready: Vec<Option<u32>>,
     /// Indices of the statements whose ready cycle is known and that are not yet issued.
     waiting: Vec<usize>,
-    /// For each sine or cosine statement the first statement of the other function of the same angle.
+    /// For each sine or cosine statement, the first statement that computes the other function of the same angle.
     partners: FastMap<usize, usize>,
     end: Vec<u32>,
     /// Number of pending uses of each statement's result.
     left: Vec<usize>,
-    /// Number of live results: computed, with pending uses.
+    /// Number of live results: those that are computed and still have pending uses.
     live: usize,
 }
 
@@ -102,13 +103,14 @@ impl<'a> Order<'a> {
         can.max_by_key(|&k| (self.height[k], self.freed(k), Reverse(k)))
     }
 
-    /// Decrease in the number of live values if statement `k` is issued.
+    /// Decrease in the number of live results if statement `k` is issued; negative for an increase.
     fn freed(&self, k: usize) -> i64 {
         let last = self.needs[k].iter().filter(|&&need| self.left[need] == 1);
         last.count() as i64 - i64::from(!self.users[k].is_empty())
     }
 
-    /// The other of the sine and cosine statements of one angle, if it can be issued.
+    /// Cosine statement of the same angle if `k` is a sine statement, and vice versa; `None` if there is none or it
+    /// cannot be issued yet.
     fn partner(&self, k: usize) -> Option<usize> {
         let partner = *self.partners.get(&k)?;
         self.ready[partner].map(|_| partner)
@@ -137,7 +139,7 @@ impl<'a> Order<'a> {
     }
 }
 
-/// Pairs of sine and cosine statements of one angle, each by the index of the other.
+/// For each sine or cosine statement, the index of the first statement with the other function of the same angle.
 fn partners(program: &Program) -> FastMap<usize, usize> {
     let mut first: FastMap<(MathFunction, (u8, u64)), usize> = FastMap::default();
     let calls = program.statements.iter().enumerate();
@@ -161,7 +163,7 @@ fn partners(program: &Program) -> FastMap<usize, usize> {
     calls.iter().filter_map(pair).collect()
 }
 
-/// Identity of an operand: equal for equal operands, constants by their bits.
+/// Hashable identity of an operand: equal for equal operands; constants are compared by their bits.
 fn key(operand: Operand) -> (u8, u64) {
     match operand {
         Operand::Time => (0, 0),
@@ -190,7 +192,7 @@ fn temps(statement: &Statement) -> Vec<usize> {
     temps
 }
 
-/// Program with its statements in the order `sequence`, operands renumbered.
+/// Returns the program with its statements in the order `sequence` and its operands renumbered.
 fn permuted(mut program: Program, sequence: &[usize]) -> Program {
     let mut places = vec![0; sequence.len()];
     for (place, &k) in sequence.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! Scheduling: from SSA definitions to one-operation statements in an order that hides latency.
+//! Scheduling: translates SSA definitions to one-operation statements, in an order that hides latency.
 
 mod contract_fma;
 mod hoist;
@@ -18,8 +18,8 @@ use std::f64::consts::PI;
 
 /// Schedules the definitions reachable from the roots as a program.
 ///
-/// `results` are names for the roots, possibly none. If `hoisted` is given, expressions of parameters alone become
-/// operands computed by `prepare`.
+/// `results` are names for the roots, possibly none. If `hoisted` is given, expressions that depend only on parameters
+/// become results of `prepare` and are read as operands.
 pub fn schedule(
     ssa: &Ssa,
     graph: &mut ExprGraph,
@@ -57,7 +57,7 @@ pub fn schedule(
     list_schedule::list_schedule(contract_fma::contract_fma(schedule.program))
 }
 
-/// Whether a definition has high latency: function call, root or reciprocal.
+/// Whether a definition has high latency: a function call, a square root or a reciprocal.
 fn takes_long(def: &SsaDef) -> bool {
     matches!(
         def,
@@ -75,7 +75,7 @@ struct Uses {
 }
 
 impl Uses {
-    /// Counts the uses; with `hoisting`, uses by hoisted definitions are not counted.
+    /// Counts the uses of each definition; if `hoisting`, uses by hoisted definitions are not counted.
     fn of(ssa: &Ssa, order: &[DefId], hoisting: bool) -> Uses {
         let mut uses = Uses {
             count: ssa.side_table(0),
@@ -120,7 +120,7 @@ struct Schedule<'a> {
 }
 
 impl Schedule<'_> {
-    /// Emits all definitions in order and sets the roots as outputs.
+    /// Emits all definitions in order and sets the roots as outputs; `results` are names for the roots.
     fn emit_roots(&mut self, order: &[DefId], results: &[String]) {
         let mut outputs: IndexVec<DefId, Vec<usize>> = self.ssa.side_table(Vec::new());
         for (k, &(_, root)) in self.ssa.roots.iter().enumerate() {
@@ -138,7 +138,7 @@ impl Schedule<'_> {
         assert_eq!(self.program.outputs.len(), self.ssa.roots.len());
     }
 
-    /// Operand of a hoisted invariant; `None` if hoisting is off or the value depends on more than parameters.
+    /// Returns the operand of a hoisted invariant; `None` if hoisting is off.
     fn hoist(&mut self, signed: Signed) -> Option<Operand> {
         let hoisted = self.hoisted.as_deref_mut()?;
         let operand = hoisted.operand(self.ssa, self.graph, &mut self.hoisted_nodes, signed);
@@ -198,7 +198,7 @@ impl Schedule<'_> {
         }
     }
 
-    /// Whether a reciprocal is printed as a division: nonzero argument and a single use, in a product.
+    /// Whether a reciprocal is emitted as a division: its argument is nonzero, and its only use is in a product.
     fn divides(&self, id: DefId) -> bool {
         let SsaDef::Recip(x) = self.ssa.defs[id] else {
             return false;
@@ -225,7 +225,7 @@ impl Schedule<'_> {
         Operand::Temp(self.program.statements.len() as u32 - 1)
     }
 
-    /// Emits the last operation of a definition, which carries its name.
+    /// Emits the last operation of a definition and gives its statement the name of the definition.
     fn finish(&mut self, op: Op, id: DefId) -> Operand {
         let value = self.push(op);
         let about: Option<About> = self.namer.about(self.ssa, self.graph, id);

@@ -1,11 +1,11 @@
-//! Names of statements: the model's variable names, otherwise names derived from the expression.
+//! Names of statements: the variable names of the model, else names derived from the expressions.
 
 use crate::graph::{ExprGraph, FastMap, Symbol, opposite_name};
 use crate::program::About;
 use crate::ssa::{DefId, Ssa, SsaDef};
 use std::collections::BTreeSet;
 
-/// Argument names of generated functions.
+/// Names of arguments and of other items in scope of generated functions, which no variable may have.
 const ARGUMENTS: [&str; 16] = [
     "time",
     "state",
@@ -25,7 +25,7 @@ const ARGUMENTS: [&str; 16] = [
     "PI",
 ];
 
-/// Maximum length of a name derived from an expression, characters.
+/// Maximum length of a name derived from an expression, in characters; longer names are shortened.
 const LONGEST: usize = 28;
 
 /// Allocator of unique statement names within one function.
@@ -40,7 +40,8 @@ pub struct Namer {
 }
 
 impl Namer {
-    /// Namer for a function over these states and parameters; `origins` are the names of auxiliary variables.
+    /// Creates a namer for a function of these states and parameters; `origins` are the names of the auxiliary
+    /// variables.
     pub fn new(states: &[String], parameters: &[String], origins: &[String]) -> Namer {
         let taken = ARGUMENTS.iter().map(|&name| name.to_string());
         let taken = taken
@@ -60,7 +61,7 @@ impl Namer {
         }
     }
 
-    /// Reserves argument names, so that no result gets them.
+    /// Reserves the names of arguments, so that no variable is given such a name.
     pub fn reserve(&mut self, names: &[String]) {
         self.taken.extend(names.iter().cloned());
     }
@@ -75,12 +76,13 @@ impl Namer {
         })
     }
 
-    /// Whether a definition is a named variable of the model, or a named derivative or negative of one.
+    /// Whether a definition has a name in the graph: it is a named variable of the model, or a named derivative or
+    /// negative of such a variable.
     pub fn has_own_name(&self, ssa: &Ssa, graph: &ExprGraph, id: DefId) -> bool {
         self.own(ssa, graph, id).is_some()
     }
 
-    /// Auxiliary variable of the model that a definition computes; `None` for others.
+    /// Auxiliary variable of the model that a definition computes; `None` if it computes none.
     pub fn about(&self, ssa: &Ssa, graph: &ExprGraph, id: DefId) -> Option<About> {
         let own = self.own(ssa, graph, id)?;
         let origin = *self.origins.get(own.trim_start_matches("minus_"))?;
@@ -101,7 +103,8 @@ impl Namer {
         name
     }
 
-    /// Names a definition after the function result it computes, unless it has a name or is a leaf or a call.
+    /// Names a definition after the function result that it computes. A definition that has a name, a leaf and a
+    /// function call are left unchanged.
     pub fn suggest(&mut self, ssa: &Ssa, graph: &ExprGraph, id: DefId, name: &str) {
         let leaf = matches!(
             ssa.defs[id],
@@ -119,7 +122,7 @@ impl Namer {
         self.given.insert(id, name.to_string());
     }
 
-    /// Replaces a name given before: releases `old` and returns a unique form of `name`.
+    /// Releases the name `old`, if any, and returns a unique form of `name`.
     pub fn rename(&mut self, old: Option<String>, name: &str) -> String {
         if let Some(old) = old {
             self.taken.remove(&old);
@@ -148,7 +151,8 @@ impl Namer {
         name
     }
 
-    /// Name of a hoisted invariant, derived from its expression over parameters; not necessarily unique.
+    /// Returns a name for a hoisted invariant, derived from its expression in terms of parameters; not necessarily
+    /// unique.
     pub fn constant_name(parameters: &[String], ssa: &Ssa, graph: &ExprGraph, id: DefId) -> String {
         let namer = Namer {
             taken: BTreeSet::new(),
@@ -245,7 +249,7 @@ impl Namer {
         }
     }
 
-    /// Name of a sum of squares or its root: `V_sq`, `air_velocity_12`; `None` for other definitions.
+    /// Name of a sum of squares (`V_sq`) or of its square root (`air_velocity_12`); `None` for other definitions.
     fn norm(&self, ssa: &Ssa, graph: &ExprGraph, id: DefId, depth: u32) -> Option<String> {
         match &ssa.defs[id] {
             SsaDef::Root(x) => {
@@ -298,7 +302,8 @@ fn shorten(ssa: &Ssa, name: &str, id: DefId) -> String {
     format!("{}_{kind}", name[..cut].trim_end_matches('_'))
 }
 
-/// Whether a name is an argument of generated functions or a Rust keyword.
+/// Whether a name is reserved: the name of an argument or of another item in scope of generated functions, or a Rust
+/// keyword.
 pub fn is_reserved(name: &str) -> bool {
     ARGUMENTS.contains(&name) || is_keyword(name)
 }

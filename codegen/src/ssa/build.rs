@@ -48,14 +48,14 @@ struct Builder<'a> {
     graph: &'a ExprGraph,
     ssa: Ssa,
     known: FastMap<NodeId, Signed>,
-    /// By node index: whether the square root of the node is used.
+    /// For each node, by index: whether the square root of the node is used.
     rooted: Vec<bool>,
-    /// Negated terms of a sum, mapped to the node of that sum.
+    /// Terms of a sum with opposite signs, mapped to the node of the sum.
     opposite: FastMap<Vec<(Number, NodeId)>, NodeId>,
 }
 
 impl Builder<'_> {
-    /// Nodes on which the roots depend, operands first, including definitions of locals.
+    /// Nodes on which the roots depend, including the definitions of locals; operands precede their users.
     fn needed(&self, roots: &[NodeId]) -> Vec<NodeId> {
         let mut order = Vec::new();
         let mut seen = vec![false; self.graph.len()];
@@ -209,7 +209,7 @@ impl Builder<'_> {
             flat.push(self.constant(coefficient.abs()));
         }
         for &(base, exponent) in factors {
-            // write a local square root as a power of its sum
+            // a local square root is written as a power of its sum
             let (base, exponent) = match self.graph.rooted_sum(base) {
                 Some(sum) if exponent % 2 == 0 => (sum, exponent / 2),
                 _ => (base, exponent),

@@ -1,10 +1,10 @@
-//! Factoring: `a b + a c` becomes `a (b + c)` if that saves operations.
+//! Factoring of sums: `a b + a c` becomes `a (b + c)` if that saves operations.
 
 use super::{DefId, Signed, Ssa, SsaDef, cancel};
 use crate::number::Number;
 use model_spec::index::IndexVec;
 
-/// Factors common factors out of all used sums, including new inner sums.
+/// Extracts common factors from all sums that are used, including the inner sums that factoring creates.
 pub fn factor(ssa: &mut Ssa) {
     let mut uses = ssa.uses();
     let mut k = 0;
@@ -152,7 +152,7 @@ fn leave(ssa: &Ssa, id: DefId, uses: &mut IndexVec<DefId, u32>) {
     }
 }
 
-/// Value of a sum of constants; `None` if a term is not constant.
+/// Value of a sum whose terms are all constants; `None` if a term is not constant.
 fn number(ssa: &Ssa, terms: &[Signed]) -> Option<Number> {
     let mut sum = Number::ZERO;
     for &(minus, id) in terms {
@@ -168,7 +168,7 @@ fn one(ssa: &mut Ssa) -> DefId {
     constant(ssa, Number::ONE)
 }
 
-/// Definition of a positive constant, known nonzero.
+/// Returns the definition of a positive constant.
 fn constant(ssa: &mut Ssa, number: Number) -> DefId {
     let facts = crate::graph::ValueFacts {
         fixed: true,

@@ -1,8 +1,8 @@
 //! Static single assignment (SSA) form: one definition per value, and passes that reduce the operation count:
 //! factoring, common-subexpression elimination, sign placement.
 //!
-//! Terms of sums have signs, products do not (the sign of a product moves to its users), so that most negations
-//! disappear.
+//! Terms of sums have signs; products have none, since the sign of a product moves to its users. Most negations
+//! disappear that way.
 
 mod build;
 mod cse;
@@ -24,7 +24,7 @@ model_spec::index_type!(
 /// Signed reference to a definition: `true` means negated.
 pub type Signed = (bool, DefId);
 
-/// Operation that an SSA definition computes from its operands.
+/// Operation of an SSA definition, with its operands.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum SsaDef {
     /// Leaf symbol such as a state or parameter.
@@ -81,14 +81,15 @@ impl SsaDef {
     }
 }
 
-/// SSA program: definitions and the results (roots) to compute.
+/// SSA program: the definitions, and the roots (requested results).
 #[derive(Clone, Debug, Default)]
 pub struct Ssa {
-    /// SSA definitions by index; operands may have larger indices than their users.
+    /// Definitions by index; operands may have larger indices than their users.
     pub defs: IndexVec<DefId, SsaDef>,
-    /// Value facts of each definition.
+    /// Value facts of each definition: constant during a flight, nonnegative, nonzero.
     pub facts: IndexVec<DefId, ValueFacts>,
-    /// Graph node that each definition computes, `true` if negated; `None` for values without a node.
+    /// Graph node that each definition computes, and `true` if it computes the negative of the node; `None` for values
+    /// without a node.
     pub origin: IndexVec<DefId, Option<(bool, NodeId)>>,
     /// Results to compute, with signs, in the requested order.
     pub roots: Vec<Signed>,
@@ -96,7 +97,8 @@ pub struct Ssa {
 }
 
 impl Ssa {
-    /// Index of the definition, added if missing; `facts` and `origin` apply to a new definition only.
+    /// Returns the index of the definition `def`, which is added if missing; `facts` and `origin` apply to a new
+    /// definition only.
     pub fn define(
         &mut self,
         def: SsaDef,
@@ -113,7 +115,7 @@ impl Ssa {
         id
     }
 
-    /// Table by definition index, filled with copies of `entry`.
+    /// Creates a table indexed by definition, filled with copies of `entry`.
     pub fn side_table<T: Clone>(&self, entry: T) -> IndexVec<DefId, T> {
         vec![entry; self.defs.len()].into()
     }
@@ -239,8 +241,8 @@ impl Ssa {
         uses
     }
 
-    /// Approximate cost in tenths of an operation: 10 per operation during a flight, 1 per parameter-only operation,
-    /// which is computed once.
+    /// Approximate cost in tenths of an operation: 10 per operation that runs in each evaluation, 1 per operation on
+    /// parameters only, which runs once per flight.
     pub fn cost(&self) -> usize {
         let tenths = |id: DefId| {
             let operations = match &self.defs[id] {
@@ -256,8 +258,8 @@ impl Ssa {
         10 * negated + self.order().into_iter().map(tenths).sum::<usize>()
     }
 
-    /// Runs factoring and common-subexpression elimination until nothing changes, at most 4 times, then sign
-    /// placement.
+    /// Optimises the program: runs factoring and common-subexpression elimination until nothing changes, at most 4
+    /// times, then sign placement.
     pub fn optimise(&mut self) {
         for _ in 0..4 {
             let before = self.defs.clone();

@@ -1,7 +1,7 @@
-//! Sign placement: sums are negated if that leaves fewer negations.
+//! Sign placement: negates sums if that reduces the number of negations.
 //!
-//! Negating a sum is free if the sum is a term of another sum; a product passes the sign on to its users. Each of
-//! these costs one negation: a negative result, a negative function argument, a sum of negative terms only.
+//! Negating a sum is free if the sum is a term of another sum; a product passes the sign on to its users. Each of the
+//! following costs one negation: a negative result, a negative function argument, and a sum of negative terms only.
 
 use super::{DefId, Ssa, SsaDef};
 use model_spec::index::IndexVec;
@@ -44,9 +44,9 @@ pub fn settle(ssa: &mut Ssa) {
 enum Place {
     /// Signs of all terms of a sum.
     Terms(DefId),
-    /// Product or reciprocal, which has no sign and passes the sign on to its users.
+    /// Sign of a product or reciprocal, which is not stored but passed on to its users.
     Through(DefId),
-    /// Sign of the k-th operand: a term of a sum or an argument.
+    /// Sign of the k-th operand of a definition: a term of a sum or an argument of a function.
     Operand(DefId, usize),
     /// Sign of the k-th root (result).
     Root(usize),
@@ -77,7 +77,8 @@ fn users(ssa: &Ssa) -> Users {
     users
 }
 
-/// Negates a sum and the affected signs of its users, listed in `touched`; false if not possible.
+/// Negates a sum and the affected signs of its users, and records each changed sign in `touched`. Returns false if the
+/// sum cannot be negated; the changes made until then are in `touched`.
 fn turn(ssa: &mut Ssa, users: &Users, id: DefId, touched: &mut Vec<Place>) -> bool {
     if ssa.facts[id].nonneg {
         return false;
@@ -122,7 +123,7 @@ fn pass(ssa: &mut Ssa, users: &Users, id: DefId, touched: &mut Vec<Place>) -> bo
     true
 }
 
-/// Passes a sign through a product or reciprocal to its users; false if not possible.
+/// Passes a sign through a product or reciprocal to its users; false if that is not possible.
 fn through(ssa: &mut Ssa, users: &Users, id: DefId, touched: &mut Vec<Place>) -> bool {
     if ssa.facts[id].nonneg {
         return false;
@@ -168,7 +169,7 @@ fn flip(ssa: &mut Ssa, place: Place) {
     }
 }
 
-/// Distinct sign locations, sorted.
+/// Sign locations without duplicates, sorted.
 fn distinct(touched: &[Place]) -> Vec<Place> {
     let mut places: Vec<Place> = touched.to_vec();
     places.sort_unstable();
@@ -207,7 +208,8 @@ fn is_leaf(ssa: &Ssa, id: DefId) -> bool {
     matches!(ssa.defs[id], SsaDef::Constant(_))
 }
 
-/// Moves the minus of a negative result or of a sum with only negative terms into a parameter-only factor.
+/// Moves the minus sign of a negative result, or of a sum with only negative terms, into a factor that depends on
+/// parameters only.
 fn absorb_fixed(ssa: &mut Ssa) {
     let uses = ssa.uses();
     for k in 0..ssa.roots.len() {

@@ -1,4 +1,4 @@
-//! Piecewise cubics: cubic splines and monotone interpolation.
+//! Piecewise cubic functions of tables: cubic splines and monotone interpolation.
 
 use lanes::Real;
 use model_spec::model::{Continuation, Interpolation, Table};
@@ -11,12 +11,12 @@ pub struct PiecewiseCubic {
 }
 
 impl PiecewiseCubic {
-    /// A function by its knots and its cubics, as [`Real::piecewise_cubic`] takes them.
+    /// Builds a function from its knots and cubics, in the form that [`Real::piecewise_cubic`] requires.
     pub fn new(knots: Vec<f64>, cubics: Vec<[f64; 4]>) -> PiecewiseCubic {
         PiecewiseCubic { knots, cubics }
     }
 
-    /// Interpolates a table.
+    /// Interpolates a table by its interpolation rule and continues it beyond the end knots by its continuation rule.
     pub fn of(table: &Table) -> PiecewiseCubic {
         let is_flat = table.continuation == Continuation::Constant;
         match table.interpolation {
@@ -30,13 +30,13 @@ impl PiecewiseCubic {
         &self.knots
     }
 
-    /// Coefficients of the powers 0 to 3 of the distance from the knot below, one cubic more than knots: the first
-    /// holds below the first knot, by the (negative) distance from it.
+    /// Coefficients of the powers 0 to 3 of the distance from the knot at the lower end of each interval. There is one
+    /// cubic more than knots: the first applies below the first knot, with the (negative) distance from that knot.
     pub fn cubics(&self) -> &[[f64; 4]] {
         &self.cubics
     }
 
-    /// Derivative by the argument.
+    /// Derivative of the function with respect to its argument.
     pub fn derivative(&self) -> PiecewiseCubic {
         let of = |&[_, b, c, d]: &[f64; 4]| [b, 2.0 * c, 3.0 * d, 0.0];
         PiecewiseCubic {
@@ -45,25 +45,26 @@ impl PiecewiseCubic {
         }
     }
 
-    /// Origin and coefficients of the cubic at `x`.
+    /// Origin and coefficients of the cubic that applies at `x`, in powers of the distance from the origin.
     pub fn piece(&self, x: f64) -> (f64, [f64; 4]) {
         let below = self.knots.partition_point(|&knot| knot <= x);
         (self.knots[below.saturating_sub(1)], self.cubics[below])
     }
 
-    /// Value at `x`.
+    /// Evaluates the function at `x`.
     #[inline(always)]
     pub fn eval<T: Real>(&self, x: T) -> T {
         x.piecewise_cubic(&self.knots, &self.cubics)
     }
 }
 
-/// Cubic spline by the second derivatives at the knots; they are 0 at the ends, or else the slope is.
+/// Cubic spline, computed from its second derivatives at the knots. At both end knots the slope is 0 if `is_flat`, else
+/// the second derivative is 0.
 fn spline(knots: &[(f64, f64)], is_flat: bool) -> PiecewiseCubic {
     let n = knots.len();
     let width = |k: usize| knots[k + 1].0 - knots[k].0;
     let slope = |k: usize| (knots[k + 1].1 - knots[k].1) / width(k);
-    // Rows (below, diagonal, above, right-hand side), solved by elimination downwards.
+    // Rows (subdiagonal, diagonal, superdiagonal, right-hand side) of a tridiagonal system, solved by elimination.
     let row = |k: usize| match (k, is_flat) {
         (0, true) => (0.0, 2.0 * width(0), width(0), 6.0 * slope(0)),
         (_, true) if k == n - 1 => (width(n - 2), 2.0 * width(n - 2), 0.0, -6.0 * slope(n - 2)),
@@ -109,7 +110,8 @@ fn spline(knots: &[(f64, f64)], is_flat: bool) -> PiecewiseCubic {
     continued(knots, (0..n - 1).map(cubic).collect(), end_slope, is_flat)
 }
 
-/// Cubics with slopes that keep the curve monotone wherever the values are (Fritsch and Butland 1984).
+/// Piecewise cubic whose slopes at the knots make the curve monotone between knots with monotone values (Fritsch and
+/// Butland 1984).
 fn monotone(knots: &[(f64, f64)], is_flat: bool) -> PiecewiseCubic {
     let n = knots.len();
     let width = |k: usize| knots[k + 1].0 - knots[k].0;
@@ -149,7 +151,7 @@ fn monotone(knots: &[(f64, f64)], is_flat: bool) -> PiecewiseCubic {
     )
 }
 
-/// Adds straight lines beyond the ends, flat where the table goes on with a constant.
+/// Adds straight lines below the first knot and above the last knot; the lines are horizontal if `is_flat`.
 fn continued(
     knots: &[(f64, f64)],
     inner: Vec<[f64; 4]>,

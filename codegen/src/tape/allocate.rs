@@ -6,10 +6,10 @@ use crate::functions::MathFunction;
 use crate::program::{Op, Operand, Program, Unary};
 use std::collections::HashMap;
 
-/// Live-range end of results: a position after the last instruction.
+/// End of the live range of a program output: an instruction index after the last instruction.
 const END: usize = usize::MAX;
 
-/// Bytecode of a program, and its number of registers.
+/// Compiles a program to bytecode, and returns it with the number of registers.
 ///
 /// # Panics
 /// If an operand refers to a statement that does not precede its use.
@@ -28,7 +28,7 @@ pub(super) fn bytecode(program: &Program) -> (Bytecode<u32>, usize) {
             Some(&(sin, cos)) if k == sin.min(cos) => {
                 instructions.push(allocator.pair(statement.op, (sin, cos), k));
             }
-            // The other statement of the pair has emitted the instruction.
+            // The earlier statement of the pair has emitted the instruction.
             Some(_) => {}
             None => instructions.push(allocator.instruction(statement.op, k)),
         }
@@ -42,8 +42,8 @@ pub(super) fn bytecode(program: &Program) -> (Bytecode<u32>, usize) {
     (code, allocator.count as usize)
 }
 
-/// For each statement, the position of the last instruction that reads its result. The second half of a pair reads the
-/// angle at the position of the first.
+/// For each statement, the index of the last instruction that reads its result. A sine and cosine pair is one
+/// instruction at the earlier of its two statements, which reads the angle for both.
 fn last_uses(program: &Program, pairs: &HashMap<usize, (usize, usize)>) -> Vec<usize> {
     let mut last = vec![0; program.statements.len()];
     for (k, statement) in program.statements.iter().enumerate() {
@@ -88,7 +88,7 @@ impl Allocator {
         loads
     }
 
-    /// Allocates a register for a new value: a free one, else an additional one.
+    /// Allocates a register for a new value: a free register if there is one, else an additional one.
     fn define(&mut self, operand: Operand) -> u32 {
         let register = self.free.pop().unwrap_or_else(|| {
             self.count += 1;
@@ -98,7 +98,7 @@ impl Allocator {
         register
     }
 
-    /// Register that holds a live value.
+    /// Returns the register of a live value; panics if the value is not live.
     fn register(&self, operand: Operand) -> u32 {
         *self
             .registers
@@ -106,7 +106,7 @@ impl Allocator {
             .unwrap_or_else(|| panic!("{operand:?} is read outside its live range"))
     }
 
-    /// Frees the registers of operands whose live range ends at position `k`.
+    /// Frees the registers of the operands whose live range ends at the statement `k`.
     fn release(&mut self, operands: &[Operand], k: usize) {
         for &operand in operands {
             if let Operand::Temp(t) = operand
@@ -132,7 +132,8 @@ impl Allocator {
         }
     }
 
-    /// Instruction for sine and cosine of one angle, at the position `k` of the first of the two statements.
+    /// Returns the instruction for the sine and cosine of one angle; `k` is the index of the earlier of the two
+    /// statements.
     fn pair(&mut self, op: Op, (sin, cos): (usize, usize), k: usize) -> Instruction<u32> {
         debug_assert!(matches!(
             op,

@@ -1,4 +1,5 @@
-//! A model over SIMD lanes: generated code if its source hash matches the model, else a tape.
+//! Evaluation of a model in SIMD lanes: by generated code if its source hash equals that of the model, otherwise by a
+//! tape.
 
 use std::marker::PhantomData;
 use std::sync::OnceLock;
@@ -15,7 +16,7 @@ use ode::{
     fly_on_widest,
 };
 
-/// A model whose flights are integrated in lanes.
+/// A model whose flights are integrated in SIMD lanes, one flight per lane.
 pub struct LaneModel {
     model: Model,
     /// Whether generated code of the model is used.
@@ -27,7 +28,8 @@ pub struct LaneModel {
 }
 
 impl LaneModel {
-    /// Uses the generated code whose source hash is that of the model; otherwise compiles the model to a tape.
+    /// Creates the lane model. Generated code is used if its source hash equals that of the model; otherwise the model
+    /// is compiled to a tape.
     pub fn new(model: &Model) -> LaneModel {
         let generated = generated::model(&model.name);
         LaneModel {
@@ -36,7 +38,7 @@ impl LaneModel {
         }
     }
 
-    /// Compiles the model to a tape, even if generated code exists.
+    /// Creates a lane model that evaluates a tape, even if generated code exists.
     pub fn interpreted(model: &Model) -> LaneModel {
         LaneModel {
             model: model.clone(),
@@ -46,17 +48,18 @@ impl LaneModel {
         }
     }
 
-    /// Whether the functions are generated code rather than a tape. Generated code is compiled for the widest
-    /// instruction sets only ([`ode::fly_on_widest`]); others run the tape, with the same results.
+    /// Whether the model's functions are generated code rather than a tape. Generated code is compiled for the widest
+    /// instruction sets only ([`ode::fly_on_widest`]); on others the tape is evaluated, with the same results.
     pub fn is_generated(&self) -> bool {
         self.is_generated
     }
 
-    /// Integrates all flights of a queue, as [`ode::fly`] does, on the lanes of `isa`: by default the widest that the
-    /// processor supports. Returns the vector evaluations of the right-hand side; 0 where the processor lacks `isa`.
+    /// Integrates all flights of `queue` with [`ode::fly`] and returns the number of vectorized evaluations of the
+    /// right-hand side. `isa` selects the instruction set; `None` selects the widest that the processor supports.
+    /// Returns 0 without integrating if the processor does not support `isa`.
     ///
     /// # Panics
-    /// As [`ode::fly`].
+    /// Under the conditions for which [`ode::fly`] panics.
     pub fn fly(
         &self,
         queue: &mut dyn FlightQueue,
@@ -113,7 +116,7 @@ impl Visitor for GeneratedTask<'_> {
     }
 }
 
-/// Generated equations over lanes.
+/// Right-hand side of the generated equations `E`, evaluated in lanes.
 struct GeneratedRhs<'a, E> {
     bounds: &'a [f64],
     equations: PhantomData<E>,
@@ -147,7 +150,7 @@ impl<E: Equations> LaneRhs for GeneratedRhs<'_, E> {
     }
 }
 
-/// A tape over lanes.
+/// Right-hand side that a tape evaluates in lanes.
 struct TapeRhs<'a> {
     tape: &'a TapeModel,
     bounds: &'a [f64],

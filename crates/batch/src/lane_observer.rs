@@ -1,4 +1,4 @@
-//! The observation of a model over many states, in lanes.
+//! Evaluation of a model's measurement equation at many states, in SIMD lanes.
 
 use codegen::compile::{Selection, compile_for};
 use codegen::tape::Inputs;
@@ -6,13 +6,13 @@ use codegen::tape_model::TapeModel;
 use lanes::{Kernel, Lanes, dispatch};
 use model_spec::model::Model;
 
-/// The observation of a model as a tape over lanes.
+/// The measurement equation of a model, as a tape that is evaluated in SIMD lanes.
 pub struct LaneObserver {
     tape: TapeModel,
 }
 
 impl LaneObserver {
-    /// Compiles the observation, which must not depend on time or on a marker.
+    /// Compiles the measurement equation of `model`, which must not depend on time or on a marker.
     pub fn new(model: &Model) -> LaneObserver {
         let compiled = compile_for(model, &Selection::Only(Vec::new()));
         LaneObserver {
@@ -20,13 +20,15 @@ impl LaneObserver {
         }
     }
 
-    /// The three components of the observation at many states.
+    /// Computes the three components of the observation at many states, one column per component.
     ///
-    /// `states` are columns, one per state of the model. `parameters` are those of all, in the order of the layout, but for
-    /// the columns `varied`, each with the index of its parameter.
+    /// `states` holds one column per state of the model. `parameters` holds the values that are equal for all states,
+    /// in the order of the layout. Each element of `varied` is the index of a parameter with a column that replaces its
+    /// value.
     ///
     /// # Panics
-    /// If a column is shorter than the first, or there are fewer states or parameters than the model has.
+    /// If a column is shorter than the first column of `states`, or there are fewer states or parameters than the model
+    /// has.
     pub fn observe(
         &self,
         states: &[Vec<f64>],

@@ -1,5 +1,5 @@
-//! Flights of a model in SIMD lanes: [`LaneModel`] gives [`ode::fly`] the functions of a model, from generated code or from a
-//! tape; [`LaneObserver`] evaluates its observation at many states.
+//! Integration and observation of a model in SIMD lanes. [`LaneModel`] provides [`ode::fly`] with the functions of a
+//! model, from generated code or from a tape; [`LaneObserver`] evaluates the measurement equation at many states.
 
 #![forbid(unsafe_code)]
 

@@ -1,4 +1,4 @@
-//! What is compiled, and where to.
+//! Configuration of the compilation: models, effects, output directory and scalar type.
 
 use crate::BuildError;
 use codegen::backend::{Backend, SourceFile};
@@ -8,11 +8,11 @@ use model_spec::load;
 use std::env;
 use std::path::{Path, PathBuf};
 
-/// Models to compile, with their effects and the output directory.
+/// Builder that compiles flight models to Rust modules. It holds the models, their effects and the output directory.
 #[derive(Clone, Debug, Default)]
 pub struct Config {
     models: Vec<ModelSource>,
-    /// Effects given before any model.
+    /// Effects passed to [`Config::with`] before any model was added; [`Config::compile`] reports them as an error.
     orphans: Vec<String>,
     out_dir: Option<PathBuf>,
     lanes: bool,
@@ -20,13 +20,13 @@ pub struct Config {
 
 #[derive(Clone, Debug)]
 struct ModelSource {
-    /// Name or path.
+    /// Name of a built-in model, or path of a model file.
     model: String,
     effects: Vec<String>,
 }
 
 impl Config {
-    /// No models, plain `f64` code, output to `OUT_DIR`.
+    /// Creates a configuration without models, for plain `f64` code written to `OUT_DIR`.
     pub fn new() -> Config {
         Config::default()
     }
@@ -40,8 +40,8 @@ impl Config {
         self
     }
 
-    /// Switches an effect on in the model that was added last: by path, or by the name of an effect of the model file
-    /// or of a built-in effect.
+    /// Applies an effect to the model that was added last. The effect is given by the path of its file, or by the name
+    /// of an effect of the model file or of a built-in effect.
     pub fn with(&mut self, effect: impl Into<String>) -> &mut Config {
         match self.models.last_mut() {
             Some(model) => model.effects.push(effect.into()),
@@ -50,13 +50,13 @@ impl Config {
         self
     }
 
-    /// Sets the output directory, instead of `OUT_DIR`.
+    /// Sets the output directory; the default is `OUT_DIR`.
     pub fn out_dir(&mut self, directory: impl Into<PathBuf>) -> &mut Config {
         self.out_dir = Some(directory.into());
         self
     }
 
-    /// Whether the code is generic over `lanes::Real` instead of over `f64` (default: no).
+    /// Sets whether the generated code is generic over `lanes::Real` instead of using `f64` (default: `false`).
     pub fn lanes(&mut self, lanes: bool) -> &mut Config {
         self.lanes = lanes;
         self
@@ -64,12 +64,12 @@ impl Config {
 
     /// Compiles the models and returns the paths of their modules, in order of the models.
     ///
-    /// In a build script it also asks cargo to run the script again when one of the model or effect files changes. Files
-    /// that are up to date keep their modification time.
+    /// In a build script, the function also asks cargo to run the script again when one of the model or effect files
+    /// changes. Output files whose content is unchanged keep their modification time.
     ///
     /// # Errors
-    /// [`BuildError::Model`] for an invalid model, with diagnostics; the other variants for mistakes in the
-    /// configuration and for failing writes.
+    /// [`BuildError::Model`] if a model or effect is missing or invalid, with diagnostics; the other variants if the
+    /// configuration is invalid or a file cannot be written.
     pub fn compile(&self) -> Result<Vec<PathBuf>, BuildError> {
         if let Some(effect) = self.orphans.first() {
             return Err(BuildError::NoModel {
@@ -108,7 +108,7 @@ impl Config {
         Ok(files)
     }
 
-    /// Prints the directives for cargo, if cargo runs this process as a build script.
+    /// Prints `cargo::rerun-if-changed` for each model and effect file, if cargo runs this process as a build script.
     fn request_reruns(&self) {
         if env::var_os("OUT_DIR").is_none() {
             return;

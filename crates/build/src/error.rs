@@ -1,4 +1,4 @@
-//! Why models cannot be compiled.
+//! Error type of the compilation of models.
 
 use model_spec::load::LoadError;
 use std::io;
@@ -10,32 +10,33 @@ pub enum BuildError {
     /// No output directory: `OUT_DIR` is set only while cargo runs a build script.
     #[error("OUT_DIR is not set: call `compile` in a build script, or set `out_dir`")]
     NoOutDir,
-    /// An effect precedes all models.
+    /// [`Config::with`](crate::Config::with) was called before any [`Config::model`](crate::Config::model), so the
+    /// effect has no model.
     #[error("effect `{effect}` has no model: call `with` after `model`")]
     NoModel {
-        /// Name or path of the effect.
+        /// Name or path of the effect, as passed to [`Config::with`](crate::Config::with).
         effect: String,
     },
     /// A model, or an effect for it, is missing or invalid.
     #[error("model `{model}`:\n{source}")]
     Model {
-        /// Name or path of the model.
+        /// Name or path of the model, as passed to [`Config::model`](crate::Config::model).
         model: String,
-        /// Diagnostics with file, line and column.
+        /// Error of loading the model, with diagnostics that state file, line and column.
         source: Box<LoadError>,
     },
-    /// Two models have the same name.
+    /// Two models have the same name, so both would be written to the same file.
     #[error("two models would be written to `{path}`: rename one of them")]
     SamePath {
-        /// Path below the output directory.
+        /// Path of the file, relative to the output directory.
         path: String,
     },
     /// A generated file cannot be written.
     #[error("cannot write generated code to `{}`: {source}", directory.display())]
     Write {
-        /// Output directory.
+        /// Output directory, in which the file was to be written.
         directory: PathBuf,
-        /// Cause.
+        /// Error of the operating system.
         source: io::Error,
     },
 }

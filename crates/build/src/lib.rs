@@ -26,7 +26,8 @@
 //! kite::f(0.0, &kite::INITIAL, &kite::DEFAULTS, &prepared, &mut dx);
 //! ```
 //!
-//! The generated code is over `f64` and has no dependencies. [`Config::lanes`] makes it generic over `lanes::Real`.
+//! The generated code computes with `f64` and has no dependencies. [`Config::lanes`] makes it generic over
+//! `lanes::Real`.
 
 mod config;
 mod error;

@@ -1,4 +1,5 @@
-//! Bounds of a search: ranges of the numbers of a throw, an obstacle, a landing circle and the scatter of a release.
+//! Bounds of a search: ranges of the quantities of a throw, an obstacle, a landing circle and the scatter of a
+//! release.
 
 use flight::throw::{FIELDS, Throw};
 use nalgebra::DVector;
@@ -6,32 +7,33 @@ use nalgebra::DVector;
 use crate::goal::Obstacle;
 use crate::throw_flight::ThrownBody;
 
-/// What a search may choose, and what it must respect.
+/// Search space and constraints of a search for a throw, and the scatter of its release.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bounds {
-    /// Least and greatest value of each number that a throw of the body can have: its index in [`FIELDS`], in the unit there. A
-    /// number whose ends are equal is held.
+    /// Minimum and maximum of each quantity that a throw of the body can have: (index in [`FIELDS`], minimum,
+    /// maximum), in the unit given there. A quantity whose minimum and maximum are equal is fixed.
     pub ranges: Vec<(usize, f64, f64)>,
-    /// What the path must go round.
+    /// Obstacle that the path must avoid.
     pub obstacle: Option<Obstacle>,
-    /// Radius of the circle about the target within which a landing is good, m.
+    /// Radius of the circle about the target within which a landing counts as good, m.
     pub circle: f64,
-    /// How a thrower scatters.
+    /// Scatter of release, wind and parameters from throw to throw.
     pub scatter: Scatter,
 }
 
-/// Standard deviations of what differs from throw to throw, independent of one another.
+/// Standard deviations of the quantities that differ from throw to throw; the quantities are independent.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scatter {
-    /// Of the numbers of the throw: the index in [`FIELDS`], in the unit there.
+    /// Standard deviations of quantities of the throw: (index in [`FIELDS`], value in the unit given there).
     pub release: Vec<(usize, f64)>,
-    /// Of the components of a constant wind, m/s.
+    /// Standard deviations of the components x, y, z of a constant wind, m/s.
     pub wind: [f64; 3],
-    /// Of parameters and coefficients: the index in the model's layout, in the unit there.
+    /// Standard deviations of parameters and coefficients: (index in the model's layout, value in the parameter's
+    /// unit).
     pub parameters: Vec<(usize, f64)>,
 }
 
-/// Ranges where nothing is stated: those of good throwers, from the height of the hand.
+/// Default ranges of the quantities of a throw, typical of good throwers, released from the height of the hand.
 const RANGES: [(&str, f64, f64); 8] = [
     ("speed", 8.0, 27.0),
     ("heading", -45.0, 45.0),
@@ -43,8 +45,8 @@ const RANGES: [(&str, f64, f64); 8] = [
     ("wobble", 0.0, 0.0),
 ];
 
-/// Standard deviations where nothing is stated: an assumption of the order of what launch monitors show of practised throwers, not
-/// a measurement.
+/// Default standard deviations of the quantities of a throw: an assumption of the order of what launch monitors show
+/// for practised throwers, not a measurement.
 const SCATTER: [(&str, f64); 6] = [
     ("speed", 0.5),
     ("heading", 2.0),
@@ -54,11 +56,11 @@ const SCATTER: [(&str, f64); 6] = [
     ("spin", 40.0),
 ];
 
-/// Radius of the landing circle where none is stated, m.
+/// Default radius of the landing circle, m.
 const CIRCLE: f64 = 3.0;
 
 impl Bounds {
-    /// The bounds that hold where a file states nothing.
+    /// Default bounds for a body, which apply where a bounds file states nothing.
     pub fn standard(body: &ThrownBody) -> Bounds {
         let fields = body.fields();
         let range = |field: &usize| {
@@ -81,7 +83,7 @@ impl Bounds {
         }
     }
 
-    /// Sets the range of a number; one that the body does not have is ignored.
+    /// Sets the range of the quantity called `name`; ignored if the body does not have this quantity.
     pub fn set(&mut self, name: &str, least: f64, greatest: f64) {
         for range in self
             .ranges
@@ -92,20 +94,20 @@ impl Bounds {
         }
     }
 
-    /// The bounds with the range of a number replaced.
+    /// Returns the bounds with the range of the quantity called `name` replaced.
     pub fn with(mut self, name: &str, least: f64, greatest: f64) -> Bounds {
         self.set(name, least, greatest);
         self
     }
 
-    /// Numbers that the search chooses.
+    /// The entries of `ranges` that the search may vary: those whose minimum is less than the maximum.
     pub fn free(&self) -> impl Iterator<Item = &(usize, f64, f64)> {
         self.ranges
             .iter()
             .filter(|(_, least, greatest)| least < greatest)
     }
 
-    /// The throw at a point of the unit box of the free numbers.
+    /// Maps a point of the unit box of the free quantities to a throw; the other quantities have their fixed values.
     pub fn throw(&self, at: &DVector<f64>) -> Throw {
         let mut throw = Throw::at_speed(1.0);
         let mut free = at.iter();
@@ -115,7 +117,7 @@ impl Bounds {
                 true => least + (greatest - least) * free.next().copied().unwrap_or(0.5),
                 false => *least,
             };
-            // A throw without spin has no wobble, not even one of 0.
+            // A throw without spin has no wobble, not even a wobble of 0.
             if name != "wobble" || value != 0.0 {
                 throw.set(name, value);
             }

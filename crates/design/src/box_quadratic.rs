@@ -1,8 +1,9 @@
-//! Minimum of a convex quadratic function in a box, by an active set.
+//! Minimum of a convex quadratic function in a box, by an active-set method.
 
 use nalgebra::{DMatrix, DVector};
 
-/// Step δ between `low` and `high` (which contain 0) that makes ½ δᵀHδ + gᵀδ least, H positive definite or nearly so.
+/// Step δ between `low` and `high` (which enclose 0) that minimizes ½ δᵀHδ + gᵀδ, for a Hessian H that is positive
+/// definite or nearly so.
 pub fn minimum(
     hessian: &DMatrix<f64>,
     slope: &DVector<f64>,
@@ -14,7 +15,7 @@ pub fn minimum(
     let mut held: Vec<bool> = (0..n)
         .map(|k| outward(slope[k], step[k], low[k], high[k]))
         .collect();
-    // Each set of held variables is visited once at most; in practice a few are.
+    // Each active set is visited at most once; in practice only a few are.
     for _ in 0..20 * (n + 1) {
         let free: Vec<usize> = (0..n).filter(|k| !held[*k]).collect();
         let gradient = hessian * &step + slope;
@@ -47,12 +48,13 @@ pub fn minimum(
     step
 }
 
-/// Whether a variable is at a bound that its slope pushes it against.
+/// Whether a variable is at a bound and the minimization would move it further outwards, by the sign of `slope`.
 fn outward(slope: f64, step: f64, low: f64, high: f64) -> bool {
     step <= low && slope >= 0.0 || step >= high && slope <= 0.0
 }
 
-/// Newton step in the free variables.
+/// Newton step in the free variables, in the order of `free`. A ridge is added to a Hessian that is not positive
+/// definite.
 fn newton(hessian: &DMatrix<f64>, gradient: &DVector<f64>, free: &[usize]) -> DVector<f64> {
     let m = free.len();
     let part = DMatrix::from_fn(m, m, |i, j| hessian[(free[i], free[j])]);

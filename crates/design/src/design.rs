@@ -1,4 +1,5 @@
-//! The search for a throw: starts from a low-discrepancy set with cheap flights, then descents with exact derivatives.
+//! The search for a throw: starts from a low-discrepancy set with flights at a loose tolerance, then descents with
+//! exact derivatives.
 
 use std::cell::RefCell;
 use std::cmp::Ordering;
@@ -17,16 +18,16 @@ use crate::sensitivity::{Sensitivity, sensitivities};
 use crate::spread::landing_covariance;
 use crate::throw_flight::{By, ThrowFlightError, ThrowFlights};
 
-/// How a throw is searched for.
+/// Options of the search for a throw.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SearchOptions {
-    /// Number of throws that are tried before the descents; default 384.
+    /// Number of throws that are evaluated before the descents; default 384.
     pub starts: usize,
-    /// Number of descents; default 12.
+    /// Number of local descents; default 12.
     pub descents: usize,
-    /// Seed of the starts; default 1.
+    /// Seed of the random shift of the starting points; default 1.
     pub seed: u64,
-    /// Number of threads, on which the result does not depend; default all processors.
+    /// Number of threads, which does not affect the result; default: all processors.
     pub threads: usize,
 }
 
@@ -41,84 +42,87 @@ impl Default for SearchOptions {
     }
 }
 
-/// A throw that was found.
+/// Result of a search: the throw that was found, and its flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Design {
-    /// Its purpose.
+    /// Goal of the search.
     pub goal: Goal,
-    /// Whether it serves it: the point is met and the obstacle cleared, to a millimetre.
+    /// Whether the throw meets the constraints of the goal to a millimetre: the path reaches the point and clears the
+    /// obstacle.
     pub feasible: bool,
-    /// The throw; where it does not serve its purpose the one that comes nearest.
+    /// The throw; if no throw meets the constraints, the one that violates them least.
     pub throw: Throw,
-    /// Least distance of the path from the goal's point, m; 0 for a goal without a point.
+    /// Minimum distance between the path and the goal's point, m; 0 for a goal without a point.
     pub miss: f64,
-    /// Speed at which the path rises at the goal's point, m/s: what is left of a flare.
+    /// Vertical velocity at the goal's point, m/s, upwards positive: the remaining error of a flare. `None` for other
+    /// goals.
     pub vertical_speed: Option<f64>,
-    /// Least distance between path and obstacle, m, negative inside of it; `None` without an obstacle.
+    /// Minimum distance between path and obstacle, m, negative inside the obstacle; `None` without an obstacle.
     pub clearance: Option<f64>,
-    /// Side on which the obstacle is passed.
+    /// Side on which the path passes the obstacle; `None` without an obstacle.
     pub side: Option<Side>,
-    /// Place of the landing, m.
+    /// Position of the mass centre at landing, m.
     pub landing: Vector3<f64>,
     /// Duration of the flight, s.
     pub time: f64,
-    /// The goal's own figure, whose name and unit [`Goal::figure`] gives.
+    /// Value that the goal is judged by, such as the range; [`Goal::figure`] gives its name and unit.
     pub figure: f64,
-    /// What each number of the throw does.
+    /// Effect of each quantity of the throw on the landing.
     pub sensitivity: Vec<Sensitivity>,
-    /// Number of throws that could be flown, of those tried before the descents.
+    /// Number of starting throws that could be flown to the ground.
     pub flown: usize,
 }
 
-/// Reason why there is no design.
+/// Reason why a search finds no throw.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum DesignError {
-    /// None of the throws has a flight.
+    /// None of the starting throws could be flown to the ground.
     #[error(
         "none of {tried} throws within the bounds could be flown to the ground; the last one: {last}"
     )]
     NoFlight {
-        /// Number of throws that were tried.
+        /// Number of throws that were attempted.
         tried: usize,
-        /// Why the last one could not be flown.
+        /// Reason why the last of them could not be flown.
         last: ThrowFlightError,
     },
-    /// Throws can be flown, but not with derivatives.
+    /// Throws can be flown, but their derivatives cannot be computed.
     #[error(
         "throws within the bounds could be flown, but none with derivatives; expected a model that is smooth there"
     )]
     NoDescent,
-    /// The goal needs an obstacle.
+    /// The goal needs an obstacle, and the bounds have none.
     #[error(
         "the goal curve needs an obstacle; expected [obstacle] in the bounds, with x, y and radius"
     )]
     NoObstacle,
-    /// The goal's point is below the ground.
+    /// The goal's point is below the ground, by the given depth in m.
     #[error("the target is {0} m below the ground; expected a height of 0 or more")]
     Buried(f64),
-    /// A flare happens in the air.
+    /// The goal is a flare, and its point is on the ground; a flare is defined only above the ground.
     #[error("the goal flare needs a target above the ground; found a height of 0")]
     FlareOnGround,
-    /// The throw that was found cannot be flown at the last tolerance.
+    /// The throw that was found cannot be flown at the final, tightest tolerance.
     #[error(transparent)]
     Flight(#[from] ThrowFlightError),
 }
 
-/// Violation of the constraints (m, or m/s of a flare) up to which a throw serves its purpose.
+/// Maximum constraint violation (m, or m/s for a flare) at which a throw counts as feasible.
 const SERVES: f64 = 1e-3;
-/// Tolerances of the integration: of the starts, the descents, and the last one.
+/// Relative tolerances of the integration: for the starting throws, for the descents, and for the final flight.
 const TOLERANCES: [f64; 3] = [1e-4, 1e-6, 1e-9];
-/// Bases of the Halton sequence.
+/// Bases of the Halton sequence, one per quantity of a throw.
 const BASES: [u64; 8] = [2, 3, 5, 7, 11, 13, 17, 19];
-/// Least distance of two starts of descents in the unit box.
+/// Minimum distance between the starting points of two descents, in the unit box.
 const APART: f64 = 0.1;
-/// Step in the unit box of the differences of exact derivatives, for the goal [`Goal::Spread`].
+/// Step, in the unit box, of the finite differences of the spread, for the goal [`Goal::Spread`].
 const SPREAD_STEP: f64 = 1e-4;
 
-/// Searches for the throw that serves a purpose best, within bounds.
+/// Searches for the throw within bounds that serves a goal best.
 ///
 /// # Errors
-/// [`DesignError`]. That a purpose cannot be served is no error: see [`Design::feasible`].
+/// [`DesignError`] if the goal and bounds contradict each other or no throw can be flown. That the constraints cannot
+/// be met is no error: see [`Design::feasible`].
 pub fn design(
     flights: &ThrowFlights<'_>,
     goal: Goal,
@@ -158,13 +162,13 @@ pub fn design(
         Some((*side, task.met(*side, at, 1)?))
     });
     let mut met: Vec<(Option<Side>, Arrival)> = met.into_iter().flatten().collect();
-    // The sort is stable: equal ones stay in the order of the starts.
+    // The sort is stable: equal results stay in the order of the starts.
     met.sort_by(|a, b| {
         task.rank(&a.1.values)
             .partial_cmp(&task.rank(&b.1.values))
             .unwrap_or(Ordering::Equal)
     });
-    // Towards constraints all go, along them the best.
+    // All starts are moved to the constraints, but only the best of them along the constraints.
     if jobs.iter().any(|(side, _)| task.is_constrained(*side)) {
         met.truncate(options.descents.div_ceil(4));
     }
@@ -193,17 +197,17 @@ pub fn design(
     task.finished(side, &last, explored.flown)
 }
 
-/// What is searched.
+/// A search: the body with its parameters, the goal and the bounds.
 struct Task<'t> {
     flights: &'t ThrowFlights<'t>,
     goal: Goal,
     bounds: &'t Bounds,
 }
 
-/// Throw that was tried: a point of the unit box, with violation and objective for each side of an obstacle.
+/// Starting throw: its point in the unit box, and (violation, objective) for each side of the obstacle.
 type Tried = (DVector<f64>, Vec<(f64, f64)>);
 
-/// Throws that were tried.
+/// The starting throws that could be flown to the ground, and their number.
 struct Explored {
     points: Vec<Tried>,
     flown: usize,
@@ -261,10 +265,11 @@ impl Task<'_> {
             .values(path, obstacle.and_then(|obstacle| Some((obstacle, side?))))
     }
 
-    /// Starts of descents: best first, none near a better one.
+    /// Starting points of the descents for one side of the obstacle: best first, each farther than [`APART`] from all
+    /// better ones.
     fn chosen(&self, points: &[Tried], side: usize, count: usize) -> Vec<DVector<f64>> {
         let mut order: Vec<usize> = (0..points.len()).collect();
-        // The sort is stable, so that equal ones stay in the order of the starts.
+        // The sort is stable: equal points stay in the order of the starts.
         order.sort_by(|a, b| {
             let [a, b] = [a, b].map(|k| points[*k].1[side]);
             a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
@@ -282,7 +287,8 @@ impl Task<'_> {
         chosen
     }
 
-    /// Order of results: those that serve the purpose by their objective, others by their violation.
+    /// Sort key of results, the best being the smallest: feasible results by objective, then infeasible ones by
+    /// violation.
     fn rank(&self, values: &Values) -> (f64, f64) {
         let violation = values.violation();
         match violation < SERVES {
@@ -295,7 +301,8 @@ impl Task<'_> {
         self.goal.target().is_some() || side.is_some()
     }
 
-    /// Meets the constraints as nearly as the bounds allow, with little change of the throw.
+    /// Moves a starting point to the constraints, or as near to them as the bounds allow, with little change of the
+    /// throw. `None` if a throw on the way has no flight.
     fn met(&self, side: Option<Side>, from: &DVector<f64>, accuracy: usize) -> Option<Arrival> {
         let near = RefCell::new(None);
         if !self.is_constrained(side) {
@@ -312,7 +319,7 @@ impl Task<'_> {
         Some(arrival)
     }
 
-    /// Makes the objective least.
+    /// Minimizes the objective along the constraints, from a feasible point. `None` if that point has no flight.
     fn least(&self, side: Option<Side>, from: &DVector<f64>) -> Option<Arrival> {
         let near = RefCell::new(None);
         let problem =
@@ -320,7 +327,8 @@ impl Task<'_> {
         descend(&problem, from)
     }
 
-    /// Makes the violation least where the constraints cannot be met: with curvature, which counts where much is left.
+    /// Minimizes the violation if the constraints cannot be met. Unlike [`Task::met`], this accounts for curvature,
+    /// which matters when the remaining violation is large.
     fn nearest(&self, side: Option<Side>, from: &DVector<f64>) -> Option<Arrival> {
         let near = RefCell::new(None);
         let problem = |at: &DVector<f64>, _: bool| {
@@ -334,7 +342,8 @@ impl Task<'_> {
         })
     }
 
-    /// Objective of a throw, whose path's own figure is known.
+    /// Objective of the goal at a point of the unit box; `of_path` is the part of the objective that the path alone
+    /// determines.
     fn objective(&self, at: &DVector<f64>, of_path: f64) -> Option<f64> {
         match self.goal {
             Goal::Hit(_) | Goal::Curve(_) => Some(0.5 * at.map(|v| v - 0.5).norm_squared()),
@@ -346,7 +355,9 @@ impl Task<'_> {
         }
     }
 
-    /// Values with derivatives by the free numbers, in the unit box.
+    /// Objective and constraints at a point of the unit box, with derivatives by the free quantities scaled to the
+    /// unit box. The objective of [`Goal::Spread`] is computed only if `objective` is true. `None` if the throw has
+    /// no flight.
     fn values(
         &self,
         side: Option<Side>,
@@ -388,7 +399,7 @@ impl Task<'_> {
                 let slopes: Option<Vec<f64>> = (0..at.len())
                     .map(|k| {
                         let mut moved = at.clone();
-                        // Inwards, so that the throw stays within the bounds.
+                        // A step inwards, so that the throw stays within the bounds.
                         let step = if at[k] > 0.5 {
                             -SPREAD_STEP
                         } else {
@@ -405,7 +416,8 @@ impl Task<'_> {
         Some(values)
     }
 
-    /// Root mean square distance of landings from their mean, m, to first order in the scatter.
+    /// Root mean square distance of landings from their mean, m, to first order in the scatter; `None` if the throw
+    /// has no flight.
     fn rms_spread(
         &self,
         throw: &Throw,
@@ -425,7 +437,7 @@ impl Task<'_> {
     ) -> Result<Design, DesignError> {
         let throw = self.bounds.throw(&found.at);
         let settings = IntegrationOptions::with_tolerance(TOLERANCES[2]);
-        // A flight of its own, with the model's limits as events and without derivatives.
+        // A separate flight with the model's limits as events and without derivatives.
         let path = self.flights.fly(&throw, None, &settings)?;
         let values = self.path_values(&path, side);
         let landing = path.landing();
@@ -463,7 +475,7 @@ impl Task<'_> {
     }
 }
 
-/// The digits of an integer in a base, mirrored at the point.
+/// Radical inverse: the digits of an integer in a base, mirrored at the radix point; a value in [0, 1).
 fn radical_inverse(mut index: u64, base: u64) -> f64 {
     let (mut value, mut unit) = (0.0, 1.0 / base as f64);
     while index > 0 {
@@ -474,7 +486,7 @@ fn radical_inverse(mut index: u64, base: u64) -> f64 {
     value
 }
 
-/// Numbers of a throw that a design states, with their names, in the order of [`FIELDS`].
+/// Names and values of the quantities that a throw states, in the order of [`FIELDS`].
 pub fn numbers(throw: &Throw) -> impl Iterator<Item = (&'static str, f64)> {
     FIELDS
         .iter()

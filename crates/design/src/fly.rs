@@ -1,4 +1,4 @@
-//! Flights of throws, with and without derivatives.
+//! Integrates flights of throws, with and without derivatives.
 
 use flight::release::Release;
 use flight::throw::Throw;
@@ -8,10 +8,12 @@ use crate::path::Path;
 use crate::throw_flight::{By, ThrowFlightError, ThrowFlights};
 
 impl ThrowFlights<'_> {
-    /// Flies a throw to the ground.
+    /// Integrates the flight of a throw to the ground. `near` is the release state of a similar throw, which speeds
+    /// up finding the state of this one.
     ///
     /// # Errors
-    /// [`ThrowFlightError`], also where the flight leaves the model's limits or does not end.
+    /// [`ThrowFlightError`] if no state has the motion of the throw, or if the flight leaves the model's limits or
+    /// does not end.
     pub fn fly(
         &self,
         throw: &Throw,
@@ -23,10 +25,12 @@ impl ThrowFlights<'_> {
         Ok(Path::new(self, None, trajectory, Vec::new()))
     }
 
-    /// Flies a throw to the ground with the derivatives of its path, which are exact up to the tolerance of the integration.
+    /// Integrates the flight of a throw to the ground together with the derivatives of its path by the quantities
+    /// `by`, which are exact up to the tolerance of the integration. `near` is as in [`ThrowFlights::fly`].
     ///
     /// # Errors
-    /// [`ThrowFlightError`]
+    /// [`ThrowFlightError`] if no state has the motion of the throw, or if the flight leaves the model's limits or
+    /// does not end.
     pub fn fly_with_derivatives(
         &self,
         throw: &Throw,

@@ -1,4 +1,4 @@
-//! Purposes of a throw: what is to be least, what must hold, and their derivatives, from the path of a flight.
+//! Goals of a throw: the objective to minimize, the constraints, and their derivatives, from the path of a flight.
 
 use nalgebra::{DMatrix, DVector, Vector2, Vector3};
 
@@ -8,26 +8,26 @@ use crate::path::Path;
 /// Purpose of a throw.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Goal {
-    /// The path passes through a point, or lands there if its height is 0: of all such throws the one nearest the middle of the
-    /// bounds.
+    /// The path passes through the point, or lands there if its height is 0. Of all such throws, the one nearest the
+    /// middle of the bounds is preferred.
     Hit(Vector3<f64>),
-    /// Greatest distance over the ground from release to landing.
+    /// Maximum distance over the ground from release to landing.
     Range,
-    /// Longest flight.
+    /// Maximum duration of the flight.
     HangTime,
-    /// As [`Hit`](Goal::Hit), round the obstacle of the bounds.
+    /// As [`Hit`](Goal::Hit), and the path avoids the obstacle of the bounds.
     Curve(Vector3<f64>),
-    /// The path is level at a point, neither falling nor climbing there, and passes it as slowly as possible, as an aircraft
-    /// flares.
+    /// The path is level at the point, neither falling nor climbing, and passes it as slowly as possible, like an
+    /// aircraft that flares.
     Flare(Vector3<f64>),
-    /// Of all throws that land at a point the one whose scatter of release spreads the landings least.
+    /// The throw lands at the point; of all such throws, the one whose release scatter spreads the landings least.
     Spread(Vector3<f64>),
 }
 
-/// Name of each goal, in the order of [`Goal`].
+/// Name of each goal in files and options, in the order of [`Goal`].
 pub const GOALS: [&str; 6] = ["hit", "range", "hangtime", "curve", "flare", "spread"];
 
-/// Side on which an obstacle is passed, seen along the flight.
+/// Side on which the path passes an obstacle, seen in the direction of flight.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
     /// The path is to the left of the obstacle.
@@ -37,7 +37,7 @@ pub enum Side {
 }
 
 impl Side {
-    /// 1 for left, −1 for right.
+    /// Sign of the lateral direction, left positive: 1 for left, −1 for right.
     fn sign(self) -> f64 {
         match self {
             Side::Left => 1.0,
@@ -45,7 +45,7 @@ impl Side {
         }
     }
 
-    /// Name in files.
+    /// Name of the side in files.
     pub fn name(self) -> &'static str {
         match self {
             Side::Left => "left",
@@ -54,19 +54,19 @@ impl Side {
     }
 }
 
-/// Upright cylinder without an upper end that the path must not enter.
+/// Upright cylinder, unbounded upwards, that the path must not enter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Obstacle {
-    /// Axis, m.
+    /// Horizontal coordinates x, y of the cylinder's axis, m.
     pub place: Vector2<f64>,
-    /// Radius, m; what the body needs is part of it.
+    /// Radius, m; it must include the space that the body needs.
     pub radius: f64,
-    /// Side on which it is passed; `None` leaves that open.
+    /// Side on which the path must pass the obstacle; `None` allows both.
     pub side: Option<Side>,
 }
 
 impl Goal {
-    /// Name in files and options.
+    /// Name of the goal in files and options.
     pub fn name(&self) -> &'static str {
         match self {
             Goal::Hit(_) => "hit",
@@ -78,7 +78,7 @@ impl Goal {
         }
     }
 
-    /// The point, of a goal that has one.
+    /// Point of the goal, m; `None` for a goal without a point.
     pub fn target(&self) -> Option<Vector3<f64>> {
         match *self {
             Goal::Hit(point) | Goal::Curve(point) | Goal::Flare(point) | Goal::Spread(point) => {
@@ -88,7 +88,7 @@ impl Goal {
         }
     }
 
-    /// Name and unit of the goal's own figure.
+    /// Name and unit of the value that the goal is judged by.
     pub fn figure(&self) -> (&'static str, &'static str) {
         match self {
             Goal::Hit(_) | Goal::Curve(_) => ("distance from the target", "m"),
@@ -99,8 +99,8 @@ impl Goal {
         }
     }
 
-    /// Time at which the path is nearest to the goal's point; the end of the flight for a point on the ground and for a goal without
-    /// a point.
+    /// Time, s, at which the path is nearest to the goal's point; the end of the flight for a point on the ground and
+    /// for a goal without a point.
     pub fn time(&self, path: &Path<'_>) -> f64 {
         match self.target() {
             Some(target) if target.z > 0.0 => {
@@ -113,9 +113,9 @@ impl Goal {
         }
     }
 
-    /// Constraints and figure of a flight; the derivatives are by what the path is differentiated by. The figure of
-    /// [`Spread`](Goal::Spread) is not the path's own and stays 0, that of [`Hit`](Goal::Hit) and [`Curve`](Goal::Curve) is left to
-    /// the constraints.
+    /// Objective and constraints of a flight, with derivatives by the quantities by which the path is differentiated.
+    /// The objective is 0 for [`Spread`](Goal::Spread), which the path alone does not determine, and for
+    /// [`Hit`](Goal::Hit) and [`Curve`](Goal::Curve), which only constrain the path.
     pub fn values(&self, path: &Path<'_>, obstacle: Option<(&Obstacle, Side)>) -> Values {
         let landing = path.landing();
         let columns = landing.time_by.len();
@@ -185,8 +185,9 @@ impl Goal {
     }
 }
 
-/// Least distance to the chosen side by which the path clears an obstacle, m, negative where it does not; with derivatives. At a
-/// nearest approach the distance does not change with the time, so that the path at this time alone decides.
+/// Minimum distance, m, by which the path clears an obstacle on the given side, negative if it does not clear it;
+/// with derivatives. At a nearest approach the derivative by time is 0, so only the derivatives of the path at that
+/// time count.
 fn clearance(path: &Path<'_>, obstacle: &Obstacle, side: Side) -> (f64, Vec<f64>) {
     let place = Vector3::new(obstacle.place.x, obstacle.place.y, 0.0);
     let passes = path.nearest_times(place, true).into_iter().map(|t| {
@@ -198,7 +199,7 @@ fn clearance(path: &Path<'_>, obstacle: &Obstacle, side: Side) -> (f64, Vec<f64>
             point.position_by.iter().map(|by| by.dot(&left)).collect(),
         )
     });
-    // Every flight has a nearest approach, at its ends at least.
+    // Every flight has a nearest approach, at least at one of its ends.
     let least = passes.min_by(|a: &(f64, Vec<f64>), b| a.0.total_cmp(&b.0));
     least.unwrap_or_default()
 }

@@ -1,4 +1,4 @@
-//! A design as JSON and as a release file.
+//! Output of a design as JSON and as a release file.
 
 use std::fmt::Write;
 
@@ -12,7 +12,8 @@ use crate::sensitivity::Sensitivity;
 use crate::spread::{Landings, Spread};
 
 impl Design {
-    /// The design with the schema `hyzer.design/1`; lengths in m, times in s, numbers of the throw in their units.
+    /// The design as JSON of the schema `hyzer.design/1`; lengths in m, times in s, quantities of the throw in the
+    /// units of [`FIELDS`].
     pub fn json(&self, model: &str, spread: Option<&Spread>) -> Value {
         let throw: Map<String, Value> = numbers(&self.throw)
             .map(|(name, value)| (name.into(), json!(value)))
@@ -39,8 +40,8 @@ impl Design {
         })
     }
 
-    /// A release file that `hyzer simulate` flies: the throw, with parameters, coefficients, wind and known inputs of `release`,
-    /// whose initial states are not used. `model` is the model's name or path.
+    /// Text of a release file that `hyzer simulate` can fly: the throw of the design, with parameters, coefficients,
+    /// wind and known inputs of `release`, whose initial states are not used. `model` is the model's name or path.
     pub fn release_toml(&self, model: &str, release: &Release) -> String {
         let mut text = format!(
             "model = {}\nuntil = \"ground\"\n\n[throw]\n",

@@ -1,11 +1,13 @@
-//! Throws for a purpose: the numbers of a release that hit a point, fly farthest or longest, round an obstacle, flare over a point or
-//! land with the least spread, within bounds.
+//! Throws for a purpose: the release that hits a point, flies farthest or longest, avoids an obstacle, flares over a
+//! point or lands with the least spread, within bounds.
 //!
-//! - [`ThrownBody`] is any model with a body, [`ThrowFlights`] its flights with given parameters. A [`Path`] has the derivatives of its
-//!   points, its landing and its nearest approaches by the numbers of the throw and by parameters.
-//! - [`design`](fn@design) searches for the throw that serves a [`Goal`] best within [`Bounds`]; a [`Design`] says whether it does, by how
-//!   much it misses, and what each number of the throw does.
-//! - [`spread`](fn@spread) is the distribution of landings from the scatter of release, wind and coefficients, linear and sampled.
+//! - [`ThrownBody`] is a compiled model of a body, [`ThrowFlights`] its flights with given parameters. A [`Path`]
+//!   provides the derivatives of its points, its landing and its nearest approaches by the quantities of the throw and
+//!   by parameters.
+//! - [`design`](fn@design) searches for the throw that serves a [`Goal`] best within [`Bounds`]; a [`Design`] states
+//!   whether it meets the constraints, by how much it misses, and the effect of each quantity of the throw.
+//! - [`spread`](fn@spread) is the distribution of landings due to the scatter of release, wind and coefficients,
+//!   linearized and sampled.
 //!
 //! ```
 //! use design::{Bounds, Goal, SearchOptions, ThrownBody, design};

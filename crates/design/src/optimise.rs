@@ -1,37 +1,38 @@
-//! Smooth problems of a few variables in the unit box, with equalities and margins that must not be negative: Gauss–Newton to the
-//! constraints, then steps along them by a damped BFGS matrix of the Lagrangian, each followed by a return to them; both in a trust
-//! region of the largest change (Nocedal and Wright, "Numerical Optimization", chapters 4, 10 and 18). Points between are on the
-//! constraints, which suits flights: a step along a curved set of throws that land at one place may be long.
+//! Smooth optimization problems of a few variables in the unit box, with equality and inequality constraints.
+//! Gauss–Newton steps lead to the constraints; then steps along them, by a damped BFGS matrix of the Lagrangian, are
+//! each followed by a return to the constraints. Both use a trust region in the maximum norm (Nocedal and Wright,
+//! "Numerical Optimization", chapters 4, 10 and 18). The iterates satisfy the constraints, which suits flights: a
+//! step along a curved set of throws that land at one point may be long.
 
 use nalgebra::{DMatrix, DVector};
 
 use crate::box_quadratic::minimum;
 
-/// Values of a problem at a point, with their derivatives by its variables.
+/// Objective and constraints of a problem at a point, with derivatives by the variables.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Values {
-    /// What is to be least.
+    /// Objective, to be minimized.
     pub objective: f64,
-    /// What must be 0, in a unit in which 1 is much.
+    /// Equality constraints, to be 0; scaled so that 1 is a large violation.
     pub equalities: DVector<f64>,
-    /// What must not be negative, in such a unit.
+    /// Inequality constraints, to be nonnegative; scaled as `equalities`.
     pub margins: DVector<f64>,
-    /// Derivatives of the objective.
+    /// Gradient of the objective by the variables.
     pub gradient: DVector<f64>,
-    /// Derivatives of the equalities, one row each.
+    /// Jacobian of the equality constraints, one row each.
     pub equalities_by: DMatrix<f64>,
-    /// Derivatives of the margins, one row each.
+    /// Jacobian of the inequality constraints, one row each.
     pub margins_by: DMatrix<f64>,
 }
 
 impl Values {
-    /// Length of what the constraints are violated by.
+    /// Euclidean norm of the violations of all constraints.
     pub fn violation(&self) -> f64 {
         let short = self.margins.iter().map(|margin| margin.min(0.0).powi(2));
         (self.equalities.norm_squared() + short.sum::<f64>()).sqrt()
     }
 
-    /// The problem whose objective is the violation and which has no constraints.
+    /// The same point in the problem whose objective is [`Values::violation`] and which has no constraints.
     pub fn violation_alone(&self) -> Values {
         let n = self.gradient.len();
         let violation = self.violation();
@@ -65,35 +66,37 @@ impl Values {
     }
 }
 
-/// A problem: its values at a point of the unit box, with the objective or, where the second argument is false, perhaps without it;
-/// `None` where it has none.
+/// A problem: a function of a point of the unit box that returns the values there. If the second argument is `false`,
+/// the objective need not be computed. `None` if the problem has no values at the point.
 pub type Problem<'p> = &'p dyn Fn(&DVector<f64>, bool) -> Option<Values>;
 
-/// Point of the unit box that a search arrived at, with the values there.
+/// Result of an optimization: the point reached and the values there.
 #[derive(Clone, Debug)]
 pub struct Arrival {
-    /// The point.
+    /// Point of the unit box.
     pub at: DVector<f64>,
-    /// Values there.
+    /// Objective and constraints at the point.
     pub values: Values,
 }
 
-/// Greatest change of a variable in the first step.
+/// Initial radius of the trust region: the maximum change of a variable in the first step.
 const TRUST: f64 = 0.15;
-/// Change of a variable below which a search ends.
+/// Radius of the trust region below which an optimization ends.
 const LEAST_TRUST: f64 = 1e-6;
-/// Greatest number of evaluations towards the constraints, and back to them after a step along them.
+/// Maximum number of evaluations for reaching the constraints, and for returning to them after a step along them.
 const MAX_EVALUATIONS: (usize, usize) = (40, 5);
-/// Greatest number of steps towards the least objective.
+/// Maximum number of steps of a minimization of the objective.
 const MAX_STEPS: usize = 25;
-/// Decrease of the objective, as a part of it, below which a step is not worth its evaluation.
+/// Predicted decrease, relative to 1 plus the magnitude of the objective, below which a minimization ends.
 const SETTLED: f64 = 1e-6;
-/// Violation up to which a point counts as one on the constraints.
+/// Maximum violation at which a point counts as satisfying the constraints, and below which an inequality counts as
+/// active.
 const ON: f64 = 1e-4;
-/// Weight of the linearised constraints against the curvature of the objective.
+/// Weight of the linearized constraints relative to the curvature of the Lagrangian in the quadratic model.
 const STIFF: f64 = 1e6;
 
-/// Meets the constraints as nearly as the box allows: Gauss–Newton in a trust region.
+/// Minimizes the violation of the constraints in the box, by Gauss–Newton steps in a trust region. `None` if the
+/// problem has no finite values at the start.
 pub fn meet(problem: Problem<'_>, from: &DVector<f64>) -> Option<Arrival> {
     let at = from.map(|v| v.clamp(0.0, 1.0));
     let values = problem(&at, false).filter(Values::is_finite)?;
@@ -134,7 +137,7 @@ fn meet_from(problem: Problem<'_>, start: Arrival, most: usize) -> Arrival {
     Arrival { at, values }
 }
 
-/// Hessian and slope of half the squared violation, without second derivatives.
+/// Gauss–Newton approximation of the Hessian, and gradient, of half the squared violation.
 fn gauss_newton(values: &Values) -> (DMatrix<f64>, DVector<f64>) {
     let n = values.gradient.len();
     let mut hessian = values.equalities_by.tr_mul(&values.equalities_by);
@@ -153,7 +156,7 @@ fn gauss_newton(values: &Values) -> (DMatrix<f64>, DVector<f64>) {
     )
 }
 
-/// Steps from a point that stay in the box and in the trust region.
+/// Lower and upper bounds of a step from `at` that stays in the box and in the trust region.
 fn room(at: &DVector<f64>, trust: f64) -> (DVector<f64>, DVector<f64>) {
     (
         at.map(|v| (-v).max(-trust)),
@@ -161,8 +164,9 @@ fn room(at: &DVector<f64>, trust: f64) -> (DVector<f64>, DVector<f64>) {
     )
 }
 
-/// Makes the objective least from a point on the constraints: a step along them by a quadratic model of the Lagrangian, then
-/// back to them; the objective of the point that is reached decides.
+/// Minimizes the objective from a point on the constraints. Each iteration steps along the constraints by a quadratic
+/// model of the Lagrangian and then returns to them; the objective at the point reached decides on acceptance. `None`
+/// if the problem has no finite values at the start.
 pub fn descend(problem: Problem<'_>, from: &DVector<f64>) -> Option<Arrival> {
     let values = problem(from, true).filter(Values::is_finite)?;
     let mut now = Arrival {
@@ -202,7 +206,8 @@ pub fn descend(problem: Problem<'_>, from: &DVector<f64>) -> Option<Arrival> {
     Some(now)
 }
 
-/// The point on the constraints next to one that is near them, with its objective; `None` where there is none.
+/// Moves a point near the constraints onto them and evaluates the objective there; `None` if the constraints are not
+/// reached or the problem has no values there.
 fn reached(problem: Problem<'_>, there: DVector<f64>) -> Option<Arrival> {
     let first = problem(&there, false).filter(Values::is_finite)?;
     let is_free = first.equalities.len() + first.margins.len() == 0;
@@ -223,7 +228,8 @@ fn reached(problem: Problem<'_>, there: DVector<f64>) -> Option<Arrival> {
     Some(Arrival { at: met.at, values })
 }
 
-/// Step that makes a quadratic model of the Lagrangian least and keeps to the linearised constraints.
+/// Step between `low` and `high` that minimizes a quadratic model of the Lagrangian with a penalty on the linearized
+/// constraints.
 fn along(
     values: &Values,
     curvature: &DMatrix<f64>,
@@ -250,7 +256,7 @@ fn along(
     step
 }
 
-/// Least-squares multipliers of the equalities, and of the margins that hold the point.
+/// Least-squares Lagrange multipliers of the equality constraints and of the active inequality constraints.
 fn multipliers(values: &Values) -> DVector<f64> {
     let rows = stacked(values);
     if rows.nrows() == 0 {
@@ -262,7 +268,8 @@ fn multipliers(values: &Values) -> DVector<f64> {
         .unwrap_or_else(|_| DVector::zeros(rows.nrows()))
 }
 
-/// Rows of the equalities and of the margins; those of margins that do not hold the point are 0.
+/// Jacobian of all constraints: rows of the equalities, then of the inequalities; the rows of inactive inequalities
+/// are 0.
 fn stacked(values: &Values) -> DMatrix<f64> {
     let (m, k, n) = (
         values.equalities.len(),
@@ -276,12 +283,13 @@ fn stacked(values: &Values) -> DMatrix<f64> {
     })
 }
 
-/// Gradient of the Lagrangian.
+/// Gradient of the Lagrangian by the variables.
 fn lagrangian(values: &Values, multipliers: &DVector<f64>) -> DVector<f64> {
     &values.gradient + stacked(values).tr_mul(multipliers)
 }
 
-/// Powell's damped BFGS update.
+/// Powell's damped BFGS update of the Hessian approximation `matrix`, for a step and the change of the gradient along
+/// it.
 fn update(matrix: &mut DMatrix<f64>, step: &DVector<f64>, change: &DVector<f64>) {
     let moved = &*matrix * step;
     let along = step.dot(&moved);
@@ -303,7 +311,7 @@ fn update(matrix: &mut DMatrix<f64>, step: &DVector<f64>, change: &DVector<f64>)
 mod tests {
     use super::*;
 
-    /// Rosenbrock's valley on the circle x² + y² = 1, at or left of x = 0.7, in the box -2 .. 2.
+    /// Rosenbrock's function on the circle x² + y² = 1 with x ≤ 0.7, in the box [-2, 2]².
     fn valley(u: &DVector<f64>, _: bool) -> Option<Values> {
         let (x, y) = (4.0 * u[0] - 2.0, 4.0 * u[1] - 2.0);
         let bend = y - x * x;
@@ -328,7 +336,7 @@ mod tests {
         let found = descend(&valley, &met.at).expect("values everywhere");
         assert!(found.values.violation() < ON);
         let (x, y) = (4.0 * found.at[0] - 2.0, 4.0 * found.at[1] - 2.0);
-        // On the circle the valley's floor is at x = 0.786, beyond the margin.
+        // On the circle the minimum without the inequality is at x = 0.786, outside the constraint.
         assert!(
             (x - 0.7).abs() < 1e-3 && (y - 0.51f64.sqrt()).abs() < 1e-3,
             "{x} {y}"
@@ -337,7 +345,7 @@ mod tests {
 
     #[test]
     fn what_cannot_be_met_is_met_as_nearly_as_the_box_allows() {
-        // x + y = 3 in the unit box.
+        // x + y = 3 cannot be met in the unit box.
         let far = |u: &DVector<f64>, _: bool| {
             Some(Values {
                 objective: 0.0,

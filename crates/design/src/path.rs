@@ -1,7 +1,7 @@
-//! The path of a flight: its points, its end on the ground and where it comes nearest to something, with derivatives.
+//! The path of a flight: its points, its landing and its nearest approaches to a point, with derivatives.
 //!
-//! A time that the path defines itself, such as that of the landing or of the nearest approach, is a zero of a function of path and
-//! time; its derivatives follow from the implicit function theorem.
+//! A time that the path itself defines, such as that of the landing or of a nearest approach, is a zero of a function
+//! of path and time; its derivatives follow from the implicit function theorem.
 
 use nalgebra::Vector3;
 use ode::{SensitivityLayout, Trajectory};
@@ -9,31 +9,32 @@ use ode::{SensitivityLayout, Trajectory};
 use crate::point::Point;
 use crate::throw_flight::ThrowFlights;
 
-/// Number of parts of a flight between which nearest approaches are sought.
+/// Minimum number of intervals of a flight in which nearest approaches are searched.
 const FINEST: f64 = 128.0;
-/// Greatest number of steps towards a nearest approach.
+/// Maximum number of secant steps to a nearest approach.
 const MAX_STEPS: usize = 40;
 
-/// Flight of a throw, with the derivatives of its path where they were asked for.
+/// Flight of a throw, with the derivatives of its path if they were requested.
 pub struct Path<'f> {
     flights: &'f ThrowFlights<'f>,
     layout: Option<SensitivityLayout>,
-    /// The flight; with derivatives its states are followed by theirs.
+    /// Integrated trajectory; if derivatives were requested, each state vector is followed by its sensitivities S.
     pub trajectory: Trajectory,
-    /// Column of S of each quantity that the path is differentiated by.
+    /// For each quantity by which the path is differentiated, its column of the sensitivity matrix S.
     columns: Vec<usize>,
 }
 
-/// End of a flight on the ground, with its derivatives.
+/// End of a flight on the ground, with derivatives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Landing {
     /// Duration of the flight, s.
     pub time: f64,
-    /// Place of the mass centre, m.
+    /// Position of the mass centre at landing, m.
     pub position: Vector3<f64>,
     /// Derivatives of the duration, s per unit of each quantity.
     pub time_by: Vec<f64>,
-    /// Derivatives of the place, m per unit of each quantity; the height of the ground does not change.
+    /// Derivatives of the landing position, m per unit of each quantity; their z components are 0, the height of the
+    /// ground.
     pub position_by: Vec<Vector3<f64>>,
 }
 
@@ -57,7 +58,7 @@ impl<'f> Path<'f> {
         self.trajectory.end
     }
 
-    /// Point at a time within the flight; outside of it the nearest end.
+    /// Point of the path at time `t` (s), which is clamped to the duration of the flight.
     pub fn point(&self, t: f64) -> Point {
         let t = t.clamp(self.trajectory.start, self.trajectory.end);
         let x = self.trajectory.sample(t);
@@ -73,10 +74,10 @@ impl<'f> Path<'f> {
         self.flights.place(x)
     }
 
-    /// The end of the flight.
+    /// Time and position of the landing, with derivatives.
     pub fn landing(&self) -> Landing {
         let end = self.point(self.trajectory.end);
-        // z(T) = 0: dT = −dz / ż.
+        // From z(T) = 0: dT = −dz / ż.
         let time = |by: &Vector3<f64>| -by.z / end.velocity.z;
         let time_by: Vec<f64> = end.position_by.iter().map(time).collect();
         let moved = end.position_by.iter().zip(&time_by);
@@ -88,8 +89,8 @@ impl<'f> Path<'f> {
         }
     }
 
-    /// Times at which the path is nearest to a place, or to a vertical line through it: local minima of the distance, with those at
-    /// the ends of the flight.
+    /// Times at which the distance between the path and the point `to` has a local minimum, including minima at the
+    /// ends of the flight. If `horizontally`, the distance is that to the vertical line through the point.
     pub fn nearest_times(&self, to: Vector3<f64>, horizontally: bool) -> Vec<f64> {
         let flat = |v: Vector3<f64>| {
             if horizontally {
@@ -123,7 +124,8 @@ impl<'f> Path<'f> {
         found
     }
 
-    /// Zero of the rate of the squared distance between two times, within a bracket.
+    /// Time between `from` and `until` at which the derivative of the squared distance by time is 0; one of the two
+    /// ends if the derivative has no change of sign from negative to positive.
     fn refined(
         &self,
         mut from: f64,
@@ -141,7 +143,7 @@ impl<'f> Path<'f> {
         if low >= 0.0 || high <= 0.0 {
             return if low >= 0.0 { from } else { until };
         }
-        // Illinois's variant of the secant method, which keeps the bracket.
+        // The Illinois variant of the secant method, which maintains the bracket.
         let (mut low, mut high) = (low, high);
         let mut side = 0;
         for _ in 0..MAX_STEPS {

@@ -2,7 +2,7 @@
 
 use nalgebra::{Vector2, Vector3};
 
-/// Point of a path at a time, SI units, inertial frame.
+/// Motion at a point of a path, SI units, inertial frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
     /// Time since release, s.
@@ -13,14 +13,15 @@ pub struct Point {
     pub velocity: Vector3<f64>,
     /// Acceleration of the mass centre, m/s².
     pub acceleration: Vector3<f64>,
-    /// Derivatives of the position at this time, m per unit of each quantity.
+    /// Derivatives of the position at fixed time, m per unit of each quantity.
     pub position_by: Vec<Vector3<f64>>,
-    /// Derivatives of the velocity at this time, m/s per unit of each quantity.
+    /// Derivatives of the velocity at fixed time, m/s per unit of each quantity.
     pub velocity_by: Vec<Vector3<f64>>,
 }
 
 impl Point {
-    /// Derivative of the time at which the path passes nearest to a place, s per unit of each quantity: (P − X)·v = 0 holds there.
+    /// Derivatives of the time of the nearest approach to the point `to`, s per unit of each quantity, from the
+    /// condition (P − X)·v = 0; this point of the path must be the nearest approach.
     pub fn nearest_time_by(&self, to: Vector3<f64>) -> Vec<f64> {
         let away = self.position - to;
         let slope = self.velocity.norm_squared() + away.dot(&self.acceleration);
@@ -29,7 +30,7 @@ impl Point {
             .collect()
     }
 
-    /// Two unit vectors normal to the path: to its left, horizontal, and upwards.
+    /// Two unit vectors normal to the path: the horizontal one to its left, and the one that points upwards.
     pub fn normals(&self) -> [Vector3<f64>; 2] {
         let along = self.velocity.normalize();
         let left = Vector3::z().cross(&along);
@@ -40,7 +41,7 @@ impl Point {
         [left, along.cross(&left)]
     }
 
-    /// Unit vector to the left of the path over the ground.
+    /// Horizontal components of the unit vector to the left of the path.
     pub fn left(&self) -> Vector2<f64> {
         let left = self.normals()[0];
         Vector2::new(left.x, left.y)

@@ -19,9 +19,10 @@ const MAX_FILE_BYTES: u64 = 1 << 20;
 /// Error for an invalid bounds file, with all of its faults.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BoundsError {
-    /// Name of the file.
+    /// Name of the file in messages.
     pub file: String,
-    /// Line and column from 1, `None` for the whole file, with what was found and what was expected; at least one, in order.
+    /// Faults in the order of the file, at least one: (line, column) from 1, or `None` for the whole file, and a text
+    /// of what was found and what was expected.
     pub faults: Vec<(Option<(usize, usize)>, String)>,
 }
 
@@ -46,7 +47,8 @@ impl Bounds {
     /// Reads a bounds file; see [`Bounds::read`].
     ///
     /// # Errors
-    /// [`BoundsError`], also for a file that cannot be read, is no UTF-8 text or is larger than 1 MiB.
+    /// [`BoundsError`] with all faults of the file, or if the file cannot be read, is not UTF-8 or is larger than 1
+    /// MiB.
     pub fn read_file(path: &Path, body: &ThrownBody) -> Result<Bounds, BoundsError> {
         let file = path.display().to_string();
         let refuse = |message: String| BoundsError {
@@ -66,7 +68,8 @@ impl Bounds {
         Bounds::read(&file, &text, body)
     }
 
-    /// Parses the text of a bounds file: what it states takes the place of [`Bounds::standard`]. `file` is its name in messages.
+    /// Parses the text of a bounds file; its values replace those of [`Bounds::standard`]. `file` is the file's name
+    /// in messages.
     ///
     /// # Errors
     /// [`BoundsError`] with all faults of the file.
@@ -131,7 +134,8 @@ impl<'t> Reader<'t> {
         Some(bounds)
     }
 
-    /// Index of a number of the throw; a fault where there is none, or the body cannot have it.
+    /// Index in [`FIELDS`] of the quantity called `name`; `None` after reporting a fault if there is no such quantity
+    /// or the body cannot have it.
     fn field(&mut self, name: &str, span: Range<usize>, body: &ThrownBody) -> Option<usize> {
         let Some(field) = FIELDS.iter().position(|(known, ..)| *known == name) else {
             let names = FIELDS.map(|(name, ..)| name).join(", ");
@@ -152,7 +156,8 @@ impl<'t> Reader<'t> {
         Some(field)
     }
 
-    /// A range, or a number that is held.
+    /// Minimum and maximum of a quantity, from a list of two numbers or a single number, which fixes the quantity.
+    /// `None` after a fault.
     fn range(&mut self, value: &Value<'t>, field: usize) -> Option<(f64, f64)> {
         let (name, unit, ..) = FIELDS[field];
         let (least, greatest) = match value.get_ref().as_array() {
@@ -337,7 +342,7 @@ impl<'t> Reader<'t> {
         Some(table)
     }
 
-    /// A table with any keys.
+    /// The table that `value` holds, with any keys; `None` after reporting a fault if `value` is no table.
     fn any_table<'d>(&mut self, value: &'d Value<'t>, key: &str) -> Option<&'d DeTable<'t>> {
         let table = value.get_ref().as_table();
         if table.is_none() {

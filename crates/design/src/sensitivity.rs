@@ -1,4 +1,4 @@
-//! What each number of a throw does to where and when it lands.
+//! Effect of each quantity of a throw on the position and time of the landing.
 
 use flight::throw::{FIELDS, Throw};
 use nalgebra::Vector3;
@@ -7,36 +7,38 @@ use ode::IntegrationOptions;
 use crate::goal::Goal;
 use crate::throw_flight::{By, ThrowFlightError, ThrowFlights};
 
-/// Effect of one number of a throw.
+/// Effect of one quantity of a throw.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensitivity {
-    /// Index of the number in [`FIELDS`].
+    /// Index of the quantity in [`FIELDS`].
     pub field: usize,
-    /// Derivative of the place of the landing, m per unit of the number.
+    /// Derivative of the landing position, m per unit of the quantity.
     pub landing: Vector3<f64>,
-    /// Derivative of the duration of the flight, s per unit.
+    /// Derivative of the duration of the flight, s per unit of the quantity.
     pub time: f64,
-    /// Derivative of the goal's own figure, per unit; `None` for a goal whose figure is a distance from its target or a spread.
+    /// Derivative of the value that the goal is judged by, per unit of the quantity; `None` for a goal judged by a
+    /// distance from its target or by a spread.
     pub figure: Option<f64>,
-    /// What one unit less and one unit more do, each flown; `None` where that throw has no flight.
+    /// Effects of decreasing and increasing the quantity by one unit, each from a separate flight; `None` if that
+    /// throw has no flight.
     pub one_unit: [Option<OneUnit>; 2],
 }
 
-/// Effect of one unit of a number.
+/// Effect of changing a quantity by one unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OneUnit {
-    /// How far the landing moves, m.
+    /// Change of the landing position, m.
     pub landing: Vector3<f64>,
-    /// By how much the flight is longer, s.
+    /// Increase of the duration of the flight, s.
     pub time: f64,
-    /// Distance of the path from the goal's point, m; 0 for a goal without a point.
+    /// Minimum distance between the changed path and the goal's point, m; 0 for a goal without a point.
     pub miss: f64,
 }
 
-/// Sensitivities of a throw, by every number that the body can have; the wobble where the throw has one.
+/// Effects of all quantities that the throw states and its body can have, in the order of [`FIELDS`].
 ///
 /// # Errors
-/// [`ThrowFlightError`] where the throw has no flight.
+/// [`ThrowFlightError`] if the throw has no flight.
 pub fn sensitivities(
     flights: &ThrowFlights<'_>,
     throw: &Throw,

@@ -1,4 +1,5 @@
-//! Flights of throws to the ground, with the derivatives of their paths by the numbers of the throw and by parameters.
+//! Bodies that can be thrown, and the data for integrating their flights with derivatives by the throw and by
+//! parameters.
 
 use flight::release::Release;
 use flight::throw::{FIELDS, Throw, ThrowError, ThrownModel};
@@ -12,16 +13,16 @@ use ode::{
 
 use crate::point::Point;
 
-/// Reason why a throw has no flight.
+/// Reason why the flight of a throw cannot be computed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ThrowFlightError {
     /// No state of the model has the motion of the throw.
     #[error(transparent)]
     Throw(#[from] ThrowError),
-    /// The flight cannot be computed, or leaves the model's limits.
+    /// The flight cannot be computed, leaves the model's limits or does not end.
     #[error(transparent)]
     Integration(#[from] IntegrationError),
-    /// The position of the mass centre is no part of the state.
+    /// The position of the mass centre is not part of the state, so no landing can be detected.
     #[error(
         "the position of the body of the model {model} is not three of its states; expected a model whose body states \
          `position (x, y, z)`"
@@ -32,24 +33,24 @@ pub enum ThrowFlightError {
     },
 }
 
-/// What a path is differentiated by.
+/// Quantity by which a path is differentiated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum By {
-    /// A number of the throw, by its index in [`FIELDS`].
+    /// A quantity of the throw, by its index in [`FIELDS`].
     Throw(usize),
     /// A parameter, coefficient or component of an input, by its index in the model's layout.
     Parameter(usize),
 }
 
-/// A model that can be thrown, compiled.
+/// A compiled model of a body that can be thrown.
 pub struct ThrownBody {
-    /// The model.
+    /// The model that was compiled.
     pub model: Model,
-    /// Its functions.
+    /// Compiled functions of the model.
     pub compiled: CompiledModel,
-    /// The motion of its body.
+    /// Conversion between throws and the states of the model.
     pub thrown: ThrownModel,
-    /// States that are the position of the mass centre, m.
+    /// Indices of the states that are the position x, y, z of the mass centre, m.
     pub(crate) position: [usize; 3],
 }
 
@@ -57,13 +58,14 @@ impl ThrownBody {
     /// Compiles a model.
     ///
     /// # Errors
-    /// [`ThrowFlightError::Throw`] for a model without a body, [`ThrowFlightError::NoPosition`].
+    /// [`ThrowFlightError::Throw`] if the model has no body; [`ThrowFlightError::NoPosition`] if three of its states
+    /// are not the position of the mass centre.
     pub fn new(model: Model) -> Result<ThrownBody, ThrowFlightError> {
         let (compiled, thrown) = (CompiledModel::new(&model), ThrownModel::new(&model)?);
         let layout = compiled.layout();
         let (state, parameters) = (layout.default_states(), layout.default_parameters());
         let jacobian = thrown.motion_jacobian(&state, &parameters);
-        // A state is a coordinate where its column is 1 there and nothing else depends on it.
+        // A state is a coordinate if its entry of the Jacobian row is 1 and all others are 0.
         let coordinate = |row: usize| {
             let is_one = |column: usize| (jacobian[(row, column)] - 1.0).abs() < 1e-9;
             let alone = |c: &usize| {
@@ -85,12 +87,12 @@ impl ThrownBody {
         }
     }
 
-    /// The body with the parameters of a release, whose initial states are not used.
+    /// Flights of the body with the parameters of a release, whose initial states are not used.
     pub fn with(&self, release: &Release) -> ThrowFlights<'_> {
         self.with_parameters(self.compiled.release_parameters(release))
     }
 
-    /// The body with values of its parameters, in the order of the model's layout.
+    /// Flights of the body with given parameter values, in the order of the model's layout.
     pub fn with_parameters(&self, parameters: Vec<f64>) -> ThrowFlights<'_> {
         ThrowFlights {
             body: self,
@@ -99,7 +101,8 @@ impl ThrownBody {
         }
     }
 
-    /// Index in [`FIELDS`] of each number that a throw of this body can have.
+    /// Indices in [`FIELDS`] of the quantities that a throw of this body can have; a point mass has no attitude and
+    /// no spin.
     pub fn fields(&self) -> Vec<usize> {
         let has_attitude = self.thrown.has_attitude();
         let of_point = ["speed", "heading", "launch", "height"];
@@ -109,20 +112,22 @@ impl ThrownBody {
     }
 }
 
-/// Flights of a body with given parameters. All start above the origin and end where the height of the mass centre falls to 0.
+/// Flights of a body with given parameters. All start above the origin and end when the height of the mass centre
+/// falls to 0.
 pub struct ThrowFlights<'b> {
-    /// The body.
+    /// The body that flies.
     pub body: &'b ThrownBody,
     pub(crate) bound: BoundModel<'b>,
-    /// Parameters in the order of the model's layout.
+    /// Parameter values, in the order of the model's layout.
     pub parameters: Vec<f64>,
 }
 
 impl ThrowFlights<'_> {
-    /// State at release; `near` is the state of a similar throw, from which it is found sooner.
+    /// State at release that has the motion of a throw. `near` is the release state of a similar throw, which speeds
+    /// up the search.
     ///
     /// # Errors
-    /// [`ThrowError`]
+    /// [`ThrowError`] if no state has the motion of the throw.
     pub fn state(&self, throw: &Throw, near: Option<&[f64]>) -> Result<Vec<f64>, ThrowError> {
         let thrown = &self.body.thrown;
         match near {
@@ -131,10 +136,10 @@ impl ThrowFlights<'_> {
         }
     }
 
-    /// Flies from a state to the ground.
+    /// Integrates the flight from a release state to the ground, without derivatives.
     ///
     /// # Errors
-    /// [`IntegrationError`]
+    /// [`IntegrationError`] if the integration fails, or the flight leaves the model's limits or does not end.
     pub fn trajectory(
         &self,
         state: &[f64],
@@ -159,12 +164,12 @@ impl ThrowFlights<'_> {
         of_parameters: &[usize],
     ) -> Sensitivities<DifferentiableModelRhs<'_>> {
         let rhs = self.bound.differentiable_rhs();
-        // Which states the first columns are named after is of no account: they start along directions of the throw.
+        // The state indices of the first columns are irrelevant: these columns start along directions of the throw.
         Sensitivities::new(rhs, &vec![0; of_throw], of_parameters)
     }
 
-    /// Derivative of the state at release by a parameter: where the wobble turns on the moments of inertia, or what a claimed
-    /// body's motion depends on.
+    /// Derivative of the release state by a parameter, by central differences. It is nonzero only if the throw has a
+    /// wobble or the body's motion depends on the parameter.
     pub(crate) fn state_by_parameter(
         &self,
         throw: &Throw,
@@ -196,8 +201,8 @@ impl ThrowFlights<'_> {
         }
     }
 
-    /// Position (m), velocity and acceleration of the mass centre at a state, and the derivatives of the first two along the
-    /// columns of S, `None` where there is none.
+    /// Position (m), velocity and acceleration of the mass centre at a state. The derivatives of position and
+    /// velocity are taken from the given columns of the sensitivity matrix S; without `s` they are empty.
     pub(crate) fn point(
         &self,
         t: f64,
@@ -240,7 +245,7 @@ impl ThrowFlights<'_> {
         Vector3::from(self.body.position.map(|state| x[state]))
     }
 
-    /// Name of a parameter by its index in the model's layout.
+    /// Name of the parameter with this index in the model's layout.
     pub fn parameter_name(&self, index: usize) -> &str {
         &self.body.compiled.layout().parameters[index]
     }

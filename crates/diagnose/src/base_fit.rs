@@ -1,4 +1,4 @@
-//! The fit of the model under test, with the encompassing model in parallel.
+//! Fit of the model under test. The encompassing model, with all candidate effects, is composed in parallel.
 
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -9,23 +9,25 @@ use crate::context::{Context, EncompassingModel};
 use crate::error::DiagnosisError;
 use crate::parallel::join;
 
-/// The fit of the model under test.
+/// Fit of the model under test, with the encompassing model.
 pub(crate) struct BaseFit {
-    /// Computing time so far.
+    /// Computing time of the stages up to this fit.
     pub clock: Clock,
-    /// The fit.
+    /// Fit of the model under test to all flights with role `fit`.
     pub fit: Fit,
-    /// The model with every candidate at its null value.
+    /// The model with every candidate effect switched on at its null value.
     pub encompassing: EncompassingModel,
-    /// Whether all flights have a fault that an effect may explain, so that they are used all the same.
+    /// Whether every flight has a data fault, and the flights are nevertheless used because a missing effect may
+    /// explain the faults.
     pub is_despite_faults: bool,
 }
 
 impl BaseFit {
-    /// Fits the model under test.
+    /// Fits the model under test and composes the encompassing model.
     ///
     /// # Errors
-    /// [`DiagnosisError`] if the flights cannot be fitted, or the caller cancelled.
+    /// [`DiagnosisError`] if the flights cannot be fitted, the encompassing model cannot be composed, or the caller
+    /// cancelled.
     pub fn new(context: Context<'_>) -> Result<Self, DiagnosisError> {
         let mut clock = Clock::start();
         let Context {
@@ -61,12 +63,12 @@ impl BaseFit {
     }
 }
 
-/// Whether an effect of the measurement may explain the faults of all flights: no label, unit or axis is told to be wrong.
+/// Whether a missing effect may explain the data faults of all flights: true if none is a wrong label, unit or axis.
 fn may_be_an_effect(faults: &[DataFault]) -> bool {
     faults.iter().all(|fault| fault.fault == FaultKind::Other)
 }
 
-/// Computing time by stage.
+/// Stopwatch of a diagnosis: computing time by stage.
 pub(crate) struct Clock {
     started: Instant,
     pub seconds: BTreeMap<String, f64>,
@@ -80,7 +82,7 @@ impl Clock {
         }
     }
 
-    /// Records the time since the stage's start under its name.
+    /// Stores the time in s since [`Clock::start`] under the name `stage`.
     pub fn record(&mut self, stage: &str) {
         let elapsed = self.started.elapsed().as_secs_f64();
         self.seconds.insert(stage.to_owned(), elapsed);

@@ -1,4 +1,4 @@
-//! The stages of a diagnosis, from the fit of the model to the report.
+//! Stages of a diagnosis, from the fit of the model under test to the report.
 
 mod beyond_single_effects;
 
@@ -21,12 +21,12 @@ use crate::report::{self, Consensus, Report, Verdict};
 use crate::selection::{Search, StepwiseModel, select_by_bic};
 use crate::validation::{Validated, predictive_terms};
 
-/// Greatest number of unknowns of a single-effect hypothesis exempt from the BIC comparison.
+/// Maximum number of unknowns with which a hypothesis of a single effect is accepted without comparison by BIC.
 const FREE_UNKNOWNS: usize = 6;
 
-/// Result of a diagnosis.
+/// Result of a diagnosis: the report, the fits, and the extended model if there is one.
 pub struct Diagnosis {
-    /// The report.
+    /// Report of the diagnosis, as written to `report.json`.
     pub report: Report,
     /// Fit of the model under test, without an extension.
     pub before: Fit,
@@ -34,11 +34,11 @@ pub struct Diagnosis {
     pub after: Option<(ExtendedModel, Fit)>,
 }
 
-/// Tests a model for errors in the flights of a dataset, identifies missing effects, and measures the out-of-sample
-/// gain of the extended model.
+/// Tests a model against the flights of a dataset, identifies missing effects, and measures the out-of-sample error
+/// reduction of the extended model.
 ///
 /// # Errors
-/// [`DiagnosisError`] if an option cannot be used, the flights cannot be fitted, or the caller cancelled.
+/// [`DiagnosisError`] if an option is invalid, the flights cannot be fitted, or the caller cancelled.
 pub fn diagnose(
     model: &Model,
     dataset: &Dataset,
@@ -47,10 +47,11 @@ pub fn diagnose(
     diagnose_with(model, dataset, options, |_| ()).map(|(diagnosis, _)| diagnosis)
 }
 
-/// Runs [`diagnose`], and calls `on_extension` with the extended model, if any, while its gain is measured.
+/// Runs [`diagnose`], and calls `on_extension` with the extended model, if any, in parallel with the measurement of
+/// its out-of-sample gain. Returns the result of `on_extension` with the diagnosis.
 ///
 /// # Errors
-/// Those of [`diagnose`].
+/// The errors of [`diagnose`].
 pub fn diagnose_with<R: Send>(
     model: &Model,
     dataset: &Dataset,
@@ -59,7 +60,7 @@ pub fn diagnose_with<R: Send>(
 ) -> Result<(Diagnosis, Option<R>), DiagnosisError> {
     options.validate(model)?;
     let started = Instant::now();
-    // Effects on readings need the quantities that the instruments measure.
+    // Effects on sensor readings need the quantities that the instruments measure.
     let resolved = identify::resolve(model, dataset, &options.fit)?;
     let (model, dataset) = (&resolved.model, &*resolved.dataset);
     let options = &DiagnosisOptions {
@@ -71,7 +72,7 @@ pub fn diagnose_with<R: Send>(
         dataset,
         options,
     })?;
-    // Later fits take over what the screening of the first one found.
+    // Later fits reuse the data faults that the screening of the first fit found.
     let faults = base.fit.report.data_faults.clone();
     let options = &DiagnosisOptions {
         fit: FitOptions {
@@ -97,13 +98,13 @@ pub fn diagnose_with<R: Send>(
     analysis.finish(&on_extension)
 }
 
-/// Discordant flights, and the explanation that holds for all other flights.
+/// Discordant flights, which contradict the explanation that holds for all other flights.
 struct Discordant {
     files: Vec<String>,
     p_value: f64,
 }
 
-/// Repeats a diagnosis without the discordant flights; `None` if the remaining flights are not explained either.
+/// Repeats a diagnosis without the discordant flights; `None` if the concordant flights are not explained either.
 fn without_discordant<R: Send>(
     context: Context<'_>,
     discordant: &Discordant,
@@ -145,10 +146,10 @@ struct Analysis<'a> {
     context: Context<'a>,
     clock: Clock,
     before: Fit,
-    /// Test of the residuals of the model under test.
+    /// Lack-of-fit test of the residuals of the model under test; `None` if the residuals are too few.
     residuals: Option<LackOfFit>,
     model: ScoreTestModel,
-    /// The fit of the model under test, in the score-test model.
+    /// Iterate of the fit of the model under test, in the unknowns of the score-test model.
     base: Iterate,
     search: Search<'a>,
     stepwise: Option<StepwiseModel>,
@@ -158,7 +159,8 @@ struct Analysis<'a> {
     notes: Vec<String>,
 }
 
-/// Searches with all flights that can be tested; flights that cannot are added to `set_aside`.
+/// Runs the search with all flights that can be tested. A flight that cannot be tested is removed from the model, its
+/// file is added to `set_aside`, and the search starts again.
 fn search_testable<'a>(
     model: &mut ScoreTestModel,
     base: &mut Iterate,
@@ -204,7 +206,8 @@ impl<'a> Analysis<'a> {
         if let Some(residuals) = unexplained
             && !search.is_significant()
         {
-            // The noise that the model leaves hides what the noise floor shows.
+            // The residual noise of the misfitting model is too large for the tests; they are repeated with the noise
+            // floor.
             search = Search::with_noise(&mut model, &base, residuals.noise.clone(), context)?;
         }
         let mut analysis = Self {
@@ -254,7 +257,7 @@ impl<'a> Analysis<'a> {
         stepwise.is_some_and(|stepwise| stepwise.is_adequate)
     }
 
-    /// Validates the explanations, extends the model and writes the report.
+    /// Validates the explanations, extends the model, and completes the report.
     fn finish<R: Send>(
         mut self,
         on_extension: &(impl Fn(&ExtendedModel) -> R + Sync),
@@ -323,8 +326,9 @@ impl<'a> Analysis<'a> {
         Ok((diagnosis, made))
     }
 
-    /// Validates the best explanation if it is overflexible. Returns it if it improves predictions; otherwise drops
-    /// such explanations and returns the reason as the second value.
+    /// Validates the best explanation by its out-of-sample gain if it is overflexible. Returns the validated
+    /// explanation if it improves predictions. Otherwise drops all overflexible explanations and returns the reason
+    /// as the second value.
     fn validate_overflexible(
         &mut self,
     ) -> Result<(Option<Validated>, Option<String>), DiagnosisError> {
@@ -352,8 +356,8 @@ impl<'a> Analysis<'a> {
         Ok((None, refused))
     }
 
-    /// Chooses the extension: the best explanation, or library terms if there is none, which are then added to the
-    /// report. None once the time is over, unless its fit is known.
+    /// Chooses the extension: the best explanation, or library terms if there is none; library terms are also added
+    /// to the report. `None` if there is nothing to extend, or the time is over and no fit is known.
     fn choose(
         &mut self,
         validated: Option<Validated>,

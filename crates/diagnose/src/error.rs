@@ -1,29 +1,30 @@
-//! Why a diagnosis fails.
+//! Errors of a diagnosis.
 
 use identify::FitError;
 use model_spec::load::LoadError;
 
 use crate::context::OptionsError;
 
-/// Why a diagnosis fails.
+/// Reason why a diagnosis cannot be completed.
 #[derive(Debug, thiserror::Error)]
 pub enum DiagnosisError {
-    /// An option cannot be used.
+    /// An option has an invalid value or an unknown name.
     #[error(transparent)]
     Options(#[from] OptionsError),
     /// The flights cannot be fitted.
     #[error(transparent)]
     Fit(#[from] FitError),
-    /// The model with candidate effects, or with the selected ones, cannot be loaded.
+    /// The model with all candidate effects, or with the selected effects, cannot be loaded.
     #[error(transparent)]
     Load(#[from] LoadError),
     /// The samples of a flight do not determine its initial state.
     #[error("{file}: the samples do not determine the initial state")]
     UndeterminedInitialState {
-        /// File of the flight.
+        /// File name of the flight.
         file: String,
     },
-    /// The information matrix of the model's own parameters has no eigenvalue decomposition.
+    /// The information matrix of the parameters of the model under test has no eigenvalue decomposition, because it
+    /// contains values that are not finite.
     #[error(
         "the information matrix of the model's parameters cannot be inverted: look for values that are not finite"
     )]
@@ -31,7 +32,7 @@ pub enum DiagnosisError {
 }
 
 impl DiagnosisError {
-    /// File of the flight that cannot be tested, if the error is of one flight.
+    /// File of the flight that caused the error; `None` if the error does not concern a single flight.
     pub(crate) fn flight(&self) -> Option<&str> {
         match self {
             Self::UndeterminedInitialState { file } | Self::Fit(FitError::Flight { file, .. }) => {
@@ -42,7 +43,8 @@ impl DiagnosisError {
     }
 }
 
-/// Turns an error into nothing, except that the caller cancelled: what cannot be fitted is no answer, and no failure.
+/// Converts an error to `None`, so that a computation that cannot be done counts as no result. Only cancellation by
+/// the caller ([`FitError::Interrupted`]) remains an error.
 pub(crate) fn if_possible<T, E: Into<DiagnosisError>>(
     result: Result<T, E>,
 ) -> Result<Option<T>, DiagnosisError> {

@@ -1,9 +1,9 @@
-//! Specification search for models of flight: whether measured flights contradict a model, which effect it lacks, and how much
-//! better the extended model predicts.
+//! Specification search for models of flight: tests whether measured flights contradict a model, finds the effect
+//! that the model lacks, and measures how much better the extended model predicts.
 //!
-//! [`diagnose`] fits the model by output error, tests every candidate effect by its score (Lagrange multiplier) statistic
-//! without a refit, and selects the hypotheses that leave nothing significant: a model confidence set. Its stages, each in a
-//! folder of its own:
+//! [`diagnose`] fits the model by the output-error method, tests every candidate effect by its score (Lagrange
+//! multiplier) statistic without a refit, and selects the hypotheses that leave no significant effect: a model
+//! confidence set. Each stage has its own folder:
 //!
 //! | stage | does |
 //! |---|---|
@@ -14,7 +14,7 @@
 //! | selection | forward selection and backward elimination of effects, BIC, stepwise regression with library terms |
 //! | consensus | sign-flip tests over flights; discordant flights |
 //! | validation | out-of-sample gain on held-out flights or by cross-validation |
-//! | power, optimal_design | minimum detectable effects; the throw that best tells hypotheses apart |
+//! | power, optimal_design | minimum detectable effects; the throw that best distinguishes hypotheses |
 //! | report | `report.json` and its summary |
 //!
 //! ```no_run

@@ -1,4 +1,5 @@
-//! The extension of the model: fitted, its gain measured, and offered unless it predicts worse.
+//! Fit of the extended model, measurement of its out-of-sample gain, and its addition to the report unless it
+//! predicts worse.
 
 use flight::batch;
 use identify::dataset::Role;
@@ -12,7 +13,7 @@ use crate::parallel::join;
 use crate::report::{self, Report};
 use crate::validation::{ApplyTo, PredictiveGain, cross_validate, gain_of_fits};
 
-/// Model that was chosen as the extension of the model under test.
+/// Extended model chosen to be fitted and measured.
 pub(crate) struct Chosen {
     /// The extended model.
     pub extension: ExtendedModel,
@@ -20,27 +21,28 @@ pub(crate) struct Chosen {
     pub fit: Option<Fit>,
     /// Out-of-sample gain; `None` if not yet measured.
     pub gain: Option<PredictiveGain>,
-    /// Decrease of the weighted sum of squares, χ²; used for effects generated from library terms.
+    /// Decrease of the weighted sum of squares, χ², by effects generated from library terms; 0 for other effects.
     pub chi2_decrease: f64,
 }
 
-/// An extension with its fit and its gain.
+/// An extended model with its fit and its out-of-sample gain.
 pub(crate) struct Measured<R> {
     extension: ExtendedModel,
     fit: Fit,
     gain: Option<PredictiveGain>,
     chi2_decrease: f64,
-    /// Held-out flights, by index, to which the extension is not applied.
+    /// Indices of the held-out flights to which the extension is not applied.
     not_applied: Vec<usize>,
-    /// What the caller made of the extension.
+    /// Result of the caller's function `on_extension` for the extended model.
     made: R,
 }
 
-/// An extended model and its fit, with what the caller made of the extension.
+/// An extended model and its fit, with the result of the caller's function for the extended model.
 pub(crate) type Offered<R> = ((ExtendedModel, Fit), R);
 
-/// Fits the extended model if not yet fitted, measures its gain, and calls `on_extension`. Flights that contradict the
-/// extension are left without it if the flights agree on it alone; `noise_floor` in m.
+/// Fits the extended model if it is not yet fitted, measures its out-of-sample gain, and calls `on_extension`. If
+/// `is_consensus`, flights that contradict the extension are predicted without it. `noise_floor` is the noise of one
+/// coordinate, m.
 ///
 /// # Errors
 /// [`DiagnosisError::Fit`] if the extended model cannot be fitted, or the caller cancelled.
@@ -68,7 +70,7 @@ pub(crate) fn measure<R: Send>(
         gain: known_gain,
         chi2_decrease,
     } = chosen;
-    // None of the three depends on another.
+    // The gain, the caller's result and the fit are independent of one another.
     let (cross_validated, (made, after)) = join(
         threads,
         || match has_held_out || known_gain.is_some() || context.is_out_of_time() {
@@ -106,13 +108,14 @@ pub(crate) fn measure<R: Send>(
 }
 
 impl<R> Measured<R> {
-    /// Whether the extended model predicts the same as the model under test.
+    /// Whether the extended model makes the same predictions as the model under test.
     pub fn changes_nothing(&self) -> bool {
         let gain = self.gain.as_ref();
         gain.is_some_and(PredictiveGain::changes_nothing)
     }
 
-    /// Adds the extension to the report. Returns it, and what the caller made of it, unless it predicts worse.
+    /// Adds the extension and its gain to the report. Returns the extended model, its fit and the caller's result;
+    /// `None` if the extended model predicts worse.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if the caller cancelled.
@@ -142,7 +145,7 @@ impl<R> Measured<R> {
     }
 }
 
-/// Measured and predicted samples of the fitted flights.
+/// Measured and predicted samples of the fitted flights of `fit`.
 fn evidence(context: Context<'_>, fit: &Fit) -> Vec<FlightEvidence> {
     let flights = context.dataset.flights.iter().enumerate();
     let fitted = flights.filter(|(_, flight)| flight.role == Role::Fit);

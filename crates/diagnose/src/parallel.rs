@@ -1,6 +1,6 @@
-//! Two tasks at once.
+//! Fork–join of two tasks, limited by the number of threads.
 
-/// Calls both functions, in parallel if `threads` exceeds 1, and returns both results.
+/// Calls two functions, in parallel if `threads` is greater than 1, and returns both results.
 pub(crate) fn join<A: Send, B: Send>(
     threads: usize,
     first: impl FnOnce() -> A + Send,

@@ -1,22 +1,22 @@
-//! A small dataset for unit tests: flights of `examples/mystery`, made with the effect `stall`.
+//! A small dataset for unit tests: flights of `examples/mystery`, generated with the effect `stall`.
 
 use identify::dataset::{self, Dataset};
 use identify::{Fit, FitOptions, Iterate, fit};
 
 use crate::context::{CandidateId, Context, DiagnosisOptions, EncompassingModel, ScoreTestModel};
 
-/// The model `disc`, which lacks the effect, fitted to three flights.
+/// The model `disc`, which lacks the effect `stall`, fitted to three flights of the dataset.
 pub(crate) struct Fixture {
-    /// The fit of the model under test.
+    /// Fit of the model under test.
     pub fit: Fit,
-    /// The score-test model.
+    /// Score-test model of the fitted flights.
     pub model: ScoreTestModel,
-    /// The fit in the score-test model.
+    /// Iterate of the fit, in the unknowns of the score-test model.
     pub iterate: Iterate,
 }
 
 impl Fixture {
-    /// A candidate by its display name.
+    /// Index of the candidate with the given display name; panics if there is none.
     pub fn candidate(&self, name: &str) -> CandidateId {
         let mut candidates = self.model.candidates();
         let found = candidates.find(|(_, candidate)| candidate.name == name);
@@ -24,7 +24,7 @@ impl Fixture {
     }
 }
 
-/// The first flights of `examples/mystery`.
+/// The first `flights` flights of `examples/mystery`.
 pub(crate) fn mystery(flights: usize) -> Dataset {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/mystery");
     let mut dataset = dataset::load(folder.as_ref()).unwrap();
@@ -32,7 +32,7 @@ pub(crate) fn mystery(flights: usize) -> Dataset {
     dataset
 }
 
-/// The fixture.
+/// Loads the dataset, fits the model `disc` and creates its score-test model.
 pub(crate) fn fixture() -> Fixture {
     let dataset = mystery(3);
     let model = model_spec::load::load("disc", &[]).unwrap();

@@ -1,6 +1,6 @@
 //! Formatting of numbers in sentences.
 
-/// A number with three significant figures.
+/// Formats a number with three or four significant figures, in exponential notation if very small or large.
 pub(crate) fn three_figures(value: f64) -> String {
     if value != 0.0 && (value.abs() < 1e-3 || value.abs() >= 1e4) {
         format!("{value:.2e}")
@@ -13,7 +13,7 @@ pub(crate) fn three_figures(value: f64) -> String {
     }
 }
 
-/// A length (m) in millimetres.
+/// Formats a length in m as millimetres with one decimal.
 pub(crate) fn millimetres(metres: f64) -> String {
     format!("{:.1} mm", 1e3 * metres)
 }

@@ -1,4 +1,4 @@
-//! Independent tasks on several threads, by rayon.
+//! Parallel evaluation of independent tasks on several threads, by rayon.
 
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
@@ -12,22 +12,22 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// ```
 ///
 /// # Panics
-/// Where `task` does.
+/// If `task` panics.
 pub fn each<R: Send>(count: usize, task: impl Fn(usize) -> R + Sync) -> Vec<R> {
     each_on(threads(), count, task)
 }
 
-/// Number of processors of the machine.
+/// Number of processors available to the program; 1 if it cannot be determined.
 pub fn threads() -> usize {
     std::thread::available_parallelism().map_or(1, |n| n.get())
 }
 
 /// Runs `task(0)`, …, `task(count - 1)` on `threads` threads; results are in index order and do not depend on
-/// `threads`. Uses the current rayon pool if it has as many threads, else a pool that later calls share; the calling
-/// thread for a single thread or task.
+/// `threads`. Uses the current rayon pool if it has this number of threads, otherwise a pool that later calls share.
+/// With a single thread or task, everything runs on the calling thread.
 ///
 /// # Panics
-/// Where `task` does.
+/// If `task` panics.
 pub fn each_on<R: Send>(threads: usize, count: usize, task: impl Fn(usize) -> R + Sync) -> Vec<R> {
     if threads.min(count) <= 1 {
         return (0..count).map(task).collect();
@@ -42,13 +42,14 @@ pub fn each_on<R: Send>(threads: usize, count: usize, task: impl Fn(usize) -> R 
     }
     match shared_pool(threads) {
         Ok(pool) => pool.install(parallel),
-        // The system refuses further threads.
+        // The operating system refuses further threads.
         Err(_) => (0..count).map(&task).collect(),
     }
 }
 
-/// Pool of `threads` threads: that of the last call if it has as many, else a new one, which replaces it. A fit calls
-/// thousands of times with one number of threads, so that it starts its threads once.
+/// Returns a pool of `threads` threads: the pool of the last call if it has this number of threads, otherwise a new
+/// one, which replaces it. A fit calls this thousands of times with the same number of threads and thus starts its
+/// threads only once.
 fn shared_pool(threads: usize) -> Result<Arc<ThreadPool>, ThreadPoolBuildError> {
     static LAST: Mutex<Option<Arc<ThreadPool>>> = Mutex::new(None);
     let mut last = LAST.lock().unwrap_or_else(PoisonError::into_inner);
@@ -77,7 +78,7 @@ mod tests {
             assert_eq!(results, (0..40).map(work).collect::<Vec<_>>());
         }
         assert!(each(0, |i| i).is_empty());
-        // In the same test: another one, at the same time, would replace the pool.
+        // In the same test, since another test that runs at the same time would replace the pool.
         let pool = shared_pool(13).expect("13 threads");
         let again = shared_pool(13).expect("the same 13 threads");
         assert!(Arc::ptr_eq(&pool, &again));

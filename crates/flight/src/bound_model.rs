@@ -1,10 +1,10 @@
-//! A compiled model with values of its parameters.
+//! A compiled model bound to values of its parameters.
 
 use crate::compiled_model::{CompiledModel, ModelState};
 use crate::functions::{EvaluationPoint, ModelFunctions, Workspace};
 use ode::{Event, StateVector};
 
-/// Compiled model with a value for each parameter; made by [`CompiledModel::bind`].
+/// Compiled model with a value for each parameter; created by [`CompiledModel::bind`].
 pub struct BoundModel<'a> {
     pub(crate) model: &'a CompiledModel,
     parameters: Vec<f64>,
@@ -12,7 +12,8 @@ pub struct BoundModel<'a> {
 }
 
 impl CompiledModel {
-    /// Binds the model to parameter values, in the order of the layout.
+    /// Binds the model to parameter values, in the order of the layout, and computes the invariants that depend on them
+    /// alone.
     pub fn bind(&self, parameters: Vec<f64>) -> BoundModel<'_> {
         let mut prepared = vec![0.0; self.functions.prepared_len()];
         self.functions.prepare(&parameters, &mut prepared);
@@ -25,12 +26,12 @@ impl CompiledModel {
 }
 
 impl BoundModel<'_> {
-    /// Limits of validity as events: an integration that crosses a limit fails with that limit's reason.
+    /// Limits of validity as events: an integration that crosses a limit fails with the reason of that limit.
     pub fn limits(&self) -> Vec<Event<'_, ModelState>> {
         self.limits_on()
     }
 
-    /// Limits of validity as events of a state vector that begins with the model's states, such as that of
+    /// Limits of validity as events for a state vector that begins with the model's states, such as that of
     /// [`ode::Sensitivities`].
     pub fn limits_on<X: StateVector>(&self) -> Vec<Event<'_, X>> {
         let limits = self.model.limits.iter().enumerate();
@@ -52,7 +53,7 @@ impl BoundModel<'_> {
         &*self.model.functions
     }
 
-    /// Arguments of the model's functions at time `t` and state `x`.
+    /// Arguments of the model's functions at time `t` (s) and state `x`.
     #[inline(always)]
     pub(crate) fn at<'p>(&'p self, t: f64, x: &'p [f64]) -> EvaluationPoint<'p> {
         EvaluationPoint {

@@ -1,4 +1,4 @@
-//! Model compiled for evaluation: generated code if its source hash matches the model, else a tape.
+//! Model compiled for evaluation: generated code if its source hash matches the model, otherwise a tape.
 
 use crate::functions::{ModelFunctions, SparsityPatterns};
 use crate::release::Release;
@@ -9,21 +9,21 @@ use codegen::tape_model::TapeModel;
 use model_spec::model::{Expr, ExprKind, Model, Observation, Shape};
 use std::borrow::Cow;
 
-/// State vector of a model, in the order of its layout.
+/// State vector of a model, in the order of the states in its layout.
 pub type ModelState = Box<[f64]>;
 
-/// Compiled model: layout, functions with derivatives, and limits of validity. [`bind`](Self::bind) gives it
-/// parameters.
+/// Compiled model: layout, functions with derivatives, and limits of validity. [`bind`](Self::bind) supplies the
+/// parameter values.
 pub struct CompiledModel {
     pub(crate) layout: Layout,
-    /// Bound and reason of each limit of validity.
+    /// Lower bound and reason of each limit of validity.
     pub(crate) limits: Vec<(f64, String)>,
     pub(crate) functions: Box<dyn ModelFunctions>,
     pub(crate) patterns: Patterns,
     is_generated: bool,
 }
 
-/// Sparsity patterns with the index type of the solver.
+/// Sparsity patterns with `usize` indices, as the solver requires.
 #[derive(Clone, Debug)]
 pub(crate) struct Patterns {
     pub jacobian: Vec<(usize, usize)>,
@@ -50,12 +50,12 @@ impl Patterns {
 }
 
 impl CompiledModel {
-    /// Uses the generated code whose source hash is that of the model; otherwise compiles the model to a tape.
+    /// Uses the generated code for this model if its source hash matches; otherwise compiles the model to a tape.
     pub fn new(model: &Model) -> CompiledModel {
         CompiledModel::generated(model).unwrap_or_else(|| CompiledModel::interpreted(model))
     }
 
-    /// The generated code whose source hash is that of the model, if there is any.
+    /// Compiled model from generated code; `None` if there is no generated code whose source hash is that of the model.
     fn generated(model: &Model) -> Option<CompiledModel> {
         let is_same = |code: &&generated::Model| code.source_hash == source_hash(model);
         let code = generated::model(&model.name).filter(is_same)?;
@@ -73,16 +73,16 @@ impl CompiledModel {
         CompiledModel::with_functions(model, Box::new(tape))
     }
 
-    /// Compiles the model to a tape specialized to given parameter values, (index in the layout, value): terms that
-    /// vanish at these values are removed, derivatives by these parameters remain. Bound values of these parameters
-    /// are ignored.
+    /// Compiles the model to a tape specialized to given parameter values, as pairs of index in the layout and value:
+    /// terms that vanish at these values are removed, derivatives by these parameters remain. Values that are later
+    /// bound to these parameters are ignored.
     pub fn specialized(model: &Model, fixed: &[(usize, f64)]) -> CompiledModel {
         let compiled = compile_at(model, &Selection::All, fixed, Effort::Quick);
         CompiledModel::with_functions(model, Box::new(TapeModel::new(&compiled)))
     }
 
-    /// As [`specialized`](Self::specialized), with derivatives by these parameters alone, given by their index in the
-    /// layout.
+    /// Like [`specialized`](Self::specialized), but with derivatives by `parameters` only, which are given by their
+    /// indices in the layout.
     pub fn specialized_by(
         model: &Model,
         fixed: &[(usize, f64)],
@@ -93,8 +93,8 @@ impl CompiledModel {
         CompiledModel::of_selection(model, &compiled)
     }
 
-    /// As [`new`](Self::new); a tape has derivatives by these parameters alone, given by their index in the layout: it is
-    /// compiled and evaluated faster.
+    /// Like [`new`](Self::new), but a tape has derivatives by `parameters` only, which are given by their indices in
+    /// the layout; such a tape is compiled and evaluated faster.
     pub fn with_derivatives_by(model: &Model, parameters: Vec<usize>) -> CompiledModel {
         CompiledModel::generated(model).unwrap_or_else(|| {
             let compiled = compile_for(model, &Selection::Only(parameters));
@@ -102,8 +102,9 @@ impl CompiledModel {
         })
     }
 
-    /// A tape whose measurement equation is an auxiliary variable of the model: its components in its own frame, a scalar
-    /// as the first of three. With derivatives by these parameters alone; `None` if the model has no such variable.
+    /// Compiles a tape whose measurement equation is the auxiliary variable `variable`: a vector by its components in
+    /// its own frame, a scalar as the first of three components. The tape has derivatives by `parameters` only, which
+    /// are given by their indices in the layout. `None` if the model has no such variable.
     pub fn observing(
         model: &Model,
         variable: &str,
@@ -132,12 +133,12 @@ impl CompiledModel {
         Some(CompiledModel::of_selection(&observing, &compiled))
     }
 
-    /// Compiles the model to a tape with derivatives by selected parameters.
+    /// Compiles the model to a tape with derivatives by the selected parameters only.
     pub(crate) fn compiled_for(model: &Model, selection: &Selection) -> CompiledModel {
         CompiledModel::of_selection(model, &compile_for(model, selection))
     }
 
-    /// A tape with derivatives by selected parameters.
+    /// Compiled model from a tape that has derivatives by selected parameters only.
     fn of_selection(model: &Model, compiled: &Compiled) -> CompiledModel {
         let mut model = CompiledModel::with_functions(model, Box::new(TapeModel::new(compiled)));
         let patterns = &mut model.patterns;
@@ -151,7 +152,7 @@ impl CompiledModel {
         model
     }
 
-    /// Compiled model with the given functions, which must be functions of `model`.
+    /// Creates a compiled model with the given functions, which must be those of `model`.
     pub fn with_functions(model: &Model, functions: Box<dyn ModelFunctions>) -> CompiledModel {
         let limits = model.limits.iter();
         CompiledModel {
@@ -175,12 +176,12 @@ impl CompiledModel {
         self.is_generated
     }
 
-    /// Names and indices of states, parameters and auxiliary variables.
+    /// Layout of the model: names and indices of states, parameters and auxiliary variables.
     pub fn layout(&self) -> &Layout {
         &self.layout
     }
 
-    /// Indices of the states that the observed position of a marker depends on, in increasing order.
+    /// Indices of the states on which the observed position of a marker depends, in increasing order.
     pub fn observed_states(&self) -> Vec<usize> {
         let entries = self.patterns.observation_by_state.iter();
         let mut states: Vec<usize> = entries.map(|(_, state)| *state).collect();
@@ -206,7 +207,7 @@ impl CompiledModel {
     }
 }
 
-/// The vector whose first component in the inertial frame is a scalar, and whose others are 0.
+/// Vector expression whose first component in the inertial frame is the scalar, and whose other components are 0.
 fn vector_of(scalar: Expr) -> Expr {
     let zero = || Expr {
         kind: ExprKind::Number {

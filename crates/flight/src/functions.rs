@@ -1,20 +1,20 @@
-//! Functions of a model in `f64`: one trait for all backends of the compiler.
+//! Evaluation of a model's functions in `f64`: one trait for all backends of the compiler.
 
 use codegen::tape_model::{At, Scratch, TapeModel};
 
-/// Scratch memory of an evaluation, reused from call to call.
+/// Scratch memory of an evaluation, reused between calls.
 pub type Workspace = Scratch;
 
-/// Arguments of a model's functions.
+/// Point at which a model's functions are evaluated: the arguments of these functions.
 #[derive(Clone, Copy, Debug)]
 pub struct EvaluationPoint<'a> {
     /// Time since release, s.
     pub t: f64,
-    /// State vector.
+    /// State vector, in the order of the layout.
     pub x: &'a [f64],
     /// Parameters, coefficients and input components, in the order of the layout.
     pub p: &'a [f64],
-    /// Values that [`ModelFunctions::prepare`] computed from `p`.
+    /// Parameter-only values that [`ModelFunctions::prepare`] computed from `p`.
     pub prepared: &'a [f64],
 }
 
@@ -25,9 +25,9 @@ pub struct SparsityPatterns<'a> {
     pub jacobian: &'a [(u32, u32)],
     /// Pattern of the parameter Jacobian ∂f/∂p.
     pub parameter_jacobian: &'a [(u32, u32)],
-    /// Pattern of ∂y/∂x, y the observed marker position.
+    /// Pattern of ∂y/∂x, where y is the observed marker position.
     pub observation_by_state: &'a [(u32, u32)],
-    /// Pattern of ∂y/∂p, y the observed marker position.
+    /// Pattern of ∂y/∂p, where y is the observed marker position.
     pub observation_by_parameter: &'a [(u32, u32)],
     /// Pattern of the derivative of the observed marker position by the marker's body-fixed coordinates.
     pub observation_by_marker: &'a [(u32, u32)],
@@ -36,18 +36,19 @@ pub struct SparsityPatterns<'a> {
 /// Functions of a compiled model: dx/dt = f(t, x, p), its Jacobians, the observed position y of a marker, named
 /// quantities and limits of validity.
 ///
-/// Results are written to slices of at least the model's sizes; shorter ones panic. Entries of Jacobians follow
-/// [`SparsityPatterns`].
+/// Results are written to slices that must have at least the size of the result; shorter slices cause a panic. The
+/// entries of Jacobians are in the order of [`SparsityPatterns`].
 pub trait ModelFunctions: Send + Sync {
-    /// Number of values that [`prepare`](Self::prepare) computes.
+    /// Number of values that [`prepare`](Self::prepare) writes.
     fn prepared_len(&self) -> usize;
-    /// Sparsity patterns of the Jacobians.
+    /// Sparsity patterns of the Jacobians that the functions compute.
     fn patterns(&self) -> SparsityPatterns<'_>;
-    /// Computes the invariants: values that depend on the parameters `p` alone.
+    /// Computes the invariants, which are values that depend on the parameters `p` alone, and writes them to
+    /// `prepared`.
     fn prepare(&self, p: &[f64], prepared: &mut [f64]);
-    /// State derivative f = dx/dt, in state units per second.
+    /// Computes the state derivative f = dx/dt, in state units per second.
     fn f(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, dx: &mut [f64]);
-    /// State derivative f and the entries of its state Jacobian ∂f/∂x.
+    /// Computes the state derivative f and the entries of its state Jacobian ∂f/∂x.
     fn f_jac(
         &self,
         at: EvaluationPoint<'_>,
@@ -55,7 +56,7 @@ pub trait ModelFunctions: Send + Sync {
         dx: &mut [f64],
         jacobian: &mut [f64],
     );
-    /// State derivative f and the entries of its Jacobians ∂f/∂x and ∂f/∂p.
+    /// Computes the state derivative f and the entries of its Jacobians ∂f/∂x and ∂f/∂p.
     fn f_jac_par(
         &self,
         at: EvaluationPoint<'_>,
@@ -64,7 +65,7 @@ pub trait ModelFunctions: Send + Sync {
         jacobian: &mut [f64],
         parameter_jacobian: &mut [f64],
     );
-    /// Position of a marker in the inertial frame, m, from its body-fixed coordinates, m.
+    /// Computes the position `y` of a marker in the inertial frame, m, from the marker's body-fixed coordinates, m.
     fn observe(
         &self,
         at: EvaluationPoint<'_>,
@@ -72,8 +73,8 @@ pub trait ModelFunctions: Send + Sync {
         workspace: &mut Workspace,
         y: &mut [f64; 3],
     );
-    /// Position of a marker, and its Jacobians by state, parameters and marker: `[by_state, by_parameter,
-    /// by_marker]`.
+    /// Computes the position `y` of a marker and its Jacobians by state, parameters and body-fixed marker coordinates,
+    /// in this order in `jacobians`.
     fn observe_jac(
         &self,
         at: EvaluationPoint<'_>,
@@ -82,9 +83,9 @@ pub trait ModelFunctions: Send + Sync {
         y: &mut [f64; 3],
         jacobians: [&mut [f64]; 3],
     );
-    /// Auxiliary variables of the model, in the order of the layout.
+    /// Computes the auxiliary variables of the model, in the order of the layout.
     fn quantities(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, q: &mut [f64]);
-    /// Left-hand sides of the limits of validity; the model holds where each is above its bound.
+    /// Computes the left-hand sides of the limits of validity; the model is valid if each one is above its bound.
     fn limits(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, l: &mut [f64]);
 }
 

@@ -1,11 +1,11 @@
 //! Runtime of a flight model: the compiled model, its parameters, its measurement equation, and releases.
 //!
 //! - [`CompiledModel`] holds the functions of a model ([`ModelFunctions`]), from generated code or an interpreted tape.
-//! - [`BoundModel`] adds values of its parameters. It gives the right-hand side for the solver of [`ode`], with or
+//! - [`BoundModel`] adds values of the parameters. It provides the right-hand side for the solver of [`ode`], with or
 //!   without Jacobians, the limits of validity as events, and a [`ModelObserver`] for marker positions.
 //! - [`release`] reads the initial conditions of a flight; [`simulate`] integrates them; [`trajectory_csv`] writes the
 //!   result.
-//! - [`throw`] is the motion at release in the terms of launch monitors.
+//! - [`throw`] describes the motion at release by the quantities that launch monitors report.
 //!
 //! ```
 //! use flight::CompiledModel;

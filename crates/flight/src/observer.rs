@@ -3,7 +3,7 @@
 use crate::bound_model::BoundModel;
 use crate::functions::Workspace;
 
-/// Measurement equation of a bound model.
+/// Measurement equation of a bound model: marker positions, auxiliary variables and limits of validity.
 pub struct ModelObserver<'a> {
     model: &'a BoundModel<'a>,
     workspace: Workspace,
@@ -12,20 +12,21 @@ pub struct ModelObserver<'a> {
     by_marker: Vec<f64>,
 }
 
-/// Sparse Jacobians of a marker's position (three rows: x, y, z of the inertial frame).
+/// Sparse Jacobians of a marker position y, whose three rows are the components in the inertial frame.
 pub struct ObservationJacobians<'o> {
-    /// (row, state) of each entry of ∂y/∂x, y the marker position.
+    /// (row, state) indices of each entry of ∂y/∂x.
     pub by_state_pattern: &'o [(usize, usize)],
     /// Entries of ∂y/∂x, m per state unit.
     pub by_state: &'o [f64],
-    /// (row, parameter) of each entry of ∂y/∂p, parameters in the order of the layout.
+    /// (row, parameter) indices of each entry of ∂y/∂p; parameters are in the order of the layout.
     pub by_parameter_pattern: &'o [(usize, usize)],
     /// Entries of ∂y/∂p, m per parameter unit.
     pub by_parameter: &'o [f64],
 }
 
 impl BoundModel<'_> {
-    /// Measurement equation of the model: marker positions and auxiliary variables as functions of time and state.
+    /// Creates the measurement equation of the model: marker positions and auxiliary variables as functions of time and
+    /// state.
     pub fn observer(&self) -> ModelObserver<'_> {
         let patterns = &self.model.patterns;
         ModelObserver {
@@ -50,7 +51,8 @@ impl ModelObserver<'_> {
         y
     }
 
-    /// Position of a marker, as from [`position`](Self::position), with its sparse Jacobians by state and parameters.
+    /// Position of a marker, as returned by [`position`](Self::position), with its sparse Jacobians by state and
+    /// parameters.
     pub fn position_with_jacobians(
         &mut self,
         t: f64,
@@ -88,7 +90,7 @@ impl ModelObserver<'_> {
         q
     }
 
-    /// Whether the state is within the model's domain of validity: every limit above its bound.
+    /// Whether the state is within the model's domain of validity: every limit exceeds its bound.
     pub fn is_within_limits(&mut self, t: f64, x: &[f64]) -> bool {
         let at = self.model.at(t, x);
         let limits = &self.model.model.limits;

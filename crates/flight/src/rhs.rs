@@ -1,4 +1,4 @@
-//! Right-hand side of the solver for a bound model.
+//! Right-hand side of a bound model for the solver of the crate `ode`.
 
 use crate::bound_model::BoundModel;
 use crate::compiled_model::ModelState;
@@ -13,7 +13,7 @@ pub struct ModelRhs<'a> {
 }
 
 impl BoundModel<'_> {
-    /// Right-hand side dx/dt = f(t, x) without Jacobians.
+    /// Creates the right-hand side dx/dt = f(t, x) without Jacobians.
     pub fn rhs(&self) -> ModelRhs<'_> {
         ModelRhs {
             model: self,
@@ -21,7 +21,7 @@ impl BoundModel<'_> {
         }
     }
 
-    /// Right-hand side with its Jacobians ∂f/∂x and ∂f/∂p, for [`ode::Sensitivities`].
+    /// Creates the right-hand side with its Jacobians ∂f/∂x and ∂f/∂p, for [`ode::Sensitivities`].
     pub fn differentiable_rhs(&self) -> DifferentiableModelRhs<'_> {
         DifferentiableModelRhs {
             model: self,

@@ -4,11 +4,11 @@ use crate::compiled_model::CompiledModel;
 use crate::release::{Release, Stop};
 use ode::{Event, IntegrationError, IntegrationOptions, Trajectory, integrate, integrate_to_event};
 
-/// Integrates a release of the model to its end. The apex and the ground (height `z` falls to 0) are recorded as
-/// events `apex` and `ground`.
+/// Integrates a release of the model to its end. The apex and the contact with the ground (height `z` falls to 0) are
+/// recorded as events `apex` and `ground`.
 ///
 /// # Errors
-/// [`IntegrationError`], also where a limit of validity is reached, or the ground is not reached within
+/// [`IntegrationError`] if the integration fails, a limit of validity is reached, or the ground is not reached within
 /// [`Release::MAX_DURATION`].
 ///
 /// ```

@@ -1,12 +1,12 @@
-//! Trajectory tables as CSV text.
+//! Formatting of trajectories as CSV tables.
 
 use ode::Trajectory;
 
-/// Trajectory as CSV: a header (`t` and the state names), then a row per sample, `rate` samples per second from the
-/// start, and a row at the end. SI units; each number has the fewest digits that read back exactly.
+/// Formats a trajectory as CSV: a header (`t` and the state names), then one row per sample, `rate` samples per second
+/// from the start, and a row at the end. Values are in SI units, with the fewest digits that read back exactly.
 ///
 /// # Panics
-/// If `names` has not one name per state, or `rate` is not positive.
+/// If the number of `names` is not the number of states, or `rate` is not positive.
 pub fn trajectory_csv(trajectory: &Trajectory, names: &[impl AsRef<str>], rate: f64) -> String {
     assert_eq!(names.len(), trajectory.states(), "one name per state");
     let mut text = String::from("t");

@@ -1,52 +1,54 @@
-//! Channels: what a flight's residuals are of, one vector or number per sample each.
+//! Measurement channels. A channel has one value per sample of a flight, a vector or a scalar, and one residual for
+//! each value.
 
 use model_spec::compose::Instrument;
 
 use crate::dataset::{Dataset, SensorKind};
 
-/// What a channel measures.
+/// Quantity that a channel measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ChannelKind {
-    /// Position of a point of the body in the inertial frame, m; of the marker with this index.
+    /// Position of a marker in the inertial frame, m; contains the index of the marker in the dataset.
     Marker(usize),
     /// Position of a pose sensor in the inertial frame, m.
     Position,
-    /// Attitude of the body, rad: its residual is a rotation vector in the inertial frame.
+    /// Attitude of the body as a rotation vector, rad. The residual is a rotation vector in the inertial frame.
     Attitude,
-    /// Quantity of an instrument, by its place in [`FitProblem::instruments`](crate::FitProblem).
+    /// Reading of an instrument; contains its index in [`FitProblem::instruments`](crate::FitProblem).
     Instrument(usize),
 }
 
-/// One channel of the observations.
+/// A measurement channel of the observations: a marker, or one quantity of a sensor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Channel {
     /// Name of the marker or sensor.
     pub name: String,
-    /// What it measures.
+    /// Quantity that the channel measures.
     pub kind: ChannelKind,
-    /// Where it sits, in the frame that markers are fixed in, m.
+    /// Position of the marker or sensor in the frame in which the markers are fixed, m.
     pub position: [f64; 3],
-    /// Number of components: 3, or 1 of a speed.
+    /// Number of components of a value: 3 for a vector, 1 for a speed.
     pub components: usize,
-    /// Group of channels whose noise is one process.
+    /// Index of the noise group of the channel. All channels of a group share the parameters of one noise process.
     pub group: usize,
-    /// Standard deviation of a component that the dataset states, in the unit of the channel.
+    /// Standard deviation of one component if the dataset gives it, in the unit of the channel.
     pub sigma: Option<f64>,
-    /// Metres per unit of the channel, by which its residuals are multiplied: 1 for markers. All channels then have about the
-    /// same noise, so that one scale serves losses and tolerances.
+    /// Factor by which residuals are multiplied, metres per unit of the channel; 1 for markers. All channels then have
+    /// about the same noise level, so that one scale serves for losses and tolerances.
     pub scale: f64,
-    /// Unit of a component.
+    /// Unit of one component of the measured value.
     pub unit: &'static str,
 }
 
 impl Channel {
-    /// Whether the channel is a position of a point, m.
+    /// Whether the channel measures the position of a point, m.
     pub fn is_position(&self) -> bool {
         matches!(self.kind, ChannelKind::Marker(_) | ChannelKind::Position)
     }
 }
 
-/// Channels of a dataset: its markers, then those of its sensors; and the instruments among them.
+/// Returns the channels of a dataset, markers first and then sensors, and the different kinds of instruments among the
+/// sensors.
 pub(crate) fn of_dataset(dataset: &Dataset) -> (Vec<Channel>, Vec<Instrument>) {
     let markers = dataset.markers.iter().enumerate();
     let mut channels: Vec<Channel> = markers

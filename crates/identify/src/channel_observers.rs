@@ -1,4 +1,4 @@
-//! Measurement equations of all channels at one set of parameters.
+//! Measurement equations of all channels for given parameters.
 
 use flight::{BoundModel, ModelObserver};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
@@ -7,7 +7,7 @@ use crate::channel::ChannelKind;
 use crate::marker_observers::{MarkerConditions, MarkerObservers};
 use crate::problem::FitProblem;
 
-/// Bound models for the measurement equations of all channels.
+/// Model bound to the parameters of one flight, for the measurement equations of all channels.
 pub struct ChannelConditions<'a> {
     problem: &'a FitProblem,
     markers: MarkerConditions<'a>,
@@ -15,7 +15,7 @@ pub struct ChannelConditions<'a> {
 }
 
 impl<'a> ChannelConditions<'a> {
-    /// Binds the parameters of a flight, in the order of the layout.
+    /// Binds the parameters of a flight, given in the order of the layout.
     pub fn new(problem: &'a FitProblem, parameters: &[f64]) -> Self {
         let channels = problem.channels.iter();
         let markers = channels
@@ -31,7 +31,7 @@ impl<'a> ChannelConditions<'a> {
         }
     }
 
-    /// Evaluators of the measurement equations.
+    /// Returns evaluators of the measurement equations.
     pub fn observers(&self) -> ChannelObservers<'_> {
         ChannelObservers {
             problem: self.problem,
@@ -41,21 +41,22 @@ impl<'a> ChannelConditions<'a> {
     }
 }
 
-/// Evaluators of the channels' measurement equations.
+/// Evaluators of the measurement equations of all channels.
 pub struct ChannelObservers<'a> {
     problem: &'a FitProblem,
     markers: MarkerObservers<'a>,
     instruments: Vec<ModelObserver<'a>>,
 }
 
-/// Index of no marker.
+/// Marker index of a point that is not a marker.
 const NO_MARKER: usize = usize::MAX;
 
-/// Unit vectors of the body, as points.
+/// Unit vectors along the axes of the body, as points in body components.
 const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 impl ChannelObservers<'_> {
-    /// Residual of a channel, predicted less measured, times its scale; at time `t` (s) and state `x`.
+    /// Residual of a channel, (predicted − measured) × scale of the channel, at time `t` (s) and state `x`. A scalar
+    /// residual is repeated in all three components.
     pub fn residual(&mut self, t: f64, x: &[f64], channel: usize, measured: [f64; 3]) -> [f64; 3] {
         let own = &self.problem.channels[channel];
         let y = match own.kind {
@@ -79,8 +80,8 @@ impl ChannelObservers<'_> {
         [0, 1, 2].map(|axis| (y[axis] - measured[axis]) * own.scale)
     }
 
-    /// Residual as from [`residual`](Self::residual), with its derivatives as `derive` writes them from those of an
-    /// observation into rows, one for each axis.
+    /// Returns the residual of [`residual`](Self::residual) and writes its derivatives into `rows`, one row per axis.
+    /// `derive` converts the Jacobians of an observation into rows.
     pub fn linearise(
         &mut self,
         (t, x): (f64, &[f64]),
@@ -119,7 +120,8 @@ impl ChannelObservers<'_> {
         [0, 1, 2].map(|axis| (y[axis] - measured[axis]) * own.scale)
     }
 
-    /// Residual of an attitude, rad, with its derivatives: it is linear in the directions of the body's axes.
+    /// Returns the attitude residual, rad, and writes its derivatives into `rows`. The residual is linear in the
+    /// predicted directions of the body's axes.
     fn attitude(
         &mut self,
         (t, x): (f64, &[f64]),
@@ -139,7 +141,7 @@ impl ChannelObservers<'_> {
             let (tip, by) = self.markers.linearise(t, x, (NO_MARKER, axis));
             derive(&by, &mut of_axis);
             predicted[k] = Vector3::from(tip) - origin;
-            // Of the direction alone: a scale of the measured axes is no turn.
+            // Derivative of the direction only: a change of the length of a predicted axis is no rotation.
             let length = predicted[k].norm();
             let direction = predicted[k] / length;
             let across = (Matrix3::identity() - direction * direction.transpose()) / length;
@@ -161,14 +163,14 @@ fn scale(rows: &mut [Vec<f64>; 3], scale: f64) {
     rows.iter_mut().flatten().for_each(|value| *value *= scale);
 }
 
-/// Axes of the body, as columns, of a rotation vector, rad.
+/// Rotation matrix of a rotation vector (rad); its columns are the axes of the body in the inertial frame.
 fn axes(rotation: [f64; 3]) -> Matrix3<f64> {
     let turn = UnitQuaternion::from_scaled_axis(Vector3::from(rotation));
     *turn.to_rotation_matrix().matrix()
 }
 
-/// Rotation vector, rad, from the measured attitude to the predicted directions of the body's axes: its length is the sine of
-/// the angle.
+/// Rotation vector from the measured attitude to the predicted directions of the body's axes. Its length is the sine of
+/// the rotation angle.
 fn rotation(measured: [f64; 3], predicted: [Vector3<f64>; 3]) -> Vector3<f64> {
     let seen = axes(measured);
     let each = predicted.iter().enumerate();

@@ -1,23 +1,23 @@
-//! Why a dataset cannot be fitted, and why one flight cannot be used.
+//! Errors of a fit, and reasons for which a single flight cannot be used.
 
 use crate::ids::FlightId;
 use crate::screening::DataFault;
 use crate::wording::count;
 
-/// Why one flight cannot be fitted or predicted.
+/// Reason why one flight cannot be fitted or predicted.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum FlightError {
-    /// No sample has a measured marker.
+    /// No sample of the flight has a measured marker.
     #[error("no marker is measured in any of its samples")]
     NoMeasurement,
-    /// Fewer measured coordinates than unknowns of the initial state.
+    /// The flight has fewer measured coordinates than its initial state has unknowns.
     #[error(
         "{measured} measured coordinates do not determine the {unknowns} unknowns of its initial state"
     )]
     TooFewCoordinates {
         /// Number of measured coordinates.
         measured: usize,
-        /// Number of directions in which the initial state may be varied.
+        /// Number of unknowns (free directions) of the initial state.
         unknowns: usize,
     },
     /// The dataset gives a known value under a name that the model does not have.
@@ -30,7 +30,7 @@ pub enum FlightError {
         name: String,
         /// Name of the model.
         model: String,
-        /// Inputs, constants and states of the model.
+        /// Names that are allowed: inputs, constants and states of the model.
         available: Vec<String>,
     },
     /// A parameter is both known for one flight and estimated for all flights.
@@ -47,31 +47,31 @@ pub enum FlightError {
         /// Names of all four components of the quaternion.
         components: Vec<String>,
     },
-    /// Too few samples determine the pose of a rigid body.
+    /// Too few samples determine the pose of the rigid body, so that there is no initial guess.
     #[error(
         "only {found} of its samples show three markers that are not collinear, and an initial guess needs {needed}"
     )]
     TooFewPoses {
         /// Number of samples that determine a pose.
         found: usize,
-        /// Number of samples required.
+        /// Minimum number of such samples for an initial guess.
         needed: usize,
     },
-    /// Too few samples determine the position of a point mass.
+    /// Too few samples determine the position of the point mass, so that there is no initial guess.
     #[error("only {found} of its samples show a position, and an initial guess needs {needed}")]
     TooFewPositions {
         /// Number of samples that determine a position.
         found: usize,
-        /// Number of samples required.
+        /// Minimum number of such samples for an initial guess.
         needed: usize,
     },
-    /// The flight's data have a fault.
+    /// Screening found a fault in the data of the flight.
     #[error("{}; {}", .0.detail, .0.mend)]
     DataFault(DataFault),
-    /// No pair of poses is near enough in time to give an angular velocity.
+    /// No two samples with a pose are near enough in time to give an angular velocity.
     #[error("no two neighbouring samples show three markers each")]
     NoNeighbouringPoses,
-    /// No state within the model's domain of validity reproduces the measured motion of the markers.
+    /// No state within the model's domain of validity reproduces the measured motion.
     #[error("the model has no state within its limits that moves as the markers do")]
     NoMatchingState,
     /// The trajectory cannot be integrated.
@@ -89,19 +89,19 @@ pub enum FlightError {
     /// No marker is measured after the conditioning segment of a held-out flight.
     #[error("no marker is measured in the samples that are to be predicted")]
     NothingMeasuredToPredict,
-    /// The residuals of the flight are far above those of the other flights, whatever its initial state.
+    /// The residuals of the flight are far larger than those of the other flights, from every initial state tried.
     #[error(
         "its residuals are {:.0} mm, where those of the other flights are {:.1} mm: it does not fly as they do",
         1e3 * scale,
         1e3 * usual
     )]
     UnlikeTheOthers {
-        /// Robust standard deviation of its residuals, m.
+        /// Robust standard deviation of the residuals of this flight, m.
         scale: f64,
-        /// Median of that of the other flights, m.
+        /// Median of the robust standard deviations of the other flights' residuals, m.
         usual: f64,
     },
-    /// The deadline passed before the flight was looked at.
+    /// The deadline passed before the flight was processed.
     #[error("the time limit was reached before it was looked at")]
     Deadline,
     /// The work was cancelled.
@@ -109,18 +109,18 @@ pub enum FlightError {
     Interrupted,
 }
 
-/// Where an unknown name comes from.
+/// Section of the dataset or option of the fit in which a name was given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NameSource {
-    /// `[parameters]` of the dataset.
+    /// The name is a key of `[parameters]` in the dataset.
     DatasetParameters,
-    /// [`FitOptions::fixed`](crate::FitOptions::fixed).
+    /// The name is in [`FitOptions::fixed`](crate::FitOptions::fixed).
     Fixed,
-    /// [`FitOptions::free`](crate::FitOptions::free).
+    /// The name is in [`FitOptions::free`](crate::FitOptions::free).
     Free,
-    /// [`FitOptions::priors`](crate::FitOptions::priors).
+    /// The name is in [`FitOptions::priors`](crate::FitOptions::priors).
     Prior,
-    /// [`FitOptions::profiles`](crate::FitOptions::profiles).
+    /// The name is in [`FitOptions::profiles`](crate::FitOptions::profiles).
     Profile,
 }
 
@@ -136,7 +136,7 @@ impl NameSource {
     }
 }
 
-/// A flight that cannot be used, with the reason.
+/// A flight that is excluded from the fit, with the reason.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExcludedFlight {
     /// Index of the flight in the dataset.
@@ -147,10 +147,10 @@ pub struct ExcludedFlight {
     pub reason: FlightError,
 }
 
-/// Why a dataset cannot be fitted.
+/// Reason why a dataset cannot be fitted.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum FitError {
-    /// A name in the dataset or the options that the model does not have.
+    /// The dataset or the options contain a name that the model does not have.
     #[error("{} {name}, and the model {model} has {}", given_in.phrase(), available.join(", "))]
     UnknownName {
         /// Section of the dataset or option that contains the name.
@@ -159,10 +159,10 @@ pub enum FitError {
         name: String,
         /// Name of the model.
         model: String,
-        /// Names that are allowed there.
+        /// Names that are allowed in this section or option.
         available: Vec<String>,
     },
-    /// A prior or a profile of a parameter that is fixed.
+    /// A prior or a profile is requested for a parameter that is not estimated.
     #[error("{} {name}, which is not estimated", given_in.phrase())]
     NotEstimated {
         /// Option that names the parameter: [`NameSource::Prior`] or [`NameSource::Profile`].
@@ -170,7 +170,7 @@ pub enum FitError {
         /// Name of the parameter.
         name: String,
     },
-    /// A number in the options is outside its range.
+    /// A value in the options is outside its allowed range.
     #[error("{option} of {name} is {value}, expected {expected}")]
     InvalidOption {
         /// Name of the option.
@@ -179,24 +179,24 @@ pub enum FitError {
         name: String,
         /// Invalid value of the option.
         value: f64,
-        /// Allowed range, in words.
+        /// Allowed range, as text for the message.
         expected: &'static str,
     },
-    /// The model has no measurement equation.
+    /// The model states no measurement equation.
     #[error("the model {model} does not say what is observed of it")]
     NoObservation {
         /// Name of the model.
         model: String,
     },
-    /// A sensor of the dataset does not fit the model.
+    /// The model has no measurement equation for a sensor of the dataset.
     #[error("the model {model} has no reading for the dataset's sensors: {reason}")]
     Sensor {
         /// Name of the model.
         model: String,
-        /// Reason in words.
+        /// Reason, as text for the message.
         reason: String,
     },
-    /// The markers do not determine the attitude of a body that rotates.
+    /// The model's body rotates, but the markers do not determine its attitude.
     #[error(
         "the model {model} turns, and {} do not show how: three are needed that are not in line",
         count(*markers, "marker")
@@ -204,24 +204,24 @@ pub enum FitError {
     AttitudeNotObservable {
         /// Name of the model.
         model: String,
-        /// Number of markers.
+        /// Number of markers of the dataset.
         markers: usize,
     },
     /// Every flight of the dataset is held out.
     #[error("every flight is held out: none is left to fit")]
     NothingToFit,
-    /// The values for a warm start do not match the number of unknowns.
+    /// The values given for a warm start do not match the number of global parameters or of states.
     #[error(
         "a warm start needs {globals} global values and initial states of lengths {states:?}, one per fitted flight"
     )]
     WarmStartSize {
         /// Number of global parameters.
         globals: usize,
-        /// Number of states of each fitted flight.
+        /// Expected number of states for each fitted flight.
         states: Vec<usize>,
     },
-    /// What the dataset says is known of a flight does not match the model, or the flight cannot be predicted from given
-    /// values of the unknowns.
+    /// The known values of a flight do not match the model, or the flight cannot be predicted from given values of the
+    /// unknowns.
     #[error("{file}: {reason}")]
     Flight {
         /// File name of the flight.
@@ -229,10 +229,10 @@ pub enum FitError {
         /// Reason why the flight cannot be used.
         reason: FlightError,
     },
-    /// The data of every flight to be fitted have a fault.
+    /// The data of every flight to be fitted have a fault. Contains the faults found.
     #[error("the data of every flight are faulty; do not rely on them:\n{}", first_faults(.0))]
     FaultyData(Vec<DataFault>),
-    /// No flight can be used; lists all excluded flights.
+    /// No flight can be fitted. Contains all excluded flights with their reasons.
     #[error("none of the flights can be fitted:\n{}", first_reasons(.0))]
     NoUsableFlight(Vec<ExcludedFlight>),
     /// The work was cancelled.
@@ -240,7 +240,7 @@ pub enum FitError {
     Interrupted,
 }
 
-/// Greatest number of excluded flights that an error message lists.
+/// Maximum number of flights or faults that an error message lists.
 const MAX_LISTED_FLIGHTS: usize = 10;
 
 fn first_faults(faults: &[DataFault]) -> String {

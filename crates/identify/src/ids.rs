@@ -1,4 +1,4 @@
-//! Index types of a fit.
+//! Index types for flights, global parameters and local parameters of a fit.
 
 use model_spec::index_type;
 
@@ -14,6 +14,7 @@ index_type!(
 );
 
 index_type!(
-    /// Index of a direction in which a flight's initial state may be varied (see [`StateManifold`](crate::StateManifold)).
+    /// Index of a local unknown of a flight: a direction in which its initial state may vary (see
+    /// [`StateManifold`](crate::StateManifold)).
     pub struct LocalId;
 );

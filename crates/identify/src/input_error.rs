@@ -1,23 +1,23 @@
-//! Errors in input files, with their location.
+//! Errors in input files, with file, line and column.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// A malformed input: its location, what was found and what was expected.
+/// A malformed input file: the location of the error, what was found there and what was expected.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct InputError {
     /// File that contains the error.
     pub file: PathBuf,
-    /// Line and column, from 1; `None` if the error concerns the whole file.
+    /// Line and column of the error, both counted from 1; `None` if the error concerns the whole file.
     pub place: Option<(usize, usize)>,
-    /// What was found at this location.
+    /// Description of the text or value found at this location.
     pub found: String,
-    /// What was expected instead.
+    /// Description of what was expected instead.
     pub expected: String,
 }
 
 impl InputError {
-    /// An error about a whole file.
+    /// Creates an error that concerns a whole file.
     pub fn of_file(file: &Path, found: impl Into<String>, expected: impl Into<String>) -> Self {
         Self {
             file: file.to_path_buf(),
@@ -27,7 +27,7 @@ impl InputError {
         }
     }
 
-    /// An error at a line and column, both from 1.
+    /// Creates an error at a line and column, both counted from 1.
     pub fn at(
         file: &Path,
         place: (usize, usize),
@@ -53,7 +53,7 @@ impl fmt::Display for InputError {
 
 impl std::error::Error for InputError {}
 
-/// Line and column (from 1, in characters) of a byte offset in a text.
+/// Line and column (both from 1, column in characters) of a byte offset in a text.
 pub fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
     let mut end = offset.min(text.len());
     while !text.is_char_boundary(end) {
@@ -69,10 +69,10 @@ pub fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
     (line, column)
 }
 
-/// Decodes the bytes of a file as UTF-8, without the byte-order mark.
+/// Decodes the bytes of a file as UTF-8 and removes a byte-order mark.
 ///
 /// # Errors
-/// [`InputError`] at the first byte that is not UTF-8.
+/// [`InputError`] with the location of the first byte that is not valid UTF-8.
 pub fn utf8<'a>(file: &Path, bytes: &'a [u8]) -> Result<&'a str, InputError> {
     match std::str::from_utf8(bytes) {
         Ok(text) => Ok(text.strip_prefix('\u{feff}').unwrap_or(text)),

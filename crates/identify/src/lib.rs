@@ -1,9 +1,10 @@
-//! Aerodynamic coefficients from measured flights: datasets, and the output-error fit of a model to all flights at once.
+//! Estimates aerodynamic coefficients from measured flights: datasets, and the output-error fit of a model to all
+//! flights at once.
 //!
-//! [`dataset`] reads and checks the formats. [`fit`] finds its own initial guesses, minimises the residuals (measured −
-//! predicted marker positions), weighted by a noise model that it estimates, with the exact sensitivities of the
-//! compiled model. The resulting [`Fit`] holds a [`FitReport`] with estimates, uncertainties and residual diagnostics.
-//! [`synthesize`] makes datasets whose true coefficients are known.
+//! [`dataset`] reads and checks the dataset formats. [`fit`] determines its own initial guesses and minimises the
+//! residuals (measured − predicted marker positions), weighted by a noise model that it estimates, with the exact
+//! sensitivities of the compiled model. The resulting [`Fit`] holds a [`FitReport`] with estimates, uncertainties and
+//! residual diagnostics. [`synthesize`] creates datasets whose true coefficients are known.
 
 mod channel;
 mod channel_observers;

@@ -4,15 +4,17 @@
 use flight::{BoundModel, CompiledModel, ModelObserver, ObservationJacobians};
 use model_spec::layout::ParamId;
 
-/// Components of the input `marker_is`, by which effects refer to single markers: component k is 1 for marker k and 0 for
-/// all others.
+/// Components of the model input `marker_is`, with which effects refer to single markers: component k is 1 in the
+/// measurement equation of marker k and 0 in all others.
 const MARKER_IS: [&str; 3] = ["marker_is_x", "marker_is_y", "marker_is_z"];
 
-/// Bound models, one per marker and one for points that are no markers, or one shared by all, for the measurement equations.
+/// Bound models for the measurement equations of the markers: a single model shared by all points; or one per marker
+/// and a last one for points that are not markers.
 pub struct MarkerConditions<'a>(Vec<BoundModel<'a>>);
 
 impl<'a> MarkerConditions<'a> {
-    /// Binds the same parameters for all `markers` markers; with the input `marker_is`, one model per marker.
+    /// Binds the parameters for a number of markers. If the model has the input `marker_is`, each marker has its own
+    /// bound model.
     pub fn new(body: &'a CompiledModel, parameters: &[f64], markers: usize) -> Self {
         let places = MARKER_IS.map(|name| body.layout().parameter(name).map(ParamId::index));
         if places.iter().all(Option::is_none) {
@@ -27,12 +29,12 @@ impl<'a> MarkerConditions<'a> {
             }
             body.bind(parameters)
         };
-        // The last is for points that are no markers.
+        // The last model is for points that are not markers.
         let each = (0..markers).map(Some).chain([None]);
         Self(each.map(bound).collect())
     }
 
-    /// Evaluators of the measurement equations.
+    /// Returns evaluators of the measurement equations.
     pub fn observers(&self) -> MarkerObservers<'_> {
         MarkerObservers(self.0.iter().map(BoundModel::observer).collect())
     }
@@ -47,8 +49,8 @@ impl<'a> MarkerObservers<'a> {
         &mut self.0[marker.min(last)]
     }
 
-    /// Predicted position of a marker in the inertial frame, m, at time `t` (s) and state `x`; `position` is its position in the
-    /// frame that it is fixed in, m.
+    /// Predicted position of a marker in the inertial frame, m, at time `t` (s) and state `x`. `marker` is its index
+    /// and `position` its coordinates in the frame in which it is fixed, m.
     pub fn position(
         &mut self,
         t: f64,
@@ -58,7 +60,8 @@ impl<'a> MarkerObservers<'a> {
         self.of(marker).position(t, x, position)
     }
 
-    /// Predicted marker position like [`position`](Self::position), with its derivatives.
+    /// Predicted marker position as [`position`](Self::position) returns it, with its Jacobians by state and
+    /// parameters.
     pub fn linearise(
         &mut self,
         t: f64,

@@ -2,64 +2,66 @@
 
 use std::ops::{Deref, DerefMut};
 
-/// Noise of all channels: one process for each group. It dereferences to that of the first group, which is that of the
-/// markers where there are any.
+/// Noise of all channels: one stationary AR(1) process per noise group. Dereferences to the process of the first group,
+/// which is the group of the markers if the dataset has markers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NoiseModel {
     groups: Vec<AxesNoise>,
-    /// Group of each channel; channels beyond are of the first.
+    /// Group of each channel, by channel index; a channel without an entry belongs to group 0.
     group_of: Vec<usize>,
 }
 
-/// Noise of one group of channels along each axis: a stationary AR(1) process.
+/// Noise of one group of channels: a stationary AR(1) process along each axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxesNoise {
-    /// Standard deviation along each axis, m; of channels other than positions, in their unit over their scale.
+    /// Standard deviation of the residuals along each axis, m. Residuals of channels other than positions are
+    /// multiplied by [`Channel::scale`](crate::Channel::scale) first.
     pub sigma: [f64; 3],
-    /// Lag autocorrelation at the time `interval`, along each axis.
+    /// Autocorrelation φ at lag `interval` along each axis.
     pub ar1: [f64; 3],
     /// Time between samples to which `ar1` refers, s.
     pub interval: f64,
 }
 
-/// Number of groups of channels, given the group of each channel.
+/// Number of noise groups, given the group of each channel; at least 1.
 pub fn group_count(group_of: &[usize]) -> usize {
     group_of.iter().max().map_or(1, |last| last + 1)
 }
 
-/// Greatest autocorrelation attributed to noise; a greater correlation of residuals indicates model error.
+/// Maximum autocorrelation attributed to noise. A higher correlation of residuals indicates model error.
 const MAX_AR1: f64 = 0.9;
 
-/// Least number of pairs of neighbouring residuals for an estimate of the autocorrelation.
+/// Minimum number of pairs of neighbouring residuals for an estimate of the autocorrelation.
 const MIN_PAIRS: usize = 20;
 
 impl NoiseModel {
-    /// White noise of standard deviation `sigma`, m, along every axis of every channel; `interval` in s.
+    /// Creates white noise of standard deviation `sigma` (m) along every axis of every channel, for a sampling interval
+    /// in s.
     pub fn white(sigma: f64, interval: f64) -> Self {
         AxesNoise::white(sigma, interval).into()
     }
 
-    /// Noise of groups of channels, and the group of each channel.
+    /// Creates the noise model from the noise of each group and the group of each channel.
     ///
     /// # Panics
-    /// Without groups.
+    /// Panics if `groups` is empty.
     pub fn of_groups(groups: Vec<AxesNoise>, group_of: Vec<usize>) -> Self {
         assert!(!groups.is_empty(), "noise of at least one group");
         Self { groups, group_of }
     }
 
-    /// Noise of a channel.
+    /// Noise of a channel, given its index.
     pub fn of(&self, channel: usize) -> &AxesNoise {
         let group = self.group_of.get(channel).copied().unwrap_or(0);
         &self.groups[group]
     }
 
-    /// Noise of every group.
+    /// Noise of every group, by group index.
     pub fn groups(&self) -> &[AxesNoise] {
         &self.groups
     }
 
-    /// The same standard deviations without correlation.
+    /// Copy with the same standard deviations and zero autocorrelation.
     pub fn uncorrelated(&self) -> Self {
         let white = self.groups.iter().map(|group| AxesNoise {
             ar1: [0.0; 3],
@@ -71,12 +73,13 @@ impl NoiseModel {
         }
     }
 
-    /// Whether standard deviations agree within 0.5 % and autocorrelations within 0.005.
+    /// Whether all standard deviations agree with those of `other` within 0.5 %, and all autocorrelations within 0.005.
     pub fn is_close_to(&self, other: &NoiseModel) -> bool {
         self.is_within(other, 0.005)
     }
 
-    /// Whether standard deviations agree within this fraction, and autocorrelations within this number.
+    /// Whether all standard deviations agree with those of `other` within the relative difference `tolerance`, and all
+    /// autocorrelations within the absolute difference `tolerance`.
     pub fn is_within(&self, other: &NoiseModel, tolerance: f64) -> bool {
         let mut pairs = self.groups.iter().zip(&other.groups);
         self.groups.len() == other.groups.len()
@@ -108,7 +111,7 @@ impl DerefMut for NoiseModel {
 }
 
 impl AxesNoise {
-    /// White noise of standard deviation `sigma`, m, along every axis; `interval` in s.
+    /// Creates white noise of standard deviation `sigma` (m) along every axis, for a sampling interval in s.
     pub fn white(sigma: f64, interval: f64) -> Self {
         Self {
             sigma: [sigma; 3],
@@ -117,8 +120,8 @@ impl AxesNoise {
         }
     }
 
-    /// Autocorrelation φ of residuals `gap` seconds apart along an axis, and the standard deviation of the innovation
-    /// r − φ r_previous, m.
+    /// Autocorrelation φ of residuals `gap` seconds apart along an axis, and the standard deviation (m) of the
+    /// innovation r − φ r_previous.
     pub fn innovation(&self, axis: usize, gap: f64) -> (f64, f64) {
         let intervals = gap / self.interval;
         let ar1 = self.ar1[axis];
@@ -127,13 +130,13 @@ impl AxesNoise {
         } else if ar1 >= 0.0 {
             ar1.powf(intervals)
         } else {
-            // A negative autocorrelation is defined over whole numbers of intervals alone.
+            // A negative autocorrelation is defined only for a whole number of intervals.
             ar1.powi(intervals.round().clamp(1.0, 1e6) as i32)
         };
         (phi, self.sigma[axis] * (1.0 - phi * phi).sqrt())
     }
 
-    /// Whether a time gap, s, is within 1 % of `interval`.
+    /// Whether the time difference `gap`, s, is within 1 % of `interval`.
     pub fn is_one_interval(&self, gap: f64) -> bool {
         (gap / self.interval - 1.0).abs() < 0.01
     }
@@ -152,23 +155,23 @@ impl AxesNoise {
     }
 }
 
-/// Sums over residuals from which the noise is estimated; sums of several flights are added.
+/// Sums over residuals from which the noise of a group is estimated. Sums of several flights can be added.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Moments {
-    /// Sum of squares along each axis, m².
+    /// Sum of squared residuals along each axis, m².
     pub squares: [f64; 3],
     /// Sum of products of neighbouring residuals along each axis, m².
     pub products: [f64; 3],
-    /// Sum of (r² + r_previous²)/2 over pairs of neighbouring residuals along each axis, m².
+    /// Sum of (r² + r_previous²)/2 over the pairs of neighbouring residuals along each axis, m².
     pub neighbours: [f64; 3],
     /// Number of residuals along each axis.
     pub count: usize,
-    /// Number of pairs of neighbouring residuals.
+    /// Number of pairs of neighbouring residuals: residuals of one channel that are about one sampling interval apart.
     pub pairs: usize,
 }
 
 impl Moments {
-    /// Adds the residuals of one channel of a flight, m; `None` for a missing value.
+    /// Adds the residuals (m) of one channel of a flight at `times` (s); `None` marks a missing value.
     pub fn add(&mut self, times: &[f64], residuals: &[Option<[f64; 3]>], interval: f64) {
         let mut before: Option<(f64, [f64; 3])> = None;
         for (&time, residual) in times.iter().zip(residuals) {
@@ -190,7 +193,7 @@ impl Moments {
         }
     }
 
-    /// Adds the sums of other flights.
+    /// Adds the sums of `other`, such as those of other flights.
     pub fn join(&mut self, other: &Moments) {
         for axis in 0..3 {
             self.squares[axis] += other.squares[axis];
@@ -201,8 +204,8 @@ impl Moments {
         self.pairs += other.pairs;
     }
 
-    /// Estimates the noise from residuals after a fit of `unknowns` unknowns; a `given` standard deviation (m)
-    /// replaces the estimated one.
+    /// Estimates the noise from the sums of residuals of a fit with `unknowns` unknowns. A `given` standard deviation
+    /// (m) replaces the estimated one.
     pub fn noise(&self, unknowns: usize, interval: f64, given: Option<f64>) -> AxesNoise {
         let measured = 3 * self.count;
         let spread = measured as f64 / measured.saturating_sub(unknowns).max(1) as f64;
@@ -226,10 +229,12 @@ impl Moments {
     }
 }
 
-/// Outlier threshold of the local-linear residual, in standard deviations: 7 in a million normal residuals exceed it.
+/// Outlier threshold of the local-linear residual, in standard deviations. A normal variable exceeds it in magnitude
+/// with probability 7 × 10⁻⁶.
 pub const OUTLIER_LIMIT: f64 = 4.5;
 
-/// Limit of Huber's loss over its scale: quadratic below, linear above.
+/// Transition point of Huber's loss, in units of its scale × √(number of components of the residual): the loss is
+/// quadratic below and linear above.
 pub const HUBER_LIMIT: f64 = 2.0;
 
 #[cfg(test)]

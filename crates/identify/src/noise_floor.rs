@@ -1,11 +1,14 @@
-//! Noise of measured coordinates without a model of the motion: what no smooth path can follow.
+//! Noise of measured coordinates, estimated without a model of the motion as the part of the data that no smooth path
+//! can follow.
 //!
-//! The position of the body's origin (from the pose in each sample, so that spin does not matter; of a point mass the
-//! mean of its markers) is compared with the cubic through its neighbours in time. The median over many samples is
-//! robust to outliers. What biases the estimate: noise that is correlated from sample to sample is partly followed by
-//! the cubic, so that an AR(1) noise of coefficient 0.6 is underestimated by a factor of about 0.6 and one of 0.9 by
-//! 0.3; errors of the marker positions on a spinning body are counted as noise, as no smooth path follows them; a path
-//! that is far from a cubic over nine samples raises the estimate.
+//! The position of the body's origin is compared with the least-squares cubic through its neighbours in time. For a
+//! rigid body, the origin is computed from the pose in each sample, so that spin has no effect; for a point mass, it is
+//! the mean over its markers. The median over many samples is robust to outliers.
+//!
+//! Sources of bias: the cubic partly follows noise that is correlated between samples, so that an AR(1) noise of
+//! coefficient 0.6 is underestimated by a factor of about 0.6, and one of coefficient 0.9 by 0.3. Errors of the marker
+//! positions on a spinning body count as noise, as no smooth path follows them. A path that is far from a cubic over
+//! nine samples raises the estimate.
 
 use nalgebra::{Matrix4, Vector3, Vector4};
 
@@ -14,31 +17,33 @@ use crate::pose::{Pose, point_position};
 use crate::problem::FitProblem;
 use crate::statistics::{median, robust_sigma};
 
-/// Number of neighbours on either side of a sample.
+/// Number of neighbours on each side of a sample through which the cubic is fitted.
 const SIDE: usize = 4;
 
-/// Greatest ratio of the time spanned by the neighbours to that of evenly spaced ones.
+/// Maximum time span of a window of samples, relative to the span of a window without missing samples. Windows with a
+/// longer span are skipped.
 const MAX_GAP_RATIO: f64 = 1.5;
 
-/// Greatest number of samples of one flight that are compared.
+/// Maximum number of samples of one flight that are compared with a cubic; longer flights are subsampled.
 const MAX_SAMPLES: usize = 60;
 
-/// Least number of samples for an estimate.
+/// Minimum number of compared samples for an estimate.
 const MIN_SAMPLES: usize = 8;
 
-/// Ratio of a sample's variance about the rigid body to the median variance above which the sample contains an outlier.
+/// Ratio of a sample's variance about the rigid body to the median variance, above which the sample is skipped because
+/// it contains an outlier.
 const MAX_VARIANCE_RATIO: f64 = 25.0;
 
-/// Position of the body's origin in one sample.
+/// Measured position of the body's origin in one sample.
 struct TrackPoint {
     time: f64,
     position: Vector3<f64>,
-    /// Number of markers that were averaged.
+    /// Number of markers from which the position was computed.
     markers: f64,
 }
 
-/// Standard deviation of the noise of one marker coordinate along each axis, m, from the samples of one flight alone;
-/// `None` if there are too few.
+/// Standard deviation of the noise of one marker coordinate along each axis, m, estimated from the samples of one
+/// flight alone; `None` if the flight has too few samples.
 pub fn noise_floor(problem: &FitProblem, observations: &Observations) -> Option<[f64; 3]> {
     let samples = 0..observations.times.len();
     let poses: Vec<Option<Pose>> = match problem.has_attitude {
@@ -50,7 +55,7 @@ pub fn noise_floor(problem: &FitProblem, observations: &Observations) -> Option<
     noise_floor_by_poses(problem, observations, &poses)
 }
 
-/// As [`noise_floor`], with the pose in each sample of a body that has an attitude.
+/// Noise floor as [`noise_floor`] computes it, given the pose in each sample if the body has an attitude.
 pub(crate) fn noise_floor_by_poses(
     problem: &FitProblem,
     observations: &Observations,
@@ -77,7 +82,7 @@ pub(crate) fn noise_floor_by_poses(
     (sizes[0].len() >= MIN_SAMPLES).then(|| sizes.map(|mut sizes| robust_sigma(&mut sizes)))
 }
 
-/// Median over flights of their noise along each axis, m; `None` without any.
+/// Median over flights of their noise floors, along each axis, m; `None` if `flights` is empty.
 pub fn median_noise_floor(flights: &[[f64; 3]]) -> Option<[f64; 3]> {
     (!flights.is_empty()).then(|| {
         [0, 1, 2].map(|axis| {
@@ -92,7 +97,7 @@ fn track(
     observations: &Observations,
     poses: &[Option<Pose>],
 ) -> Vec<TrackPoint> {
-    // A sample whose markers are far from rigid contains an outlier.
+    // A sample whose marker distances differ much from the rigid body contains an outlier.
     let mut variances: Vec<f64> = poses.iter().flatten().map(Pose::variance).collect();
     let limit = MAX_VARIANCE_RATIO * median(&mut variances);
     let samples = observations.times.iter().enumerate();
@@ -121,19 +126,21 @@ fn track(
         .collect()
 }
 
-/// Weights of the neighbours that give the value of their least-squares cubic at the middle sample.
+/// Weights of the neighbours' positions whose weighted sum is the value of their least-squares cubic at the middle
+/// sample.
 #[derive(Default)]
 struct Interpolation {
     offsets: [f64; 2 * SIDE],
     weights: [f64; 2 * SIDE],
 }
 
-/// Relative difference up to which times count as equal, so that evenly spaced samples share their weights.
+/// Relative difference up to which times are considered equal, so that the weights are reused for evenly spaced
+/// samples.
 const SAME_TIME: f64 = 1e-6;
 
 impl Interpolation {
-    /// Middle position less the cubic through its neighbours, over the ratio of its standard deviation to that of one
-    /// marker coordinate, m; `None` for times that coincide.
+    /// Difference between the middle position and the cubic through its neighbours, m, scaled so that its standard
+    /// deviation is that of one marker coordinate; `None` if times coincide.
     fn residual(&mut self, window: &[TrackPoint]) -> Option<Vector3<f64>> {
         let middle = &window[SIDE];
         let neighbours = || window[..SIDE].iter().chain(&window[SIDE + 1..]);

@@ -1,4 +1,4 @@
-//! Observations of one flight: its usable samples, its known values, and the directions of its initial state.
+//! Observations of one flight: its usable samples, its known values, and the free directions of its initial state.
 
 use std::ops::Range;
 
@@ -13,7 +13,7 @@ use crate::report::Truncation;
 use crate::state_manifold::StateManifold;
 use crate::statistics::median;
 
-/// Samples of one flight from the first to the last with a measured value, and what is known of the flight.
+/// Samples of one flight from the first to the last measured value, with the known values of the flight.
 #[derive(Clone, Debug)]
 pub struct Observations {
     /// File name of the flight.
@@ -22,31 +22,32 @@ pub struct Observations {
     pub role: Role,
     /// Time of the first sample in the table, s.
     pub origin: f64,
-    /// Times of the samples since the first, s.
+    /// Times of the samples relative to the first one used, s.
     pub times: Vec<f64>,
-    /// `measured[sample * channels + channel]`: position, m, inertial frame; rotation vector of an attitude, rad; reading of
-    /// an instrument in its unit, a single number three times. `None` for a missing value.
+    /// Measured values, as `measured[sample * channels + channel]`: position in the inertial frame, m; rotation vector
+    /// of an attitude, rad; or reading of an instrument in its unit. A scalar reading is repeated three times. `None`
+    /// for a missing value.
     pub measured: Vec<Option<[f64; 3]>>,
     /// `outlier[sample * channels + channel]`: whether the value is excluded as an outlier.
     pub outlier: Vec<bool>,
-    /// Number of channels; markers are the first.
+    /// Number of channels; marker channels come first.
     pub channels: usize,
-    /// Number of points that show the pose, as [`FitProblem::markers`].
+    /// Number of points from which the pose is determined, as in [`FitProblem::markers`].
     pub markers: usize,
-    /// `stand_ins[sample * markers + point]`: points that show the pose where these are not the markers themselves; empty
-    /// otherwise.
+    /// Measured positions, as `stand_ins[sample * markers + point]`, m, of the points from which the pose is
+    /// determined, if they include points that represent a pose sensor; empty if all points are markers.
     pub stand_ins: Vec<Option<[f64; 3]>>,
-    /// Parameters of the flight in the order of the layout, SI; global parameters still have their initial values.
+    /// Parameters of the flight in the order of the layout, SI. Global parameters have their initial values here.
     pub parameters: Vec<f64>,
     /// Known states at the first sample, SI.
     pub known_states: Vec<(StateId, f64)>,
-    /// Directions in which the initial state may be varied.
+    /// Manifold on which the initial state varies.
     pub manifold: StateManifold,
-    /// Number of samples in the table, without those that were truncated.
+    /// Number of samples in the table of the flight, not counting truncated ones.
     pub samples: usize,
-    /// Where and why the samples were truncated, if they were.
+    /// Time and reason of the truncation; `None` if all samples are used.
     pub truncation: Option<Truncation>,
-    /// Messages for the report.
+    /// Remarks on the flight for the report.
     pub notes: Vec<String>,
 }
 
@@ -54,8 +55,9 @@ impl Observations {
     /// Extracts the samples of a flight from the first to the last measured value.
     ///
     /// # Errors
-    /// [`FlightError::NoMeasurement`]; [`FlightError::UnknownKnownValue`] or [`FlightError::KnownAndEstimated`] for
-    /// known values that do not match the problem.
+    /// [`FlightError::NoMeasurement`] if nothing is measured; [`FlightError::UnknownKnownValue`],
+    /// [`FlightError::PartialQuaternion`] or [`FlightError::KnownAndEstimated`] if the known values do not match the
+    /// problem.
     pub fn new(problem: &FitProblem, flight: &Flight) -> Result<Self, FlightError> {
         let all = 0..flight.times.len();
         let is_measured =
@@ -106,7 +108,8 @@ impl Observations {
         })
     }
 
-    /// Observations of the flight with the samples and the outliers of those of another problem; `None` if they do not match.
+    /// Observations of `flight` for `problem`, with the samples, outliers, truncation and notes of `other`. `None` if
+    /// the channels or times differ from those of `other`, or if the flight cannot be used.
     pub(crate) fn like(problem: &FitProblem, flight: &Flight, other: &Self) -> Option<Self> {
         let mut observations = Self::new(problem, flight).ok()?;
         let samples = other.times.len();
@@ -123,7 +126,7 @@ impl Observations {
         Some(observations)
     }
 
-    /// Measured positions of the points that show the pose in one sample, m.
+    /// Measured positions, m, of the points from which the pose is determined, in one sample.
     pub fn points(&self, sample: usize) -> &[Option<[f64; 3]>] {
         match self.stand_ins.is_empty() {
             true => &self.measured[sample * self.channels..][..self.markers],
@@ -131,35 +134,35 @@ impl Observations {
         }
     }
 
-    /// Measured value of a channel; `None` if missing.
+    /// Measured value of a channel in a sample; `None` if it is missing.
     pub fn value(&self, sample: usize, channel: usize) -> Option<[f64; 3]> {
         self.measured[sample * self.channels + channel]
     }
 
-    /// Measured value of a channel; `None` if missing or an outlier.
+    /// Measured value of a channel in a sample; `None` if it is missing or an outlier.
     pub fn inlier(&self, sample: usize, channel: usize) -> Option<[f64; 3]> {
         let index = sample * self.channels + channel;
         self.measured[index].filter(|_| !self.outlier[index])
     }
 
-    /// Number of points that are excluded as outliers.
+    /// Number of measured values that are excluded as outliers.
     pub fn outliers(&self) -> usize {
         self.outlier.iter().filter(|outlier| **outlier).count()
     }
 
-    /// Number of samples up to `time`, s after the first sample.
+    /// Number of samples up to and including `time`, s after the first sample.
     pub fn samples_until(&self, time: f64) -> usize {
         self.times.partition_point(|t| *t <= time)
     }
 
-    /// Median time between neighbouring samples, s; `None` for a single sample.
+    /// Median time between consecutive samples, s; `None` for a single sample.
     pub fn interval(&self) -> Option<f64> {
         let pairs = self.times.windows(2);
         let mut intervals: Vec<f64> = pairs.map(|pair| pair[1] - pair[0]).collect();
         (!intervals.is_empty()).then(|| median(&mut intervals))
     }
 
-    /// Drops all but the first `samples` samples, and records the reason.
+    /// Drops all but the first `samples` samples, and records the time and the reason `why`.
     pub fn truncate(&mut self, samples: usize, why: String) {
         let dropped = self.times.len() - samples;
         self.keep(samples);
@@ -171,14 +174,15 @@ impl Observations {
         });
     }
 
-    /// A copy with only the first `samples` samples.
+    /// Copy that contains only the first `samples` samples.
     pub fn first_samples(&self, samples: usize) -> Observations {
         let mut first = self.clone();
         first.keep(samples);
         first
     }
 
-    /// The samples of a range as a flight of their own, whose initial state is not known. Times stay as they are.
+    /// Observations of a range of samples, as a separate flight. Its initial state is not known unless the range starts
+    /// at the first sample. Times remain relative to the first sample of the whole flight.
     pub(crate) fn arc(&self, problem: &FitProblem, samples: Range<usize>) -> Observations {
         let is_first = samples.start == 0;
         let mut arc = self.longer(self, samples);
@@ -189,7 +193,8 @@ impl Observations {
         arc
     }
 
-    /// This arc of a flight, with the samples of another range of the flight.
+    /// Copy of this arc with the samples of another range of the whole `flight`. The manifold and known values of the
+    /// arc remain.
     pub(crate) fn longer(&self, flight: &Observations, samples: Range<usize>) -> Observations {
         let points = samples.start * self.channels..samples.end * self.channels;
         let stand_ins = samples.start * self.markers..samples.end * self.markers;
@@ -215,7 +220,7 @@ impl Observations {
         self.stand_ins.truncate(samples * self.markers);
     }
 
-    /// Overwrites the known states of an initial state with their known values.
+    /// Returns the initial state with its known components set to their known values.
     pub fn with_known_states(&self, mut state: DVector<f64>) -> DVector<f64> {
         for &(id, value) in &self.known_states {
             state[id.index()] = value;
@@ -233,7 +238,7 @@ impl Observations {
     }
 }
 
-/// Values of all channels in one sample, as [`Observations::measured`].
+/// Values of all channels in one sample, in the format of [`Observations::measured`].
 fn row<'f>(
     problem: &'f FitProblem,
     flight: &'f Flight,
@@ -252,7 +257,8 @@ fn row<'f>(
     }))
 }
 
-/// Points that show the pose in a sample: the markers, then those that stand for pose sensors.
+/// Measured positions of the points from which the pose is determined, in one sample: the markers, then the points that
+/// represent pose sensors.
 fn stand_ins(
     problem: &FitProblem,
     flight: &Flight,
@@ -270,7 +276,7 @@ fn stand_ins(
     seen.into_iter()
 }
 
-/// Median of the flights' sampling intervals, s; 1 if none has two samples.
+/// Median over flights of their sampling intervals, s; 1 if no flight has two samples.
 pub fn median_interval<'o>(flights: impl IntoIterator<Item = &'o Observations>) -> f64 {
     let intervals = flights.into_iter().filter_map(Observations::interval);
     let mut intervals: Vec<f64> = intervals.collect();

@@ -1,4 +1,4 @@
-//! Options of a fit, its progress and its cancellation.
+//! Options of a fit, progress reports and cancellation.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -7,39 +7,42 @@ use std::time::Instant;
 use crate::error::FitError;
 use crate::screening::DataFault;
 
-/// Options of a fit. The default estimates every coefficient of the model within the model's bounds, without priors and
-/// profiles, on all processors.
+/// Options of a fit. By default, every coefficient of the model is estimated within the model's bounds, without priors
+/// or profiles, on all processors.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FitOptions<'a> {
-    /// Coefficients that are fixed: at a value (SI), or at the model's value.
+    /// Coefficients that are not estimated, each with its fixed value (SI); `None` fixes a coefficient at the model's
+    /// value.
     pub fixed: &'a [(String, Option<f64>)],
-    /// Constants and components of inputs (`wind_x`) that are estimated too, one value for all flights.
+    /// Constants and components of inputs (such as `wind_x`) that are estimated in addition to the coefficients, with
+    /// one value for all flights.
     pub free: &'a [String],
     /// Gaussian priors of global parameters.
     pub priors: &'a [Prior],
-    /// Whether coefficients may leave the bounds of the model.
+    /// Whether estimates may leave the bounds that the model gives for its coefficients.
     pub unbounded: bool,
-    /// Global parameters whose likelihood is profiled.
+    /// Names of the global parameters whose profile likelihood is computed.
     pub profiles: &'a [String],
-    /// Whether flights with a [`DataFault`](crate::DataFault) are used nevertheless; the report lists the faults either way.
+    /// Whether flights with a [`DataFault`](crate::DataFault) are fitted nevertheless. The report lists the faults in
+    /// both cases.
     pub trust_data: bool,
-    /// Faults that an earlier fit of the same flights reported; none to look for them.
+    /// Faults that an earlier fit of the same flights reported; `None` if the data are to be screened.
     pub known_faults: Option<&'a [DataFault]>,
-    /// Number of threads; none for the number of processors. The result does not depend on it.
+    /// Number of threads; `None` for the number of processors. The result does not depend on it.
     pub threads: Option<usize>,
-    /// Receives the progress.
+    /// Receiver of progress reports.
     pub progress: Option<&'a dyn Progress>,
-    /// Cancels the fit.
+    /// Token with which another thread can cancel the fit.
     pub cancellation: Option<&'a CancellationToken>,
-    /// Time at which the iteration stops with the best answer so far, whose status is
-    /// [`FitStatus::Deadline`](crate::FitStatus::Deadline). That answer depends on the speed of the machine.
+    /// Time at which the iteration stops and returns the best estimates so far, with status
+    /// [`FitStatus::Deadline`](crate::FitStatus::Deadline). These estimates depend on the speed of the machine.
     pub deadline: Option<Instant>,
 }
 
 /// Gaussian prior of a global parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Prior {
-    /// Name of the parameter.
+    /// Name of the global parameter.
     pub name: String,
     /// Mean of the prior distribution, in the SI unit of the parameter.
     pub value: f64,
@@ -47,35 +50,35 @@ pub struct Prior {
     pub sigma: f64,
 }
 
-/// Receives the progress of a fit, from any thread.
+/// Receiver of progress reports of a fit. Methods may be called from any thread.
 pub trait Progress: std::fmt::Debug + Sync {
-    /// A stage starts, which works on this number of flights. It may go over them several times.
+    /// Called when a stage starts that processes `flights` flights. A stage may process every flight several times.
     fn stage_started(&self, stage: &str, flights: usize);
-    /// The stage has finished work on one flight.
+    /// Called when the stage has processed one flight.
     fn flight_done(&self);
 }
 
-/// Cancels work from another thread; clones cancel the same work.
+/// Flag with which another thread cancels work. All clones share one flag.
 #[derive(Clone, Debug, Default)]
 pub struct CancellationToken(Arc<AtomicBool>);
 
 impl CancellationToken {
-    /// Cancels the work.
+    /// Requests cancellation.
     pub fn cancel(&self) {
         self.0.store(true, Ordering::Relaxed);
     }
 
-    /// Whether the work is cancelled.
+    /// Whether cancellation was requested.
     pub fn is_cancelled(&self) -> bool {
         self.0.load(Ordering::Relaxed)
     }
 }
 
 impl FitOptions<'_> {
-    /// Checks the numbers in the options: finite values, positive standard deviations, at least one thread.
+    /// Checks that values are finite, standard deviations positive, and the number of threads at least 1.
     ///
     /// # Errors
-    /// [`FitError::InvalidOption`].
+    /// [`FitError::InvalidOption`] if a value is outside its allowed range.
     pub fn validate(&self) -> Result<(), FitError> {
         let invalid = |option, name: &str, value, expected| {
             Err(FitError::InvalidOption {
@@ -129,19 +132,19 @@ impl FitOptions<'_> {
         }
     }
 
-    /// Whether the work is cancelled.
+    /// Whether cancellation of the fit was requested.
     pub fn is_cancelled(&self) -> bool {
         let token = self.cancellation;
         token.is_some_and(CancellationToken::is_cancelled)
     }
 
-    /// Whether the deadline has passed.
+    /// Whether the deadline has passed; `false` without a deadline.
     pub fn is_past_deadline(&self) -> bool {
         self.deadline
             .is_some_and(|deadline| Instant::now() >= deadline)
     }
 
-    /// Number of threads, at least 1.
+    /// Number of threads to use, at least 1.
     pub fn threads(&self) -> usize {
         self.threads.unwrap_or_else(flight::batch::threads).max(1)
     }

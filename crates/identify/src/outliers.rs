@@ -1,22 +1,21 @@
-//! Outliers: points whose residual is far from the line through neighbouring residuals.
+//! Outlier detection: a value is an outlier if its residual is far from the line through the neighbouring residuals.
 //!
-//! Model error is smooth in time: subtracting a line through the neighbours removes it, so it does not count as an
-//! outlier.
+//! Model error is smooth in time: the line through the neighbours removes it, so that it is not mistaken for outliers.
 
 use crate::noise::{OUTLIER_LIMIT, group_count};
 use crate::statistics::{median, robust_sigma};
 
-/// Number of neighbours on either side through which the line is fitted; two of them may be outliers.
+/// Number of neighbours on each side through which the line is fitted. Two of these points may be outliers.
 const SIDE: usize = 4;
 
-/// Least number of points of a marker for outlier detection.
+/// Minimum number of measured values of a channel for outlier detection.
 const MIN_POINTS: usize = 5;
 
-/// Residuals `[marker][sample]` of a flight, m; `None` for a missing value.
+/// Residuals of a flight as `[channel][sample]`, m; `None` for a missing value.
 pub type Residuals = [Vec<Option<[f64; 3]>>];
 
-/// Local-linear residuals `[marker][sample]`, m: each residual minus the line through its neighbours, divided by the
-/// standard deviation ratio of this difference to a residual. The line is a least-squares line, or a Theil–Sen line
+/// Local-linear residuals as `[channel][sample]`, m: the difference of each residual from the line through its
+/// neighbours, scaled to the standard deviation of a residual. The line is a least-squares line, or a Theil–Sen line
 /// for possible outliers.
 pub fn local_residuals(times: &[f64], residuals: &Residuals) -> Vec<Vec<Option<[f64; 3]>>> {
     let all: Vec<Series> = residuals
@@ -27,7 +26,7 @@ pub fn local_residuals(times: &[f64], residuals: &Residuals) -> Vec<Vec<Option<[
         .iter()
         .map(|series| series.local_residuals(residuals[0].len()))
         .collect();
-    // The Theil–Sen line costs more, and only outliers need it.
+    // The Theil–Sen line is expensive, and only possible outliers need it.
     let limit = robust_scale(&local_residuals).map(|scale| THEIL_SEN_LIMIT * scale);
     let mut space = Vec::with_capacity(SIDE * (2 * SIDE - 1));
     for (series, local_residuals) in all.iter().zip(&mut local_residuals) {
@@ -45,10 +44,11 @@ pub fn local_residuals(times: &[f64], residuals: &Residuals) -> Vec<Vec<Option<[
     local_residuals
 }
 
-/// Local residual of a least-squares line, in robust standard deviations, above which the Theil–Sen line is used.
+/// Threshold of the local residual from a least-squares line, in robust standard deviations, above which it is
+/// recomputed with a Theil–Sen line.
 const THEIL_SEN_LIMIT: f64 = 2.5;
 
-/// Time (s), sample index and residual (m) of each measured point of a marker.
+/// Time (s), sample index and residual (m) of each measured value of one channel.
 struct Series(Vec<(f64, usize, [f64; 3])>);
 
 impl Series {
@@ -59,7 +59,7 @@ impl Series {
         Self(seen)
     }
 
-    /// Local-linear residuals from least-squares lines, m, by sample; `None` for missing points.
+    /// Local-linear residuals from least-squares lines, m, by sample index; `None` for missing values.
     fn local_residuals(&self, samples: usize) -> Vec<Option<[f64; 3]>> {
         let mut local_residuals = vec![None; samples];
         if self.0.len() < MIN_POINTS {
@@ -77,10 +77,10 @@ impl Series {
         local_residuals
     }
 
-    /// Neighbours of a point through which the line is drawn.
+    /// Neighbours of the value at `index`, through which the line is fitted.
     fn neighbours(&self, index: usize) -> impl Iterator<Item = &(f64, usize, [f64; 3])> + Clone {
         let seen = &self.0;
-        // At the ends there are as many neighbours, on one side.
+        // At the ends, the number of neighbours is the same, but they are on one side.
         let first = index
             .saturating_sub(SIDE)
             .min(seen.len().saturating_sub(2 * SIDE + 1));
@@ -88,7 +88,7 @@ impl Series {
         seen[first..index].iter().chain(&seen[index + 1..last])
     }
 
-    /// Local-linear residual of a point along an axis by the Theil–Sen line, m.
+    /// Local-linear residual from a Theil–Sen line of one value along an axis, m. `space` is scratch memory.
     fn local_residual(&self, index: usize, axis: usize, space: &mut Vec<f64>) -> f64 {
         let (time, _, value) = self.0[index];
         let mut points = [(0.0, 0.0); 2 * SIDE];
@@ -104,21 +104,22 @@ impl Series {
     }
 }
 
-/// Weights that give the value at time 0 of the least-squares line through neighbouring points.
+/// Weights of neighbouring values whose weighted sum is the value at time 0 of their least-squares line.
 #[derive(Default)]
 struct Line {
     times: [f64; 2 * SIDE],
     count: usize,
     weights: [f64; 2 * SIDE],
-    /// Ratio of the standard deviation of (value at time 0 − line) to that of a value.
+    /// Ratio of the standard deviation of (value at time 0 − line) to the standard deviation of a value.
     spread: f64,
 }
 
-/// Relative difference up to which times count as equal, so that evenly spaced samples share one line.
+/// Relative difference up to which times are considered equal, so that the weights are reused for evenly spaced
+/// samples.
 const SAME_TIME: f64 = 1e-9;
 
 impl Line {
-    /// Computes the weights for at most 2 × `SIDE` points at these times.
+    /// Computes the weights for at most 2 × `SIDE` points at the given times relative to the middle point.
     fn through(&mut self, times: impl Iterator<Item = f64> + Clone) {
         let near = |(time, drawn): (f64, &f64)| (time - drawn).abs() <= SAME_TIME * drawn.abs();
         if times.clone().count() == self.count && times.clone().zip(&self.times).all(near) {
@@ -139,13 +140,14 @@ impl Line {
         self.spread = (1.0 + 1.0 / count + middle * part).sqrt();
     }
 
-    /// Weights of the points' values.
+    /// Weight of each neighbouring value.
     fn weights(&self) -> &[f64] {
         &self.weights[..self.count]
     }
 }
 
 /// Value at time 0 of the Theil–Sen line through points (time, value): median slope of all pairs, median intercept.
+/// `space` is scratch memory.
 fn at_zero(points: &[(f64, f64)], space: &mut Vec<f64>) -> f64 {
     space.clear();
     for (i, (earlier, from)) in points.iter().enumerate() {
@@ -158,7 +160,8 @@ fn at_zero(points: &[(f64, f64)], space: &mut Vec<f64>) -> f64 {
     median(space)
 }
 
-/// Robust standard deviation of the local residuals of each group of channels along each axis, m.
+/// Robust standard deviation of the local residuals of each group of channels, along each axis, m. `group_of` gives the
+/// group of each channel.
 pub fn group_scales(local_residuals: &Residuals, group_of: &[usize]) -> Vec<[f64; 3]> {
     let groups = group_count(group_of);
     let of_group = |group: usize| {
@@ -173,7 +176,7 @@ pub fn group_scales(local_residuals: &Residuals, group_of: &[usize]) -> Vec<[f64
     }
 }
 
-/// Robust standard deviation of local residuals along each axis, m.
+/// Robust standard deviation of the local residuals of all channels, along each axis, m.
 pub fn robust_scale(local_residuals: &Residuals) -> [f64; 3] {
     let mut sizes = Vec::with_capacity(local_residuals.iter().map(Vec::len).sum());
     [0, 1, 2].map(|axis| {
@@ -184,7 +187,8 @@ pub fn robust_scale(local_residuals: &Residuals) -> [f64; 3] {
     })
 }
 
-/// Scales at which outliers of each flight are judged, by group and axis: its own, and at least the median of all flights.
+/// Scales for the detection of outliers, by flight, group and axis: the robust standard deviation of the flight itself,
+/// or the median over all flights if that is greater.
 pub fn judged_scales(own: &[Vec<[f64; 3]>]) -> Vec<Vec<[f64; 3]>> {
     let groups = own.first().map_or(0, Vec::len);
     let median_of = |group: usize| {
@@ -202,8 +206,8 @@ pub fn judged_scales(own: &[Vec<[f64; 3]>]) -> Vec<Vec<[f64; 3]>> {
     own.iter().map(of_flight).collect()
 }
 
-/// Outliers at the scales of the groups of channels: their indices `sample * channels + channel`, as in
-/// `Observations::outlier`, and local residuals, m.
+/// Outliers for given scales of the noise groups: their indices `sample * channels + channel` as in
+/// `Observations::outlier`, and their local residuals, m.
 pub fn outlier_candidates(
     local_residuals: &Residuals,
     scales: &[[f64; 3]],
@@ -224,12 +228,13 @@ pub fn outlier_candidates(
     outlier_candidates
 }
 
-/// Whether a point with this local residual (m) is an outlier at a scale (m).
+/// Whether a value with this local residual (m) is an outlier, for the standard deviations `scale` (m) along the axes.
 pub fn is_outlier(local_residual: &[f64; 3], scale: [f64; 3]) -> bool {
     (0..3).any(|axis| local_residual[axis].abs() > OUTLIER_LIMIT * scale[axis])
 }
 
-/// Outlier flags at the scales of the groups, by index `sample * channels + channel` as in `Observations::outlier`.
+/// Outlier flags for given scales of the noise groups, indexed by `sample * channels + channel` as in
+/// `Observations::outlier`.
 pub fn outlier_mask(
     local_residuals: &Residuals,
     scales: &[[f64; 3]],

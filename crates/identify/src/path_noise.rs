@@ -1,14 +1,16 @@
-//! Noise of a measured path, by how far its points are from smooth curves through their neighbours.
+//! Noise of a measured path, estimated from the distances of its points from smooth curves through their neighbours.
 
 use nalgebra::Vector3;
 
 use crate::statistics::{median, robust_sigma};
 
-/// Greatest time that four points span, in units of the median time of four points: longer gaps hide the motion.
+/// Maximum time span of four successive points, in units of the median span. Groups with longer gaps are skipped
+/// because the path may curve in the gap.
 const LONGEST_SPAN: f64 = 1.6;
 
-/// Standard deviation of a coordinate about a smooth path, m: the distance of each point from the parabola through three
-/// of its neighbours, at times that need not be even. 0 for fewer than four points.
+/// Robust standard deviation of one coordinate about a smooth path of points (time in s, position in m), in m. It is
+/// computed from the third divided differences of four successive points, whose spacing may be uneven. 0 for fewer than
+/// four points.
 pub fn path_noise(path: impl Iterator<Item = (f64, Vector3<f64>)>) -> f64 {
     let path: Vec<(f64, Vector3<f64>)> = path.collect();
     let span = |four: &[(f64, Vector3<f64>)]| four[3].0 - four[0].0;
@@ -17,7 +19,7 @@ pub fn path_noise(path: impl Iterator<Item = (f64, Vector3<f64>)>) -> f64 {
     let fours = path.windows(4).filter(|four| span(four) <= longest);
     let mut rough: Vec<f64> = fours
         .flat_map(|four| {
-            // Third divided difference, by its standard deviation for points of noise 1.
+            // Third divided difference over its standard deviation for noise of standard deviation 1.
             let weight = |i: usize| -> f64 {
                 let others = (0..4).filter(|j| *j != i);
                 1.0 / others.map(|j| four[i].0 - four[j].0).product::<f64>()

@@ -1,34 +1,35 @@
-//! Position and attitude of a rigid body from its markers in one sample.
+//! Position and attitude of a rigid body from the measured positions of its markers in one sample.
 //!
-//! B. K. P. Horn, "Closed-form solution of absolute orientation using unit quaternions", Journal of the Optical Society of
-//! America A 4 (1987); the greatest eigenvalue by D. L. Theobald, Acta Crystallographica A 61 (2005).
+//! B. K. P. Horn, "Closed-form solution of absolute orientation using unit quaternions", Journal of the Optical Society
+//! of America A 4 (1987). The largest eigenvalue is computed by D. L. Theobald, Acta Crystallographica A 61 (2005).
 
 use nalgebra::{Matrix3, Matrix4, Quaternion, UnitQuaternion, Vector3};
 
-/// Position and attitude of a rigid body in one sample.
+/// Least-squares position and attitude of a rigid body in one sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
-    /// Position of the body's origin, m, inertial frame.
+    /// Position of the body's origin in the inertial frame, m.
     pub position: Vector3<f64>,
-    /// Attitude: rotates body components into inertial ones.
+    /// Attitude: rotation from body components to inertial components.
     pub attitude: UnitQuaternion<f64>,
     /// Sum of squared distances between measured and fitted marker positions, m².
     pub squares: f64,
-    /// Number of measured markers.
+    /// Number of measured markers in the sample.
     pub markers: usize,
 }
 
 impl Pose {
-    /// Variance of one coordinate: squared distances over degrees of freedom, m².
+    /// Residual variance of one coordinate, m²: sum of squared distances over degrees of freedom.
     pub fn variance(&self) -> f64 {
         self.squares / (3.0 * self.markers as f64 - 6.0)
     }
 }
 
-/// Ratio of the spread across the best-fit line to the total spread below which markers are collinear.
+/// Ratio of the spread perpendicular to the best-fit line to the total spread, below which markers are considered
+/// collinear.
 const COLLINEAR: f64 = 0.02;
 
-/// Whether the markers determine the attitude of a body: at least three that are not collinear.
+/// Whether the markers determine the attitude of a body: there are at least three, and they are not collinear.
 pub fn fix_attitude(markers: &[[f64; 3]]) -> bool {
     are_not_collinear(markers.iter().map(|&marker| marker.into()))
 }
@@ -48,7 +49,8 @@ fn are_not_collinear(points: impl Iterator<Item = Vector3<f64>> + Clone) -> bool
     sum > 0.0 && product > (COLLINEAR * sum).powi(2)
 }
 
-/// Least-squares pose of the markers; `None` if the measured ones do not determine the attitude.
+/// Least-squares pose from the body coordinates `markers` and the measured positions `seen`, m; `None` if the measured
+/// markers do not determine the attitude.
 pub fn pose(markers: &[[f64; 3]], seen: &[Option<[f64; 3]>]) -> Option<Pose> {
     let pairs = markers.iter().zip(seen).filter_map(|(&marker, &seen)| {
         let pair: (Vector3<f64>, Vector3<f64>) = (marker.into(), seen?.into());
@@ -78,8 +80,8 @@ pub fn pose(markers: &[[f64; 3]], seen: &[Option<[f64; 3]>]) -> Option<Pose> {
     })
 }
 
-/// Position of a point mass, m: mean of measured position − marker offset, inertial frame. `None` without a measured
-/// marker.
+/// Position of a point mass in the inertial frame, m: mean of (measured position − marker offset). `None` if no marker
+/// is measured.
 pub fn point_position(markers: &[[f64; 3]], measured: &[Option<[f64; 3]>]) -> Option<Vector3<f64>> {
     let pairs = measured.iter().zip(markers);
     let origins = pairs.filter_map(|(measured, marker)| {
@@ -91,11 +93,11 @@ pub fn point_position(markers: &[[f64; 3]], measured: &[Option<[f64; 3]>]) -> Op
     (count > 0).then(|| sum / count as f64)
 }
 
-/// Greatest number of Newton steps to the eigenvalue.
+/// Maximum number of Newton steps for the largest eigenvalue.
 const MAX_STEPS: usize = 100;
 
-/// Least-squares rotation between two sets of vectors s and b, from the matrix Σ s bᵀ and half the sum of all
-/// squares, which bounds the eigenvalue. `None` for collinear vectors.
+/// Least-squares rotation that maps vectors b to vectors s, from the matrix `c` = Σ s bᵀ. `bound`, half the sum of all
+/// squared lengths, is an upper bound of the eigenvalue. `None` for collinear vectors.
 fn nearest_rotation(c: &Matrix3<f64>, bound: f64) -> Option<UnitQuaternion<f64>> {
     #[rustfmt::skip]
     let key = Matrix4::new(
@@ -104,7 +106,7 @@ fn nearest_rotation(c: &Matrix3<f64>, bound: f64) -> Option<UnitQuaternion<f64>>
         c[(0, 2)] - c[(2, 0)], c[(1, 0)] + c[(0, 1)], c[(1, 1)] - c[(0, 0)] - c[(2, 2)], c[(2, 1)] + c[(1, 2)],
         c[(1, 0)] - c[(0, 1)], c[(0, 2)] + c[(2, 0)], c[(2, 1)] + c[(1, 2)], c[(2, 2)] - c[(0, 0)] - c[(1, 1)],
     );
-    // The greatest root of the characteristic polynomial by Newton's method from above.
+    // The largest root of the characteristic polynomial by Newton's method, from above.
     let (two, one) = (-2.0 * c.norm_squared(), -8.0 * c.determinant());
     let none = key.determinant();
     let mut greatest = bound;
@@ -117,7 +119,8 @@ fn nearest_rotation(c: &Matrix3<f64>, bound: f64) -> Option<UnitQuaternion<f64>>
         }
         greatest = next;
     }
-    // Each column of the adjugate is the eigenvector times one of its components; the greatest is the most accurate.
+    // Each column of the adjugate is the eigenvector times one of its components; the column with the largest one is
+    // the most accurate.
     let rest = key - Matrix4::from_diagonal_element(greatest);
     let cofactor = |row: usize, column: usize| {
         let sign = if (row + column).is_multiple_of(2) {

@@ -1,4 +1,4 @@
-//! The estimation problem: a model and a dataset, with the parameters that are known and those that are estimated.
+//! The estimation problem: a model and a dataset, with known and estimated parameters.
 
 mod global_parameters;
 
@@ -19,35 +19,38 @@ use crate::pose;
 use crate::tolerance::FINE_TOLERANCE;
 pub use global_parameters::GlobalParameter;
 
-/// Initial standard deviation of one coordinate if the samples do not determine it, m.
+/// Standard deviation of one coordinate, m, assumed initially if the samples do not determine it.
 const DEFAULT_SIGMA0: f64 = 1e-3;
 
-/// Ratio of the residuals to the noise of the samples above which a fit is a misfit.
+/// Ratio of residuals to measurement noise above which a fit is considered a misfit.
 const MISFIT_RATIO: f64 = 3.0;
 
-/// A model with the data and options of a fit: known parameters, global parameters to be estimated, markers.
+/// A model with the data and options of a fit: measured channels, known parameters and global parameters to be
+/// estimated.
 #[derive(Clone)]
 pub struct FitProblem {
-    /// The model.
+    /// Model whose parameters are estimated.
     pub model: Arc<Model>,
-    /// The compiled model.
+    /// The compiled model, with its equations of motion and the measurement equation of a point.
     pub body: Arc<CompiledModel>,
-    /// Positions of the points that show the pose, in the frame that markers are fixed in, m: the markers, or points that
-    /// stand for a pose sensor where there are too few.
+    /// Positions of the points from which the pose is determined, in the frame in which markers are fixed, m: the
+    /// markers and, if these do not determine the attitude, points that represent the pose sensors.
     pub markers: Vec<[f64; 3]>,
-    /// What residuals are of: the markers, then the channels of the sensors.
+    /// Measurement channels, each with its residuals: the markers, then the channels of the sensors.
     pub channels: Vec<Channel>,
-    /// Models whose measurement equation is the quantity of an instrument among the sensors.
+    /// For each kind of instrument among the sensors, the compiled model whose measurement equation is the quantity
+    /// that it measures.
     pub instruments: Vec<(Instrument, Arc<CompiledModel>)>,
-    /// Whether the body has an attitude, which its markers determine; false for a point mass.
+    /// Whether the body of the model has an attitude; `false` for a point mass.
     pub has_attitude: bool,
-    /// Values of all parameters in the order of the layout, SI, without those known for a single flight.
+    /// Values of all parameters in the order of the layout, SI. Values that are known for single flights only are not
+    /// included.
     pub parameters: Vec<f64>,
     /// Global parameters, which are estimated from all flights together.
     pub globals: Vec<GlobalParameter>,
-    /// Names and values (SI) of coefficients that are fixed.
+    /// Names and values (SI) of the coefficients that are not estimated.
     pub fixed: Vec<(String, f64)>,
-    /// Standard deviation of one measured coordinate if the dataset gives it, m.
+    /// Standard deviation of one measured coordinate, m; `None` if the dataset does not give it.
     pub sigma: Option<f64>,
     /// Initial estimate, from the samples alone, of the standard deviation of one measured coordinate, m.
     pub sigma0: f64,
@@ -55,22 +58,24 @@ pub struct FitProblem {
     pub tolerance: f64,
 }
 
-/// Known values of one flight.
+/// Parameters and states that are known for one flight.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct KnownValues {
-    /// Known parameter values, SI.
+    /// Indices and values (SI) of the known parameters.
     pub parameters: Vec<(ParamId, f64)>,
-    /// Known states at the first sample, SI.
+    /// Indices and values (SI) of the states that are known at the first sample.
     pub states: Vec<(StateId, f64)>,
 }
 
 impl FitProblem {
-    /// Compiles the model, with derivatives by the parameters that are estimated, and combines it with a dataset and
-    /// options.
+    /// Compiles the model, with derivatives by the estimated parameters, and combines it with a dataset and options.
     ///
     /// # Errors
-    /// [`FitError::UnknownName`], [`FitError::NotEstimated`], [`FitError::NoObservation`],
-    /// [`FitError::AttitudeNotObservable`]; [`FitError::Flight`] if a flight's known values do not match the model.
+    /// [`FitError::UnknownName`] if the dataset or the options contain a name that the model does not have;
+    /// [`FitError::NotEstimated`] for a prior or profile of a fixed parameter; [`FitError::NoObservation`] if the model
+    /// has no measurement equation; [`FitError::Sensor`] if it has none for a sensor;
+    /// [`FitError::AttitudeNotObservable`] if the markers do not determine the attitude; [`FitError::Flight`] if a
+    /// flight's known values do not match the model.
     pub fn new(
         model: &Model,
         dataset: &Dataset,
@@ -79,17 +84,17 @@ impl FitProblem {
         let layout = Layout::new(model);
         let selected = known_constants(model, &layout, dataset)
             .and_then(|mut known| global_parameters::select(model, &layout, &mut known, options));
-        // An error is found again below, in its order among the others.
+        // The same error is returned by `with_body`, in the order of its checks.
         let globals = selected.map_or_else(|_| Vec::new(), |(globals, _)| globals);
         let by = globals.iter().map(|global| global.param.index()).collect();
         let body = CompiledModel::with_derivatives_by(model, by);
         Self::with_body(model, body, dataset, options)
     }
 
-    /// As [`new`](Self::new), with a model that is compiled already.
+    /// Creates the problem as [`new`](Self::new) does, from a model that is already compiled.
     ///
     /// # Errors
-    /// As [`new`](Self::new).
+    /// The errors of [`new`](Self::new).
     pub fn with_body(
         model: &Model,
         body: CompiledModel,
@@ -153,50 +158,51 @@ impl FitProblem {
         Ok(problem)
     }
 
-    /// Whether markers alone are measured.
+    /// Whether all channels are markers.
     pub(crate) fn sees_markers_alone(&self) -> bool {
         let mut channels = self.channels.iter();
         channels.all(|channel| matches!(channel.kind, ChannelKind::Marker(_)))
     }
 
-    /// Whether the points that show the pose are markers, and not points that stand for a pose sensor.
+    /// Whether the pose is determined from markers only, not from points that represent a pose sensor.
     pub(crate) fn is_shown_by_markers(&self) -> bool {
         let markers = self.channels.iter();
         let markers = markers.filter(|channel| matches!(channel.kind, ChannelKind::Marker(_)));
         markers.count() == self.markers.len()
     }
 
-    /// Group of each channel whose noise is one process.
+    /// Noise group of each channel, by channel index.
     pub fn noise_groups(&self) -> Vec<usize> {
         self.channels.iter().map(|channel| channel.group).collect()
     }
 
-    /// Noise of the groups by sums over their residuals after a fit of this number of unknowns; standard deviations that the
-    /// dataset states replace the estimated ones.
+    /// Estimates the noise of each group from the sums `moments` over its residuals after a fit of `unknowns` unknowns,
+    /// for a sampling interval in s. Standard deviations that the dataset gives replace the estimated ones.
     pub fn noise_of(&self, moments: &[Moments], unknowns: usize, interval: f64) -> NoiseModel {
         let all: usize = moments.iter().map(|sum| sum.count).sum();
         let groups = moments.iter().enumerate().map(|(group, sum)| {
             let of_group = self.channels.iter().find(|channel| channel.group == group);
             let given = of_group.and_then(|channel| Some(channel.sigma? * channel.scale));
-            // Each group bears its part of the unknowns.
+            // The unknowns are distributed over the groups in proportion to their residuals.
             let unknowns = (unknowns * sum.count).div_ceil(all.max(1));
             sum.noise(unknowns, interval, given)
         });
         NoiseModel::of_groups(groups.collect(), self.noise_groups())
     }
 
-    /// Empty sums for each group.
+    /// Zero sums, one for each noise group.
     pub fn no_moments(&self) -> Vec<Moments> {
         vec![Moments::default(); group_count(&self.noise_groups())]
     }
 
-    /// Whether positions of the body are measured; otherwise its place and heading are free, and have weak priors.
+    /// Whether positions of the body are measured. If not, the data do not determine its initial position and heading,
+    /// which then have weak priors.
     pub(crate) fn sees_positions(&self) -> bool {
         self.channels.iter().any(Channel::is_position)
     }
 
-    /// Whether the residuals of a channel count in the root mean square of a flight: those of markers, m; without markers
-    /// those of pose sensors; without positions all.
+    /// Whether the residuals of a channel count in the root mean square residual of a flight. Markers count; without
+    /// markers, positions of pose sensors; without measured positions, all channels.
     pub fn is_scored(&self, channel: usize) -> bool {
         let is_marker = |channel: &Channel| matches!(channel.kind, ChannelKind::Marker(_));
         match (self.channels.iter().any(is_marker), self.sees_positions()) {
@@ -206,7 +212,7 @@ impl FitProblem {
         }
     }
 
-    /// Takes the initial noise estimate and the scales of the channels from another problem of the same dataset.
+    /// Copies the initial noise estimate and the scales of the channels from another problem of the same dataset.
     pub fn take_scales(&mut self, other: &FitProblem) {
         self.sigma0 = other.sigma0;
         for (channel, other) in self.channels.iter_mut().zip(&other.channels) {
@@ -214,15 +220,18 @@ impl FitProblem {
         }
     }
 
-    /// Whether residuals of this scale, m, are far above the noise of the samples: the model is wrong, or the minimum is.
+    /// Whether residuals of standard deviation `scale`, m, are far above the measurement noise, because the model is
+    /// wrong or the minimum is a local one.
     pub(crate) fn is_misfit(&self, scale: f64) -> bool {
         scale > MISFIT_RATIO * self.sigma0
     }
 
-    /// Finds the parameters and states that are known for one flight.
+    /// Finds the parameters and states that are known for one flight, by their names.
     ///
     /// # Errors
-    /// [`FlightError::UnknownKnownValue`], [`FlightError::PartialQuaternion`], [`FlightError::KnownAndEstimated`].
+    /// [`FlightError::UnknownKnownValue`] for a name that the model does not have; [`FlightError::PartialQuaternion`]
+    /// if only some components of a quaternion are known; [`FlightError::KnownAndEstimated`] if a known parameter is
+    /// also a global unknown.
     pub(crate) fn known_values(
         &self,
         known: &BTreeMap<String, KnownValue>,
@@ -253,7 +262,7 @@ impl FitProblem {
         }
     }
 
-    /// Returns an error if only some components of a quaternion are known: the norm would not be 1.
+    /// Returns an error if only some components of a quaternion are known, as its norm would then differ from 1.
     fn check_quaternions(&self, known: &[(StateId, f64)]) -> Result<(), FlightError> {
         let is_known = |state: &usize| known.iter().any(|(id, _)| id.index() == *state);
         let names = &self.body.layout().states;
@@ -287,10 +296,11 @@ impl FitProblem {
     }
 }
 
-/// The model with a quantity for each instrument among the sensors of a dataset: its own, or the usual one.
+/// Returns the model with a quantity for each kind of instrument in the dataset: the model's own quantity of that name,
+/// or the default one.
 ///
 /// # Errors
-/// [`FitError::Sensor`] if the model has no such quantity, as a point mass has no angular velocity.
+/// [`FitError::Sensor`] if the model can have no such quantity; a point mass, for example, has no angular velocity.
 pub fn measured(model: &Model, dataset: &Dataset) -> Result<Model, FitError> {
     let (_, kinds) = channel::of_dataset(dataset);
     with_instruments(model, &kinds)
@@ -304,7 +314,8 @@ fn with_instruments(model: &Model, kinds: &[Instrument]) -> Result<Model, FitErr
     })
 }
 
-/// The models that instruments observe, with derivatives by all parameters.
+/// Compiles, for each kind of instrument, the model whose measurement equation is the quantity that it measures, with
+/// derivatives by all parameters.
 fn instruments(
     model: &Model,
     kinds: &[Instrument],
@@ -326,7 +337,7 @@ fn instruments(
     each.collect()
 }
 
-/// Default parameters, overridden by the known constants of the dataset, SI.
+/// Values of all parameters, SI: the defaults, overridden by the known constants of the dataset.
 fn known_constants(
     model: &Model,
     layout: &Layout,

@@ -1,4 +1,4 @@
-//! The manifold of initial states: unit quaternions vary by three angles, known states do not vary.
+//! The manifold of initial states: unit quaternions vary by three angles, and known states do not vary.
 
 use model_spec::layout::StateId;
 use model_spec::model::Model;
@@ -6,19 +6,19 @@ use nalgebra::DVector;
 
 use crate::ids::LocalId;
 
-/// Directions in which an initial state may be varied: one per free state, three per quaternion.
+/// Directions in which an initial state may vary: one per free state, and three per unit quaternion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StateManifold {
-    /// States that are coordinates themselves; the first directions.
+    /// Indices of the free states that are not part of a quaternion. They are the first directions.
     direct: Vec<usize>,
-    /// Components of each unit quaternion, which varies in three directions.
+    /// State indices of the components of each free unit quaternion, which varies in three directions.
     quaternions: Vec<[usize; 4]>,
     states: usize,
 }
 
 impl StateManifold {
-    /// The manifold of a model's states of which some are known. A quaternion with a known component does not vary at all,
-    /// so that its norm is kept.
+    /// Manifold of the states of a model, some of which are known. A quaternion with a known component does not vary at
+    /// all, so that its norm remains 1.
     pub fn new(model: &Model, known: &[StateId]) -> Self {
         let is_known = |state: usize| known.contains(&StateId::new(state));
         let all: Vec<[usize; 4]> = model.quaternions().collect();
@@ -34,17 +34,17 @@ impl StateManifold {
         }
     }
 
-    /// Number of directions.
+    /// Number of directions in which the state may vary.
     pub fn dimension(&self) -> usize {
         self.direct.len() + 3 * self.quaternions.len()
     }
 
-    /// Number of states.
+    /// Number of components of the state.
     pub fn states(&self) -> usize {
         self.states
     }
 
-    /// Entries (state, direction, value) of the derivative of the state by the directions, at `state`.
+    /// Nonzero entries (state, direction, value) of the derivative of the state by the directions, at `state`.
     pub fn tangent(&self, state: &[f64]) -> Vec<(usize, usize, f64)> {
         let direct = self.direct.iter().enumerate();
         direct
@@ -53,7 +53,7 @@ impl StateManifold {
             .collect()
     }
 
-    /// The entries of [`tangent`](Self::tangent) that belong to quaternions.
+    /// Entries of [`tangent`](Self::tangent) for the components of quaternions.
     fn quaternion_tangent(&self, state: &[f64]) -> impl Iterator<Item = (usize, usize, f64)> {
         let each = self.quaternions.iter().enumerate();
         each.flat_map(move |(index, &components)| {
@@ -72,13 +72,13 @@ impl StateManifold {
         })
     }
 
-    /// The state that a direction varies alone; none for a direction of a quaternion.
+    /// State that is the only one to vary along `direction`; `None` if `direction` belongs to a quaternion.
     pub fn direct_state(&self, direction: LocalId) -> Option<StateId> {
         let state = self.direct.get(direction.index())?;
         Some(StateId::new(*state))
     }
 
-    /// The retraction: the state after a step along the directions, its quaternions normalised.
+    /// The retraction: the state after a step along the directions, with its quaternions normalised.
     pub fn plus(&self, state: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
         let mut moved = state.clone();
         for (&row, step) in self.direct.iter().zip(step.iter()) {

@@ -1,9 +1,9 @@
-//! Median, and a robust standard deviation from the median.
+//! Median, and a robust standard deviation computed from it.
 
-/// Ratio of the standard deviation of normal values to their median absolute value.
+/// Ratio of the standard deviation of normal values with mean 0 to their median absolute value.
 const SIGMA_PER_MEDIAN: f64 = 1.4826;
 
-/// The median: the middle value, or the mean of the two middle ones; 0 for no values. Reorders the values.
+/// Median: the middle value, or the mean of the two middle values; 0 for no values. Reorders the values.
 pub fn median(values: &mut [f64]) -> f64 {
     if values.is_empty() {
         return 0.0;
@@ -20,8 +20,8 @@ pub fn median(values: &mut [f64]) -> f64 {
     }
 }
 
-/// Standard deviation of normal values of mean 0, by the median of their absolute values; 0 for no values.
-/// Reorders the values.
+/// Robust estimate of the standard deviation of normal values with mean 0: 1.4826 times the median of their absolute
+/// values; 0 for no values. Reorders the values.
 pub fn robust_sigma(absolute_values: &mut [f64]) -> f64 {
     SIGMA_PER_MEDIAN * median(absolute_values)
 }

@@ -1,29 +1,32 @@
-//! Tolerances of the integration, relative to the noise of a measured coordinate.
+//! Tolerances of the integration, derived from the noise of a measured coordinate.
 
 use model_spec::model::Model;
 
-/// Tolerance over `sigma0` for whitened residuals of any number of flights. The integration error of a disc after a
-/// second is then far below 1/1000 of the noise; that of a fast-spinning body with a quaternion below 1/50.
+/// Integration tolerance for whitened residuals of any number of flights, in units of `sigma0`. The integration error
+/// of a disc after one second is then far below 1/1000 of the noise; that of a fast-spinning body with a quaternion is
+/// below 1/50.
 pub const FINE_TOLERANCE: f64 = 0.007;
 
-/// Tolerance over `sigma0` for whitened residuals of up to [`FEW_FLIGHTS`] flights without a quaternion: errors stay
-/// below 1/1000 of the noise. Summed over many flights they would exceed the gain of the last steps.
+/// Integration tolerance, in units of `sigma0`, for whitened residuals of up to [`FEW_FLIGHTS`] flights without a
+/// quaternion: errors stay below 1/1000 of the noise. Summed over more flights, the errors would exceed the decrease of
+/// the cost in the last steps.
 const FEW_FLIGHTS_TOLERANCE: f64 = 0.02;
 
-/// Number of flights up to which [`FEW_FLIGHTS_TOLERANCE`] applies; it falls with the root of their number beyond.
+/// Number of flights up to which [`FEW_FLIGHTS_TOLERANCE`] applies. For more flights, the tolerance decreases as the
+/// inverse square root of their number.
 const FEW_FLIGHTS: usize = 200;
 
-/// Tolerance over `sigma0` for residuals without derivatives.
+/// Integration tolerance for residuals without derivatives, in units of `sigma0`.
 pub const RESIDUAL_TOLERANCE: f64 = 0.02;
 
-/// Tolerance for robust losses, over the greater of `sigma0` and, beyond [`LARGE_SCALE`], the scale of the loss:
-/// errors stay below a quarter of the noise.
+/// Integration tolerance for robust losses, in units of `sigma0`, or in units of the scale of the loss if that exceeds
+/// [`LARGE_SCALE`] × `sigma0`. Errors stay below a quarter of the noise.
 const ROBUST_TOLERANCE: f64 = 0.08;
 
-/// Scale of a robust loss over `sigma0` beyond which that scale sets the tolerance.
+/// Scale of a robust loss, in units of `sigma0`, above which the tolerance is proportional to that scale.
 const LARGE_SCALE: f64 = 2.0;
 
-/// Tolerance over `sigma0` for whitened residuals of this number of flights.
+/// Integration tolerance for whitened residuals of a number of flights, in units of `sigma0`.
 pub fn whitened(model: &Model, flights: usize) -> f64 {
     if model.quaternions().next().is_some() {
         return FINE_TOLERANCE;
@@ -32,7 +35,7 @@ pub fn whitened(model: &Model, flights: usize) -> f64 {
     (FEW_FLIGHTS_TOLERANCE * part.sqrt()).max(FINE_TOLERANCE)
 }
 
-/// Tolerance for residuals under a robust loss of a scale, m.
+/// Integration tolerance, m, for residuals under a robust loss with the scale `scale`, m.
 pub fn robust(scale: f64, sigma0: f64) -> f64 {
     match scale > LARGE_SCALE * sigma0 {
         true => ROBUST_TOLERANCE * scale,

@@ -1,5 +1,5 @@
-//! Datasets whose vertical is not known, such as those in the axes of a camera: its direction is estimated with the rest, from
-//! starts all around.
+//! Datasets whose vertical is not known, such as those in the axes of a camera. The direction of the vertical is
+//! estimated with the other parameters, from several initial directions.
 
 use model_spec::compose::{EffectTree, ModelTree};
 use model_spec::model::Model;
@@ -10,10 +10,11 @@ use crate::fit::{Fit, fit};
 use crate::options::FitOptions;
 use crate::vertical::{ANGLES, EFFECT, angles};
 
-/// Greatest number of flights from which the start is chosen.
+/// Maximum number of flights that are fitted to choose the initial direction of the vertical.
 const TRIED_FLIGHTS: usize = 6;
 
-/// Directions of the upward axis that are tried, in the measured axes: along the axes and halfway between them.
+/// Initial directions of the upward axis, in the measured axes and not normalised: along the axes and halfway between
+/// them.
 fn directions() -> Vec<[f64; 3]> {
     let all =
         (0..27).map(|index| [index / 9, index / 3 % 3, index % 3].map(|k| f64::from(k) - 1.0));
@@ -21,7 +22,8 @@ fn directions() -> Vec<[f64; 3]> {
     all.filter(|v| (1..=2).contains(&zeros(v))).collect()
 }
 
-/// The model with the turn of the measured axes by angles that are estimated, starting from these.
+/// Adds to the model the effect that rotates the measured axes by two estimated angles, whose initial values are given,
+/// rad.
 fn turned(model: &Model, [about_x, about_y]: [f64; 2]) -> Result<Model, FitError> {
     let [x, y] = ANGLES;
     let text = format!(
@@ -49,11 +51,11 @@ fn turned(model: &Model, [about_x, about_y]: [f64; 2]) -> Result<Model, FitError
     tree.check().map_err(refused)
 }
 
-/// The model whose measured axes are turned, starting from the direction of the vertical with which the flights are fitted
-/// best.
+/// Returns the model with the effect that rotates its measured axes. The initial angles are those of the best fit to a
+/// few flights, over all initial directions of the vertical.
 ///
 /// # Errors
-/// Those of the last fit, if none succeeds.
+/// The error of the last fit if no fit succeeds; [`FitError::Interrupted`] if the work is cancelled.
 pub fn with_vertical(
     model: &Model,
     dataset: &Dataset,
@@ -95,22 +97,23 @@ pub fn with_vertical(
     }
 }
 
-/// Ratio of the root mean square to the noise of a smoother at which no other direction can fit better.
+/// Ratio of the root mean square residual to the noise floor below which the search ends, as no other direction can fit
+/// noticeably better.
 const NOISE_RATIO: f64 = 1.1;
 
-/// Whether a fit leaves the noise alone.
+/// Whether the residuals of a fit are at the level of the measurement noise.
 fn reaches_noise(found: &Fit) -> bool {
     let floor = found.report.noise.floor_m;
     floor.is_some_and(|floor| misfit(found) < NOISE_RATIO * floor)
 }
 
-/// Root mean square that a fit leaves; each excluded flight counts as much again.
+/// Root mean square residual of a fit, m, multiplied by 1 + the number of excluded flights.
 fn misfit(found: &Fit) -> f64 {
     let excluded = found.report.excluded().count() as f64;
     found.report.rms_m * (1.0 + excluded)
 }
 
-/// The estimated angles, rad.
+/// Estimated angles of the rotation of the measured axes, rad; `None` if the fit does not estimate them.
 fn estimated(found: &Fit) -> Option<[f64; 2]> {
     let value = |name: &str| Some(found.report.coefficients.get(name)?.value);
     Some([value(ANGLES[0])?, value(ANGLES[1])?])

@@ -1,4 +1,5 @@
-//! What a dataset leaves open besides coefficients, written into the model as effects that are estimated with the rest.
+//! Unknown positions, origin and vertical of a dataset. They are added to the model as effects whose coefficients are
+//! estimated.
 
 use std::borrow::Cow;
 
@@ -13,10 +14,10 @@ use crate::problem::measured;
 use crate::unknown_vertical;
 use crate::vertical;
 
-/// Name of the effect by which all markers sit off together, and of its coefficients, m.
+/// Effect that displaces all markers together on the body: its name and the names of its coefficients, m.
 const OFFSET: (&str, [&str; 3]) = ("marker_offset", ["offset_1", "offset_2", "offset_3"]);
 
-/// Name of the effect by which the accelerometer sits off, and of its coefficients, m.
+/// Effect that displaces the accelerometer on the body: its name and the names of its coefficients, m.
 const LEVER: (&str, [&str; 3]) = (
     "accelerometer_misplaced",
     [
@@ -26,23 +27,26 @@ const LEVER: (&str, [&str; 3]) = (
     ],
 );
 
-/// Standard deviation of a position on a thrown body that is not known, m.
+/// Prior standard deviation of an unknown position on a thrown body, m.
 const UNKNOWN: f64 = 0.1;
 
-/// A fit that leaves nothing open.
+/// A model and a dataset without unknown positions, origin or vertical: effects of the model describe these instead.
 pub struct Resolved<'d> {
-    /// The model with a quantity for each instrument of the dataset and an effect for what the dataset leaves open.
+    /// The model, with a quantity for each kind of instrument of the dataset and with an effect for each unknown of the
+    /// dataset.
     pub model: Model,
-    /// The dataset, which leaves nothing open any more.
+    /// The dataset, with all its unknowns marked as known because the model describes them.
     pub dataset: Cow<'d, Dataset>,
-    /// Priors of the options and of what is open.
+    /// Priors of the fit options and of the unknowns of the dataset.
     pub priors: Vec<Prior>,
-    /// Fixed coefficients of the options and of what is open.
+    /// Fixed coefficients of the fit options and of the unknowns of the dataset; `None` fixes a coefficient at the
+    /// model's value.
     pub fixed: Vec<(String, Option<f64>)>,
 }
 
 impl Resolved<'_> {
-    /// Adds an effect by which something sits off along the axes of the body, with standard deviations as priors, m; 0 fixes it.
+    /// Adds an effect that displaces points along the axes of the body. `errors` are the prior standard deviations of
+    /// its coefficients, m; 0 fixes a coefficient.
     fn free(
         &mut self,
         (effect, coefficients): &(&str, [&str; 3]),
@@ -69,7 +73,7 @@ impl Resolved<'_> {
         Ok(())
     }
 
-    /// The options with these priors and fixed coefficients.
+    /// Returns `options` with the priors and fixed coefficients of this value.
     pub fn options<'o>(&'o self, options: &FitOptions<'o>) -> FitOptions<'o> {
         FitOptions {
             priors: &self.priors,
@@ -79,11 +83,12 @@ impl Resolved<'_> {
     }
 }
 
-/// Writes into the model what the dataset leaves open.
+/// Adds to the model an effect for each unknown of the dataset: positions of sensors, origin, direction of the
+/// vertical.
 ///
 /// # Errors
-/// [`FitError::Sensor`] if a sensor or an uncertain origin does not fit the model; those of [`fit`](fn@fit) if no direction of an
-/// unknown vertical can be fitted.
+/// [`FitError::Sensor`] if a sensor or an uncertain origin does not fit the model; the errors of [`fit`](fn@fit) if no
+/// direction of an unknown vertical can be fitted.
 pub fn resolve<'d>(
     model: &Model,
     dataset: &'d Dataset,
@@ -112,7 +117,7 @@ pub fn resolve<'d>(
     Ok(resolved)
 }
 
-/// Frees the positions of sensors that are not known.
+/// Adds effects for the positions of sensors that are not known.
 fn place_sensors(resolved: &mut Resolved<'_>) -> Result<(), FitError> {
     let sensors = resolved.dataset.sensors.iter();
     let unplaced: Vec<Sensor> = sensors
@@ -142,7 +147,7 @@ fn place_sensors(resolved: &mut Resolved<'_>) -> Result<(), FitError> {
             SensorKind::Instrument(Instrument::Accelerometer) => {
                 return Err(refused("one accelerometer"));
             }
-            // These read the same everywhere on the body.
+            // Their readings do not depend on the position on the body.
             SensorKind::Instrument(Instrument::Gyroscope | Instrument::Speed) => {}
         }
     }
@@ -157,13 +162,14 @@ fn place_sensors(resolved: &mut Resolved<'_>) -> Result<(), FitError> {
 
 /// Fits a model to the flights of a dataset.
 ///
-/// # Errors
-/// [`FitError::InvalidOption`] for impossible options; [`FitError::UnknownName`], [`FitError::NotEstimated`],
-/// [`FitError::NoObservation`], [`FitError::Sensor`] and [`FitError::AttitudeNotObservable`] if model, dataset and options do
-/// not match; [`FitError::Flight`] if the known values of a flight do not match the model; [`FitError::NothingToFit`],
-/// [`FitError::FaultyData`] and [`FitError::NoUsableFlight`] without usable flights; [`FitError::Interrupted`].
+/// A flight that cannot be integrated or fitted is excluded; its report gives the reason.
 ///
-/// A flight that cannot be flown or fitted is excluded; its report says why.
+/// # Errors
+/// [`FitError::InvalidOption`] if an option is outside its range; [`FitError::UnknownName`],
+/// [`FitError::NotEstimated`], [`FitError::NoObservation`], [`FitError::Sensor`] and
+/// [`FitError::AttitudeNotObservable`] if model, dataset and options do not match; [`FitError::Flight`] if the known
+/// values of a flight do not match the model; [`FitError::NothingToFit`], [`FitError::FaultyData`] and
+/// [`FitError::NoUsableFlight`] if no flight can be used; [`FitError::Interrupted`] if the fit is cancelled.
 pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result<Fit, FitError> {
     let is_placed = dataset
         .sensors

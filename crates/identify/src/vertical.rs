@@ -1,19 +1,21 @@
-//! The effect by which a model turns measured axes whose vertical is not known.
+//! The effect with which a model rotates measured axes whose vertical is not known.
 
 use model_spec::model::Model;
 
-/// Name of the effect.
+/// Name of the effect that rotates the measured axes.
 pub const EFFECT: &str = "unknown_vertical";
 
-/// Names of its angles, rad: about x, then about the y that the axes have then.
+/// Names of the coefficients of the effect, which are rotation angles, rad: about the x axis, then about the rotated y
+/// axis.
 pub const ANGLES: [&str; 2] = ["vertical_x", "vertical_y"];
 
-/// Whether the model turns the measured axes by angles that are estimated.
+/// Whether the model has the effect that rotates the measured axes.
 pub(crate) fn is_in(model: &Model) -> bool {
     model.effects.iter().any(|own| own.name == EFFECT)
 }
 
-/// Angles of the turn that brings `up`, in the measured axes, upright.
+/// Rotation angles about x and then y, rad, for which the direction `up`, given in the measured axes, is the vertical.
+/// The vector need not be normalised.
 pub(crate) fn angles([x, y, z]: [f64; 3]) -> [f64; 2] {
     let length = (x * x + y * y + z * z).sqrt();
     // In measured axes the vertical is (-sin b cos a, sin a, cos b cos a).
@@ -21,7 +23,7 @@ pub(crate) fn angles([x, y, z]: [f64; 3]) -> [f64; 2] {
     [about_x, (-x).atan2(z)]
 }
 
-/// Unit vector upwards in the measured axes, for angles about x and y, rad.
+/// Upward unit vector in the measured axes, given the rotation angles about x and y, rad.
 pub fn upward([about_x, about_y]: [f64; 2]) -> [f64; 3] {
     let (sin_x, cos_x) = about_x.sin_cos();
     let (sin_y, cos_y) = about_y.sin_cos();

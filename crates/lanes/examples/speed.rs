@@ -1,4 +1,5 @@
-//! Time of each function per number, ns, for each instruction set: `cargo run --release -p hyzer-lanes --example speed`.
+//! Prints the time of each function per number, ns, for each instruction set: `cargo run --release -p hyzer-lanes
+//! --example speed`.
 
 #[path = "../tests/support/mod.rs"]
 mod support;
@@ -53,7 +54,7 @@ impl<const INDEX: usize> Function for Elementary<INDEX> {
     }
 }
 
-/// Knots of a table.
+/// Knots of the piecewise cubic whose evaluation is timed.
 const KNOTS: [f64; 33] = {
     let mut knots = [0.0; 33];
     let mut k = 0;
@@ -64,7 +65,7 @@ const KNOTS: [f64; 33] = {
     knots
 };
 
-/// Cubics of the table.
+/// Coefficients of the piecewise cubic whose evaluation is timed.
 const CUBICS: [[f64; 4]; 34] = {
     let mut cubics = [[0.0; 4]; 34];
     let mut k = 0;
@@ -76,7 +77,8 @@ const CUBICS: [[f64; 4]; 34] = {
     cubics
 };
 
-/// The table without looking anything up: every knot is compared, and adds its difference to origin and coefficients.
+/// Evaluates the piecewise cubic without a search: compares `x` with every knot, and adds up the differences of origins
+/// and coefficients of the knots below `x`.
 #[inline(always)]
 fn by_choice<T: Real>(x: T) -> T {
     let mut origin = T::splat(KNOTS[0]);
@@ -113,7 +115,8 @@ impl<F: Function> Kernel for Pass<'_, F> {
     }
 }
 
-/// Latency of an evaluation: each argument depends on the previous result.
+/// Evaluates `f` in a chain in which each argument depends on the previous result; its time per element is the latency
+/// of `f`.
 fn chained(from: &[f64], f: impl Fn(f64) -> f64) -> f64 {
     from.iter().fold(0.0, |sum, x| f(x + sum * 1e-300))
 }

@@ -1,7 +1,7 @@
 //! Target-feature dispatch: runs a kernel compiled for the instruction set of the processor.
 //!
-//! A baseline x86-64 build has 16 vector registers, two-operand instructions and no FMA. Functions compiled with
-//! AVX2 or AVX-512 enabled have up to 32 registers, three-operand instructions and FMA; scalar code gains by that too.
+//! A baseline x86-64 build has 16 vector registers, two-operand instructions and no FMA. Functions compiled with AVX2
+//! or AVX-512 enabled have up to 32 registers, three-operand instructions and FMA, which also make scalar code faster.
 
 use crate::isa::Isa;
 use crate::kernel::{Kernel, ScalarKernel};

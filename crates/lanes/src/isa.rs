@@ -1,4 +1,4 @@
-//! Instruction sets, and which of them the processor supports.
+//! Instruction sets, and detection of the instruction sets that the processor supports.
 
 use std::sync::OnceLock;
 
@@ -33,13 +33,14 @@ impl Isa {
     }
 
     /// Whether [`Real::mul_add`](crate::Real::mul_add) rounds once. Results are bit-identical among all instruction
-    /// sets that fuse, and among all that do not.
+    /// sets that fuse, and among all instruction sets that do not.
     pub fn fuses(self) -> bool {
         matches!(self, Isa::Avx512 | Isa::Avx2)
     }
 
-    /// Instruction set used by [`dispatch`](crate::dispatch): the environment variable `HYZER_LANES` (`avx512`, `avx2`, `portable`,
-    /// `scalar`) if supported, else the widest supported one. Cached at first use.
+    /// Returns the instruction set used by [`dispatch`](crate::dispatch): the one named by the environment variable
+    /// `HYZER_LANES` (`avx512`, `avx2`, `portable`, `scalar`) if it is supported, else the widest supported one. The
+    /// result is cached at first use.
     #[inline]
     pub fn best() -> Isa {
         static BEST: OnceLock<Isa> = OnceLock::new();
@@ -67,7 +68,7 @@ impl Isa {
     }
 }
 
-/// Processor support of (AVX2 with FMA, AVX-512 F and DQ).
+/// Returns whether the processor supports (AVX2 with FMA, AVX-512 F and DQ).
 #[cfg(target_arch = "x86_64")]
 fn wide() -> (bool, bool) {
     let avx2 = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");

@@ -1,4 +1,4 @@
-//! SIMD real numbers: code generic over [`Real`] runs on `f64` and on the widest vectors of the machine.
+//! SIMD real numbers: code generic over [`Real`] runs on `f64` and on SIMD vectors of `f64`.
 //!
 //! A computation over [`Lanes`] (a [`Real`] with loads and stores), passed to [`dispatch`] as a [`Kernel`], runs on
 //! the widest lanes that the processor supports:

@@ -1,4 +1,4 @@
-//! Four lanes in an array, for processors without a dedicated module.
+//! Four lanes in an array, for processors without a vector type of their own in this crate.
 
 use crate::kernel::LaneKernel;
 use crate::primitive::Primitive;

@@ -27,7 +27,7 @@ pub(crate) trait Primitive:
     fn lt(self, other: Self) -> Self::Mask;
     /// `self <= other`; false where either is NaN.
     fn le(self, other: Self) -> Self::Mask;
-    /// True in the lanes whose sign bit is set.
+    /// Mask that is true in the lanes whose sign bit is set.
     fn sign_mask(self) -> Self::Mask;
     fn select(mask: Self::Mask, then: Self, otherwise: Self) -> Self;
     /// Whether the mask is true in every lane.
@@ -45,17 +45,17 @@ pub(crate) trait Primitive:
     /// Runs a computation in a function that has the instruction set of the type and is not inlined.
     fn run_outlined<K: LaneKernel<Self>>(kernel: K);
 
-    /// `self * b + c`, rounded once where the type fuses; so are `mul_sub_op` and `neg_mul_add_op`.
+    /// `self * b + c`, rounded once if the type fuses multiply-adds, else twice.
     #[inline(always)]
     fn mul_add_op(self, b: Self, c: Self) -> Self {
         self * b + c
     }
-    /// `self * b - c`, rounded once where the type fuses.
+    /// `self * b - c`, rounded once if the type fuses multiply-adds, else twice.
     #[inline(always)]
     fn mul_sub_op(self, b: Self, c: Self) -> Self {
         self * b - c
     }
-    /// `c - self * b`, rounded once where the type fuses.
+    /// `c - self * b`, rounded once if the type fuses multiply-adds, else twice.
     #[inline(always)]
     fn neg_mul_add_op(self, b: Self, c: Self) -> Self {
         c - self * b
@@ -80,7 +80,7 @@ pub(crate) trait Primitive:
     }
 }
 
-/// Applies a scalar function to each lane: the fallback outside the range of the polynomials.
+/// Computes `f(a, b, result)` in each lane: scalar fallback for arguments outside the range of the polynomials.
 #[cold]
 #[inline(never)]
 pub(crate) fn map_lanes<T: Primitive>(a: T, b: T, result: T, f: fn(f64, f64, f64) -> f64) -> T {

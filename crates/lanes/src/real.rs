@@ -1,4 +1,4 @@
-//! Arithmetic on one number or on one number per lane, and its implementation over the primitive operations.
+//! Traits for arithmetic on one real number or on one real number per lane, implemented by the primitive operations.
 
 use crate::functions::{basic, exponential, inverse_trigonometric, piecewise, trigonometric};
 use crate::kernel::LaneKernel;
@@ -36,12 +36,14 @@ impl ElementaryFunction {
 /// A real number, or one real number per lane: the scalar type of generated code and of the tape.
 ///
 /// Contraction is explicit: only [`mul_add`](Real::mul_add), [`mul_sub`](Real::mul_sub) and
-/// [`neg_mul_add`](Real::neg_mul_add) may be fused, and the compiler contracts nothing else. AVX-512, AVX2 and
+/// [`neg_mul_add`](Real::neg_mul_add) may be fused, and the compiler contracts no other operation. AVX-512, AVX2 and
 /// [`dispatch_scalar`](crate::dispatch_scalar) on machines with FMA fuse them; [`Isa::Portable`](crate::Isa::Portable)
 /// and `f64` do not. The elementary functions use the same polynomials for every type. Results are therefore
-/// bit-identical among all fusing types and among all non-fusing types; the two groups differ by rounding.
+/// bit-identical among all fusing types and among all non-fusing types; results of a fusing and a non-fusing type
+/// differ by rounding.
 ///
-/// NaN propagates, with unspecified sign; NaN does not satisfy "0 or less" in the conditions below.
+/// NaN propagates, with unspecified sign. NaN does not satisfy the condition "0 or less" in the descriptions of the
+/// methods.
 pub trait Real:
     Copy
     + Add<Output = Self>
@@ -50,19 +52,19 @@ pub trait Real:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// A value with `value` in every lane.
+    /// Returns a number with `value` in every lane.
     fn splat(value: f64) -> Self;
-    /// `self * b + c`: rounded once where the type fuses ([`Isa::fuses`](crate::Isa::fuses)), twice elsewhere.
+    /// `self * b + c`, rounded once if the type fuses multiply-adds ([`Isa::fuses`](crate::Isa::fuses)), else twice.
     #[inline(always)]
     fn mul_add(self, b: Self, c: Self) -> Self {
         self * b + c
     }
-    /// `self * b - c`: rounded once where the type fuses, twice elsewhere.
+    /// `self * b - c`, rounded once if the type fuses multiply-adds, else twice.
     #[inline(always)]
     fn mul_sub(self, b: Self, c: Self) -> Self {
         self * b - c
     }
-    /// `c - self * b`: rounded once where the type fuses, twice elsewhere.
+    /// `c - self * b`, rounded once if the type fuses multiply-adds, else twice.
     #[inline(always)]
     fn neg_mul_add(self, b: Self, c: Self) -> Self {
         c - self * b
@@ -71,7 +73,7 @@ pub trait Real:
     fn sqrt(self) -> Self;
     /// Guarded reciprocal: `1 / self`, and 0 where `|self| < 1e-75`.
     fn recip_or_zero(self) -> Self;
-    /// Sine and cosine, within 2 ulp for arguments up to 1e5 and correctly reduced beyond.
+    /// Sine and cosine, within 2 ulp for arguments up to 1e5; larger arguments use the standard library's functions.
     fn sin_cos(self) -> (Self, Self);
     /// Polar angle of the point (`x`, `self`), within 2 ulp; 0 at the origin.
     fn atan2(self, x: Self) -> Self;
@@ -103,18 +105,19 @@ pub trait Real:
     fn min(self, other: Self) -> Self;
     /// Maximum of two numbers; `other` if either is NaN.
     fn max(self, other: Self) -> Self;
-    /// Sign: -1, 0 or 1 for a negative, zero or positive number.
+    /// Sign of the number: -1, 0 or 1 if it is negative, zero or positive.
     fn sign(self) -> Self;
     /// Heaviside step: 1 where `self > 0`, else 0.
     fn heaviside(self) -> Self;
-    /// `then` where `|self| < 1e-75`, else `otherwise`.
+    /// Selects `then` where `|self| < 1e-75`, else `otherwise`.
     fn if_zero(self, then: Self, otherwise: Self) -> Self;
-    /// Piecewise cubic: `cubics[0]` where the argument is below `knots[0]`, `cubics[i]` from `knots[i - 1]` up to `knots[i]`,
-    /// the last one beyond. A cubic is given by the coefficients of the powers 0 to 3 of the distance from the knot below, or
-    /// from the first knot; it is evaluated by Horner's rule with [`mul_add`](Real::mul_add).
+    /// Piecewise cubic function: `cubics[0]` for arguments below `knots[0]`, `cubics[i]` for arguments from `knots[i -
+    /// 1]` to `knots[i]`, and the last cubic above the last knot. A cubic is given by the coefficients of the powers 0
+    /// to 3 of the distance from the knot at the lower end of its interval (`cubics[0]`: from the first knot), and
+    /// evaluated by Horner's rule with [`mul_add`](Real::mul_add).
     ///
     /// # Panics
-    /// If `knots` is empty or `cubics` does not have one more element.
+    /// If `knots` is empty, or `cubics` does not have exactly one element more than `knots`.
     fn piecewise_cubic(self, knots: &[f64], cubics: &[[f64; 4]]) -> Self;
 }
 
@@ -132,9 +135,9 @@ pub trait Lanes: Real {
     /// # Panics
     /// If the slice is shorter than `WIDTH`.
     fn store(self, to: &mut [f64]);
-    /// Fills each lane with `value(lane)`, lanes counted from 0.
+    /// Returns a number with `value(lane)` in each lane, lanes counted from 0.
     fn from_fn(value: impl FnMut(usize) -> f64) -> Self;
-    /// The number in one lane.
+    /// Returns the value in one lane, counted from 0.
     ///
     /// # Panics
     /// If `lane >= WIDTH`.
@@ -143,7 +146,7 @@ pub trait Lanes: Real {
     /// that a [`Kernel`](crate::Kernel) uses in several places.
     fn outlined<K: LaneKernel<Self>>(kernel: K);
 
-    /// Loads up to `WIDTH` numbers of a slice; lanes past its end get `fill`.
+    /// Loads up to `WIDTH` numbers of a slice; lanes past the end of the slice are set to `fill`.
     #[inline(always)]
     fn load_part(from: &[f64], fill: f64) -> Self {
         if from.len() >= Self::WIDTH {

@@ -97,7 +97,7 @@ pub(crate) fn run_scalar<K: ScalarKernel>(kernel: K) {
     }
 }
 
-/// Calls an intrinsic; its availability follows from the existence of a value of the type (see Soundness).
+/// Calls an intrinsic. The existence of a value of the lane type proves that the processor supports it (see Soundness).
 macro_rules! instruction {
     ($e:expr) => {{
         // SAFETY: see Soundness, Intrinsics.

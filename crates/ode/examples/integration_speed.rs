@@ -1,4 +1,4 @@
-//! Time per integration: `cargo run --release -p hyzer-ode --example integration_speed`.
+//! Prints the time per integration: `cargo run --release -p hyzer-ode --example integration_speed`.
 
 #[path = "../tests/disc/mod.rs"]
 mod disc;
@@ -19,7 +19,8 @@ fn microseconds(mut f: impl FnMut()) -> f64 {
     rounds.fold(f64::INFINITY, f64::min)
 }
 
-/// The disc with 55 and 40 entries of its derivatives that cost nothing: what the variational equations cost besides.
+/// Disc model with 55 and 40 constant Jacobian entries, which cost nothing to evaluate, so that the timing shows the cost
+/// that the variational equations add.
 struct Entries([(usize, usize); 55], [(usize, usize); 40]);
 
 impl DifferentiableRhs for Entries {

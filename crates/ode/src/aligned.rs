@@ -1,6 +1,6 @@
 //! Vector of `f64` aligned to a cache line, so that no SIMD load of it crosses two lines.
 
-/// Size of a cache line, bytes.
+/// Size of a cache line in bytes: the alignment of [`AlignedVec`].
 const CACHE_LINE_BYTES: usize = 64;
 
 /// Fixed-length vector of `f64` whose first element starts a cache line of 64 bytes.
@@ -13,7 +13,7 @@ pub struct AlignedVec {
 }
 
 impl AlignedVec {
-    /// Vector of `len` zeros.
+    /// Returns an aligned vector of `len` zeros.
     pub fn zeros(len: usize) -> AlignedVec {
         let buffer = vec![0.0; len + CACHE_LINE_BYTES / size_of::<f64>() - 1].into_boxed_slice();
         // `align_offset` may fail; unaligned elements are only slower.

@@ -50,13 +50,13 @@ pub enum IntegrationFailure {
     /// The maximum number of accepted and rejected steps was reached.
     #[error("the end was not reached in {steps} steps")]
     TooManySteps {
-        /// The maximum number of steps.
+        /// Number of accepted and rejected steps together, equal to the maximum.
         steps: usize,
     },
     /// A limit of the model's domain of validity was crossed; see [`Event::limit`](crate::Event::limit).
     #[error("limit of validity of the model: {reason}")]
     Limit {
-        /// Reason that the limit of validity states.
+        /// Description of the crossed limit of validity: the argument `reason` of `Event::limit`.
         reason: String,
     },
     /// No terminal event occurred before the final time of
@@ -90,7 +90,7 @@ impl fmt::Display for IntegrationError {
 
 impl std::error::Error for IntegrationError {}
 
-/// Number displayed with at most seven significant digits.
+/// Wrapper that displays a number with at most seven significant digits.
 struct Short(f64);
 
 impl fmt::Display for Short {

@@ -19,7 +19,7 @@ pub struct Event<'a, X> {
     pub(crate) action: EventAction,
 }
 
-/// A function of time and state.
+/// Boxed function of time and state with a scalar value.
 type Scalar<'a, X> = Box<dyn FnMut(f64, &X) -> f64 + 'a>;
 
 /// Event function g(t, x).
@@ -50,7 +50,7 @@ impl Direction {
     }
 }
 
-/// What the integration does at an event.
+/// Action of the integration at an event: record the event, stop, or fail.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum EventAction {
     Record,
@@ -85,8 +85,8 @@ impl<'a, X: StateVector> Event<'a, X> {
         Self::recorded(name, EventFunction::Function(Box::new(g)))
     }
 
-    /// Limit of validity of a model: where `g(t, x)` falls to 0 the integration fails with
-    /// [`IntegrationFailure::Limit`](crate::IntegrationFailure::Limit) and this reason.
+    /// Limit of validity of a model: where `g(t, x)` falls to 0, the integration fails with
+    /// [`IntegrationFailure::Limit`](crate::IntegrationFailure::Limit) and the given `reason`.
     pub fn limit(reason: impl Into<Cow<'a, str>>, g: impl FnMut(f64, &X) -> f64 + 'a) -> Self {
         Event {
             action: EventAction::Fail,
@@ -119,7 +119,7 @@ impl<'a, X: StateVector> Event<'a, X> {
         }
     }
 
-    /// Event function with the sign for which events are falling zeros; `dx` is scratch space.
+    /// Value of the event function, with the sign for which events are falling zeros; `dx` is scratch space.
     #[inline(always)]
     fn value<D: OdeRhs<State = X>>(&mut self, rhs: &mut D, t: f64, x: &X, dx: &mut X) -> f64 {
         let value = match &mut self.function {
@@ -235,7 +235,7 @@ pub(crate) fn falling_zeros(
     }
 }
 
-/// Width to which an event is located, as a fraction of the step from `t` of size `h`.
+/// Bracket width to which an event is located, as a fraction of the step from `t` of size `h`.
 pub(crate) fn location_width(t: f64, h: f64) -> f64 {
     (1e-13 * t.abs().max(1.0) / h).min(1e-3)
 }

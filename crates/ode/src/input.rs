@@ -1,4 +1,4 @@
-//! Validation of the input of an integration, and construction of its errors.
+//! Validation of the arguments of an integration, and construction of integration errors.
 
 use crate::error::{IntegrationError, IntegrationFailure};
 use crate::method::combine;
@@ -6,10 +6,10 @@ use crate::method::simd::{AllFinite, MIN_SIMD_LEN};
 use crate::options::IntegrationOptions;
 use crate::rhs::{OdeRhs, StateVector};
 
-/// Index of the first component that is NaN or infinite.
+/// Index of the first component that is NaN or infinite; `None` if all components are finite.
 pub(crate) fn first_non_finite<X: StateVector>(x: &X) -> Option<usize> {
     let x = x.as_ref();
-    // Without branches first, since it runs for every step.
+    // First a test without branches, since this function runs for every step.
     let is_finite = match x.len() < MIN_SIMD_LEN {
         true => x.iter().fold(true, |all, v| all & v.is_finite()),
         false => lanes::dispatch(AllFinite(x)),
@@ -50,7 +50,8 @@ pub(crate) fn check_input<D: OdeRhs>(
     }
 }
 
-/// Name and value of the first of the duration, tolerances and step bounds that is not positive.
+/// Name and value of the first quantity among the duration, the tolerances and the step bounds that is not positive;
+/// `None` if all are positive.
 fn invalid_option(options: &IntegrationOptions, duration: f64) -> Option<(&'static str, f64)> {
     let positive = [
         ("the time from start to end (s)", duration),
@@ -62,12 +63,13 @@ fn invalid_option(options: &IntegrationOptions, duration: f64) -> Option<(&'stat
     positive.into_iter().find(|(_, v)| v.is_nan() || *v <= 0.0)
 }
 
-/// Whether duration, tolerances and step bounds are positive.
+/// Whether the duration, the tolerances and the step bounds are all positive.
 pub(crate) fn is_valid(options: &IntegrationOptions, duration: f64) -> bool {
     invalid_option(options, duration).is_none()
 }
 
-/// Integration error with return code, time, and the error-controlled components of a state.
+/// Builds an integration error from the return code `cause`, the time, and the error-controlled components of the state
+/// `x`.
 #[cold]
 pub(crate) fn failure<D: OdeRhs>(
     rhs: &D,
@@ -103,8 +105,8 @@ pub(crate) fn non_finite_derivative<D: OdeRhs>(
     )
 }
 
-/// Error for a failed error test at the minimum step size `h`: a non-finite derivative just ahead, or a state that
-/// changes too fast.
+/// Error for a step size `h` below the minimum: a non-finite derivative, if the derivative is NaN or infinite after an
+/// Euler step of `h` or 1000 `h`; otherwise a step that is too small, with the state component that changes fastest.
 #[cold]
 pub(crate) fn step_too_small<D: OdeRhs>(
     rhs: &mut D,

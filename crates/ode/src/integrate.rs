@@ -1,4 +1,4 @@
-//! Entry points of the integration of initial value problems, by the output they produce.
+//! Functions that integrate initial value problems, one for each kind of output.
 
 use crate::dense_output::DenseOutput;
 use crate::error::{IntegrationError, IntegrationFailure};
@@ -18,7 +18,7 @@ const RESERVED_STEPS: usize = 64;
 /// and returns the trajectory with its dense output.
 ///
 /// # Errors
-/// [`IntegrationError`], whose cause is the return code.
+/// [`IntegrationError`] if the integration fails; its `cause` is the return code.
 ///
 /// ```
 /// use ode::{Event, IntegrationOptions, integrate, rhs_from_fn};
@@ -59,10 +59,11 @@ pub fn integrate<D: OdeRhs>(
     })
 }
 
-/// Integrates as [`integrate`] does, to a terminal event, which must occur before the time `t_end`.
+/// Integrates as [`integrate`] does, but requires that a terminal event occurs before the time `t_end`.
 ///
 /// # Errors
-/// [`IntegrationError`]; with cause [`IntegrationFailure::NoTerminalEvent`] if no terminal event occurs.
+/// [`IntegrationError`] if the integration fails; its cause is [`IntegrationFailure::NoTerminalEvent`] if no terminal
+/// event occurs.
 pub fn integrate_to_event<D: OdeRhs>(
     rhs: &mut D,
     start: (f64, &D::State),
@@ -88,7 +89,7 @@ pub fn integrate_to_event<D: OdeRhs>(
 /// Integrates as [`integrate`] does, without storing dense output; returns only the final state and the events.
 ///
 /// # Errors
-/// [`IntegrationError`], whose cause is the return code.
+/// [`IntegrationError`] if the integration fails; its `cause` is the return code.
 pub fn integrate_to_end<D: OdeRhs>(
     rhs: &mut D,
     start: (f64, &D::State),
@@ -103,7 +104,7 @@ pub fn integrate_to_end<D: OdeRhs>(
 /// times, concatenated, to `states`. Times past a terminal event get the state at the event.
 ///
 /// # Errors
-/// [`IntegrationError`], whose cause is the return code.
+/// [`IntegrationError`] if the integration fails; its `cause` is the return code.
 ///
 /// # Panics
 /// If the length of `states` is not the number of times multiplied by the state length, or `times` decrease or begin
@@ -151,7 +152,7 @@ pub fn integrate_at<D: OdeRhs>(
 /// Only the state components in `ranges` are computed. If the integration fails, discard the results of earlier calls.
 ///
 /// # Errors
-/// [`IntegrationError`], whose cause is the return code.
+/// [`IntegrationError`] if the integration fails; its `cause` is the return code.
 ///
 /// # Panics
 /// If `times` decrease or begin before the initial time, or a range exceeds the state length.
@@ -181,7 +182,8 @@ pub fn integrate_with_callback<D: OdeRhs>(
     Ok(())
 }
 
-/// Number of leading output times equal to the initial time.
+/// Returns the number of leading output times equal to the initial time. Panics if the output times decrease or precede
+/// the initial time.
 fn count_at_start(start: f64, times: &[f64]) -> usize {
     assert!(times.is_sorted(), "output times must not decrease");
     let at_start = times.iter().take_while(|t| **t == start).count();

@@ -1,16 +1,17 @@
 //! Explicit Runge–Kutta integration of initial value problems dx/dt = f(t, x), with dense output, event location
 //! and forward sensitivities.
 //!
-//! - **Problem**: [`OdeRhs`] is the right-hand side f; [`rhs_from_fn`] makes one from a closure. States are fixed
-//!   arrays or boxed slices ([`StateVector`]), so that an integration allocates nothing per step.
+//! - **Problem**: [`OdeRhs`] is the right-hand side f; [`rhs_from_fn`] builds a right-hand side from a closure. States
+//!   are fixed arrays or boxed slices ([`StateVector`]), so that an integration allocates nothing per step.
 //! - **Integration**: [`integrate`] returns a [`Trajectory`] that can be evaluated at any time; [`integrate_at`],
-//!   [`integrate_with_callback`] and [`integrate_to_end`] store less. [`IntegrationOptions`] sets method,
-//!   tolerances and step bounds; each result has its [`SolverStats`].
+//!   [`integrate_with_callback`] and [`integrate_to_end`] do not store dense output. [`IntegrationOptions`] sets
+//!   method, tolerances and step bounds; each result contains its [`SolverStats`].
 //! - **Events**: an [`Event`] is a zero of a function of time and state; it is recorded, stops the integration, or
-//!   makes it fail.
+//!   makes the integration fail.
 //! - **Sensitivities**: [`Sensitivities`] integrates ∂x/∂x₀ and ∂x/∂p together with x, from a
 //!   [`DifferentiableRhs`] with sparse Jacobians ∂f/∂x and ∂f/∂p.
-//! - **Batches**: [`fly`] integrates many flights, one per SIMD lane, each with its own step sizes and events.
+//! - **Batches**: [`fly`] integrates many initial value problems ("flights"), one per SIMD lane, each with its own step
+//!   sizes and events.
 //!
 //! ```
 //! use ode::{IntegrationOptions, integrate, rhs_from_fn};

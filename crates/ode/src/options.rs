@@ -4,8 +4,8 @@ use crate::method::Method;
 
 /// Method, error tolerances and step bounds of an integration.
 ///
-/// A step is accepted where the root mean square over the state components of error / (`atol` + `rtol` · |x|)
-/// is at most 1.
+/// A step is accepted if the root mean square over the state components of error / (`atol` + `rtol` · |x|) is at most
+/// 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct IntegrationOptions {
     /// Runge–Kutta method; default [`Method::Tsit5`].
@@ -56,10 +56,10 @@ impl IntegrationOptions {
 /// Solver statistics: counts of steps and right-hand side evaluations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SolverStats {
-    /// Accepted steps.
+    /// Number of accepted steps.
     pub steps: usize,
-    /// Steps rejected by the error test or by a non-finite derivative.
+    /// Number of steps rejected by the error test or by a non-finite derivative.
     pub rejected: usize,
-    /// Evaluations of the right-hand side by steps and dense output; those of event location are not counted.
+    /// Number of evaluations of the right-hand side by steps and dense output; those of event location are not counted.
     pub evaluations: usize,
 }

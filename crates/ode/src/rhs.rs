@@ -8,7 +8,7 @@ pub trait StateVector: Clone + AsRef<[f64]> + AsMut<[f64]> {}
 
 impl<X: Clone + AsRef<[f64]> + AsMut<[f64]>> StateVector for X {}
 
-/// Right-hand side f of dx/dt = f(t, x); [`rhs_from_fn`] makes one from a closure.
+/// Right-hand side f of dx/dt = f(t, x); [`rhs_from_fn`] builds a right-hand side from a closure.
 pub trait OdeRhs {
     /// Type of the state vector x.
     type State: StateVector;
@@ -63,7 +63,7 @@ where
     }
 }
 
-/// Right-hand side made by [`rhs_from_fn`].
+/// Right-hand side that wraps a closure; see [`rhs_from_fn`].
 pub struct FnRhs<'n, X, F> {
     names: &'n [&'n str],
     f: F,

@@ -3,8 +3,8 @@
 /// Iteration limit of the root search; bisection alone would reach adjacent floating-point numbers earlier.
 const MAX_ITERATIONS: u32 = 400;
 
-/// Narrows a bracket around a sign change of `f` to at most `width` and returns its end past the root: there `f` has
-/// the sign of `at_high`, or is 0.
+/// Narrows a bracket around a sign change of `f` to at most `width` and returns the end of the bracket past the root.
+/// At that end, `f` has the sign of `at_high` or is 0.
 ///
 /// `at_low` and `at_high` are the values of `f` at `low` and `high`, of opposite sign. The method is regula falsi
 /// with the Illinois modification, and a bisection step wherever three iterations have not halved the bracket.

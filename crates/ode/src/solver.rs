@@ -14,8 +14,8 @@ use crate::step_control::{PiGains, PiMemory, initial_step};
 /// Minimum step size as a fraction of the largest absolute time of the integration.
 pub(crate) const MIN_RELATIVE_STEP: f64 = 1e-14;
 
-/// Relative slack of the final step: a step that ends this close to the final time is extended to it, which avoids a
-/// tiny last step.
+/// Relative slack of the final step: a step that ends within this fraction of the remaining time before the final time
+/// is extended to the final time, which avoids a tiny last step.
 pub(crate) const FINAL_STEP_SLACK: f64 = 1e-10;
 
 /// Final time and state of an integration.
@@ -27,9 +27,9 @@ pub struct Endpoint<X> {
     pub state: X,
     /// Name of the terminal event; `None` where the requested final time was reached.
     pub event: Option<String>,
-    /// Recorded events, in order of time; the terminal one is the last.
+    /// Recorded events, in order of time; a terminal event is the last.
     pub occurrences: Vec<Occurrence>,
-    /// Solver statistics.
+    /// Numbers of steps and evaluations of the integration.
     pub stats: SolverStats,
 }
 
@@ -37,7 +37,8 @@ pub struct Endpoint<X> {
 pub(crate) trait StepObserver {
     /// Whether the observer needs dense output for the step from `t` to `t_end`.
     fn needs_dense_output(&self, t: f64, t_end: f64) -> bool;
-    /// Called with an accepted step; times after `until` are past a terminal event.
+    /// Receives the dense output of an accepted step. Times after `until` must be ignored: a terminal event occurred at
+    /// `until`.
     fn on_step(&mut self, step: DenseOutput<'_>, until: f64);
 }
 
@@ -60,7 +61,7 @@ pub(crate) fn solve<D: OdeRhs, O: StepObserver>(
     }
 }
 
-/// State of an integration between steps.
+/// Integration in progress: problem, options, and the state between steps.
 struct Solver<'s, 'e, D: OdeRhs, O, S> {
     rhs: &'s mut D,
     events: &'s mut [Event<'e, D::State>],
@@ -84,11 +85,11 @@ struct Solver<'s, 'e, D: OdeRhs, O, S> {
     stats: SolverStats,
 }
 
-/// Events of an integration, with their recorded occurrences.
+/// Recorded event occurrences of an integration.
 #[derive(Default)]
 struct EventLog {
     occurrences: Vec<Occurrence>,
-    /// Events in the current step: (fraction of the step, event index).
+    /// Events located in the current step: (fraction of the step, event index).
     in_step: Vec<(f64, usize)>,
 }
 
@@ -225,7 +226,8 @@ impl<'s, 'e, D: OdeRhs, O: StepObserver, S: Stepper<D::State>> Solver<'s, 'e, D,
         }
     }
 
-    /// Error norm of a step; NaN if the state at its end is not finite.
+    /// Tries a step and returns its error norm; NaN if the state or the derivative at the end of the step is not
+    /// finite.
     #[inline(always)]
     fn try_step(&mut self, end: StepEnd) -> f64 {
         let start = StepStart {
@@ -249,7 +251,7 @@ impl<'s, 'e, D: OdeRhs, O: StepObserver, S: Stepper<D::State>> Solver<'s, 'e, D,
     }
 
     /// Passes an accepted step to the events and the observer. Returns (time, event index) of a terminal event and
-    /// leaves its state in `scratch`; `None` if the integration goes on.
+    /// leaves the state at that event in `scratch`; `None` if the integration continues.
     #[inline]
     fn handle_step(&mut self, end: StepEnd) -> Result<Option<(f64, usize)>, IntegrationError> {
         let (t, h) = (self.t, end.h);
@@ -303,8 +305,9 @@ impl<'s, 'e, D: OdeRhs, O: StepObserver, S: Stepper<D::State>> Solver<'s, 'e, D,
 }
 
 impl EventLog {
-    /// Records the events of a step up to a terminal one, whose (time, event index) is returned; on return `state` is
-    /// the state at the last recorded event.
+    /// Records the events of a step in order of time, up to the first terminal event, and returns the (time, event
+    /// index) of the terminal event, or `None`. On return `state` is the state at the last recorded event. Returns an
+    /// error if a limit of validity is crossed.
     #[cold]
     fn record<D: OdeRhs>(
         &mut self,

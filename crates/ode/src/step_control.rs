@@ -10,8 +10,8 @@ const SAFETY: f64 = 0.9;
 /// inflate the next ones.
 const MIN_REMEMBERED_ERROR: f64 = 1e-4;
 
-/// Constants of a proportional-integral step-size controller (Hairer & Wanner, IV.2): next step size from the last two
-/// error norms.
+/// Constants of a proportional-integral step-size controller (Hairer & Wanner, IV.2), which computes the next step size
+/// from the last two error norms.
 #[derive(Clone, Copy)]
 pub(crate) struct PiGains {
     proportional_exponent: f64,
@@ -19,17 +19,17 @@ pub(crate) struct PiGains {
     factor_bounds: (f64, f64),
 }
 
-/// What a controller remembers of the last step.
+/// State that the step-size controller carries from one step to the next.
 #[derive(Clone, Copy)]
 pub(crate) struct PiMemory {
     pub log2_last_error: f64,
-    /// Maximum ratio of the next step size to this one: 1 after a rejected step.
+    /// Maximum ratio of the next step size to the current step size: 1 after a rejected step.
     pub max_factor: f64,
 }
 
 impl PiGains {
-    /// Controller of a method whose error estimate is of order `order`; `beta` is the exponent of the previous
-    /// error, `factor_bounds` limit the ratio of successive step sizes.
+    /// Controller of a method whose error estimate is of order `order`; `beta` is the exponent of the previous error
+    /// norm, and `factor_bounds` are the minimum and maximum ratio of successive step sizes.
     pub(crate) fn new(order: i32, beta: f64, factor_bounds: (f64, f64)) -> PiGains {
         PiGains {
             proportional_exponent: 1.0 / f64::from(order) - 0.75 * beta,
@@ -38,7 +38,7 @@ impl PiGains {
         }
     }
 
-    /// Memory before the first step.
+    /// Returns the controller state before the first step.
     pub(crate) fn start(&self) -> PiMemory {
         PiMemory {
             log2_last_error: approx_log2(MIN_REMEMBERED_ERROR),
@@ -46,8 +46,9 @@ impl PiGains {
         }
     }
 
-    /// Ratio of the next step size to the current one after a step accepted with error norm `error` (at most 1), and what
-    /// is remembered then. Without branches, so that loops over lanes become vector instructions.
+    /// Returns the ratio of the next step size to the current one after a step accepted with error norm `error` (at
+    /// most 1), and the new controller state. The code has no branches, so that loops over lanes become vector
+    /// instructions.
     #[inline(always)]
     pub(crate) fn after_accepted(&self, last: PiMemory, error: f64) -> (f64, PiMemory) {
         let log2_error = approx_log2(error.max(1e-10));
@@ -62,7 +63,8 @@ impl PiGains {
         (factor, memory)
     }
 
-    /// Ratio of the retried step size to the rejected one, whose error norm is above 1 or not finite.
+    /// Returns the ratio of the retried step size to the rejected one, and forbids growth of the step after the retry.
+    /// `error` is the error norm of the rejected step, above 1 or not finite.
     #[cold]
     pub(crate) fn after_rejected(&self, memory: &mut PiMemory, error: f64) -> f64 {
         memory.max_factor = 1.0;
@@ -106,7 +108,8 @@ pub(crate) fn initial_step<D: OdeRhs>(
     second_step(&norms, order, max_step)
 }
 
-/// Size of the Euler step from the norms of the state and of its derivative.
+/// Size of the trial Euler step that serves to estimate the second derivative, from the norms of the state and its
+/// derivative.
 #[inline(always)]
 pub(crate) fn first_step(state_norm: f64, rate_norm: f64, max_step: f64) -> f64 {
     if state_norm < 1e-5 || rate_norm < 1e-5 {
@@ -117,16 +120,16 @@ pub(crate) fn first_step(state_norm: f64, rate_norm: f64, max_step: f64) -> f64 
     .min(max_step)
 }
 
-/// What the initial step size follows from.
+/// Inputs of the initial step size: size of the trial Euler step, and norms of the first and second derivatives.
 pub(crate) struct InitialNorms {
     pub euler_step: f64,
-    /// Norm of the derivative.
+    /// Norm of the first derivative of the state.
     pub rate: f64,
-    /// Norm of the second derivative.
+    /// Norm of the second derivative of the state.
     pub second_derivative: f64,
 }
 
-/// Initial step size, at most `max_step`.
+/// Initial step size from the norms of the first and second derivatives of the state, at most `max_step`.
 #[inline(always)]
 pub(crate) fn second_step(norms: &InitialNorms, order: i32, max_step: f64) -> f64 {
     let euler_step = norms.euler_step;
@@ -147,7 +150,7 @@ pub(crate) fn second_step(norms: &InitialNorms, order: i32, max_step: f64) -> f6
 /// 1.5 · 2^52: adding it rounds a number below 2^51 to an integer, whose bits are the low bits of the sum.
 const ROUND: f64 = 6_755_399_441_055_744.0;
 
-/// log2 of a positive number with an absolute error below 0.01, which suffices for a step size.
+/// Base-2 logarithm of a positive number with an absolute error below 0.01, which suffices for a step size.
 #[inline(always)]
 fn approx_log2(x: f64) -> f64 {
     let bits = x.to_bits();

@@ -9,7 +9,7 @@ use crate::options::SolverStats;
 /// omitted.
 const END_SLACK: f64 = 1e-6;
 
-/// Solution x(t) from its initial time to its end, at any time by dense output.
+/// Solution x(t) of an initial value problem; dense output evaluates it at any time between its start and its end.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trajectory {
     pub(crate) method: Method,
@@ -25,9 +25,9 @@ pub struct Trajectory {
     pub end_state: Vec<f64>,
     /// Name of the terminal event; `None` where the requested final time was reached.
     pub terminal_event: Option<String>,
-    /// Recorded events, in order of time.
+    /// Recorded events, in order of time; a terminal event is the last.
     pub events: Vec<Occurrence>,
-    /// Solver statistics.
+    /// Numbers of steps and evaluations of the integration.
     pub stats: SolverStats,
 }
 
@@ -63,7 +63,7 @@ impl Trajectory {
         true
     }
 
-    /// Dense output of a step, by the step's index.
+    /// Dense output of the step with this index.
     fn step(&self, index: usize) -> DenseOutput<'_> {
         let (t, h) = self.steps[index];
         let rows = &self.rows[index * ROWS * self.states..];
@@ -75,7 +75,8 @@ impl Trajectory {
         }
     }
 
-    /// (time, state) at `rate` samples per unit of time from the initial time on, and at the final time.
+    /// Returns an iterator over (time, state) at `rate` samples per unit of time from the initial time on, and at the
+    /// final time.
     ///
     /// # Panics
     /// If the rate is not positive.

@@ -29,7 +29,7 @@ impl<T: Field> Quaternion<T> {
         }
     }
 
-    /// Components [w, x, y, z].
+    /// Components [w, x, y, z] of the quaternion.
     pub fn parts(self) -> [T; 4] {
         [self.w, self.v.x, self.v.y, self.v.z]
     }
@@ -42,7 +42,7 @@ impl<T: Field> Quaternion<T> {
         }
     }
 
-    /// Conjugate quaternion: inverse rotation, if of unit norm.
+    /// Conjugate quaternion: the inverse rotation, if the quaternion has unit norm.
     pub fn conjugate(self) -> Self {
         Self {
             w: self.w,

@@ -1,5 +1,5 @@
-//! Conversion between the states of a model and a physical state. Attitudes are quaternions here, matrices in the
-//! vector tree.
+//! Conversion between the states of a model and a physical state. Attitudes are represented by quaternions here, and by
+//! matrices in the vector tree.
 
 use crate::attitude::{Quaternion, unit};
 use crate::physical::{Motion, Physical};
@@ -37,7 +37,8 @@ pub struct Chart {
     pub velocity_after: usize,
     /// Sequence of rotations from the inertial frame to the body frame.
     pub steps: Vec<Step>,
-    /// State indices of the angular velocity components, and number of rotations to their frame; `None` if not states.
+    /// State indices of the angular velocity components, and number of rotations from the inertial frame to the frame
+    /// of these components; `None` if the angular velocity is not a state.
     pub angular_velocity: Option<([usize; 3], usize)>,
 }
 
@@ -55,7 +56,8 @@ pub struct PhysicalRate {
 }
 
 impl Chart {
-    /// The chart that a model's body declares; `None` without a body or for unsupported sequences of rotations.
+    /// Chart that the body of a model declares; `None` if the model has no body or its sequence of rotations is not
+    /// supported.
     pub fn declared(model: &Model) -> Option<Self> {
         let body = model.body.as_ref()?;
         let mut chart = Self {
@@ -108,7 +110,7 @@ impl Chart {
         !self.steps.is_empty()
     }
 
-    /// Converts states to the physical state.
+    /// Converts states to the physical state that they describe.
     pub fn physical<T: Real>(&self, states: &[T]) -> Physical<T> {
         let placed = self.place(states);
         let pick = |i: [usize; 3]| Vector3::from(i.map(|i| states[i]));
@@ -125,7 +127,7 @@ impl Chart {
         }
     }
 
-    /// Time derivatives of the states for given accelerations; 0 for states without physical meaning.
+    /// Time derivatives of the states for the accelerations in `motion`; 0 for states without physical meaning.
     pub fn derivatives<T: Real>(&self, states: &[T], motion: &Motion<T>) -> Vec<T> {
         let mut out = vec![T::zero(); self.defaults.len()];
         let mut put = |indices: [usize; 3], v: Vector3<T>| {
@@ -198,7 +200,7 @@ impl Chart {
         out
     }
 
-    /// Rate of change of the physical state for given time derivatives of the states.
+    /// Converts time derivatives of the states to the rate of change of the physical state.
     pub fn physical_rate(&self, states: &[f64], rates: &[f64]) -> PhysicalRate {
         let along: Vec<Dual<f64>> = states
             .iter()
@@ -218,7 +220,7 @@ impl Chart {
         }
     }
 
-    /// Converts a physical state to states; `None` if two turns in a row are about one axis.
+    /// Converts a physical state to states; `None` if two consecutive rotations are about the same axis.
     pub fn states(&self, physical: &Physical<f64>) -> Option<Vec<f64>> {
         let mut out = self.defaults.clone();
         match self.steps.as_slice() {
@@ -274,7 +276,8 @@ impl Chart {
         Some(out)
     }
 
-    /// Attitude and angular velocity after 0, 1, … rotations; quaternion rotations add no angular velocity.
+    /// Attitude and angular velocity after 0, 1, … rotations of the sequence; quaternion rotations add no angular
+    /// velocity.
     fn place<T: Real>(&self, states: &[T]) -> Vec<(Quaternion<T>, Vector3<T>)> {
         let mut placed = vec![(Quaternion::identity(), Vector3::zeros())];
         for (k, step) in self.steps.iter().enumerate() {
@@ -294,15 +297,15 @@ impl Chart {
     }
 }
 
-/// Angles of three turns about the given axes of the turned frame, from the rotation matrix to the inertial frame; `None` if
-/// two turns in a row are about one axis.
+/// Angles of three consecutive rotations, each about the given axis of the frame rotated so far, from the rotation
+/// matrix `m` to the inertial frame; `None` if two consecutive rotations are about the same axis.
 fn angles(m: &Matrix3<f64>, axes: [u8; 3]) -> Option<[f64; 3]> {
     let [i, j, k] = axes.map(|axis| usize::from(axis) - 1);
     if i == j || j == k {
         return None;
     }
     let other = 3 - i - j;
-    // 1 where (i, j, other) is an even permutation of the axes, else -1.
+    // 1 if (i, j, other) is an even permutation of the axes, otherwise -1.
     let sign = if (i + 1) % 3 == j { 1.0 } else { -1.0 };
     Some(if i == k {
         [

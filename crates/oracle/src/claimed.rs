@@ -1,6 +1,6 @@
-//! The body that a model with stated equations claims, and the laws of motion that its quantities obey: the position
-//! changes by the velocity, the attitude by the angular velocity, the momentum by the force and the angular momentum by
-//! the moment. Everything in inertial components.
+//! The body that a model with stated equations claims to describe, and the laws of motion for its quantities: the
+//! velocity changes the position, the angular velocity the attitude, the force the momentum, and the moment the angular
+//! momentum. All vectors are in inertial components.
 
 use crate::attitude::{Quaternion, unit};
 use crate::physical::Physical;
@@ -29,9 +29,9 @@ pub struct ClaimedBody<T> {
 /// Rotational motion of a claimed body at a point, in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turning<T> {
-    /// Axes, as columns, of the body-fixed frame, or of the frame of the axis of revolution.
+    /// Axes, as columns, of the body-fixed frame, or of the frame that contains the axis of revolution.
     pub axes: Matrix3<T>,
-    /// Number of the axis of revolution (1, 2 or 3) if that alone turns with the body; `None` if the frame does.
+    /// Axis of revolution (1, 2 or 3) if only this axis moves with the body; `None` if the whole frame does.
     pub axis: Option<u8>,
     /// Inertia tensor, kg·m².
     pub inertia: Matrix3<T>,
@@ -41,21 +41,21 @@ pub struct Turning<T> {
     pub moment: Vector3<T>,
 }
 
-/// A law that a claimed body obeys.
+/// A law of motion that a claimed body must satisfy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum BalanceLaw {
-    /// The position changes by the velocity.
+    /// The rate of change of the position is the velocity.
     Position,
-    /// The body-fixed frame, or the axis of revolution, turns with the angular velocity.
+    /// The body-fixed frame, or the axis of revolution, rotates with the angular velocity.
     Attitude,
-    /// The momentum changes by the force.
+    /// The rate of change of the momentum is the force.
     Momentum,
-    /// The angular momentum changes by the moment.
+    /// The rate of change of the angular momentum is the moment.
     AngularMomentum,
 }
 
 impl BalanceLaw {
-    /// Formula of the law.
+    /// Formula of the law, as text.
     pub fn formula(self) -> &'static str {
         match self {
             Self::Position => "d(position)/dt = velocity",
@@ -66,19 +66,19 @@ impl BalanceLaw {
     }
 }
 
-/// Both sides of a law at a point.
+/// Left- and right-hand side of a law of motion at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Balance<T> {
-    /// The law.
+    /// Law of motion whose sides are given.
     pub law: BalanceLaw,
-    /// Rate of change, left-hand side.
+    /// Left-hand side: rate of change of a quantity.
     pub change: Vector3<T>,
-    /// Cause of the change, right-hand side.
+    /// Right-hand side: cause of the change, such as the force.
     pub cause: Vector3<T>,
 }
 
 impl<T: Real> ClaimedBody<T> {
-    /// Quantities of the claimed body, from an evaluated vector tree; `None` if the model claims none.
+    /// Evaluates the quantities of the claimed body by a vector tree; `None` if the model claims no body.
     pub fn of(tree: &Tree<'_, T>) -> Option<Self> {
         let claim = tree.model.claim.as_ref()?;
         Some(Self {
@@ -90,7 +90,7 @@ impl<T: Real> ClaimedBody<T> {
         })
     }
 
-    /// Momentum, kg·m/s.
+    /// Momentum of the body, kg·m/s.
     pub fn momentum(&self) -> Vector3<T> {
         self.velocity * self.mass
     }
@@ -101,7 +101,7 @@ impl<T: Real> ClaimedBody<T> {
         turning.map_or_else(Vector3::zeros, |t| t.inertia * t.angular_velocity)
     }
 
-    /// Kinetic energy, J.
+    /// Kinetic energy of the body, translational and rotational, J.
     pub fn kinetic_energy(&self) -> T {
         let mut twice = self.momentum().dot(&self.velocity);
         if let Some(turning) = &self.turning {
@@ -110,7 +110,7 @@ impl<T: Real> ClaimedBody<T> {
         twice / T::integer(2)
     }
 
-    /// Power of the force and the moment, W.
+    /// Power of the force and the moment on the body, W.
     pub fn power(&self) -> T {
         let of_moment = self
             .turning
@@ -136,14 +136,15 @@ impl<T: Real> Turning<T> {
         }
     }
 
-    /// Numbers of the axes of [`Turning::axes`] that turn with the body.
+    /// Numbers (1, 2 or 3) of the axes in [`Turning::axes`] that move with the body.
     pub fn turning_axes(&self) -> Vec<u8> {
         self.axis.map_or_else(|| vec![1, 2, 3], |axis| vec![axis])
     }
 }
 
 impl ClaimedBody<f64> {
-    /// The physical state. The spin angle of a body of revolution without a fixed frame is that of its frame.
+    /// Physical state of the claimed body. For a body of revolution without a body-fixed frame, the spin angle is that
+    /// of the frame of its axis.
     pub fn physical(&self) -> Physical<f64> {
         Physical {
             position: self.position,
@@ -161,7 +162,7 @@ impl ClaimedBody<f64> {
 }
 
 impl<T: Real> ClaimedBody<Dual<T>> {
-    /// Both sides of every law, the derivatives of the dual numbers being those with respect to time.
+    /// Both sides of every law; the derivatives of the dual numbers must be those with respect to time.
     pub fn balances(&self) -> Vec<Balance<T>> {
         let derivative = |v: &Vector3<Dual<T>>| v.map(|d| d.derivative);
         let value = |v: &Vector3<Dual<T>>| v.map(|d| d.value);
@@ -191,8 +192,8 @@ impl<T: Real> ClaimedBody<Dual<T>> {
     }
 }
 
-/// A point that moves: states with given rates, and the time of the measuring clock with its rate against the time of
-/// flight. Everything else stays.
+/// Point with time derivatives: the states change at the given rates, and the time of the measuring clock at
+/// `time_rate` per second of flight. All other values are constant.
 pub fn moving<T: Real>(point: &Point<T>, rates: &[T], time_rate: T) -> Point<Dual<T>> {
     let mut out = point.map(Dual::constant);
     out.time.derivative = time_rate;

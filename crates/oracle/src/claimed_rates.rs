@@ -1,5 +1,6 @@
-//! Rates of the states that a claim implies: those with which the claimed quantities obey the laws of motion. The laws
-//! are linear in the rates; as a body has more equations than some models have states, they are solved by least squares.
+//! Rates of the states that a claim implies: the rates with which the claimed quantities satisfy the laws of motion.
+//! The laws are linear in the rates. Since a body has more equations than some models have states, they are solved by
+//! least squares.
 
 use crate::claimed::{BalanceLaw, ClaimedBody, moving};
 use crate::point::Point;
@@ -9,11 +10,12 @@ use model_spec::model::Model;
 use nalgebra::{DMatrix, DVector};
 use num_traits::{One, Zero};
 
-/// Smallest singular value of the scaled system that counts, relative to the largest.
+/// Minimum singular value of the scaled system that counts as nonzero, relative to the greatest one.
 const RANK: f64 = 1e-10;
-/// Largest part of a state in a direction that the laws leave free; what rounding makes larger is not determined either.
+/// Maximum component of a state in a direction that the laws leave free. A state with a greater component counts as
+/// undetermined, even if rounding causes it.
 const FREE: f64 = 1e-12;
-/// Smallest residual of a law that no rates satisfy, relative to the sum of the magnitudes of its terms.
+/// Minimum residual of a law that counts as unsatisfied, relative to the sum of the magnitudes of the law's terms.
 const RESIDUAL: f64 = 1e-10;
 
 /// Rates of the states that the laws of the claimed body imply, at one point.
@@ -21,14 +23,14 @@ const RESIDUAL: f64 = 1e-10;
 pub struct ClaimedRates {
     /// Rate of each state with respect to the time of flight; `None` if the laws do not determine it.
     pub rates: Vec<Option<ErrorBound>>,
-    /// Laws that no rates satisfy, with the residual relative to the sum of the magnitudes of the terms.
+    /// Laws that no rates satisfy, each with its residual relative to the sum of the magnitudes of its terms.
     pub unsatisfied: Vec<(BalanceLaw, f64)>,
-    /// Whether each unsatisfied law is one in which no rate appears, so that the rates solve all others.
+    /// Whether no rate appears in any of the unsatisfied laws, so that the rates solve all other laws.
     pub solves_the_others: bool,
 }
 
 /// Solves the laws of the claimed body for the rates of the states; `time_rate` is the rate of the measuring clock
-/// against the time of flight. `None` if the model claims no body, or where a value is not finite.
+/// relative to the time of flight. `None` if the model claims no body or a value is not finite.
 pub fn claimed_rates(
     model: &Model,
     point: &Point<ErrorBound>,
@@ -38,7 +40,7 @@ pub fn claimed_rates(
     system.solved()
 }
 
-/// The laws as rows of a linear system: `a` times rates = `b`.
+/// The laws as a linear system: matrix `a` times rates = `b`, one row per component of a law.
 struct System {
     a: Vec<Vec<ErrorBound>>,
     b: Vec<ErrorBound>,
@@ -74,7 +76,8 @@ impl System {
                 row[state] = *change;
             }
         }
-        // At least as many rows as columns, so that the directions that the laws leave free are among the singular vectors.
+        // At least as many rows as columns, so that the singular vectors include the directions that the laws leave
+        // free.
         while system.a.len() < count {
             system.a.push(vec![ErrorBound::zero(); count]);
             system.b.push(ErrorBound::zero());
@@ -89,8 +92,8 @@ impl System {
         let (rows, columns) = (self.a.len(), self.a[0].len());
         let matrix = DMatrix::from_fn(rows, columns, |i, j| self.a[i][j].value);
         let right = DVector::from_fn(rows, |i, _| self.b[i].value);
-        // Rows and columns of size 1, so that the rank does not depend on units; by the magnitudes of the terms, so that
-        // what rounding leaves of terms that cancel stays small.
+        // Rows and columns are scaled to size 1, so that the rank does not depend on units. The sizes are those of the
+        // magnitudes of the terms, so that rounding errors of cancelling terms stay small.
         let size = |norm: f64| if norm > 0.0 { 1.0 / norm } else { 1.0 };
         let sizes = DMatrix::from_fn(rows, columns, |i, j| self.a[i][j].magnitude);
         let row_scale: Vec<f64> = sizes.row_iter().map(|r| size(r.norm())).collect();
@@ -120,7 +123,7 @@ impl System {
                 of_terms.sum::<f64>().max(rates[j].abs())
             })
             .collect();
-        // Rates that vanish are known to the rounding of the terms that make them up.
+        // A rate that vanishes is known to within the rounding of the terms that sum to it.
         let rounded = self.terms(magnitudes.iter().copied());
         let mut unsatisfied: Vec<(BalanceLaw, f64)> = Vec::new();
         let mut solves_the_others = true;
@@ -145,7 +148,7 @@ impl System {
         })
     }
 
-    /// Sum of the magnitudes of the terms of each row, for rates of these sizes.
+    /// Sum of the magnitudes of the terms in each row, for rates with the magnitudes `rates`.
     fn terms(&self, rates: impl Iterator<Item = f64> + Clone) -> Vec<f64> {
         let of_row = |(a, b): (&Vec<ErrorBound>, &ErrorBound)| {
             let of_rates = a.iter().zip(rates.clone());
@@ -155,7 +158,8 @@ impl System {
     }
 }
 
-/// Whether each state has a part in a direction that the laws leave free; the system has at least as many rows as columns.
+/// Whether each state has a component in a direction that the laws leave free. The system must have at least as many
+/// rows as columns.
 fn free_states(
     svd: &nalgebra::SVD<f64, nalgebra::Dyn, nalgebra::Dyn>,
     tolerance: f64,

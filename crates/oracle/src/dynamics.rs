@@ -1,5 +1,5 @@
-//! State derivatives of a model from its vector tree: stated equations directly, those of a body by Newton's and
-//! Euler's laws in inertial components.
+//! State derivatives of a model from its vector tree: stated equations are evaluated directly, those of a body follow
+//! from Newton's and Euler's laws in inertial components.
 
 use crate::attitude::Quaternion;
 use crate::error::Unsupported;
@@ -21,12 +21,13 @@ pub struct MassProperties<T> {
     pub inertia: Option<Matrix3<T>>,
 }
 
-/// Derivative of every state with respect to the time of the measuring clock.
+/// Computes the derivative of every state with respect to the time of the measuring clock.
 pub fn derivatives<T: Real>(model: &Model, point: &Point<T>) -> Result<Vec<T>, Unsupported> {
     derivatives_of(&Tree::new(model, point))
 }
 
-/// Derivative of every state with respect to the time of the measuring clock, from an evaluated vector tree.
+/// Computes the derivative of every state with respect to the time of the measuring clock, from an evaluated vector
+/// tree.
 pub fn derivatives_of<T: Real>(tree: &Tree<'_, T>) -> Result<Vec<T>, Unsupported> {
     let model = tree.model;
     let mut out = match &model.body {
@@ -87,7 +88,7 @@ pub fn newton_euler<T: Field>(
     }
 }
 
-/// Derivatives of a body's states for given accelerations; 0 for all other states.
+/// Derivatives of a body's states for the accelerations in `motion`; 0 for all other states.
 pub fn state_derivatives<T: Field>(
     model: &Model,
     body: &Body,
@@ -123,8 +124,8 @@ fn set<T: Field>(out: &mut [T], indices: [usize; 3], v: Vector3<T>) {
     }
 }
 
-/// Rates of the components of `vector` in a frame, where its inertial rate of change is `rate`: the transport theorem.
-/// `None` if the angular velocity of the frame is undefined.
+/// Rates of the components of `vector` in a frame, from its rate of change `rate` in inertial components, by the
+/// transport theorem. `None` if the angular velocity of the frame is undefined.
 fn component_rates<T: Field>(
     frame: &PlacedFrame<T>,
     vector: Vector3<T>,
@@ -134,7 +135,8 @@ fn component_rates<T: Field>(
     Some(frame.axes.transpose() * (rate - transport))
 }
 
-/// Rates of an attitude quaternion and of the angular velocity's `components` in a frame.
+/// Writes the rates of an attitude quaternion and of the angular velocity `components` (state indices and frame) to
+/// `out`.
 fn quaternion_rates<T: Field>(
     model: &Model,
     rotation: &Rotation,
@@ -172,7 +174,7 @@ fn quaternion_rates<T: Field>(
     Ok(())
 }
 
-/// Rates of three attitude angles and second derivatives of the angles.
+/// Writes the first and second derivatives of three attitude angles to `out`.
 fn angle_rates<T: Field>(
     model: &Model,
     rotation: &Rotation,

@@ -51,7 +51,7 @@ pub enum Unsupported {
     /// The components of a vector refer to a frame whose angular velocity the model does not define.
     #[error("the angular velocity of the frame of {vector} is not defined")]
     FrameRate {
-        /// Description of the vector.
+        /// Description of the vector, for the error message.
         vector: &'static str,
     },
     /// The angular velocity is a state, but the attitude is not a quaternion from the inertial frame.

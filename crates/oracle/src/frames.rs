@@ -14,10 +14,10 @@ pub struct PlacedFrame<T> {
     pub angular_velocity: Option<Vector3<T>>,
 }
 
-/// Rotation of a frame about one axis of its parent, in inertial components.
+/// Rotation of a frame about one axis of its parent frame; vectors are in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ElementaryRotation<T> {
-    /// Axis of rotation, unit vector.
+    /// Axis of rotation, a unit vector.
     pub axis: Vector3<T>,
     /// Angular velocity of the parent frame, rad/s.
     pub parent_angular_velocity: Vector3<T>,
@@ -25,7 +25,8 @@ pub struct ElementaryRotation<T> {
     pub rate: usize,
 }
 
-/// Axes and angular velocities of all frames of a model; `sin_cos` gives (sine, cosine) of the state with an index.
+/// Computes the axes and angular velocities of all frames of a model; `sin_cos` returns the sine and cosine of the
+/// state with a given index.
 pub fn place<T: Field>(
     model: &Model,
     states: &[T],
@@ -75,12 +76,13 @@ pub fn place<T: Field>(
     placed
 }
 
-/// Axes and angular velocities of all frames of a model, for real states.
+/// Computes the axes and angular velocities of all frames of a model, for real-valued states.
 pub fn place_real<T: Real>(model: &Model, states: &[T]) -> Vec<PlacedFrame<T>> {
     place(model, states, |i| (states[i].sin(), states[i].cos()))
 }
 
-/// Rotations from the inertial frame to `frame`, outermost first; `None` if a quaternion is among them or a rate is undefined.
+/// Elementary rotations from the inertial frame to `frame`, outermost first; `None` if one of them is a quaternion
+/// rotation or a rate is undefined.
 pub fn elementary_rotations<T: Field>(
     model: &Model,
     placed: &[PlacedFrame<T>],
@@ -104,7 +106,7 @@ pub fn elementary_rotations<T: Field>(
     }
 }
 
-/// Axes, as columns, of a frame rotated about `axis`; `s` and `c` are the sine and cosine of the angle.
+/// Axes, as columns, of a frame rotated about axis 1, 2 or 3; `s` and `c` are the sine and cosine of the angle.
 fn rotated<T: Field>(axis: u8, s: T, c: T) -> Matrix3<T> {
     let (o, l) = (T::zero(), T::one());
     match axis {

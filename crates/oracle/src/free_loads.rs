@@ -1,4 +1,4 @@
-//! Equations of motion of a rigid body under given loads, in any field.
+//! Equations of motion of a rigid body under given loads, for scalars of any field.
 
 use crate::dynamics::{MassProperties, newton_euler, state_derivatives};
 use crate::error::Unsupported;
@@ -8,12 +8,13 @@ use crate::scalar::Field;
 use model_spec::model::{Body, Expr, ExprKind, Model};
 use nalgebra::{Matrix3, Vector3};
 
-/// Derivative of every state under a given force and moment in inertial components; `sin_cos` gives (sine, cosine) of
-/// the state with an index.
+/// Computes the derivative of every state under a given force (N) and moment (N·m) in inertial components; `sin_cos`
+/// returns the sine and cosine of the state with a given index.
 ///
 /// # Errors
-/// [`Unsupported::StatedEquations`] without a body, [`Unsupported::IrrationalMass`] if mass or inertia depends on more
-/// than sums, products, quotients and integer powers of constants, and the errors of [`derivatives`](crate::derivatives).
+/// [`Unsupported::StatedEquations`] if the model has no body, [`Unsupported::IrrationalMass`] if mass or inertia
+/// depends on more than sums, products, quotients and integer powers of constants, and the errors of
+/// [`derivatives`](crate::derivatives).
 pub fn free_load_derivatives<T: Field>(
     model: &Model,
     point: &Point<T>,
@@ -51,7 +52,7 @@ fn mass_properties<T: Field>(
     })
 }
 
-/// Value of a rational expression in constants; `None` for any other expression.
+/// Value of a rational expression of constants; `None` for any other expression.
 fn rational<T: Field>(model: &Model, e: &Expr, point: &Point<T>) -> Option<T> {
     let part = |e: &Expr| rational(model, e, point);
     Some(match &e.kind {

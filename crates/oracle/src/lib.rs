@@ -1,20 +1,20 @@
-//! Independent reference evaluation of flight models, with vectors in inertial components: reference implementations
-//! of the laws of motion, after their publications, and the vector tree of any checked
+//! Independent reference evaluation of flight models, with vectors in inertial components: reference implementations of
+//! the laws of motion, after their publications, and the vector tree of any checked
 //! [`Model`](model_spec::model::Model). The compiler is checked against both.
 //!
-//! This crate shares no code with the compiler, so that it cannot share its mistakes; a test of the manifest and of the
-//! source keeps it so.
+//! This crate shares no code with the compiler, so that it cannot share the compiler's mistakes; a test of the manifest
+//! and of the source enforces this.
 //!
 //! - **Reference implementations**: [`Reference`] binds a [`Law`] to the names of a model, [`effect`] adds the built-in
 //!   effects.
 //! - **Vector tree**: [`Tree`] evaluates the expressions of a model, [`derivatives`] its equations of motion;
-//!   [`free_load_derivatives`] those of a rigid body under given loads, in any field.
-//! - **Claims**: [`ClaimedBody`] are the quantities of the body that stated equations are claimed to be about, with the
-//!   laws that they obey; [`claimed_rates`] solves these for the rates of the states.
+//!   [`free_load_derivatives`] evaluates those of a rigid body under given loads, in any field.
+//! - **Claims**: [`ClaimedBody`] contains the quantities of the body that stated equations are claimed to describe,
+//!   with the laws of motion for them; [`claimed_rates`] solves these laws for the rates of the states.
 //! - **Coordinates**: a [`Chart`] maps the states of a model to a [`Physical`] state and back.
 //!
-//! Everything is generic over the [`scalar`] type, so that one text yields values, running error bounds, derivatives
-//! in several ways, and values in a prime field.
+//! Everything is generic over the [`scalar`] type, so that one source text yields values, running error bounds,
+//! derivatives in several ways, and values in a prime field.
 
 mod attitude;
 mod chart;

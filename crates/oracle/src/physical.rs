@@ -1,10 +1,10 @@
-//! State of a body independent of the coordinates that a model chooses for it.
+//! State of a body, independent of the coordinates that a model chooses for it.
 
 use crate::attitude::Quaternion;
 use crate::scalar::Field;
 use nalgebra::Vector3;
 
-/// Physical state of a body; every vector in inertial components.
+/// Physical state of a body; all vectors are in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Physical<T> {
     /// Position of the mass centre, m.
@@ -18,7 +18,7 @@ pub struct Physical<T> {
 }
 
 impl<T: Field> Physical<T> {
-    /// Body at rest at the origin, body axes parallel to the inertial axes.
+    /// State of a body at rest at the origin, with body axes parallel to the inertial axes.
     pub fn rest() -> Self {
         Self {
             position: Vector3::zeros(),
@@ -29,7 +29,7 @@ impl<T: Field> Physical<T> {
     }
 }
 
-/// Loads on a body and its accelerations; every vector in inertial components.
+/// Loads on a body and its accelerations; all vectors are in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion<T> {
     /// Sum of the forces, N.

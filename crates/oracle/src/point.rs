@@ -17,12 +17,12 @@ pub struct Point<T> {
     pub inputs: Vec<Vector3<T>>,
     /// Values of [`Model::states`].
     pub states: Vec<T>,
-    /// Coordinates of the marker in its frame, m.
+    /// Coordinates of the marker in the frame of the marker, m.
     pub marker: Vector3<T>,
 }
 
 impl Point<f64> {
-    /// Default value of every name, at time 0.
+    /// Default values of all variables of a model, at time 0 and with the marker at the origin of its frame.
     pub fn defaults(model: &Model) -> Self {
         Self {
             time: 0.0,

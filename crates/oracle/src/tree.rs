@@ -1,7 +1,7 @@
-//! The vector tree of a model, evaluated in inertial components.
+//! Vector tree of a model, evaluated in inertial components.
 //!
-//! Every vector is converted to inertial components as soon as it appears; expressing it in another frame then changes
-//! nothing, and a component is a scalar product with an axis.
+//! Every vector is converted to inertial components as soon as it is evaluated. Expressing it in another frame then has
+//! no effect, and a component is a scalar product with an axis.
 
 use crate::frames::{PlacedFrame, place_real};
 use crate::point::Point;
@@ -22,7 +22,7 @@ pub enum Value<T> {
 
 /// Vector tree: a model evaluated at a point, with its frames and auxiliary variables.
 pub struct Tree<'a, T> {
-    /// The evaluated model.
+    /// Model that is evaluated.
     pub model: &'a Model,
     /// Point of evaluation.
     pub point: &'a Point<T>,
@@ -34,12 +34,13 @@ pub struct Tree<'a, T> {
 }
 
 impl<'a, T: Real> Tree<'a, T> {
-    /// Evaluates frames and auxiliary variables at a point.
+    /// Evaluates the frames and auxiliary variables of a model at a point.
     pub fn new(model: &'a Model, point: &'a Point<T>) -> Self {
         Self::overriding(model, point, &[])
     }
 
-    /// Evaluates a model with some auxiliary variables, by index, replaced by given values.
+    /// Evaluates a model at a point, with some auxiliary variables replaced by the values `given`, as pairs of index
+    /// and value.
     pub fn overriding(model: &'a Model, point: &'a Point<T>, given: &[(usize, Value<T>)]) -> Self {
         let frames = place_real(model, &point.states);
         let mut tree = Self {
@@ -57,7 +58,7 @@ impl<'a, T: Real> Tree<'a, T> {
                 .map(|(_, value)| *value);
             let value = match given_value {
                 Some(value) => value,
-                // Computed below, when all that loads depend on is known.
+                // Computed below, once everything that the loads depend on is known.
                 None if of_motion[index] => Value::Scalar(T::zero()),
                 None => tree.value(&named.value),
             };
@@ -71,14 +72,14 @@ impl<'a, T: Real> Tree<'a, T> {
         tree
     }
 
-    /// Sum of the forces other than the weight over the mass, m/s², in inertial components.
+    /// Sum of the forces except the weight, divided by the mass, m/s², in inertial components.
     fn specific_force(&self) -> Vector3<T> {
         let felt = self.model.forces.iter().filter(|load| !load.is_weight());
         let force = felt.fold(Vector3::zeros(), |sum, load| sum + self.vector(&load.value));
         force / self.scalar(&self.body().mass)
     }
 
-    /// Derivative of the angular velocity, rad/s², in inertial components.
+    /// Angular acceleration of the body, rad/s², in inertial components.
     fn angular_acceleration(&self) -> Vector3<T> {
         let rotation = self.rotation();
         let frame = &self.frames[rotation.inertia_frame];
@@ -93,7 +94,7 @@ impl<'a, T: Real> Tree<'a, T> {
         )
     }
 
-    /// Value of a scalar expression.
+    /// Evaluates a scalar expression.
     ///
     /// # Panics
     /// If the expression is a vector, which the language checker excludes.
@@ -104,7 +105,7 @@ impl<'a, T: Real> Tree<'a, T> {
         }
     }
 
-    /// Value of a vector expression, in inertial components.
+    /// Evaluates a vector expression, in inertial components.
     ///
     /// # Panics
     /// If the expression is a scalar, which the language checker excludes.
@@ -115,20 +116,20 @@ impl<'a, T: Real> Tree<'a, T> {
         }
     }
 
-    /// Sum of forces or moments, in inertial components.
+    /// Sum of the given forces or moments, in inertial components.
     pub fn total(&self, loads: &[Load]) -> Vector3<T> {
         loads
             .iter()
             .fold(Vector3::zeros(), |sum, load| sum + self.vector(&load.value))
     }
 
-    /// Seconds of flight per second of the measuring clock.
+    /// Seconds of flight per second of the measuring clock; 1 if the model has no clock.
     pub fn clock(&self) -> T {
         let stated = self.model.clock.as_ref();
         stated.map_or_else(|| T::lit(1.0), |clock| self.scalar(&clock.value))
     }
 
-    /// Value of any expression, scalar or vector.
+    /// Evaluates an expression, scalar or vector.
     pub fn value(&self, e: &Expr) -> Value<T> {
         use ExprKind as K;
         use Value::{Scalar, Vector};
@@ -275,7 +276,7 @@ impl<'a, T: Real> Tree<'a, T> {
     }
 }
 
-/// Euclidean norm; 0 with derivative 0 at the zero vector.
+/// Euclidean norm of a vector; 0 with derivative 0 at the zero vector.
 pub fn norm<T: Real>(v: &Vector3<T>) -> T {
     v.dot(v).sqrt()
 }

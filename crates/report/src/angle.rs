@@ -1,18 +1,18 @@
-//! Which quantities are shown in degrees.
+//! Decides which quantities are shown in degrees.
 
 use model_spec::model::{Expr, ExprKind, State};
 
-/// Unit of angles.
+/// Unit of angles, as text.
 const RADIAN: &str = "rad";
 
-/// Whether an expression is an angle: of unit rad, and an inverse tangent or another function. A product such as a rate times
-/// a time has this unit too, and may be a ratio.
+/// Whether an expression is an angle: an inverse tangent or a function call with unit rad. Products are excluded: a
+/// rate times a time also has unit rad, but may be a ratio.
 pub(crate) fn is_angle(expr: &Expr) -> bool {
     let is_function = matches!(expr.kind, ExprKind::Atan2(..) | ExprKind::Call(..));
     is_function && expr.unit.to_string() == RADIAN
 }
 
-/// Whether a state is an angle.
+/// Whether a state has unit rad, so that it is shown in degrees.
 pub(crate) fn is_angle_state(state: &State) -> bool {
     state.unit.to_string() == RADIAN
 }

@@ -3,18 +3,18 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-/// Writes a file atomically: to a temporary file in the target folder, then renamed. An interruption leaves either
-/// the old file or the new one.
+/// Writes a file atomically: the contents are written to a temporary file in the same folder, which is then renamed.
+/// An interruption leaves either the old file or the new one, complete.
 ///
 /// # Errors
-/// If the folder does not exist or is not writable, or if `path` is a folder.
+/// [`io::Error`] if the folder does not exist or is not writable, or `path` is a folder.
 pub fn write_atomic(path: &Path, contents: impl AsRef<[u8]>) -> io::Result<()> {
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     };
     let mut options = tempfile::Builder::new();
-    // A temporary file is private by default; the result has the permissions that the umask leaves.
+    // A temporary file is private by default; this sets the permissions that the umask allows.
     #[cfg(unix)]
     options.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     let mut file = options.tempfile_in(folder)?;
@@ -36,7 +36,7 @@ mod tests {
         write_atomic(&path, "new").unwrap();
         assert_eq!(std::fs::read_to_string(&path).unwrap(), "new");
         assert!(write_atomic(&folder.path().join("absent/trajectory.csv"), "x").is_err());
-        // A folder of that name cannot be replaced.
+        // A folder at the target path cannot be replaced.
         std::fs::create_dir(folder.path().join("taken")).unwrap();
         assert!(write_atomic(&folder.path().join("taken"), "x").is_err());
         let entries = std::fs::read_dir(folder.path()).unwrap();

@@ -1,4 +1,4 @@
-//! Standard errors of what a fit predicts of a flight that it did not see.
+//! Standard errors of the predictions of held-out flights.
 
 use std::collections::BTreeMap;
 
@@ -10,16 +10,17 @@ use nalgebra::{DMatrix, DVector};
 /// Standard errors of the predicted marker positions of a held-out flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PredictionBand {
-    /// File name of the flight.
+    /// File name of the held-out flight.
     pub file: String,
-    /// `std_error[sample][marker]`: standard error of the predicted position along each axis, m, without the noise of the
-    /// measurement. From the covariance of the fit and of the initial state, which is fitted to the first samples.
+    /// `std_error[sample][marker]`: standard error of the predicted position along each axis, m, from the covariances
+    /// of the coefficients and of the initial state. Measurement noise is not included.
     pub std_error: Vec<Vec<[f64; 3]>>,
-    /// Index of the first predicted sample.
+    /// Index of the first predicted sample; the initial state is fitted to the samples before it.
     pub first: usize,
 }
 
-/// Standard error by which coefficients are judged: cluster-robust by flight where that is the larger one.
+/// Standard error of a coefficient: the larger of the Cramér–Rao and the cluster-robust (by flight) value; 0 if the
+/// coefficient is fixed.
 pub(crate) fn std_error(coefficient: &Coefficient) -> f64 {
     let clustered = coefficient.std_error_clustered.unwrap_or(0.0);
     match coefficient.held {
@@ -28,7 +29,8 @@ pub(crate) fn std_error(coefficient: &Coefficient) -> f64 {
     }
 }
 
-/// Covariance of named coefficients, from their standard errors and correlations; zero where unknown or fixed.
+/// Covariance matrix of the coefficients `names`, from their standard errors and correlations; entries are 0 if
+/// unknown or if a coefficient is fixed.
 pub(crate) fn covariance(report: &FitReport, names: &[&str]) -> DMatrix<f64> {
     let known: &BTreeMap<String, Coefficient> = &report.coefficients;
     let error = |name: &str| known.get(name).map(std_error).filter(|e| e.is_finite());
@@ -45,7 +47,7 @@ pub(crate) fn covariance(report: &FitReport, names: &[&str]) -> DMatrix<f64> {
     })
 }
 
-/// Derivatives of one predicted value by the initial state and by the global parameters, for each axis.
+/// Derivatives of one predicted position by the initial state, then by the global parameters, for each axis.
 struct Sensitivity {
     sample: usize,
     channel: usize,
@@ -53,8 +55,8 @@ struct Sensitivity {
     rows: [DVector<f64>; 3],
 }
 
-/// Standard errors of the prediction of a held-out flight; `None` if the flight is excluded, or its first samples do not
-/// determine its initial state.
+/// Standard errors of the predicted marker positions of a held-out flight; `None` if the flight is excluded, or its
+/// first samples do not determine its initial state.
 pub fn prediction_band(fit: &Fit, flight: FlightId) -> Option<PredictionBand> {
     let (observations, local) = fit.flight(flight)?;
     let (problem, global) = (fit.problem(), fit.global());
@@ -95,10 +97,10 @@ pub fn prediction_band(fit: &Fit, flight: FlightId) -> Option<PredictionBand> {
         }
     }
     let of_local = pseudo_inverse(&information)?;
-    // The initial state follows a change of the coefficients, as it is fitted with them held.
+    // The initial state depends on the coefficients, since it is fitted with the coefficients fixed.
     let follows = -(&of_local * cross);
     let of_global = covariance(&fit.report, &names);
-    // The evidence of a flight lists the positions alone, in the order of the channels.
+    // The evidence of a flight contains only positions, in the order of the channels.
     let channels = problem.channels.iter().enumerate();
     let positions = channels.filter(|(_, channel)| channel.is_position());
     let positions: Vec<usize> = positions.map(|(index, _)| index).collect();

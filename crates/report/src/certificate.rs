@@ -1,31 +1,31 @@
-//! What a report says of the certificate of its model.
+//! Statement of a report about the verification certificate of its model.
 
 use serde::Serialize;
 
-/// What a certificate of a verification says of the model of a report.
+/// Verification status of a report's model, according to a certificate.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct CertificateNote {
-    /// File name of the certificate; `None` without one.
+    /// File name of the certificate; `None` if the model has no certificate.
     pub file: Option<String>,
-    /// Whether the certificate covers the model and nothing that it covers has changed.
+    /// Whether the certificate is valid for the model: it covers the model, and nothing that it covers has changed.
     pub stands: bool,
-    /// Outcome that the certificate records for the model: `verified`, `not verified`, `refuted`; `None` where it does not
-    /// cover the model.
+    /// Outcome that the certificate records for the model: `verified`, `not verified` or `refuted`; `None` if the
+    /// certificate does not cover the model.
     pub outcome: Option<String>,
-    /// What has changed since the certificate was written, by name.
+    /// Names of the inputs that have changed since the certificate was written.
     pub changes: Vec<String>,
 }
 
-/// Maximum number of changes in the sentence.
+/// Maximum number of changes listed in the sentence.
 const LISTED: usize = 3;
 
 impl CertificateNote {
-    /// Without a certificate.
+    /// Note for a model that has no certificate.
     pub fn none() -> Self {
         Self::default()
     }
 
-    /// A certificate that stands.
+    /// Note for a valid certificate with the given outcome.
     pub fn stands(file: String, outcome: String) -> Self {
         Self {
             file: Some(file),
@@ -35,7 +35,7 @@ impl CertificateNote {
         }
     }
 
-    /// A certificate that does not stand.
+    /// Note for a certificate that is not valid because of the given changes.
     pub fn changed(file: String, outcome: Option<String>, changes: Vec<String>) -> Self {
         Self {
             file: Some(file),
@@ -45,7 +45,7 @@ impl CertificateNote {
         }
     }
 
-    /// The note as a sentence.
+    /// Sentence that states the outcome, or why the certificate is not valid.
     pub fn sentence(&self) -> String {
         let Some(file) = &self.file else {
             return String::from("The model has no certificate of a verification.");
@@ -67,18 +67,18 @@ impl CertificateNote {
         )
     }
 
-    /// Whether the model is verified, by a certificate that stands.
+    /// Whether a valid certificate records the model as verified.
     pub fn is_verified(&self) -> bool {
         self.stands && self.outcome.as_deref() == Some("verified")
     }
 }
 
-/// A report with the note on its model's certificate, as one JSON object.
+/// A report and the note on its model's certificate, serialized together as one JSON object.
 #[derive(Debug, Serialize)]
 pub struct WithCertificate<'a, R> {
-    /// The report.
+    /// The report; its fields are serialized at the top level of the object.
     #[serde(flatten)]
     pub report: &'a R,
-    /// The note.
+    /// Note on the certificate of the report's model.
     pub certificate: &'a CertificateNote,
 }

@@ -1,12 +1,12 @@
-//! Table of the mistakes found in measured data, for the pages of fits and diagnoses.
+//! Table of the errors found in measured data, for the pages of fits and diagnoses.
 
 use identify::DataFault;
 use serde::Serialize;
 
-/// Maximum number of rows.
+/// Maximum number of faults listed in the table.
 const MAX_ROWS: usize = 60;
 
-/// Table of data faults for the HTML templates.
+/// Table of data faults, as input of the HTML templates.
 #[derive(Serialize)]
 pub(crate) struct Table {
     /// Total number of faults, including those not listed.
@@ -22,7 +22,7 @@ struct Row {
     mend: String,
 }
 
-/// Table of the faults, limited to the maximum number of rows.
+/// Builds the table of the faults, limited to [`MAX_ROWS`] rows.
 pub(crate) fn table(faults: &[DataFault]) -> Table {
     let row = |fault: &DataFault| Row {
         file: fault.file.clone(),

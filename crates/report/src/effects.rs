@@ -1,4 +1,4 @@
-//! Page of the catalogue of effects: description, site, variables, null values and negligible sizes.
+//! Catalogue page of the effects: description, site, variables, null values and smallest sizes of interest.
 
 use std::fmt::Write;
 
@@ -8,43 +8,45 @@ use model_spec::load::{LoadError, MODELS, load};
 use model_spec::model::{AppliedEffect, Model};
 use model_spec::with_unit;
 
-/// Effect of the catalogue with the models to which it applies.
+/// Effect of the catalogue, with the models to which it applies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Listed {
     /// Name of the effect, with underscores.
     pub name: String,
     /// First sentence of the effect's documentation.
     pub says: String,
-    /// Site of the model (force, moment, measurement) on which the effect acts.
+    /// Site of the effect: the force, moment or measurement of the model that it changes.
     pub site: String,
-    /// Variables on which the effect depends.
+    /// Names of the variables on which the effect depends.
     pub variables: Vec<String>,
     /// Coefficients of the effect, followed by its states.
     pub parts: Vec<Part>,
-    /// Literature source of the effect.
+    /// Literature source of the effect, as text.
     pub source: String,
-    /// Models for which the effect is considered.
+    /// Names of the models for which a diagnosis considers the effect.
     pub models: Vec<String>,
-    /// Quantities that a model must have for the effect, with their units.
+    /// Quantities that a model must have for the effect to be applied, with their units.
     pub needs: Vec<String>,
-    /// Specific effects that say the same of some models; the effect is not considered where one of them is.
+    /// Specific effects that replace this general effect; the effect is not considered for a model to which one of
+    /// them applies.
     pub without: Vec<String>,
-    /// Where the effect comes from.
+    /// Origin of the effect: the model's file, the built-in catalogue, or a stated equation of the model.
     pub origin: Origin,
 }
 
-/// Coefficient or state of an effect; values are in the unit given.
+/// Coefficient or state of an effect; all values are in `unit`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
     /// Name of the coefficient or state.
     pub name: String,
-    /// Unit; `1` if dimensionless.
+    /// Unit as text; `1` if dimensionless.
     pub unit: String,
-    /// Null value: the value at which the effect is absent.
+    /// Null value, formatted: the value at which the effect is absent.
     pub null_value: String,
-    /// Smallest departure from the null value that matters in practice.
+    /// Smallest effect size of interest, formatted: smaller departures from the null value are negligible. `None` if
+    /// not declared.
     pub negligible: Option<String>,
-    /// Whether the coefficient has a separate value for every flight.
+    /// Whether there is one value for each flight instead of one for all flights.
     pub of_each_flight: bool,
 }
 
@@ -53,14 +55,15 @@ pub struct Part {
 pub struct NotOffered {
     /// Name of the effect, with underscores.
     pub name: String,
-    /// Why it is no candidate.
+    /// Reason why the effect is not considered, as text.
     pub why: String,
 }
 
-/// Lists the effects that a diagnosis considers for a model, or all built-in effects with the built-in models.
+/// Lists the effects that a diagnosis considers for `model`, or, if `None`, all built-in effects with the built-in
+/// models to which they apply.
 ///
 /// # Errors
-/// If the model cannot be loaded.
+/// [`LoadError`] if the model cannot be loaded.
 pub fn listed(model: Option<&str>) -> Result<Vec<Listed>, LoadError> {
     let names: Vec<&str> = match model {
         None => MODELS.iter().map(|(name, _)| *name).collect(),
@@ -68,7 +71,7 @@ pub fn listed(model: Option<&str>) -> Result<Vec<Listed>, LoadError> {
     };
     let mut all: Vec<Listed> = Vec::new();
     for name in names {
-        // What is wrong with readings is listed for a model with every instrument that it can carry.
+        // Effects on sensor readings are listed for a model with every instrument that it can carry.
         let plain = match model {
             None => load(name, &[])?.with_every_instrument(),
             Some(_) => load(name, &[])?,
@@ -77,7 +80,8 @@ pub fn listed(model: Option<&str>) -> Result<Vec<Listed>, LoadError> {
         for known in known_effects(&plain) {
             let is_offered = match known.refused {
                 None => true,
-                // A general effect is listed with what it takes, though a specific one stands for it here.
+                // A general effect is listed with its requirements, even if a specific one replaces it for this
+                // model.
                 Some(Refused::Covered { .. }) => false,
                 Some(_) => continue,
             };
@@ -111,10 +115,10 @@ pub fn listed(model: Option<&str>) -> Result<Vec<Listed>, LoadError> {
     Ok(all)
 }
 
-/// The effects that a diagnosis does not consider for a model, with the reasons.
+/// Lists the effects that a diagnosis does not consider for a model, with the reasons.
 ///
 /// # Errors
-/// If the model cannot be loaded.
+/// [`LoadError`] if the model cannot be loaded.
 pub fn not_offered(model: &str) -> Result<Vec<NotOffered>, LoadError> {
     let known = known_effects(&load(model, &[])?);
     let refused = known.into_iter().filter_map(|known| {
@@ -161,7 +165,7 @@ fn of(model: &Model, effect: &AppliedEffect, known: &KnownEffect) -> Listed {
     }
 }
 
-/// Formats a number without its unit, as in the summary of a model.
+/// Formats a dimensionless number, or a number whose unit is shown elsewhere, as in the summary of a model.
 fn plain(value: f64) -> String {
     with_unit(value, "1")
 }
@@ -173,7 +177,8 @@ fn sentence(doc: &str) -> String {
     words[..end.map_or(words.len(), |end| end + 1)].join(" ")
 }
 
-/// Renders the catalogue page in Markdown; of one model also the effects that are not considered.
+/// Renders the catalogue page in Markdown. If `model` is given, the introduction names it. `not_offered` are listed
+/// with their reasons at the end.
 pub fn page(effects: &[Listed], model: Option<&str>, not_offered: &[NotOffered]) -> String {
     let mut page = String::from("# The effects\n\n");
     match model {
@@ -267,7 +272,8 @@ fn row(page: &mut String, effect: &Listed, linked: bool) {
     );
 }
 
-/// Models for which an effect is considered: by name, or any without the specific effects.
+/// Text on the models for which an effect is considered: their names, or for a general effect any model without the
+/// specific effects that replace it.
 fn models(effect: &Listed) -> String {
     if effect.origin != Origin::General {
         return effect.models.join(", ");
@@ -279,7 +285,7 @@ fn models(effect: &Listed) -> String {
     }
 }
 
-/// Joins lines within a table cell.
+/// Joins lines within a table cell, separated by HTML line breaks.
 fn stacked(lines: impl Iterator<Item = String>) -> String {
     lines
         .map(|line| cell(&line))
@@ -287,7 +293,7 @@ fn stacked(lines: impl Iterator<Item = String>) -> String {
         .join("<br>")
 }
 
-/// Escapes a text for a Markdown table cell.
+/// Escapes a text for use in a Markdown table cell.
 fn cell(text: &str) -> String {
     text.replace('|', "\\|")
         .replace('<', "&lt;")

@@ -1,4 +1,4 @@
-//! Equations of a model as MathML, which browsers draw without a script.
+//! Equations of a model as MathML, which browsers render without a script.
 
 use codegen::latex;
 use model_spec::model::Model;
@@ -7,7 +7,7 @@ use pulldown_latex::{Parser, RenderConfig, Storage, push_mathml};
 
 use crate::fit::numbers::significant;
 
-/// MathML of LaTeX; `None` if the LaTeX is not understood.
+/// Converts LaTeX to MathML; `None` if the LaTeX contains unsupported syntax.
 pub(crate) fn mathml(latex: &str) -> Option<String> {
     let storage = Storage::new();
     let mut text = String::new();
@@ -16,11 +16,11 @@ pub(crate) fn mathml(latex: &str) -> Option<String> {
         ..RenderConfig::default()
     };
     push_mathml(&mut text, Parser::new(latex, &storage), config).ok()?;
-    // A parser that stops at an error writes it into the text.
+    // A parser that stops at an error writes the error into the text.
     (!text.contains("<merror")).then_some(text)
 }
 
-/// Equations that an effect added to the model or replaced, as MathML, in the order of the model.
+/// Equations that the effect added to the model or replaced, as MathML, in the order of the model.
 pub(crate) fn of_effect(model: &Model, effect: &str) -> Vec<String> {
     let Some(index) = model.effects.iter().position(|known| known.name == effect) else {
         return Vec::new();
@@ -39,7 +39,7 @@ pub(crate) fn of_effect(model: &Model, effect: &str) -> Vec<String> {
         .collect()
 }
 
-/// LaTeX whose numbers have at most six significant digits, such as 0.139626 for 8 degrees in rad.
+/// Rounds the numbers in a LaTeX text to at most six significant digits, such as 0.139626 for 8 degrees in rad.
 fn rounded(latex: &str) -> String {
     let (mut text, mut number) = (String::new(), String::new());
     for c in latex.chars().chain(['\0']) {
@@ -78,7 +78,7 @@ mod tests {
         );
     }
 
-    /// Every equation of every built-in model and effect is understood.
+    /// Every equation of every built-in model and effect can be converted.
     #[test]
     fn all_equations_are_understood() {
         for (name, _) in model_spec::load::MODELS {

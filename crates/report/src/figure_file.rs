@@ -1,6 +1,6 @@
-//! Figures as PDF or PNG files, drawn from their SVG.
+//! Figures as PDF or PNG files, rendered from SVG.
 //!
-//! The font is a part of DejaVu Sans (`fonts/`), so that a figure looks the same on every machine.
+//! The font is a subset of DejaVu Sans (`fonts/`), so that a figure looks the same on every machine.
 
 use std::sync::{Arc, LazyLock};
 
@@ -9,42 +9,42 @@ use svg2pdf::usvg::fontdb::Database;
 use svg2pdf::usvg::{self, Options, Tree};
 use thiserror::Error;
 
-/// Pixels of a PNG per SVG unit.
+/// Number of PNG pixels for each SVG unit.
 const SCALE: f32 = 2.0;
-/// Family of the font, which the style sheet of the figures names.
+/// Font family that the style sheet of the figures names.
 const FAMILY: &str = "DejaVu Sans";
 
-/// Kind of file that a figure is written as, in addition to SVG.
+/// Format of a figure file, in addition to SVG.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum FigureKind {
-    /// Vector graphics on a page of the figure's size.
+    /// Vector graphics, on a page of the size of the figure.
     Pdf,
-    /// Pixels, two per SVG unit, on white.
+    /// Raster image on white, two pixels for each SVG unit.
     Png,
 }
 
-/// A figure that cannot be drawn.
+/// Reason why a figure cannot be drawn.
 #[derive(Debug, Error)]
 pub enum FigureError {
-    /// The SVG is not understood.
+    /// The SVG text cannot be parsed.
     #[error("the SVG of a figure is not understood")]
     Svg(#[from] usvg::Error),
-    /// The PDF cannot be made.
+    /// The SVG cannot be converted to PDF.
     #[error("a figure cannot be written as PDF: {0}")]
     Pdf(String),
-    /// The picture is too large or empty.
+    /// The image is empty or too large; width and height in SVG units.
     #[error("a figure of {0} × {1} units cannot be drawn as PNG")]
     Size(f32, f32),
-    /// The PNG cannot be encoded.
+    /// The image cannot be encoded as PNG.
     #[error("a figure cannot be written as PNG: {0}")]
     Png(String),
 }
 
 impl FigureKind {
-    /// Every kind.
+    /// All formats of figure files.
     pub const ALL: [FigureKind; 2] = [FigureKind::Pdf, FigureKind::Png];
 
-    /// Ending of the file name, and name of the kind in options.
+    /// Extension of the file name, which also names the format in options.
     pub fn name(self) -> &'static str {
         match self {
             FigureKind::Pdf => "pdf",
@@ -52,10 +52,10 @@ impl FigureKind {
         }
     }
 
-    /// Draws a figure, given as SVG.
+    /// Renders a figure, given as SVG text, and returns the contents of the file.
     ///
     /// # Errors
-    /// [`FigureError`] if the SVG is not understood or the file cannot be made.
+    /// [`FigureError`] if the SVG cannot be parsed or the file cannot be created.
     pub fn draw(self, svg: &str) -> Result<Vec<u8>, FigureError> {
         let tree = Tree::from_str(svg, &options())?;
         match self {
@@ -128,8 +128,8 @@ mod tests {
         assert!(FigureKind::Pdf.draw("<svg").is_err());
     }
 
-    /// Text is drawn with the font of this crate: another title is another picture, and the values that only pointing shows are
-    /// not drawn.
+    /// Text is rendered with the font of this crate: a different title gives a different image. Values that are only
+    /// shown under the pointer are not rendered.
     #[test]
     fn text_is_drawn_and_values_are_not() {
         let pixels = |svg: &str| FigureKind::Png.draw(svg).unwrap();

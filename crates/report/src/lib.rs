@@ -1,5 +1,5 @@
-//! Reports: figures and tables of flights, HTML pages of fits and diagnoses, the page of the effects, and the folders that
-//! results are written to.
+//! Reports: figures and tables of flights, HTML pages of fits and diagnoses, the catalogue page of effects, and the
+//! folders to which results are written.
 
 #![forbid(unsafe_code)]
 

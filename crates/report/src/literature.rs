@@ -1,14 +1,14 @@
-//! Literature values of coefficients, selected by the `reference` of a model.
+//! Published values of coefficients, selected by the `reference` of a model.
 //!
-//! Disc values are converted to the frames and signs of this repository's models, in which negative
-//! `C_Mq` and `C_Nr` damp; values of incompatible definition are omitted.
+//! Values for discs are converted to the frames and signs of this repository's models, in which negative `C_Mq` and
+//! `C_Nr` damp. Values with an incompatible definition are omitted.
 
-/// Publication with its coefficient values.
+/// Publication with its values of coefficients.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Source {
-    /// Column heading of the publication.
+    /// Short name of the publication, used as a column heading.
     pub short: &'static str,
-    /// Citation, and how the values were converted.
+    /// Full citation, and how the values were converted.
     pub long: &'static str,
     /// Pairs of coefficient name and published value.
     pub values: &'static [(&'static str, Value)],
@@ -17,9 +17,9 @@ pub struct Source {
 /// Published value of a coefficient.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
-    /// Single number, as printed except for the sign.
+    /// Single number as text, as printed except for the sign.
     One(&'static str),
-    /// Range of numbers, lower and upper end.
+    /// Range of numbers as text: lower and upper end.
     Range(&'static str, &'static str),
 }
 
@@ -92,7 +92,8 @@ const BALL: &[Source] = &[Source {
     values: &[("C_D", Range("0.4", "0.5"))],
 }];
 
-/// Publications with values for the coefficients of a model with this `reference`; empty if unknown.
+/// Publications with values for the coefficients of a model with this `reference`; empty if the reference is unknown
+/// or `None`.
 pub fn sources(reference: Option<&str>) -> &'static [Source] {
     match reference {
         Some("hubbard_hummel_disc") => DISC,
@@ -102,7 +103,7 @@ pub fn sources(reference: Option<&str>) -> &'static [Source] {
 }
 
 impl Source {
-    /// Published value of a coefficient; `None` if the publication has none.
+    /// Published value of the coefficient `name`; `None` if the publication contains none.
     pub fn value(&self, name: &str) -> Option<Value> {
         let found = self.values.iter().find(|(of, _)| *of == name);
         found.map(|(_, value)| *value)

@@ -1,4 +1,4 @@
-//! A page of words, tables and figures in sections: for results that need no page of their own kind.
+//! Generic page of paragraphs, tables and figures in sections, for results without a page template for their kind.
 
 use minijinja::context;
 use minijinja::value::Value;
@@ -8,70 +8,70 @@ use crate::figures::svg::{STYLE, without_style};
 use crate::figures::{Layout, Panel, figure_of};
 use crate::fit::page::{plain_values, rendered};
 
-/// A page.
+/// HTML page of paragraphs, tables and figures.
 #[derive(Clone, Debug, Default)]
 pub struct Sheet {
-    /// Command that made it, such as `hyzer design`.
+    /// Command that created the page, such as `hyzer design`.
     pub kind: String,
-    /// Title.
+    /// Title of the page.
     pub title: String,
-    /// First paragraphs: the answer.
+    /// First paragraphs of the page, which state the main result.
     pub lead: Vec<String>,
-    /// What a reader must know before using the answer; may be empty.
+    /// Warnings that a reader must know before using the result; may be empty.
     pub warnings: Vec<String>,
-    /// The rest.
+    /// Sections that follow the first paragraphs.
     pub sections: Vec<Section>,
 }
 
-/// Part of a page under a heading.
+/// Section of a page: heading, paragraphs, table and figures.
 #[derive(Clone, Debug, Default)]
 pub struct Section {
-    /// Heading.
+    /// Heading of the section.
     pub title: String,
-    /// Paragraphs.
+    /// Paragraphs of the section, before its table.
     pub words: Vec<String>,
-    /// A table; without columns there is none.
+    /// Table of the section; not shown if it has no columns.
     pub table: Table,
-    /// Figures.
+    /// Figures of the section, after its table.
     pub figures: Vec<SheetFigure>,
 }
 
-/// Table of texts; the first column is aligned to the left, others to the right.
+/// Table with cells of text; the first column is aligned to the left, all others to the right.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Table {
-    /// Names of the columns.
+    /// Headings of the columns.
     pub head: Vec<String>,
-    /// Cells, row by row.
+    /// Rows of cells, each with one cell for each column.
     pub rows: Vec<Vec<String>>,
 }
 
-/// A figure: panels below one another.
+/// Figure of a page: panels drawn one below the other.
 #[derive(Clone, Debug, Default)]
 pub struct SheetFigure {
-    /// Name of its file without `.svg`.
+    /// Name of the figure's file without `.svg`.
     pub name: String,
-    /// Title, drawn above it.
+    /// Title, drawn above the panels.
     pub title: String,
-    /// What it shows, in words.
+    /// Caption that describes the figure.
     pub caption: String,
-    /// Its panels.
+    /// Panels of the figure from top to bottom.
     pub panels: Vec<Panel>,
 }
 
 impl SheetFigure {
-    /// The figure as SVG of column width.
+    /// Draws the figure with the width of a text column; returns the SVG text.
     pub fn svg(&self) -> String {
         figure_of(Layout::COLUMN, &self.title, &self.panels)
     }
 }
 
 impl Sheet {
-    /// Figures of all sections.
+    /// Figures of all sections, in the order of the page.
     pub fn figures(&self) -> impl Iterator<Item = &SheetFigure> {
         self.sections.iter().flat_map(|section| &section.figures)
     }
 
-    /// The page: one file that loads nothing.
+    /// Renders the page as one self-contained HTML file.
     pub fn html(&self) -> String {
         let safe = |svg: &str| Value::from_safe_string(without_style(svg));
         let figure = |figure: &SheetFigure| {

@@ -1,6 +1,7 @@
-//! View of flights in three dimensions: one self-contained HTML file that plays them.
+//! Three-dimensional view of flights: one self-contained HTML file that animates them.
 //!
-//! The page draws on a canvas with a script of its own, `viewer/viewer.js`; it loads nothing.
+//! The page draws on a canvas with the script `viewer/viewer.js`, which is embedded; nothing is loaded from
+//! elsewhere.
 
 mod samples;
 
@@ -18,34 +19,36 @@ use serde::Serialize;
 use crate::fit::page::rendered;
 use samples::{Place, flown, recorded};
 
-/// Maximum numbers of flights, and of samples of a flight.
+/// Maximum number of flights in a view of a fit.
 const MOST_FLIGHTS: usize = 24;
+/// Maximum number of samples of each flight.
 const MOST_SAMPLES: usize = 240;
 
-/// Shape by which a body is drawn, with its axes.
+/// Shape with which the viewer draws a body, and its axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 enum Shape {
-    /// A body with an axis of symmetry, its third.
+    /// A disc, for a rigid body with its third axis as axis of symmetry.
     Disc,
-    /// Any other rigid body: its axes alone.
+    /// Three axes, for any other rigid body.
     Cross,
-    /// A point mass.
+    /// A ball, for a point mass.
     Ball,
 }
 
-/// Flights of one model, to be shown together.
+/// Flights of one body that are shown together.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct View {
     shape: Shape,
-    /// Greatest distance of a marker from the origin of the body frame, m; none if unknown.
+    /// Maximum distance of a marker from the origin of the body frame, m; `None` if unknown.
     radius: Option<f64>,
     flights: Vec<samples::Flight>,
 }
 
 impl View {
-    /// The flights of a fit, measured and predicted, in the dataset's order; evenly chosen ones if there are many. `by` says
-    /// what predicts, and distinguishes flights of two models; it may be empty.
+    /// View of the flights of a fit, measured and predicted, in the order of the dataset; evenly selected if there
+    /// are more than the maximum. `by` names the predicting model, to distinguish flights of two models, and may be
+    /// empty.
     pub fn of_fit(fit: &Fit, by: &str) -> View {
         let problem = fit.problem();
         let used = (0..fit.report.flights.len()).filter(|&i| fit.report.flights[i].is_used());
@@ -78,7 +81,7 @@ impl View {
         }
     }
 
-    /// A simulated flight.
+    /// View of a single simulated flight.
     pub fn of_trajectory(
         name: &str,
         model: &Model,
@@ -100,13 +103,13 @@ impl View {
         self
     }
 
-    /// The page; `None` if there is no flight to show.
+    /// Renders the HTML page; `None` if there is no flight to show.
     pub fn html(&self, title: &str) -> Option<String> {
         if self.flights.is_empty() {
             return None;
         }
         let safe = |text: &str| Value::from_safe_string(text.to_owned());
-        // In a script `<` could end the element.
+        // In a script, `<` could end the element.
         let data = serde_json::to_string(self).ok()?.replace('<', "\\u003c");
         let context = context! {
             title,
@@ -118,7 +121,7 @@ impl View {
     }
 }
 
-/// Shape of a model's body: a disc if its first two moments of inertia are the same expression.
+/// Shape with which the body of a model is drawn: a disc if its first two moments of inertia are the same expression.
 fn shape(model: &Model) -> Shape {
     let inertia: Option<&[[Expr; 3]; 3]> = match (&model.body, &model.claim) {
         (Some(body), _) => body.rotation.as_ref().map(|r| &r.inertia),

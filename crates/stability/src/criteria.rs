@@ -1,8 +1,8 @@
-//! Criteria for a body of revolution that spins about its axis, or does not: derived from the linearised equations of its axis in the
-//! stream.
+//! Criteria for the stability of the axis of a body of revolution in the stream, with or without spin: derived from the
+//! linearised equations of the axis.
 //!
-//! With small rotations η about d2 and rates ω1, ω2 about d1, d2 in axes that do not spin, moments of inertia I_a, I_d, spin r, and the
-//! moment of the air −D ω1 about d1, −D ω2 − K α about d2:
+//! Let ω1, ω2 be the angular rates about d1, d2 in axes that do not spin, I_a, I_d the moments of inertia, r the spin
+//! and α the angle of attack, and let the aerodynamic moment be −D ω1 about d1 and −D ω2 − K α about d2:
 //!
 //! ```text
 //! I_d ω̇1 = −D ω1 − I_a r ω2
@@ -10,50 +10,54 @@
 //! α̇      = −ω2 − a α
 //! ```
 //!
-//! a is the rate at which lift turns the path into the disc's plane. Divided by I_d (δ = D/I_d, κ = K/I_d, ν = I_a r/I_d), the
-//! eigenvalues are the zeros of (s + a)[(s + δ)² + ν²] − κ (s + δ), and Routh and Hurwitz give the three conditions of
-//! [`Criteria`]. Without spin, ν = 0, the same conditions are those of an ordinary wing.
+//! a is the rate at which lift turns the path into the disc's plane. Divided by I_d (δ = D/I_d, κ = K/I_d, ν = I_a
+//! r/I_d), the eigenvalues are the zeros of (s + a)[(s + δ)² + ν²] − κ (s + δ), and the Routh–Hurwitz criterion gives
+//! the three conditions of [`Criteria`]. Without spin, ν = 0, these are the conditions for an ordinary wing.
 
 use nalgebra::{Complex, DMatrix, Vector3};
 
 use crate::linearise::Linearised;
 
-/// Derivatives that decide how the axis moves in the stream, 1/s and 1/s².
+/// Derivatives of the linearised motion that determine how the body axis moves in the stream.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisDerivatives {
-    /// a = q A (C_La + C_D)/(m V) for the built-in discs: decay of the angle of attack by lift.
+    /// a = q A (C_La + C_D)/(m V) for the built-in discs: decay rate of the angle of attack by lift, 1/s.
     pub lift: f64,
-    /// δ = −q A d C_Mq/I_d: decay of the rates by damping.
+    /// δ = −q A d C_Mq/I_d: decay rate of the angular rates by damping, 1/s.
     pub damping: f64,
-    /// κ = −q A d C_Ma/I_d: growth by the pitching moment, 1/s²; positive where the stream lifts the nose.
+    /// κ = −q A d C_Ma/I_d: angular acceleration by the pitching moment per rad, 1/s²; positive if the stream lifts the
+    /// nose, so that deviations grow.
     pub pitching: f64,
-    /// ν = I_a r/I_d: the nutation's frequency without a stream.
+    /// ν = I_a r/I_d: frequency of the nutation without a stream, rad/s.
     pub gyroscopic: f64,
-    /// Moment about d2 divided by I_d at the state, 1/s².
+    /// Moment about d2 at the state, divided by I_d, 1/s².
     pub moment: f64,
 }
 
-/// What the criteria say of a body in its stream.
+/// Stability criteria, evaluated for a body in its stream.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Criteria {
-    /// S = (ν² + δ² + 2 a δ)/κ: spin and damping hold the axis where S > 1; infinite or negative where the stream itself holds it.
+    /// Gyroscopic stability factor S = (ν² + δ² + 2 a δ)/κ. Spin and damping stabilise the axis if S > 1; S is infinite
+    /// or negative if the stream itself stabilises the axis.
     pub gyroscopic_factor: f64,
-    /// Whether ν² + δ² + 2 a δ > κ: the gyroscopic condition.
+    /// Gyroscopic condition: whether ν² + δ² + 2 a δ > κ.
     pub gyroscopic: bool,
-    /// Whether a (ν² + δ²) > κ δ: lift turns the path to the axis sooner than damping lets the axis wander.
+    /// Condition for the slow motion: whether a (ν² + δ²) > κ δ, so that lift turns the path to the axis faster than
+    /// damping lets the axis wander.
     pub slow: bool,
-    /// Whether (2 δ + a)(ν² + δ² + 2 a δ − κ) > a (ν² + δ²) − κ δ: the wobble decays.
+    /// Condition for the decay of the wobble: whether (2 δ + a)(ν² + δ² + 2 a δ − κ) > a (ν² + δ²) − κ δ.
     pub wobble: bool,
-    /// Frequency of the nutation, ν − κ/(2 ν), rad/s: of first order in κ/ν².
+    /// Frequency of the nutation, ν − κ/(2 ν), rad/s; accurate to first order in κ/ν².
     pub nutation: f64,
-    /// Decay of the nutation, δ − κ (a − δ)/(2 ν²), 1/s.
+    /// Decay rate of the nutation, δ − κ (a − δ)/(2 ν²), 1/s.
     pub nutation_decay: f64,
-    /// Rate at which the plane rolls, M/(I_a r), rad/s: Crowther and Potts's closed form of the roll rate in straight flight.
+    /// Rate at which the plane of the body rolls, M/(I_a r), rad/s: closed form of Crowther and Potts for straight
+    /// flight.
     pub roll_rate: f64,
 }
 
 impl AxisDerivatives {
-    /// Derivatives at a linearised motion in air of a velocity, m/s.
+    /// Computes the derivatives of a linearised motion in air with the velocity `wind`, m/s.
     pub fn of(linearised: &Linearised, wind: Vector3<f64>) -> AxisDerivatives {
         let n = linearised.axis;
         let velocity = linearised.motion.velocity - wind;
@@ -65,7 +69,7 @@ impl AxisDerivatives {
         let entry = |row: usize, left: Vector3<f64>, column: usize, right: Vector3<f64>| -> f64 {
             (left.transpose() * matrix.fixed_view::<3, 3>(row, column) * right)[0]
         };
-        // Rates about axes that go with the body but do not spin: ω1' = ω1 − r φ2, ω2' = ω2 + r φ1.
+        // Angular rates about axes that move with the body but do not spin: ω1' = ω1 − r φ2, ω2' = ω2 + r φ1.
         let rate_1 = entry(9, d1, 9, d1);
         let rate_2 = entry(9, d2, 9, d2);
         let cross = 0.5 * (entry(9, d2, 9, d1) - entry(9, d1, 9, d2));
@@ -76,12 +80,12 @@ impl AxisDerivatives {
             damping: -0.5 * (rate_1 + rate_2),
             pitching: by_tilt,
             gyroscopic: cross + spin,
-            // The moment is what turns the axis beyond what the spin's stiffness does at its rate.
+            // The moment is the angular acceleration of the axis minus its gyroscopic part at the present angular rate.
             moment: linearised.angular_acceleration.dot(&d2) - cross * linearised.rates.dot(&d1),
         }
     }
 
-    /// The three zeros of (s + a)[(s + δ)² + ν²] − κ (s + δ), 1/s.
+    /// Eigenvalues of the motion of the axis, 1/s: the three zeros of (s + a)[(s + δ)² + ν²] − κ (s + δ).
     pub fn eigenvalues(&self) -> [Complex<f64>; 3] {
         let AxisDerivatives {
             lift: a,
@@ -95,7 +99,7 @@ impl AxisDerivatives {
         [values[0], values[1], values[2]]
     }
 
-    /// What the criteria say.
+    /// Evaluates the stability criteria for these derivatives.
     pub fn criteria(&self) -> Criteria {
         let AxisDerivatives {
             lift: a,
@@ -120,7 +124,7 @@ impl AxisDerivatives {
 }
 
 impl Criteria {
-    /// Whether all three conditions hold: every motion of the axis in the stream decays.
+    /// Whether all three conditions hold, so that every motion of the axis in the stream decays.
     pub fn is_stable(&self) -> bool {
         self.gyroscopic && self.slow && self.wobble
     }

@@ -1,10 +1,13 @@
 //! Stability of flying bodies: modes of the linearised motion, steady flight, and criteria in symbols.
 //!
-//! - [`Body`] is a rigid body of any model; [`BoundBody::linearise`] gives its [`Linearised`] motion about a state, from the model's
-//!   exact Jacobian, in coordinates that do not depend on the model's own.
-//! - [`modes`](fn@modes) takes out what nothing depends on and names what is left: nutation, incidence, phugoid and others.
-//! - [`AxisDerivatives`] are the few numbers that decide how the axis moves in the stream, and [`Criteria`] what follows from them.
-//! - [`trim`](fn@trim) finds steady flight; [`along`] and [`map`] survey a flight, and a grid of speeds and spins.
+//! - [`Body`] is a rigid body of any model; [`BoundBody::linearise`] computes its [`Linearised`] motion about a state
+//!   from the model's exact Jacobian, in coordinates that do not depend on those of the model.
+//! - [`modes`](fn@modes) removes the coordinates that nothing depends on and classifies the remaining motion: nutation,
+//!   incidence, phugoid and others.
+//! - [`AxisDerivatives`] are the few derivatives that determine how the body axis moves in the stream; [`Criteria`] are
+//!   the stability criteria computed from them.
+//! - [`trim`](fn@trim) finds steady flight; [`along`] evaluates modes and criteria along a flight, and [`map`] over a
+//!   grid of speeds and spins.
 //!
 //! ```
 //! use flight::throw::Throw;

@@ -1,9 +1,9 @@
-//! Linearised motion of a body about a state, in coordinates that do not depend on the model's: displacement and change of velocity
-//! (inertial axes), small rotation φ and change of angular velocity.
+//! Linearised motion of a body about a state, in coordinates that do not depend on those of the model: displacement,
+//! change of velocity (both in inertial axes), small rotation φ and change of angular velocity.
 //!
-//! The model's states s have the motion y = Y(s). With ẏ = Y′(s) f(s), a change δs moves ẏ by (Y′ J + Y″ f) δs, J = ∂f/∂s exact;
-//! the rows of acceleration and angular acceleration are taken from there, the kinematic ones are written: δṗ = δv and
-//! φ̇ = ω × φ + δω. Whatever chart a model uses, the same body has the same matrix.
+//! The model's states s have the motion y = Y(s). With ẏ = Y′(s) f(s), a change δs changes ẏ by (Y′ J + Y″ f) δs, where
+//! J = ∂f/∂s is exact. This yields the rows of acceleration and angular acceleration; the kinematic rows are written
+//! explicitly: δṗ = δv and φ̇ = ω × φ + δω. The same body has the same matrix, whatever chart its model uses.
 
 use flight::throw::{Motion, ThrowError, ThrownModel};
 use flight::{BoundModel, CompiledModel};
@@ -11,44 +11,44 @@ use model_spec::model::Model;
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use ode::{DifferentiableRhs, OdeRhs};
 
-/// Step along the flight of the differences for Y″ f, s, and their weights (sixth order).
+/// Time step along the flight, s, of the finite differences for Y″ f; `WEIGHTS` are those of the sixth-order formula.
 const STEP: f64 = 1e-4;
 const WEIGHTS: [f64; 3] = [45.0 / 60.0, -9.0 / 60.0, 1.0 / 60.0];
 
 /// Reason why a body has no linearised motion.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum StabilityError {
-    /// No state of the model has a motion that was asked for.
+    /// The model has no body, or no state with the requested motion.
     #[error(transparent)]
     Throw(#[from] ThrowError),
-    /// A point mass does not turn.
+    /// The model is a point mass, which has no attitude.
     #[error("the model {model} is a point mass, which has no attitude; expected a rigid body")]
     PointMass {
         /// Name of the model.
         model: String,
     },
-    /// The derivative is not finite.
+    /// The linearised motion is not finite at the state.
     #[error(
         "the linearised motion is not finite there; expected a state within the model's limits"
     )]
     NotFinite,
 }
 
-/// A rigid body, compiled for its linearisation.
+/// A rigid body with the compiled functions that its linearisation requires.
 pub struct Body {
-    /// The model.
+    /// Model of the body.
     pub model: Model,
-    /// Its functions.
+    /// Compiled functions of the model.
     pub compiled: CompiledModel,
-    /// The motion of its body.
+    /// Conversion between the states of the model and the motion of the body.
     pub thrown: ThrownModel,
 }
 
 impl Body {
-    /// Compiles a model.
+    /// Compiles a model for linearisation.
     ///
     /// # Errors
-    /// [`StabilityError::Throw`] for a model without a body, [`StabilityError::PointMass`].
+    /// [`StabilityError::Throw`] if the model has no body, [`StabilityError::PointMass`] if its body has no attitude.
     pub fn new(model: Model) -> Result<Body, StabilityError> {
         let (compiled, thrown) = (CompiledModel::new(&model), ThrownModel::new(&model)?);
         if !thrown.has_attitude() {
@@ -63,7 +63,7 @@ impl Body {
         })
     }
 
-    /// The body with values of its parameters, in the order of the model's layout.
+    /// Binds the body to parameter values, in the order of the model's layout.
     pub fn with_parameters(&self, parameters: Vec<f64>) -> BoundBody<'_> {
         BoundBody {
             body: self,
@@ -73,39 +73,41 @@ impl Body {
     }
 }
 
-/// A body with values of its parameters.
+/// A rigid body bound to parameter values.
 pub struct BoundBody<'b> {
-    /// The body.
+    /// The rigid body without parameter values.
     pub body: &'b Body,
     bound: BoundModel<'b>,
-    /// Parameters in the order of the model's layout.
+    /// Parameter values in the order of the model's layout.
     pub parameters: Vec<f64>,
 }
 
-/// Motion of a body at a state with its rates and their derivatives, in inertial axes.
+/// Linearised motion of a body about a state, with the motion and its time derivatives at the state; vectors are in
+/// inertial axes.
 #[derive(Clone, Debug)]
 pub struct Linearised {
-    /// Motion at the state.
+    /// Motion of the body at the state.
     pub motion: Motion,
-    /// The body's third axis.
+    /// Third axis of the body, unit vector.
     pub axis: Vector3<f64>,
-    /// Angular velocity, rad/s.
+    /// Angular velocity of the body, rad/s.
     pub rates: Vector3<f64>,
-    /// Acceleration, m/s².
+    /// Acceleration of the mass centre, m/s².
     pub acceleration: Vector3<f64>,
-    /// Angular acceleration, rad/s².
+    /// Angular acceleration of the body, rad/s².
     pub angular_acceleration: Vector3<f64>,
-    /// Moment of inertia about the third axis, and the mean of those across, kg m².
+    /// Moment of inertia about the third axis, and mean of the moments of inertia about the axes normal to it, kg m².
     pub inertia: (f64, f64),
-    /// d/dt of (displacement, change of velocity, small rotation, change of angular velocity) by the same: 12 × 12.
+    /// 12 × 12 matrix A of the linear system ẋ = A x with x = (displacement, change of velocity, small rotation, change
+    /// of angular velocity).
     pub matrix: DMatrix<f64>,
 }
 
 impl BoundBody<'_> {
-    /// Linearises the motion about a state at a time, s.
+    /// Linearises the motion about a state at time `t`, s.
     ///
     /// # Errors
-    /// [`StabilityError::NotFinite`]
+    /// [`StabilityError::NotFinite`] if the linearised motion is not finite at the state.
     pub fn linearise(&self, t: f64, state: &[f64]) -> Result<Linearised, StabilityError> {
         let thrown = &self.body.thrown;
         let n = state.len();
@@ -119,7 +121,7 @@ impl BoundBody<'_> {
             jacobian[(*row, *column)] += value;
         }
         let by_state = thrown.motion_jacobian(state, &self.parameters);
-        // Y″ f: how Y′ changes along the flight.
+        // Y″ f: change of Y′ along the flight.
         let along = |h: f64| {
             let moved: Vec<f64> = state.iter().zip(&f).map(|(x, f)| x + h * f).collect();
             thrown.motion_jacobian(&moved, &self.parameters)
@@ -133,7 +135,7 @@ impl BoundBody<'_> {
         let motion = thrown.motion(state, &self.parameters);
         let turning = motion.turning.as_ref().ok_or(StabilityError::NotFinite)?;
         let (axes, rates) = (turning.axes, turning.rates);
-        // Changes of the motion along the twelve coordinates, and the states that make them.
+        // Changes of the motion along the twelve coordinates, and the changes of the state that cause them.
         let mut changes = DMatrix::zeros(by_state.nrows(), 12);
         for k in 0..3 {
             changes[(k, k)] = 1.0;
@@ -186,12 +188,13 @@ impl BoundBody<'_> {
         })
     }
 
-    /// Acceleration (m/s²) and angular acceleration (rad/s²) in inertial axes at a state; `None` where they are not finite.
+    /// Acceleration (m/s²) and angular acceleration (rad/s²) in inertial axes at a state; `None` if they are not
+    /// finite.
     pub fn accelerations(&self, state: &[f64]) -> Option<(Vector3<f64>, Vector3<f64>)> {
         let mut f: Box<[f64]> = vec![0.0; state.len()].into();
         self.bound.rhs().derivative(0.0, &state.into(), &mut f);
         let thrown = &self.body.thrown;
-        // Along the flight the motion changes as its differences do; velocities and rates depend smoothly on the state.
+        // Differences of the motion along the flight; velocities and rates depend smoothly on the state.
         let at = |h: f64| {
             let moved: Vec<f64> = state.iter().zip(&f).map(|(x, f)| x + h * f).collect();
             thrown.motion(&moved, &self.parameters)
@@ -208,7 +211,7 @@ impl BoundBody<'_> {
             .then_some((acceleration, angular))
     }
 
-    /// Right-hand side of the model, for flights.
+    /// Model bound to the same parameter values, for the integration of flights.
     pub fn bound(&self) -> &BoundModel<'_> {
         &self.bound
     }

@@ -1,36 +1,38 @@
-//! Modes of the linearised motion: eigenvalues of what is left when coordinates that nothing depends on are taken out, named by what
-//! moves in them.
+//! Modes of the linearised motion: eigenvalues after removal of the coordinates that nothing depends on, classified by
+//! the variables that move most.
 
 use nalgebra::{Complex, DMatrix, DVector, Vector3};
 
 use crate::linearise::Linearised;
 
-/// Part of the matrix' size below which a column counts as 0: nothing depends on the coordinate.
+/// Size of a column relative to the norm of the matrix, below which the column counts as 0, so that nothing depends on
+/// its coordinate.
 const IGNORABLE: f64 = 1e-9;
 
-/// What moves most in a mode.
+/// Kind of a mode, by the variables that move most in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModeKind {
-    /// The axis circles at about (I_a/I_d) times the spin: a wobble.
+    /// The body axis circles at about (I_a/I_d) times the spin: a wobble.
     Nutation,
-    /// The axis swings without the spin's stiffness: a pitching or coning of a body that spins little or not at all.
+    /// The body axis oscillates without gyroscopic stiffness: pitching or coning of a body that spins little or not at
+    /// all.
     ShortPeriod,
-    /// The angle of attack decays, or grows, without oscillation, as lift turns the path.
+    /// The angle of attack decays or grows without oscillation, because lift turns the path.
     Incidence,
-    /// Axis and path wander together, slower than the nutation: the precession of a body in its stream.
+    /// Body axis and path wander together, more slowly than the nutation: the precession of a body in its stream.
     Precession,
-    /// Speed and climb exchange, slowly.
+    /// Speed and climb are exchanged in a slow oscillation.
     Phugoid,
-    /// Speed alone, without oscillation.
+    /// The speed alone decays or grows, without oscillation.
     Speed,
-    /// The spin alone.
+    /// The spin alone decays or grows.
     Spin,
-    /// The heading turns: nothing resists.
+    /// The heading turns without resistance: a neutral mode.
     Heading,
 }
 
 impl ModeKind {
-    /// Name in tables and files.
+    /// Name of the kind in tables and files.
     pub fn name(self) -> &'static str {
         match self {
             ModeKind::Nutation => "nutation",
@@ -45,24 +47,24 @@ impl ModeKind {
     }
 }
 
-/// A mode: an eigenvalue, or a conjugate pair of them.
+/// A mode of the linearised motion: a real eigenvalue or a conjugate pair of eigenvalues.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mode {
-    /// Eigenvalue, 1/s; of a pair the one with a positive imaginary part.
+    /// Eigenvalue, 1/s; for a conjugate pair the one with a positive imaginary part.
     pub value: Complex<f64>,
-    /// What moves most in it.
+    /// Kind of the mode, by the variables that move most in it.
     pub kind: ModeKind,
-    /// Parts of its motion, adding up to 1: of the axis, the path's direction, the speed, the spin.
+    /// Relative contributions to the motion of the mode, which sum to 1: body axis, direction of the path, speed, spin.
     pub shares: [f64; 4],
 }
 
 impl Mode {
-    /// Frequency of the oscillation, rad/s.
+    /// Angular frequency of the oscillation, rad/s; 0 for a real eigenvalue.
     pub fn frequency(&self) -> f64 {
         self.value.im.abs()
     }
 
-    /// Rate of decay, 1/s; negative of a mode that grows.
+    /// Decay rate of the mode, 1/s; negative if the mode grows.
     pub fn decay(&self) -> f64 {
         -self.value.re
     }
@@ -70,27 +72,27 @@ impl Mode {
     /// Damping ratio −Re/|λ|; 1 for a decaying mode without oscillation, 0 for a neutral one.
     pub fn damping_ratio(&self) -> f64 {
         match self.value.norm() {
-            // Neutral: its sign is that of rounding.
+            // Neutral mode: the sign of its real part is due to rounding.
             size if size < 1e-8 => 0.0,
             size => -self.value.re / size,
         }
     }
 }
 
-/// Modes of a body about a state.
+/// Modes of the linearised motion of a body about a state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Modes {
-    /// Modes, fastest first.
+    /// Modes in order of decreasing magnitude of the eigenvalue.
     pub modes: Vec<Mode>,
-    /// Names of coordinates that nothing depends on, which are taken out.
+    /// Names of the coordinates that nothing depends on and that are removed from the matrix.
     pub ignorable: Vec<&'static str>,
-    /// Whether the turn about the body's axis is one of them. Where it is not, a spinning body's linearised motion changes with
-    /// every turn, and its eigenvalues at an instant say little.
+    /// Whether the rotation about the body's axis is ignorable, as for a body of revolution. Otherwise the linearised
+    /// motion of a spinning body changes within every turn, and eigenvalues at an instant have little meaning.
     pub is_symmetric: bool,
 }
 
-/// Modes of a linearised motion in axes that turn about the vertical at `turn`, rad/s: 0 for a flight's own instant, the rate of
-/// its heading for a steady turn.
+/// Computes the modes of a linearised motion in axes that rotate about the vertical at the rate `turn`, rad/s: 0 for an
+/// instant of a flight, the rate of change of the heading for a steady turn.
 pub fn modes(linearised: &Linearised, turn: f64) -> Modes {
     let n = linearised.axis;
     // Coordinates: displacement 3, velocity 3, tilt of the axis 2, turn about it 1, angular velocity 3.
@@ -115,7 +117,8 @@ pub fn modes(linearised: &Linearised, turn: f64) -> Modes {
     let mut kept: Vec<usize> = (0..12).collect();
     let mut ignorable = Vec::new();
     for place in [0, 1, 2, 8] {
-        // That a turn about the axis goes along with the axis, as the rows of the rotation say, is no dependence on it.
+        // The rows of the rotation contain the turn about the axis only because it moves with the axis, which is no
+        // dependence.
         let rows = kept
             .iter()
             .filter(|row| **row != place && (place < 3 || !(6..9).contains(*row)));
@@ -174,7 +177,8 @@ pub fn modes(linearised: &Linearised, turn: f64) -> Modes {
     }
 }
 
-/// Names modes by what moves in them; `gyroscopic` is the nutation's frequency without a stream, rad/s.
+/// Classifies modes by the variables that move in them; `gyroscopic` is the nutation frequency without a stream, rad/s,
+/// and `size` the norm of the matrix of the linearised motion.
 fn name(modes: &mut [Mode], gyroscopic: f64, size: f64) {
     let (mut has_nutation, mut has_incidence) = (false, false);
     for mode in modes {
@@ -205,7 +209,7 @@ fn name(modes: &mut [Mode], gyroscopic: f64, size: f64) {
     }
 }
 
-/// Right eigenvector of a matrix by inverse iteration near an eigenvalue.
+/// Right eigenvector of a matrix for an approximate eigenvalue, by inverse iteration.
 fn eigenvector(matrix: &DMatrix<Complex<f64>>, value: Complex<f64>) -> DVector<Complex<f64>> {
     let n = matrix.nrows();
     let offset = Complex::new(1e-9 * (1.0 + value.norm()), 0.7e-9 * (1.0 + value.norm()));

@@ -8,25 +8,25 @@ use crate::criteria::{AxisDerivatives, Criteria};
 use crate::linearise::{BoundBody, StabilityError};
 use crate::modes::{Modes, modes};
 
-/// Modes and criteria at a state.
+/// Modes and stability criteria of a body at one state.
 #[derive(Clone, Debug)]
 pub struct Instant {
-    /// Time of the flight, s; 0 for a release.
+    /// Time in the flight, s; 0 for a release.
     pub time: f64,
-    /// Motion there.
+    /// Motion at the state, as a throw.
     pub throw: Throw,
-    /// Its modes.
+    /// Modes of the linearised motion at the state.
     pub modes: Modes,
-    /// Derivatives of the axis in the stream.
+    /// Derivatives that determine how the body axis moves in the stream.
     pub derivatives: AxisDerivatives,
-    /// What the criteria say.
+    /// Stability criteria at the state.
     pub criteria: Criteria,
 }
 
-/// Modes and criteria at a state.
+/// Computes the modes and stability criteria at a state; `time` is in s.
 ///
 /// # Errors
-/// [`StabilityError`]
+/// [`StabilityError`] if the motion cannot be linearised at the state.
 pub fn at(body: &BoundBody<'_>, time: f64, state: &[f64]) -> Result<Instant, StabilityError> {
     let linearised = body.linearise(time, state)?;
     let derivatives = AxisDerivatives::of(&linearised, body.wind());
@@ -39,10 +39,10 @@ pub fn at(body: &BoundBody<'_>, time: f64, state: &[f64]) -> Result<Instant, Sta
     })
 }
 
-/// Modes and criteria at `count` times of a flight, its ends among them.
+/// Computes the modes and stability criteria at `count` equidistant times of a flight, including both ends.
 ///
 /// # Errors
-/// [`StabilityError`]
+/// [`StabilityError`] if the motion cannot be linearised at one of these times.
 pub fn along(
     body: &BoundBody<'_>,
     flight: &Trajectory,
@@ -57,8 +57,8 @@ pub fn along(
         .collect()
 }
 
-/// Modes and criteria of a throw with other speeds (m/s) and spins (rpm), speed by speed; those whose motion the model cannot have
-/// are left out.
+/// Computes the modes and stability criteria of a throw for every pair of a speed (m/s) and a spin (rpm), speed by
+/// speed. Pairs whose motion the model cannot have are left out.
 pub fn map(body: &BoundBody<'_>, throw: &Throw, speeds: &[f64], spins: &[f64]) -> Vec<Instant> {
     let pairs = speeds
         .iter()
@@ -76,7 +76,7 @@ pub fn map(body: &BoundBody<'_>, throw: &Throw, speeds: &[f64], spins: &[f64]) -
             .state(&own, [0.0; 2], &body.parameters)
             .ok()?;
         let instant = at(body, 0.0, &state).ok()?;
-        // As asked for, without the rounding of the state.
+        // The throw as requested, without the rounding errors of the state.
         Some(Instant {
             throw: own,
             ..instant
@@ -86,7 +86,7 @@ pub fn map(body: &BoundBody<'_>, throw: &Throw, speeds: &[f64], spins: &[f64]) -
 }
 
 impl BoundBody<'_> {
-    /// Velocity of the air, m/s, of a model that has the input `wind`; still air otherwise.
+    /// Wind velocity, m/s, given by the model's input `wind`; zero if the model has no such input.
     pub fn wind(&self) -> Vector3<f64> {
         let components = self.body.compiled.layout().components("wind");
         let values = components

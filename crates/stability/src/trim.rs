@@ -1,8 +1,9 @@
-//! Trim: steady flight, straight or in a helix about the vertical, at a held spin.
+//! Trim: steady flight, straight or in a helix about the vertical, at a given constant spin.
 //!
-//! Velocity, axis and angular velocity turn together about the vertical at a rate Ω: v̇ = Ω × v, ṅ = Ω × n, and across the axis
-//! ω̇ = Ω × ω. The second is met by ω = r n + Ω − (Ω·n) n; speed, climb, nose, hyzer and Ω are found from the others by a damped Newton
-//! method. The spin r is held: what slows it down is left out.
+//! Velocity, body axis and angular velocity rotate together about the vertical at a rate Ω: v̇ = Ω × v, ṅ = Ω × n and,
+//! normal to the axis, ω̇ = Ω × ω. The second condition is satisfied by ω = r n + Ω − (Ω·n) n; a damped Newton method
+//! solves the other conditions for speed, climb angle, nose, hyzer and Ω. The spin r is held constant: the moment that
+//! slows it down is ignored.
 
 use std::f64::consts::PI;
 
@@ -11,24 +12,24 @@ use nalgebra::{DMatrix, DVector, Rotation3, Vector3};
 
 use crate::linearise::{BoundBody, Linearised, StabilityError};
 
-/// Steady flight.
+/// A steady flight of a body.
 #[derive(Clone, Debug)]
 pub struct Trim {
-    /// State of the model, above the origin at the height of a throw.
+    /// State of the model, above the origin at the default height of a throw.
     pub state: Vec<f64>,
-    /// Its motion as a throw.
+    /// Motion of the steady flight, as a throw.
     pub throw: Throw,
-    /// Rate at which the heading turns, to the left, rad/s; 0 in straight flight.
+    /// Rate of change of the heading, positive to the left, rad/s; 0 in straight flight.
     pub turn: f64,
-    /// The linearised motion there.
+    /// Linearised motion about the state.
     pub linearised: Linearised,
 }
 
-/// Residual (of accelerations, as parts of 10 m/s² and of 10 rad/s²) below which flight is steady.
+/// Norm of the residual accelerations, in units of 10 m/s² and 10 rad/s², below which flight counts as steady.
 const STEADY: f64 = 1e-9;
-/// Greatest number of steps from a start.
+/// Maximum number of Newton steps from one starting point.
 const MAX_STEPS: usize = 60;
-/// Starts: speed m/s, climb, nose and hyzer, rad.
+/// Starting points of the search: speed (m/s), climb angle, nose and hyzer (rad).
 const STARTS: [[f64; 4]; 8] = [
     [10.0, -0.2, 0.1, 0.0],
     [15.0, -0.1, 0.05, 0.0],
@@ -40,8 +41,8 @@ const STARTS: [[f64; 4]; 8] = [
     [15.0, -0.3, 0.05, -1.0],
 ];
 
-/// Steady flight at a spin, rad/s about the body's third axis (negative for a right-hander's backhand); the gentlest turn of those
-/// found, `None` where none is.
+/// Finds steady flight at a spin, rad/s about the body's third axis (negative for a right-hander's backhand). Of
+/// several solutions the one with the slowest turn is returned; `None` if none is found.
 pub fn trim(body: &BoundBody<'_>, spin: f64) -> Option<Trim> {
     let found = STARTS
         .into_iter()
@@ -52,7 +53,7 @@ pub fn trim(body: &BoundBody<'_>, spin: f64) -> Option<Trim> {
     found.min_by(|a, b| a.turn.abs().total_cmp(&b.turn.abs()))
 }
 
-/// Motion with speed, climb, nose, hyzer and rate of turn.
+/// Motion at a spin with the speed, climb angle, nose, hyzer and rate of turn in `of`.
 fn motion(of: &DVector<f64>, spin: f64) -> Motion {
     let course = Rotation3::from_axis_angle(&Vector3::y_axis(), -of[1]);
     let attitude = course
@@ -70,7 +71,8 @@ fn motion(of: &DVector<f64>, spin: f64) -> Motion {
     }
 }
 
-/// Residual of a motion, and the state that has it.
+/// Scaled residual accelerations of a steady flight, and the state that has its motion; `None` if no state has the
+/// motion or the residual is not finite.
 fn residual(
     body: &BoundBody<'_>,
     of: &DVector<f64>,

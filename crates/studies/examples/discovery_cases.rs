@@ -1,5 +1,6 @@
-//! Writes the cases of benches/discovery as folders: flights of the disc with one seeded aerodynamic effect of the catalogue,
-//! weak and strong, and flights with none; each dataset has a `truth.json`. Every run writes the same bytes.
+//! Writes the cases of benches/discovery as folders: flights of the disc with one seeded aerodynamic effect of the
+//! catalogue, weak and strong, and flights without a seeded effect. Each dataset has a file `truth.json`. The output is
+//! identical for every run.
 //!
 //! `cargo run --release -p hyzer-studies --example discovery_cases -- FOLDER`
 
@@ -13,12 +14,12 @@ use serde_json::{Value, json};
 use studies::oracle_flights::{Plan, TWELVE, disc, truth};
 use studies::seeded::{STRENGTHS, SeededEffects, dataset, unlisted};
 
-/// Twenty throws of a second each, three markers, 120 Hz.
+/// Plan of twenty throws of one second each, three markers, 120 Hz.
 const TWENTY: Plan<'static> = Plan {
     flights: 20,
     ..TWELVE
 };
-/// White noise of 1.5 mm on each axis.
+/// White noise of 1.5 mm on each coordinate.
 const WHITE: Corruption = Corruption {
     sigma: 0.0015,
     ar1: 0.0,
@@ -26,15 +27,16 @@ const WHITE: Corruption = Corruption {
     outlier_size: 0.0,
     dropouts: 0.0,
 };
-/// Number of datasets for each effect and strength.
+/// Number of datasets for each effect and size.
 const SEEDS: u64 = 5;
 /// Number of datasets without a seeded effect.
 const NULLS: u64 = 20;
-/// Sites of the loads in frame D; effects that act elsewhere are not terms of a coefficient, which the peers could find.
+/// Sites of the loads in frame D. Effects at other sites are not terms of an aerodynamic coefficient, so the compared
+/// programs could not find them.
 const SITES: [&str; 6] = ["lift", "drag", "side", "roll", "pitch", "spin"];
-/// Effect that is confounded with the coefficients: denser air is the same as greater coefficients.
+/// Effect that is confounded with the coefficients: denser air is equivalent to larger coefficients.
 const CONFOUNDED: &str = "air_density";
-/// Effects outside the catalogue that add a term to one load; operon.py has their formulas.
+/// Effects outside the catalogue that add a term to one load; operon.py contains their formulas.
 const OUTSIDE: [&str; 6] = [
     "roll_by_angle_squared",
     "drag_by_climb",
@@ -67,7 +69,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         Ok::<_, std::io::Error>(())
     };
     for (number, row) in STRENGTHS.iter().enumerate() {
-        // An effect of the ball alone does not load.
+        // Effects that act only on a ball do not load.
         let Ok(model) = load("disc", &[row.effect]) else {
             continue;
         };
@@ -80,7 +82,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                 let effect = row.effect;
                 let mut facts = json!({"effect": effect, "site": site, "size": size, "values": values, "noise": true});
                 let seeded = SeededEffects::listed(effect, values);
-                // No two cases share throws or noise.
+                // No two cases have the same throws or noise.
                 let case_seed =
                     100 * (1 + number as u64) + seed + if size == "weak" { 0 } else { 50 };
                 let name = format!("{effect}-{size}-{seed}");

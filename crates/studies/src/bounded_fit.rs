@@ -1,4 +1,4 @@
-//! A fit on one thread that is cancelled after a given time.
+//! A single-threaded fit with a time limit.
 
 use std::sync::mpsc;
 use std::time::{Duration, Instant};
@@ -7,15 +7,15 @@ use identify::dataset::Dataset;
 use identify::{CancellationToken, Fit, FitError, FitOptions, fit};
 use model_spec::model::Model;
 
-/// Result of a fit and its computing time, s.
+/// Result of a fit with a time limit, and its computing time.
 pub(crate) struct BoundedFit {
-    /// Result; [`FitError::Interrupted`] if the fit was cancelled.
+    /// The fit, or why it failed; [`FitError::Interrupted`] if the time limit was reached.
     pub(crate) result: Result<Fit, FitError>,
-    /// Computing time, s.
+    /// Elapsed time of the fit, s.
     pub(crate) seconds: f64,
 }
 
-/// Fits a model on one thread, for at most about `limit`.
+/// Fits a model on one thread and cancels the fit after `limit`. A cancelled fit ends shortly after the limit.
 pub(crate) fn bounded_fit(model: &Model, dataset: &Dataset, limit: Duration) -> BoundedFit {
     let token = CancellationToken::default();
     let options = FitOptions {

@@ -1,10 +1,10 @@
-//! The command line: names, options and help.
+//! Command line of `hyzer-studies`: subcommands, options and help texts.
 
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
-/// Studies of what hyzer's fits and diagnoses are worth; each writes a page of docs/.
+/// Studies of the accuracy and reliability of hyzer's fits and diagnoses; each study writes a page of docs/.
 #[derive(Parser)]
 #[command(
     name = "hyzer-studies",
@@ -13,65 +13,67 @@ use clap::{Args, Parser, Subcommand};
     max_term_width = 100
 )]
 pub struct Cli {
-    /// Which study
+    /// Which study to run
     #[command(subcommand)]
     pub study: Study,
 }
 
-/// The studies.
+/// Subcommands of `hyzer-studies`, one per study.
 #[derive(Subcommand)]
 pub enum Study {
-    /// Compare the paper's statements on its two flights with every reading of its tables
+    /// Compare the paper's statements about its two flights with simulations under every reading of its tables
     #[command(after_help = "Example:\n  hyzer-studies paper --out docs/paper.md")]
     Paper(Paper),
-    /// Which laws of motion the equations of other simulators break, and what mends them
+    /// Find the laws of motion that the equations of other simulators violate, and the changes that correct them
     #[command(after_help = "Example:\n  hyzer-studies others --out docs/others.md")]
     Others(Paper),
-    /// Coverage of a fit's intervals on flights made by the oracle, and fits of the paper's two flights one by one
+    /// Coverage of a fit's confidence intervals on flights simulated by the oracle, and separate fits of the paper's
+    /// two flights
     #[command(after_help = "Example:\n  hyzer-studies identification --seeds 20")]
     Identification(Identification),
-    /// Fits of measured flights, and comparison with a wind tunnel's table
+    /// Fits of measured flights, and comparison with a wind tunnel's table of coefficients
     #[command(
         after_help = "Example:\n  hyzer-studies real-data --data ../shared/data --out docs/real-data.md"
     )]
     RealData(RealData),
-    /// How often the diagnosis finds effects that were seeded into flights made by the oracle
+    /// How often the diagnosis finds effects that were seeded into flights simulated by the oracle
     #[command(
         after_help = "Example:\n  hyzer-studies discovery --seeds 40 --only 'stall strong' --details"
     )]
     Discovery(Discovery),
-    /// How often fits with one to three effects reach the noise from the model's own start
+    /// How often fits of one to three effects reach the noise level from the model's default initial values
     #[command(after_help = "Example:\n  hyzer-studies fits --seeds 100 --only stall")]
     Fits(Runs),
-    /// Whether effects hidden in flights of a user's own models are detected, and found at the right site
+    /// Whether effects hidden in flights of a user's own models are detected, and attributed to the right site
     #[command(after_help = "Example:\n  hyzer-studies own-models --only 'glider strong'")]
     OwnModels(Runs),
-    /// Whether mistakes of a laboratory are named, harmless, or reported as unreliable; with the section of `cuts`
+    /// Whether typical laboratory mistakes are reported, harmless, or make results that are marked as unreliable;
+    /// includes the section of `cuts`
     #[command(after_help = "Example:\n  hyzer-studies spoiled --seeds 2 --only 'labels one'")]
     Spoiled(Runs),
-    /// Fits and diagnoses by poses, gyroscopes, accelerometers and speeds, alone and with markers
+    /// Fits and diagnoses with poses, gyroscopes, accelerometers and speeds, alone and together with markers
     #[command(after_help = "Example:\n  hyzer-studies sensors --seeds 20")]
     Sensors(Runs),
-    /// Truncation at the ground: flights that touch nothing, and flights that bounce
+    /// Truncation at ground contact: flights that touch nothing, and flights that bounce
     #[command(after_help = "Example:\n  hyzer-studies cuts --seeds 10")]
     Cuts(Runs),
-    /// Throws found by `design` against what Crowther and Potts report of a disc, and Frohlich of the discus
+    /// Compare throws found by `design` with what Crowther and Potts report of a disc, and Frohlich of the discus
     #[command(after_help = "Example:\n  hyzer-studies throws --out docs/throws.md")]
     Throws(Paper),
-    /// Coefficients and flights of the program's bodies, and a driver's filmed throws
+    /// Coefficients and flights of the built-in bodies, and filmed throws of a driver
     #[command(
         after_help = "Example:\n  hyzer-studies bodies --data ../shared/data --out docs/bodies.md"
     )]
     Bodies(Bodies),
-    /// From takes of throws, as laboratories write them, to a template and coefficients
+    /// From recordings of throws in the file formats of laboratories to a marker template and coefficients
     #[command(after_help = "Example:\n  hyzer-studies takes --seeds 20 --python python3")]
     Takes(Takes),
 }
 
-/// `hyzer-studies bodies`.
+/// Options of `hyzer-studies bodies`.
 #[derive(Args)]
 pub struct Bodies {
-    /// Folder of the measured data, with the folder discgolf; without it the page has no filmed throws
+    /// Folder of the measured data, which contains the folder discgolf; without it the page has no filmed throws
     #[arg(long, value_name = "DIR")]
     pub data: Option<PathBuf>,
     /// File for the page, with its figure beside it; without it the page is printed
@@ -79,27 +81,27 @@ pub struct Bodies {
     pub out: Option<PathBuf>,
 }
 
-/// `hyzer-studies takes`.
+/// Options of `hyzer-studies takes`.
 #[derive(Args)]
 pub struct Takes {
-    /// Options of its runs; `--only '#7'` runs the session of seed 7
+    /// Options of the runs; `--only '#7'` runs the session of seed 7 alone
     #[command(flatten)]
     pub runs: Runs,
-    /// Python with ezc3d, which writes every fourth session as C3D; without it there is no C3D
+    /// Python interpreter with ezc3d, which writes every fourth session as C3D; without it no session is written as C3D
     #[arg(long, value_name = "PATH")]
     pub python: Option<PathBuf>,
 }
 
-/// Options of a study of random runs.
+/// Options shared by the studies that repeat runs with random seeds.
 #[derive(Args)]
 pub struct Runs {
-    /// Number of runs, or of runs of each row
+    /// Number of runs, or of runs per row of the study's table
     #[arg(long)]
     pub seeds: Option<u64>,
-    /// Only runs that have all of these words
+    /// Run only the cases whose names contain all of these words
     #[arg(long, value_name = "WORDS")]
     pub only: Option<String>,
-    /// Number of runs at a time; without it one for each processor
+    /// Number of runs in parallel; default: one per processor
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..=1024))]
     pub threads: Option<u64>,
     /// File for the page; without it the page is printed
@@ -108,14 +110,14 @@ pub struct Runs {
 }
 
 impl Runs {
-    /// Number of threads.
+    /// Number of runs in parallel: `--threads` if given, otherwise one per processor.
     pub fn threads(&self) -> usize {
         let stated = self.threads.map(|threads| threads as usize);
         stated.unwrap_or_else(flight::batch::threads)
     }
 }
 
-/// `hyzer-studies paper` and `hyzer-studies others`.
+/// Options of the studies that accept no option but the output file.
 #[derive(Args)]
 pub struct Paper {
     /// File for the page; without it the page is printed
@@ -123,10 +125,10 @@ pub struct Paper {
     pub out: Option<PathBuf>,
 }
 
-/// `hyzer-studies identification`.
+/// Options of `hyzer-studies identification`.
 #[derive(Args)]
 pub struct Identification {
-    /// Datasets made under each noise
+    /// Number of simulated datasets per noise condition
     #[arg(long, default_value_t = 200)]
     pub seeds: u64,
     /// File for the page, with its figures beside it; without it the page is printed
@@ -134,10 +136,10 @@ pub struct Identification {
     pub out: Option<PathBuf>,
 }
 
-/// `hyzer-studies real-data`.
+/// Options of `hyzer-studies real-data`.
 #[derive(Args)]
 pub struct RealData {
-    /// Folder of the measured data, with the folders spindoe, spindown, windtunnel and discgolf
+    /// Folder of the measured data, which contains the folders spindoe, spindown, windtunnel and discgolf
     #[arg(long, value_name = "DIR")]
     pub data: PathBuf,
     /// File for the page, with its figures beside it; without it the page is printed
@@ -145,13 +147,14 @@ pub struct RealData {
     pub out: Option<PathBuf>,
 }
 
-/// `hyzer-studies discovery`.
+/// Options of `hyzer-studies discovery`.
 #[derive(Args)]
 pub struct Discovery {
-    /// Options of its runs; without `--seeds` 100 of each row without a seeded effect, other rows have a few for every hundred
+    /// Options of the runs; `--seeds` is the number of runs per row without a seeded effect (default 100), and other
+    /// rows have a small fraction of it
     #[command(flatten)]
     pub runs: Runs,
-    /// Print a line for each run, and what rejects a seeded effect that was missed
+    /// Print a line for each run, and why the diagnosis rejects a seeded effect that it missed
     #[arg(long)]
     pub details: bool,
 }

@@ -1,4 +1,4 @@
-//! Why a study cannot be run.
+//! Error type of the studies.
 
 use std::path::PathBuf;
 
@@ -6,18 +6,18 @@ use std::path::PathBuf;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum StudyError {
-    /// A file of measured data cannot be read.
+    /// A file or folder of measured data, or a program, cannot be read or started.
     #[error("{}: {source}", file.display())]
     Unreadable {
-        /// File that cannot be read.
+        /// Path of the file, folder or program.
         file: PathBuf,
         /// Error of the operating system.
         source: std::io::Error,
     },
-    /// A line of a table is not as expected.
+    /// A line of a data table does not have the expected form.
     #[error("{}:{line}: found {found:?}, expected {expected}", file.display())]
     Line {
-        /// The file.
+        /// File of the table.
         file: PathBuf,
         /// Line number, from 1.
         line: usize,
@@ -29,41 +29,41 @@ pub enum StudyError {
     /// A required part of a file is missing.
     #[error("{}: found no {expected}", file.display())]
     Absent {
-        /// The file.
+        /// File that lacks the part.
         file: PathBuf,
         /// Description of the missing part.
         expected: String,
     },
-    /// A name that a built-in model, effect or release should have.
+    /// A built-in model, effect or release lacks an expected name.
     #[error("the built-in {of} has no {name}")]
     Name {
-        /// Model or collection.
+        /// Model or collection that lacks the name.
         of: &'static str,
-        /// The missing name.
+        /// Name that was looked up.
         name: String,
     },
-    /// A model or an effect does not load.
+    /// A model or an effect cannot be loaded.
     #[error(transparent)]
     Model(#[from] model_spec::load::LoadError),
-    /// A release of the paper does not read.
+    /// A release file of the paper cannot be parsed.
     #[error(transparent)]
     Release(#[from] flight::release::ReleaseError),
-    /// A dataset does not read.
+    /// A dataset cannot be read.
     #[error(transparent)]
     Dataset(#[from] identify::InputError),
-    /// A fit failed.
+    /// A dataset cannot be fitted.
     #[error(transparent)]
     Fit(#[from] identify::FitError),
-    /// A diagnosis failed.
+    /// A dataset cannot be diagnosed.
     #[error(transparent)]
     Diagnosis(#[from] diagnose::DiagnosisError),
-    /// A throw cannot be flown.
+    /// A throw cannot be simulated.
     #[error(transparent)]
     Throw(#[from] design::ThrowFlightError),
-    /// A throw cannot be searched for.
+    /// The search for a throw cannot be set up or fails.
     #[error(transparent)]
     Design(#[from] design::DesignError),
-    /// A template of a page does not go with the results.
+    /// The template of a page cannot be rendered with the results.
     #[error("the page cannot be written: {0}")]
     Page(#[from] minijinja::Error),
 }

@@ -1,8 +1,9 @@
-//! Studies of what a fit and a diagnosis are worth: on flights computed by the oracle, and on measured ones.
+//! Studies of the accuracy and reliability of fits and diagnoses, on flights simulated by the oracle and on measured
+//! flights.
 //!
 //! Synthetic flights come from the oracle's vector mechanics and an integrator of this crate ([`oracle_flights`]), so
-//! that neither the generated code nor the integrator under test takes part in making them. Each study runs on its
-//! own and writes one page of `docs/`; the program `hyzer-studies` has a command for each.
+//! neither the generated code nor the integrator under test takes part in making them. Each study runs independently
+//! and writes one page of `docs/`; the program `hyzer-studies` has one subcommand per study.
 
 pub mod bodies;
 mod bounded_fit;

@@ -1,4 +1,4 @@
-//! The program `hyzer-studies`: one command for each study, which runs it and writes its page.
+//! The program `hyzer-studies`: each subcommand runs one study and writes its page.
 
 mod cli;
 mod output;
@@ -29,7 +29,7 @@ use studies::throws::{launches, rolls, throws_page, winds};
 fn main() -> ExitCode {
     match run(cli::Cli::parse().study) {
         Ok(()) => ExitCode::SUCCESS,
-        // A reader that closed the pipe wants no message.
+        // A closed pipe is not an error to report.
         Err(error) if output::is_broken_pipe(&error) => ExitCode::from(2),
         Err(error) => {
             eprintln!("error: {error:#}");
@@ -99,7 +99,7 @@ fn identification(seeds: u64) -> anyhow::Result<Page> {
     Ok(identification_page(&coverages, &paper_fits(seeds))?)
 }
 
-/// Prints a line to standard error after each twentieth of the runs.
+/// Prints the number of finished runs to standard error after each twentieth of all runs.
 fn report_progress(done: usize, of: usize) {
     if done.is_multiple_of((of / 20).max(1)) {
         eprintln!("{done} of {of} runs");
@@ -161,14 +161,14 @@ fn spoiled_datasets(options: &cli::Runs) -> anyhow::Result<Page> {
     Ok(spoiled_page(&runs, cuts)?)
 }
 
-/// Fits `datasets` datasets that touch nothing, and a quarter as many that bounce.
+/// Fits `datasets` datasets of flights that touch nothing, and a quarter as many of flights that bounce.
 fn cut_section(datasets: u64, threads: usize) -> CutSection {
     let free = free_flights(datasets as usize, threads, &report_progress);
     let bounces = bounces(datasets.div_ceil(4) as usize, threads, &report_progress);
     CutSection::new(&free, &bounces)
 }
 
-/// Runs the plan, with a line for each run where `--details` asks for it.
+/// Runs the plan of the discovery study. Prints a line for each run if `--details` is given.
 fn discovery(options: cli::Discovery) -> anyhow::Result<(Page, Option<PathBuf>)> {
     let cli::Discovery {
         runs: options,
@@ -193,7 +193,8 @@ fn discovery(options: cli::Discovery) -> anyhow::Result<(Page, Option<PathBuf>)>
     Ok((page, options.out))
 }
 
-/// The page with the tables of the other programs, where discovery-peers.md lies in the folder that it is written to.
+/// Adds the section with the results of other programs to the page, if discovery-peers.md is in the folder of the
+/// output file.
 fn with_peer_tables(page: Page, out: Option<&Path>) -> Page {
     let peers = out.map(|file| file.with_file_name("discovery-peers.md"));
     let peers = peers.and_then(|file| std::fs::read_to_string(file).ok());

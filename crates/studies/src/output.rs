@@ -1,4 +1,4 @@
-//! Pages as files, each of which appears whole or not at all, and on standard output.
+//! Writes pages as files, atomically, and prints to standard output.
 
 use std::io::Write;
 use std::path::Path;
@@ -6,7 +6,7 @@ use std::path::Path;
 use anyhow::Context;
 use studies::Page;
 
-/// Writes a page, its figures in the same folder.
+/// Writes a page to `file`, and its figures to the same folder.
 pub fn write_page(file: &Path, page: &Page) -> anyhow::Result<()> {
     for (name, svg) in &page.figures {
         write(&file.with_file_name(name), svg)?;
@@ -16,7 +16,7 @@ pub fn write_page(file: &Path, page: &Page) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Writes a file, and the folders that it lies in.
+/// Writes a file atomically, and creates its parent folders.
 fn write(file: &Path, contents: &str) -> anyhow::Result<()> {
     let whole = || {
         if let Some(folder) = file.parent() {
@@ -27,7 +27,7 @@ fn write(file: &Path, contents: &str) -> anyhow::Result<()> {
     whole().with_context(|| format!("cannot write {}", file.display()))
 }
 
-/// Prints to standard output.
+/// Prints a text to standard output and flushes it.
 pub fn print(text: impl AsRef<str>) -> anyhow::Result<()> {
     let mut out = std::io::stdout().lock();
     out.write_all(text.as_ref().as_bytes())?;
@@ -35,7 +35,7 @@ pub fn print(text: impl AsRef<str>) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Whether an error says that the reader of standard output has closed it.
+/// Whether an error means that the reader of standard output has closed the pipe.
 pub fn is_broken_pipe(error: &anyhow::Error) -> bool {
     let error = error.downcast_ref::<std::io::Error>();
     error.is_some_and(|error| error.kind() == std::io::ErrorKind::BrokenPipe)

@@ -1,4 +1,4 @@
-//! Pages of `docs/`: Markdown templates filled with the typed results of a study.
+//! Pages of `docs/`: Markdown templates rendered with the typed results of a study.
 
 use minijinja::syntax::SyntaxConfig;
 use minijinja::value::{Serde, Value};
@@ -7,22 +7,22 @@ use serde::Serialize;
 
 use crate::error::StudyError;
 
-/// A page and its figures.
+/// A rendered page and its figures.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Page {
-    /// Markdown.
+    /// Text of the page, Markdown.
     pub text: String,
     /// File name, relative to the page, and SVG text of each figure.
     pub figures: Vec<(String, String)>,
 }
 
-/// Printed in place of a missing result.
+/// Text printed for a missing result.
 const NONE: &str = "–";
 
-/// Fills a template with results; the text ends in one line feed.
+/// Renders a template with results; the text ends in one line feed.
 ///
-/// Filters: `three` (three significant digits), `percent` (a fraction, one decimal), `fixed(n)` and `signed(n)` (`n` decimals),
-/// `plain` (shortest decimal). Each prints an en dash for `none`.
+/// Filters: `three` (three significant digits), `percent` (a fraction, one decimal), `fixed(n)` and `signed(n)` (`n`
+/// decimals), `plain` (shortest decimal). Each prints an en dash for `none`.
 pub(crate) fn render(template: &str, results: impl Serialize) -> Result<String, StudyError> {
     let mut environment = Environment::new();
     environment.set_auto_escape_callback(|_| AutoEscape::None);
@@ -49,7 +49,7 @@ pub(crate) fn render(template: &str, results: impl Serialize) -> Result<String, 
     Ok(text.trim_end().to_owned() + "\n")
 }
 
-/// Text of a number; a dash for `none`.
+/// Text of a number, formatted by `text`; a dash for `none`.
 fn or_dash(number: &Value, text: impl Fn(f64) -> String) -> Result<String, minijinja::Error> {
     match number.is_none() {
         true => Ok(NONE.to_owned()),
@@ -57,7 +57,7 @@ fn or_dash(number: &Value, text: impl Fn(f64) -> String) -> Result<String, minij
     }
 }
 
-/// A number with three significant digits.
+/// Formats a value with three significant digits.
 fn three(value: f64) -> String {
     if value == 0.0 {
         return "0".into();

@@ -1,13 +1,13 @@
-//! Summaries of samples.
+//! Summary statistics of samples.
 
-/// Median of the finite values; the mean of the middle two if their number is even, `None` if there are none.
+/// Median of the finite values; the mean of the middle two if their number is even. `None` if no value is finite.
 pub(crate) fn median(values: impl IntoIterator<Item = f64>) -> Option<f64> {
     let finite = values.into_iter().filter(|value| value.is_finite());
     let mut finite: Vec<f64> = finite.collect();
     (!finite.is_empty()).then(|| identify::median(&mut finite))
 }
 
-/// Mean and sample standard deviation.
+/// Mean and sample standard deviation of the values.
 pub(crate) fn mean_and_deviation(values: &[f64]) -> (f64, f64) {
     let count = values.len().max(1) as f64;
     let mean = values.iter().sum::<f64>() / count;

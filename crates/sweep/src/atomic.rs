@@ -1,22 +1,22 @@
-//! Files that appear whole, written as a stream.
+//! Atomic writes of files: a reader sees the complete file or none.
 
 use std::fs::File;
 use std::io;
 use std::path::Path;
 
-/// Prefix of files that are not yet whole.
+/// Prefix of the names of temporary files whose content is not complete yet.
 pub(crate) const UNFINISHED: &str = ".unfinished-";
 
-/// Whether a file must outlast a loss of power, or can be made again.
+/// Whether an atomically written file must survive a loss of power, or can be computed again.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Durability {
-    /// Synced to the disk before it is renamed.
+    /// The file is synced to the disk before it is renamed.
     Synced,
-    /// Renamed alone: whole for every reader, but a loss of power may lose or damage it.
+    /// The file is renamed without a sync: readers see it complete, but a loss of power may lose or damage it.
     Renamed,
 }
 
-/// Writes a file by a function of its stream, to a temporary file beside it that is then renamed.
+/// Writes a file atomically: `write` fills a temporary file in the same folder, which is then renamed to `path`.
 pub(crate) fn write_atomic<E: From<io::Error>>(
     path: &Path,
     durability: Durability,

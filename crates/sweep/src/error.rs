@@ -8,17 +8,17 @@ use parquet::errors::ParquetError;
 
 use crate::folder::FolderError;
 
-/// Reason why a sweep cannot be flown or its results not be written.
+/// Reason why the flights of a sweep cannot be computed or the results cannot be written.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum SweepError {
-    /// The plan has faults.
+    /// The plan has faults; the message lists all of them.
     #[error(transparent)]
     Plan(#[from] ReleaseError),
-    /// The plan's own throw is not one of the model's.
+    /// The model cannot have the throw that `[throw]` of the plan states.
     #[error(transparent)]
     Throw(#[from] ThrowError),
-    /// A plan until the ground for a model without height.
+    /// The plan flies until the ground, but the model has no height state `z`.
     #[error(
         "the model {model} has no state z, whose fall to 0 is the landing; expected a plan with duration = … (s)"
     )]
@@ -26,15 +26,15 @@ pub enum SweepError {
         /// Name of the model.
         model: String,
     },
-    /// The folder cannot hold this sweep.
+    /// The output folder cannot hold the results of this sweep.
     #[error(transparent)]
     Folder(#[from] FolderError),
-    /// A table cannot be read or written.
+    /// A Parquet or CSV table of flights cannot be read or written.
     #[error("{}: {source}", path.display())]
     Table {
-        /// The file.
+        /// Path of the table.
         path: PathBuf,
-        /// Its cause.
+        /// Cause of the failure.
         source: ParquetError,
     },
 }

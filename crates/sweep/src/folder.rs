@@ -1,4 +1,5 @@
-//! Folders of work that is done in parts: what was begun, the parts that are whole, and the results.
+//! Folders of computations that are done in parts: a description of the computation, its finished parts, and the
+//! results.
 
 use std::fmt::{self, Display};
 use std::fs;
@@ -11,51 +12,52 @@ use sha2::{Digest, Sha256};
 
 use crate::atomic::{Durability, UNFINISHED, write_atomic};
 
-/// File that says which work the parts belong to.
+/// Name of the JSON file that identifies, by a fingerprint, the computation to which the parts belong.
 const BEGUN: &str = "parts.json";
 
-/// File whose presence says that the work is complete.
+/// Name of the JSON file of the summary; it is written last, so its presence means that the computation is complete.
 const SUMMARY: &str = "summary.json";
 
-/// Reason why a folder cannot hold parts of some work.
+/// Reason why a folder cannot hold the parts of a computation.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum FolderError {
-    /// The folder holds other work.
+    /// The folder holds parts or results of another computation: the fingerprints differ.
     #[error(
         "{} holds parts or results of other inputs, another model or machine; expected a new or empty folder, or the same inputs to go on",
         path.display()
     )]
     OtherWork {
-        /// The folder.
+        /// Path of the folder.
         path: PathBuf,
     },
-    /// The folder holds other files.
+    /// The folder is not empty, and its files are not those of a computation in parts.
     #[error("{} holds files that this command did not write; expected a new or empty folder", path.display())]
     Foreign {
-        /// The folder.
+        /// Path of the folder.
         path: PathBuf,
     },
     /// A file or folder cannot be read or written.
     #[error("{}: {source}", path.display())]
     Io {
-        /// The file or folder.
+        /// Path of the file or folder.
         path: PathBuf,
-        /// Its cause.
+        /// Error of the operating system.
         source: io::Error,
     },
-    /// A part out of range.
+    /// The parts are divided into `of` shares for separate processes, and the requested share number `part` is not in
+    /// 1 to `of`.
     #[error("part {part} of {of}; expected one from 1 to {of}")]
     NoPart {
-        /// Number that was found.
+        /// Share number that was requested.
         part: u64,
-        /// Number of parts.
+        /// Number of shares.
         of: u64,
     },
 }
 
-/// SHA-256 (hexadecimal) of a text, which is not held, and of whether this machine fuses multiplications and additions, on
-/// which the last bits of results depend.
+/// SHA-256 (hexadecimal) of the displayed text of `of` and of whether this machine fuses multiplications and
+/// additions, on which the last bits of results depend. The text is hashed as it is formatted, without being stored.
 pub fn fingerprint(of: impl Display) -> String {
     struct Hasher(Sha256);
     impl fmt::Write for Hasher {
@@ -71,10 +73,11 @@ pub fn fingerprint(of: impl Display) -> String {
     digest.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// Range of the parts 0 to `count` - 1 that belong to share `share` (counted from 1) of `of` equal shares.
+/// Range of the parts, of 0 to `count` - 1, that belong to share number `share` (from 1) of `of` shares of nearly
+/// equal size.
 ///
 /// # Errors
-/// [`FolderError::NoPart`].
+/// [`FolderError::NoPart`] if `share` is not in 1 to `of`.
 pub fn share_of(count: u64, (share, of): (u64, u64)) -> Result<std::ops::Range<u64>, FolderError> {
     if !(1..=of).contains(&share) {
         return Err(FolderError::NoPart { part: share, of });
@@ -83,17 +86,18 @@ pub fn share_of(count: u64, (share, of): (u64, u64)) -> Result<std::ops::Range<u
     Ok(bound(share - 1)..bound(share))
 }
 
-/// Folder of the parts and results of one piece of work.
+/// Folder that holds the parts and the results of one computation.
 pub struct PartsFolder {
     path: PathBuf,
     fingerprint: String,
 }
 
 impl PartsFolder {
-    /// Opens a new or empty folder, or that of the same work; `begun` describes it for readers, with its fingerprint.
+    /// Opens a folder that is new, empty or holds parts of the same computation (equal `fingerprint`). In a new
+    /// folder the description `begun` is written to `parts.json`, with the fingerprint added.
     ///
     /// # Errors
-    /// [`FolderError`].
+    /// [`FolderError`] if the folder cannot be read or written, or holds another computation or other files.
     pub fn open(path: &Path, fingerprint: String, mut begun: Value) -> Result<Self, FolderError> {
         let at = |source| FolderError::Io {
             path: path.to_path_buf(),
@@ -119,7 +123,7 @@ impl PartsFolder {
                 let is_foreign = |entry: io::Result<fs::DirEntry>| {
                     entry.is_ok_and(|e| !e.file_name().to_string_lossy().starts_with(UNFINISHED))
                 };
-                // Another process may begin the same work at the same time.
+                // Another process may have begun the same computation in the meantime.
                 if entries.any(is_foreign) && !file.is_file() {
                     return Err(FolderError::Foreign {
                         path: path.to_path_buf(),
@@ -134,38 +138,39 @@ impl PartsFolder {
         Ok(folder)
     }
 
-    /// File of a part, with this extension.
+    /// Path of the file of part number `part`, with the given extension.
     pub fn part(&self, part: u64, extension: &str) -> PathBuf {
         self.path
             .join("parts")
             .join(format!("{part:06}.{extension}"))
     }
 
-    /// A file of the results.
+    /// Path of the result file `name` in the folder.
     pub fn file(&self, name: &str) -> PathBuf {
         self.path.join(name)
     }
 
-    /// The summary, if the work is complete.
+    /// The contents of `summary.json` if the computation is complete; otherwise, or if the file is of another
+    /// computation, `None`.
     pub fn summary(&self) -> Option<Value> {
         let text = fs::read_to_string(self.path.join(SUMMARY)).ok()?;
         let json: Value = serde_json::from_str(&text).ok()?;
         (json["fingerprint"].as_str() == Some(&self.fingerprint)).then_some(json)
     }
 
-    /// Writes the summary with the fingerprint: the work is complete then.
+    /// Writes `summary.json` with the fingerprint added to `json`; from then on the computation counts as complete.
     ///
     /// # Errors
-    /// [`FolderError::Io`].
+    /// [`FolderError::Io`] if the file cannot be written.
     pub fn write_summary(&self, json: &mut Value) -> Result<(), FolderError> {
         json["fingerprint"] = self.fingerprint.clone().into();
         self.write_json(SUMMARY, json)
     }
 
-    /// Writes a text to a file that appears whole.
+    /// Writes a text file atomically and syncs it to the disk.
     ///
     /// # Errors
-    /// [`FolderError::Io`].
+    /// [`FolderError::Io`] if the file cannot be written.
     pub fn write(&self, path: &Path, text: &str) -> Result<(), FolderError> {
         let write = |file: &mut fs::File| file.write_all(text.as_bytes());
         write_atomic(path, Durability::Synced, write).map_err(|source| FolderError::Io {
@@ -178,9 +183,10 @@ impl PartsFolder {
         self.write(&self.path.join(name), &format!("{json:#}\n"))
     }
 
-    /// Removes the parts, which the results replace, and what a kill left unfinished.
+    /// Removes the files of the parts, which the results replace, and temporary files left by a killed process.
+    /// Errors are ignored.
     pub fn discard_parts(&self) {
-        // What remains is removed by the next run.
+        // Files that could not be removed are removed by the next run.
         let _ = fs::remove_dir_all(self.path.join("parts"));
         for entry in fs::read_dir(&self.path).into_iter().flatten().flatten() {
             if entry.file_name().to_string_lossy().starts_with(UNFINISHED) {

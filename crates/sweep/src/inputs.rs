@@ -1,4 +1,4 @@
-//! The inputs of each flight, from its number and the seed alone.
+//! Inputs of each flight of a sweep: they depend on the plan, the number of the flight and the seed alone.
 
 use flight::CompiledModel;
 use flight::release::Vocabulary;
@@ -10,13 +10,14 @@ use rand_distr::{Distribution, StandardNormal};
 
 use crate::plan::{Axis, AxisKind, Plan, Target, constant};
 
-/// What the inputs of all flights of a plan have in common.
+/// Data from which the inputs of every flight of a plan are made: the initial state and parameters of the plan's
+/// release, and the model.
 pub(crate) struct InputModel {
     x: Vec<f64>,
     p: Vec<f64>,
     thrown: Option<ThrownModel>,
     vocabulary: Vocabulary,
-    /// Seed of the gusts that every flight has for itself, and the places of their phases among the parameters.
+    /// If every flight has gusts of its own: the seed of the gusts and the parameter indices of the gusts' phases.
     gusts: Option<(u64, Vec<usize>)>,
 }
 
@@ -42,19 +43,20 @@ impl InputModel {
         })
     }
 
-    /// Parameters that the plan does not vary.
+    /// Parameters of the plan's release, in the order of the model's layout; the axes of the plan overwrite some of
+    /// them per flight.
     pub(crate) fn parameters(&self) -> &[f64] {
         &self.p
     }
 }
 
-/// Draws the inputs of flights, one after the other.
+/// Draws the inputs of flights, one flight after the other.
 pub(crate) struct Inputs<'p> {
     plan: &'p Plan,
     model: &'p InputModel,
     near: Option<NearThrows<'p>>,
     throw: Option<Throw>,
-    /// Independent standard normal numbers of a flight.
+    /// Independent standard normal draws of the current flight, one per normal axis.
     independent: Vec<f64>,
     random: ChaCha8Rng,
     is_random: bool,
@@ -71,7 +73,7 @@ impl<'p> Inputs<'p> {
         Inputs {
             plan,
             model,
-            // The states of a throw may depend on parameters.
+            // Without axes the throw does not vary. With axes the states of a throw may depend on parameters.
             near: near.filter(|_| !plan.axes.is_empty()),
             throw: plan.throw,
             independent: vec![0.0; plan.axes.iter().filter(is_normal).count()],
@@ -80,7 +82,7 @@ impl<'p> Inputs<'p> {
         }
     }
 
-    /// Values of the axes for a flight.
+    /// Draws the values of the axes for flight number `flight` and writes them to `values`, in the order of the axes.
     pub(crate) fn draw(&mut self, flight: u64, values: &mut [f64]) {
         let plan = self.plan;
         if self.is_random {
@@ -108,8 +110,8 @@ impl<'p> Inputs<'p> {
         }
     }
 
-    /// Initial states and parameters of a flight for values of the axes; false where a value is out of its bounds or no state has the
-    /// throw.
+    /// Writes the initial states `x` and the parameters `p` of a flight for the drawn `values` of the axes. Returns
+    /// `false` if a value is out of its bounds or no state has the motion of the throw; the flight is not flown then.
     pub(crate) fn start(
         &mut self,
         flight: u64,

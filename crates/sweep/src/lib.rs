@@ -1,8 +1,9 @@
-//! Many flights of a model: [`plan`] says what varies, [`run`] flies it in SIMD lanes over threads, and writes a table in
-//! Parquet with a row per flight and a summary.
+//! Many flights of one model: [`plan`] specifies the quantities that vary; [`run`] integrates the flights in SIMD
+//! lanes on several threads and writes a Parquet table with a row per flight, and a summary.
 //!
-//! A flight depends on the plan and its own number alone: results are the same bits for any number of threads and however the
-//! work is divided. Flights are grouped in parts, each written whole; a run goes on where an earlier one was ended.
+//! Each flight depends on the plan and its own number alone, so the results have the same bits for any number of
+//! threads and any division of the work. Flights are grouped in parts, each written to a file as a whole; a run
+//! continues where an earlier, interrupted run ended.
 
 #![forbid(unsafe_code)]
 

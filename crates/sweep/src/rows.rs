@@ -1,4 +1,4 @@
-//! The flights of one part of a sweep, flown: a column per quantity.
+//! Integrates the flights of one part of a sweep and collects the results in one column per quantity.
 
 use batch::{LaneModel, LaneObserver};
 use ode::{FlightEnd, FlightOutcome, FlightQueue, FlightSpan};
@@ -6,7 +6,7 @@ use ode::{FlightEnd, FlightOutcome, FlightQueue, FlightSpan};
 use crate::inputs::{InputModel, Inputs};
 use crate::plan::{Plan, Target};
 
-/// How a flight ended, as its column `status` says.
+/// Possible values of the column `status`, which states how a flight ended.
 pub const STATUSES: [&str; 8] = [
     "landed",
     "time",
@@ -18,7 +18,8 @@ pub const STATUSES: [&str; 8] = [
     "refused",
 ];
 
-/// Index in [`STATUSES`] of a flight that is not flown: an input out of bounds, or no state with the motion of its throw.
+/// Index in [`STATUSES`] of a flight that was not integrated: an input is out of bounds, or no state has the motion
+/// of the throw.
 const REFUSED: u8 = 7;
 
 fn status(outcome: FlightOutcome) -> u8 {
@@ -33,50 +34,51 @@ fn status(outcome: FlightOutcome) -> u8 {
     }
 }
 
-/// A column of numbers.
+/// Column of a table of flights: one value per flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
-    /// Name.
+    /// Name of the column.
     pub name: String,
-    /// Whether it is an input.
+    /// Whether the column is an input of the flights rather than a result.
     pub is_input: bool,
-    /// Value of each flight; NaN where it has none.
+    /// Value of each flight; NaN if the flight has no such value.
     pub values: Vec<f64>,
 }
 
-/// Flights of a part.
+/// Table of the flights of one part.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rows {
-    /// Number of the first flight; the others follow.
+    /// Number of the first flight; the flights of the part are consecutive.
     pub first: u64,
-    /// Numbers of each flight.
+    /// Numeric columns: the inputs that vary, then the results.
     pub columns: Vec<Column>,
-    /// How each flight ended, as an index in [`STATUSES`].
+    /// How each flight ended, as an index into [`STATUSES`].
     pub status: Vec<u8>,
 }
 
-/// What the flights of a plan are flown with.
+/// Data shared by all parts of a sweep: the plan, the compiled model, the observer of speed and spin, and the end
+/// condition.
 pub(crate) struct Flier<'p> {
     pub plan: &'p Plan,
     pub inputs: &'p InputModel,
     pub model: &'p LaneModel,
     pub observer: Option<&'p LaneObserver>,
     pub span: FlightSpan,
-    /// States x, y and z, where the model has them.
+    /// Indices of the states x, y and z; `None` for one that the model does not have.
     pub position: [Option<usize>; 3],
     pub has_spin: bool,
 }
 
-/// The flights of a part that are to be flown, and what came of them.
+/// Queue of the flights of a part for the integrator, and the table to which the results are written.
 struct Part<'f, 'p> {
     inputs: Inputs<'p>,
     first: u64,
     next: u64,
     last: u64,
     values: Vec<f64>,
-    /// Values of the axes, axis by axis.
+    /// Drawn values of the axes: one vector per axis, with one value per flight.
     axes: &'f mut [Vec<f64>],
-    /// End states, state by state.
+    /// End states: one vector per state, with one value per flight.
     states: Vec<Vec<f64>>,
     start: [Vec<f64>; 2],
     time: Vec<f64>,
@@ -121,7 +123,7 @@ impl FlightQueue for Part<'_, '_> {
 }
 
 impl Flier<'_> {
-    /// Flies the part of this number.
+    /// Integrates the flights of part number `part` and returns their table.
     pub(crate) fn fly(&self, part: u64) -> Rows {
         let plan = self.plan;
         let first = part * plan.part_len();

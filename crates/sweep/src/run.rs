@@ -1,4 +1,5 @@
-//! Running a sweep: parts are flown over threads, each written whole; those that are there are not flown again.
+//! Runs a sweep: computes the parts on several threads, writes each part to a file, and skips parts whose file
+//! exists.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -20,30 +21,32 @@ use crate::rows::Flier;
 use crate::summary::Summary;
 use crate::table;
 
-/// How a sweep is run; nothing of it changes a result.
+/// Options of running a sweep; none of them affects the results.
 #[derive(Clone, Copy)]
 pub struct SweepOptions<'a> {
     /// Number of threads; at least 1.
     pub threads: usize,
-    /// Which of how many shares of the parts is flown: (from 1, shares). `None` flies all of them and joins them.
+    /// Share of the parts to compute: (number from 1, number of shares). `None` computes all parts and joins them.
     pub share: Option<(u64, u64)>,
     /// Whether the flights are also written as CSV.
     pub csv: bool,
-    /// Called with the number of flights done since the last call.
+    /// Called after each part, with the number of its flights.
     pub progress: &'a (dyn Fn(u64) + Sync),
 }
 
-/// Parts that may be flown ahead of the first that is missing in the summary, per thread: bounds the memory.
+/// Maximum number of parts, per thread, that may be computed ahead of the first part not yet merged into the summary;
+/// it bounds the memory.
 const AHEAD: u64 = 8;
 
-/// Table of all flights.
+/// File name of the table of all flights.
 const FLIGHTS: &str = "flights.parquet";
 
-/// Flies a plan and writes `flights.parquet` and `summary.json` to a folder, which is new, empty or holds earlier parts of
-/// the same plan. Returns the contents of `summary.json`; `None` where only a share was flown.
+/// Flies a plan and writes `flights.parquet` and `summary.json` to the folder `out`, which is new, empty or holds
+/// earlier parts of the same plan. Returns the contents of `summary.json`; `None` if only a share was computed.
 ///
 /// # Errors
-/// [`SweepError`]. A flight that fails is a row with its status, no error.
+/// [`SweepError`] if the plan needs a state that the model does not have, or a file cannot be read or written. A
+/// flight that fails is no error, but a row with its status.
 pub fn run(
     plan: &Plan,
     out: &Path,
@@ -100,7 +103,7 @@ pub fn run(
     let work = |part: u64| -> Result<Summary, SweepError> {
         let path = folder.part(part, "parquet");
         let len = (plan.flights - part * plan.part_len()).min(plan.part_len());
-        // A part that cannot be read is flown again.
+        // A part that cannot be read is computed again.
         if let Ok(rows) = table::read(&path, plan.axes.len())
             && rows.status.len() as u64 == len
         {
@@ -125,7 +128,7 @@ pub fn run(
     finish(&folder, plan, options, json).map(Some)
 }
 
-/// Removes the parts and writes the CSV, if it is asked for.
+/// Removes the files of the parts, writes the CSV if requested, and returns the summary.
 fn finish(
     folder: &PartsFolder,
     plan: &Plan,
@@ -141,7 +144,8 @@ fn finish(
     Ok(summary)
 }
 
-/// Does the work of parts over threads and merges the summaries in the order of the parts.
+/// Calls `work` for each part on several threads and merges the summaries in the order of the parts. `None` if
+/// `parts` is empty; the first error that arrives stops all threads.
 fn in_order(
     parts: std::ops::Range<u64>,
     options: &SweepOptions<'_>,
@@ -151,7 +155,7 @@ fn in_order(
     let threads = options.threads.max(1);
     let next = AtomicU64::new(parts.start);
     let is_stopped = AtomicBool::new(false);
-    // The first part that is not merged yet.
+    // The first part that is not merged yet, and a signal of its change.
     let merged = (Mutex::new(parts.start), Condvar::new());
     let (sender, receiver) = mpsc::channel();
     std::thread::scope(|scope| {
@@ -187,7 +191,7 @@ fn in_order(
             match summary {
                 Ok(summary) => waiting.insert(part, summary),
                 Err(error) => {
-                    // Under the lock, so that no thread begins to wait in between.
+                    // Stored under the lock, so that no thread starts to wait between the store and the notification.
                     let lock = merged.0.lock().unwrap_or_else(PoisonError::into_inner);
                     is_stopped.store(true, Ordering::Relaxed);
                     drop(lock);

@@ -1,24 +1,25 @@
-//! Quantiles of a stream of numbers by counts in logarithmic classes (Masson, Rim & Lee, "DDSketch", PVLDB 12, 2019).
-//! Counts add up, so that the result does not depend on the order of the numbers or on how they are divided.
+//! Quantiles of a stream of values from counts in logarithmic bins (Masson, Rim & Lee, "DDSketch", PVLDB 12, 2019).
+//! Counts add up, so the result does not depend on the order of the values or on how they are divided into parts.
 
-/// Relative accuracy of a quantile.
+/// Maximum relative error of a quantile.
 pub(crate) const ACCURACY: f64 = 1e-4;
-/// Magnitudes below this are counted as this one.
+/// Smallest magnitude that is resolved: smaller nonzero magnitudes are counted in the first bin.
 const LEAST: f64 = 1e-9;
-/// Greatest class, some 1e12; with [`LEAST`] it bounds the memory.
+/// Maximum bin number, for magnitudes of about 1e12; together with [`LEAST`] it bounds the memory.
 const GREATEST: i32 = 242_000;
 
-/// Counts of the classes that numbers fell in, in ascending order of the numbers.
+/// Quantile sketch: (bin, count) pairs of the nonempty bins, in ascending order of the values. Negative bins hold
+/// negative values, and bin 0 holds zeros.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Sketch(Vec<(i32, u64)>);
 
-/// Logarithm of the ratio of the bounds of a class.
+/// Logarithm of the ratio of the upper to the lower bound of a bin.
 fn log_ratio() -> f64 {
     ((1.0 + ACCURACY) / (1.0 - ACCURACY)).ln()
 }
 
 impl Sketch {
-    /// Sketch of numbers, none of them NaN.
+    /// Sketch of the values, none of which may be NaN.
     pub(crate) fn of(values: impl Iterator<Item = f64>) -> Sketch {
         let one_over = 1.0 / log_ratio();
         let class = |value: f64| {
@@ -42,7 +43,7 @@ impl Sketch {
         Sketch(counts)
     }
 
-    /// Adds the counts of another sketch.
+    /// Adds the counts of another sketch to this one.
     pub(crate) fn merge(&mut self, other: &Sketch) {
         let mut merged = Vec::with_capacity(self.0.len() + other.0.len());
         let (mut a, mut b) = (self.0.iter().peekable(), other.0.iter().peekable());
@@ -62,7 +63,7 @@ impl Sketch {
         self.0 = merged;
     }
 
-    /// Number below which the fraction `q` of the numbers lies; NaN without numbers.
+    /// Estimate of the `q` quantile of the values, `q` in 0 to 1; NaN if the sketch is empty.
     pub(crate) fn quantile(&self, q: f64) -> f64 {
         let total: u64 = self.0.iter().map(|(_, count)| count).sum();
         let rank = q * (total.saturating_sub(1)) as f64;

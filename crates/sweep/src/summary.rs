@@ -1,4 +1,5 @@
-//! Summary of a sweep, merged part by part in their order: the flights are not kept.
+//! Summary statistics of a sweep, merged part by part in ascending order, so that the flights need not stay in
+//! memory.
 
 use serde_json::{Map, Value, json};
 
@@ -6,7 +7,7 @@ use crate::plan::Plan;
 use crate::rows::{Rows, STATUSES};
 use crate::sketch::{ACCURACY, Sketch};
 
-/// Quantiles of each column.
+/// Quantiles in the summary of each column: JSON key and probability.
 const QUANTILES: [(&str, f64); 7] = [
     ("0.01", 0.01),
     ("0.05", 0.05),
@@ -17,29 +18,30 @@ const QUANTILES: [(&str, f64); 7] = [
     ("0.99", 0.99),
 ];
 
-/// Summary of the flights that came to their end: to the ground, or to the final time of a plan with a duration.
+/// Summary statistics of a sweep. The columns count only flights that reached their end: the ground, or the final
+/// time of a plan with a duration.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Summary {
     flights: u64,
     statuses: [u64; STATUSES.len()],
     columns: Vec<(String, ColumnSummary)>,
-    /// Moments of the landing points: x with y.
+    /// Moments of the landing points: x against y.
     landing: Joint,
 }
 
-/// Moments and quantiles of a column.
+/// Moments, extremes and quantiles of a column.
 #[derive(Clone, Debug, PartialEq)]
 struct ColumnSummary {
     count: u64,
     mean: f64,
-    /// Sum of the squares of the differences from the mean.
+    /// Sum of squared deviations from the mean.
     squares: f64,
     least: f64,
     greatest: f64,
     sketch: Sketch,
 }
 
-/// Means of two columns and the sums of the products of their differences from them.
+/// Joint moments of two columns: their means and the sum of the products of their deviations from the means.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Joint {
     count: u64,
@@ -48,7 +50,7 @@ struct Joint {
 }
 
 impl Summary {
-    /// Summary of a part; `end` is the index of the status of a flight that came to its end.
+    /// Summary of the flights of one part; `end` is the index in [`STATUSES`] of flights that reached their end.
     pub(crate) fn of(rows: &Rows, end: u8) -> Summary {
         let mut statuses = [0; STATUSES.len()];
         for status in &rows.status {
@@ -75,7 +77,7 @@ impl Summary {
         }
     }
 
-    /// Adds the part that follows.
+    /// Merges the summary of the next part into this one.
     pub(crate) fn merge(&mut self, next: &Summary) {
         self.flights += next.flights;
         for (own, more) in self.statuses.iter_mut().zip(next.statuses) {
@@ -87,13 +89,13 @@ impl Summary {
         self.landing.merge(&next.landing);
     }
 
-    /// Number of flights of each status that occurs.
+    /// Name and number of flights of each status that occurs.
     fn statuses(&self) -> impl Iterator<Item = (&'static str, u64)> {
         let counts = STATUSES.into_iter().zip(self.statuses);
         counts.filter(|(_, count)| *count > 0)
     }
 
-    /// `summary.json`, schema `hyzer.sweep/1`.
+    /// Contents of `summary.json`, schema `hyzer.sweep/1`.
     pub(crate) fn json(&self, plan: &Plan) -> Value {
         let statuses: Map<String, Value> = self
             .statuses()

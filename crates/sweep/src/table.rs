@@ -1,4 +1,4 @@
-//! Tables of flights as Parquet files: parts, and all parts joined without being decoded.
+//! Parquet tables of flights: writes and reads the tables of parts, and joins them without decoding.
 
 use std::fs::File;
 use std::io::{self, Write};
@@ -18,12 +18,13 @@ use parquet::schema::types::{ColumnPath, PrimitiveTypeBuilder, Type};
 use crate::atomic::{Durability, write_atomic};
 use crate::rows::{Column, Rows, STATUSES};
 
-/// Name of the first column: the number of the flight, from 0.
+/// Name of the first column: the flight number, from 0.
 const FLIGHT: &str = "flight";
-/// Name of the last column.
+/// Name of the last column: how the flight ended, a value of [`STATUSES`].
 const STATUS: &str = "status";
 
-/// Writes the rows of a part to a file, which appears whole. A part that cannot be read is flown again: it is not synced.
+/// Writes the table of a part to a file atomically. The file is not synced to the disk, because a part that cannot be
+/// read is computed again.
 pub(crate) fn write(path: &Path, rows: &Rows) -> Result<(), ParquetError> {
     let properties = properties(&rows.columns);
     let schema = schema(rows.columns.iter().map(|column| column.name.as_str()))?;
@@ -89,7 +90,7 @@ fn properties(columns: &[Column]) -> WriterProperties {
         .set_offset_index_disabled(true)
         .set_column_dictionary_enabled(ColumnPath::from(STATUS), true)
         .set_column_dictionary_enabled(ColumnPath::from("steps"), true);
-    // Values of a grid repeat; random ones do not.
+    // Values of a grid repeat, random values do not.
     for column in columns.iter().filter(|column| column.is_input) {
         let distinct = column.values.iter().take(64).map(|v| v.to_bits());
         let is_grid = distinct.collect::<std::collections::BTreeSet<_>>().len() < 32;
@@ -99,7 +100,7 @@ fn properties(columns: &[Column]) -> WriterProperties {
     properties.build()
 }
 
-/// Reads the rows of a part; `inputs` is the number of columns that are inputs.
+/// Reads the table of a part from a file; the first `inputs` numeric columns are the inputs.
 pub(crate) fn read(path: &Path, inputs: usize) -> Result<Rows, ParquetError> {
     let reader = SerializedFileReader::new(File::open(path)?)?;
     let mut rows = Rows {
@@ -121,7 +122,7 @@ pub(crate) fn read(path: &Path, inputs: usize) -> Result<Rows, ParquetError> {
     Ok(rows)
 }
 
-/// Reads the rows of one row group.
+/// Reads the rows of one row group of a Parquet file; the first `inputs` numeric columns are the inputs.
 fn row_group(
     reader: &SerializedFileReader<File>,
     group: usize,
@@ -178,7 +179,8 @@ fn row_group(
     Ok(rows)
 }
 
-/// Joins parts to one file, a row group each, without decoding them.
+/// Joins the Parquet files of the parts to one file, with one row group per part, copying the column data without
+/// decoding it.
 pub(crate) fn join(
     path: &Path,
     parts: impl Iterator<Item = std::path::PathBuf>,
@@ -219,7 +221,7 @@ pub(crate) fn join(
     })
 }
 
-/// Writes the flights of a Parquet file as CSV, a row group at a time.
+/// Writes the flights of a Parquet file as CSV, one row group at a time; missing values are empty cells.
 pub(crate) fn to_csv(from: &Path, to: &Path, inputs: usize) -> Result<(), ParquetError> {
     let reader = SerializedFileReader::new(File::open(from)?)?;
     write_atomic(to, Durability::Synced, |file| {
@@ -237,7 +239,7 @@ pub(crate) fn to_csv(from: &Path, to: &Path, inputs: usize) -> Result<(), Parque
                 write!(out, "{}", rows.first + row as u64)?;
                 for column in &rows.columns {
                     let value = column.values[row];
-                    // An empty cell, as in datasets.
+                    // A missing value is an empty cell, as in datasets.
                     match value.is_nan() {
                         true => write!(out, ",")?,
                         false => write!(out, ",{value}")?,

@@ -1,7 +1,7 @@
-//! Prints the points of a recording as CSV: their number among the labelled points, frame and coordinates in m along the
-//! file's own axes; a point that was not seen has no row.
+//! Prints the points of a recording as CSV: index among the labelled points, frame, and coordinates in m along the
+//! file's own axes. A point that was not seen in a frame has no row.
 //!
-//! `cargo run -p hyzer-takes --example points -- FILE [UNIT]`; the unit of length is used where the file states none.
+//! `cargo run -p hyzer-takes --example points -- FILE [UNIT]`; the unit of length is used if the file states none.
 
 use std::io::Write;
 use std::path::Path;

@@ -1,20 +1,20 @@
-//! Axes of a recording, as the one that points up.
+//! Signed coordinate axis of a recording that points up, and the conversion to axes with z up.
 
 use std::fmt;
 
 use crate::quaternion::product;
 
-/// A signed axis of the file, as the one that points up.
+/// A signed coordinate axis of a file, such as `+z` or `-y`, that points up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Axis {
     /// Index of the axis: 0, 1 or 2 for x, y or z.
     pub index: usize,
-    /// Whether the negative direction is meant.
+    /// `true` for the negative direction, as in `-y`.
     pub negative: bool,
 }
 
 impl Axis {
-    /// The axis of a text such as `+z`, `-Y` or `x`.
+    /// Parses a signed axis such as `+z`, `-Y` or `x`; `None` for any other text.
     pub fn parse(text: &str) -> Option<Self> {
         let text = text.trim().to_ascii_lowercase();
         let (negative, name) = match text.strip_prefix('-') {
@@ -25,19 +25,20 @@ impl Axis {
         Some(Self { index, negative })
     }
 
-    /// A position along the file's axes, along right-handed axes with z up, where this axis points up. Where the file's axes
-    /// are left-handed, the second horizontal axis is mirrored.
+    /// Converts a position from the file's axes to right-handed axes with z up; `self` is the axis of the file that
+    /// points up. If the file's axes are left-handed, the second horizontal axis (y of the result) is mirrored.
     pub fn upright(self, left_handed: bool, position: [f64; 3]) -> [f64; 3] {
         let [x, y, z] = self.turned(position);
         [x, if left_handed { -y } else { y }, z]
     }
 
-    /// An attitude w, x, y, z with respect to the file's right-handed axes, with respect to axes with z up.
+    /// Converts an attitude (unit quaternion w, x, y, z from body to room) from the file's right-handed axes to axes
+    /// with z up; `self` is the axis of the file that points up.
     pub fn upright_attitude(self, quaternion: [f64; 4]) -> [f64; 4] {
         product(self.to_z(), quaternion)
     }
 
-    /// Quaternion of the rotation that turns this axis to +z.
+    /// Quaternion w, x, y, z of the rotation that turns this axis to +z.
     pub(crate) fn to_z(self) -> [f64; 4] {
         let h = std::f64::consts::FRAC_1_SQRT_2;
         match (self.index, self.negative) {
@@ -50,7 +51,7 @@ impl Axis {
         }
     }
 
-    /// A vector along the file's axes, after the rotation that turns this axis to +z.
+    /// Rotates a vector, given along the file's axes, by the rotation that turns this axis to +z.
     pub(crate) fn turned(self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         match (self.index, self.negative) {
             (0, false) => [-z, y, x],

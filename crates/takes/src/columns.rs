@@ -1,33 +1,33 @@
-//! Names of the columns of a table: `t`, `time (ms)`, `m1_x`, `m1 X [mm]`, `disc_qw`.
+//! Parsing of the column names of a table, such as `t`, `time (ms)`, `m1_x`, `m1 X [mm]` or `disc_qw`.
 
 use crate::unit::{LengthUnit, TimeUnit};
 
-/// What a column of a table holds, by its name.
+/// Content of a table column, derived from the column's name.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Column {
-    /// Label of the point or body; empty where the name has none.
+    /// Label of the point or body; empty if the name contains none.
     pub label: String,
     pub quantity: Quantity,
 }
 
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Quantity {
-    /// Time, with its unit where it is named.
+    /// Time, with the unit if the name states one.
     Time(Option<TimeUnit>),
-    /// Number of the frame.
+    /// Frame number.
     Frame,
-    /// Coordinate 0, 1 or 2 of a position, with its unit where it is named.
+    /// Coordinate 0, 1 or 2 (x, y, z) of a position, with the unit if the name states one.
     Coordinate(usize, Option<LengthUnit>),
-    /// Component 0 to 3 of a quaternion w, x, y, z.
+    /// Component 0 to 3 of a quaternion, in the order w, x, y, z.
     Quaternion(usize),
     Other,
 }
 
-/// Marks between the parts of a name.
+/// Characters that separate the label from the coordinate in a column name.
 const JOINTS: [char; 4] = ['_', ' ', '.', ':'];
 
 impl Column {
-    /// Takes a name apart: label, quantity, unit.
+    /// Splits a column name into label, quantity and unit.
     pub fn parse(name: &str) -> Self {
         let (bare, unit) = without_unit(name.trim());
         let lower = bare.to_ascii_lowercase();
@@ -42,7 +42,7 @@ impl Column {
         );
         match lower.as_str() {
             "t" | "time" | "timestamp" => {
-                // A unit that is not known is none.
+                // A column with an unknown unit is not read as a time.
                 return named(if unit.is_some() && time_unit.is_none() {
                     Quantity::Other
                 } else {
@@ -74,7 +74,8 @@ impl Column {
     }
 }
 
-/// A name without the unit at its end (`x_mm`, `x (mm)`, `x [mm]`), and the unit.
+/// Splits a name with a unit at its end (`x_mm`, `x (mm)`, `x [mm]`) into the part before the unit and the unit; the
+/// unit is `None` if the name contains none.
 fn without_unit(name: &str) -> (&str, Option<&str>) {
     for (open, close) in [('(', ')'), ('[', ']')] {
         if let Some(rest) = name.strip_suffix(close)

@@ -6,13 +6,13 @@ use std::path::{Path, PathBuf};
 /// Location of an error in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
-    /// The whole file.
+    /// The error concerns the whole file.
     File,
-    /// A line, from 1.
+    /// A line of a text file, counted from 1.
     Line(usize),
-    /// A cell of a table: its line and its number in the line, both from 1.
+    /// A table cell: line number and position in the line, both counted from 1.
     Cell(usize, usize),
-    /// An offset in bytes, from 0.
+    /// A byte offset, counted from 0.
     Byte(usize),
 }
 
@@ -22,7 +22,7 @@ pub enum Place {
 pub struct TakeError {
     /// File that contains the error.
     pub file: PathBuf,
-    /// Location in the file.
+    /// Location of the error in the file.
     pub place: Place,
     /// What was found at this location.
     pub found: String,
@@ -41,7 +41,7 @@ impl fmt::Display for Place {
     }
 }
 
-/// An error of a file whose path the caller adds.
+/// An error without the path of its file, which the caller adds by `Fault::of`.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Fault {
     pub place: Place,

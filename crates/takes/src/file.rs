@@ -1,19 +1,20 @@
-//! Reading of files as bytes or text: ordinary files of bounded size only.
+//! Reading of files as bytes or text; only regular files of bounded size are accepted.
 
 use std::io::{ErrorKind, Read};
 use std::path::Path;
 
 use crate::error::{Fault, Place, TakeError};
 
-/// Reads an ordinary file of at most `largest` bytes; `what` describes the expected file in the error message.
+/// Reads a regular file of at most `largest` bytes; `what` describes the expected file in the error message.
 ///
 /// # Errors
-/// [`TakeError`] about the whole file.
+/// [`TakeError`] for the whole file if it does not exist, cannot be read, is not a regular file or is larger than
+/// `largest`.
 pub fn bytes(file: &Path, largest: u64, what: &str) -> Result<Vec<u8>, TakeError> {
     let refused = |found: String, expected: &str| Fault::new(Place::File, found, expected).of(file);
     let unreadable = |error: std::io::Error| {
         let found = match error.kind() {
-            // The system's own words differ between systems.
+            // Operating systems word these errors differently.
             ErrorKind::NotFound => "no such file".into(),
             ErrorKind::PermissionDenied => "a file that may not be read".into(),
             _ => error.to_string(),
@@ -45,7 +46,7 @@ pub fn bytes(file: &Path, largest: u64, what: &str) -> Result<Vec<u8>, TakeError
     Ok(bytes)
 }
 
-/// Decodes the bytes of a table as UTF-8, without the byte-order mark.
+/// Decodes the bytes of a table as UTF-8 and strips the byte-order mark. Fails for UTF-16, invalid UTF-8 and NUL bytes.
 pub(crate) fn text(bytes: &[u8]) -> Result<&str, Fault> {
     if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
         let found = "the byte-order mark of UTF-16";

@@ -1,4 +1,4 @@
-//! Formats of recordings, recognised by their content.
+//! Recognition of the format of a recording by its content.
 
 use std::fmt;
 
@@ -7,32 +7,32 @@ use crate::columns::{Column, Quantity};
 use crate::error::{Fault, Place};
 use crate::words::shown;
 
-/// Format of the file of a recording.
+/// File format of a recording.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
-    /// C3D, binary, of most laboratories.
+    /// C3D, the binary format of most motion-capture laboratories.
     C3d,
-    /// Table of Vicon Nexus: the section `Trajectories`.
+    /// CSV table of Vicon Nexus, of which the section `Trajectories` is read.
     Vicon,
-    /// Table of Qualisys Track Manager: points.
+    /// Table of point trajectories from Qualisys Track Manager.
     Qualisys,
-    /// Table of Qualisys Track Manager: poses of rigid bodies.
+    /// Table of rigid-body poses (6DOF) from Qualisys Track Manager.
     QualisysPoses,
-    /// Table of OptiTrack Motive.
+    /// CSV table of OptiTrack Motive.
     OptiTrack,
-    /// Points digitised in video by DLTdv8: `pt1_X,pt1_Y,pt1_Z`.
+    /// Points digitised in video by DLTdv8, with columns such as `pt1_X,pt1_Y,pt1_Z`.
     Dltdv,
-    /// Table with a header that names positions and quaternions.
+    /// Table whose header names the positions and quaternions of bodies.
     Poses,
-    /// Table with a header that names the coordinates of points.
+    /// Table whose header names the coordinates of points.
     Plain,
 }
 
-/// Greatest number of lines before the rows of a table of Qualisys.
+/// Maximum number of header lines before the first row of a Qualisys table.
 pub(crate) const QUALISYS_HEADER: usize = 40;
 
 impl Format {
-    /// All formats, with their names in the option `--format`.
+    /// All formats, each with its name in the option `--format`.
     pub const ALL: [(Self, &'static str); 8] = [
         (Self::C3d, "c3d"),
         (Self::Vicon, "vicon"),
@@ -44,19 +44,19 @@ impl Format {
         (Self::Plain, "csv"),
     ];
 
-    /// Name of the format in the option `--format`.
+    /// Name of the format as a value of the option `--format`.
     pub fn name(self) -> &'static str {
         Self::ALL[self as usize].1
     }
 
-    /// The format of a name.
+    /// Format with this name in the option `--format`, ignoring case; `None` for an unknown name.
     pub fn parse(name: &str) -> Option<Self> {
         let mut all = Self::ALL.iter();
         all.find(|(_, known)| known.eq_ignore_ascii_case(name))
             .map(|&(format, _)| format)
     }
 
-    /// The format of a file, by its bytes and, where it is text, by its first lines.
+    /// Recognises the format of a file by its content: the first bytes and, for text, the first lines.
     pub(crate) fn recognise(bytes: &[u8]) -> Result<Self, Fault> {
         const EXPECTED: &str = "a recording: C3D, or a table of Vicon, Qualisys, OptiTrack, DLTdv8, of poses or of points \
                                 (or its name in the option --format)";
@@ -106,7 +106,8 @@ impl Format {
     }
 }
 
-/// The format of a table by the names of its columns.
+/// Recognises the format of a table by the column names in its header line; `None` if they name neither coordinates nor
+/// quaternions.
 fn by_columns(header: &str) -> Option<Format> {
     let separator = crate::sheet::separator(header);
     let names: Vec<&str> = header
@@ -126,7 +127,7 @@ fn by_columns(header: &str) -> Option<Format> {
     }
 }
 
-/// Whether a column's name is one of DLTdv8: `pt` with a number, and an axis.
+/// Whether a column name has the form that DLTdv8 writes: `pt`, a number, `_`, and `X`, `Y` or `Z`.
 pub(crate) fn is_digitised(name: &str) -> bool {
     let number = name
         .strip_prefix("pt")

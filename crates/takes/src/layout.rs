@@ -1,4 +1,4 @@
-//! Samples of a table whose columns are known.
+//! Reading of the rows of a table into a take, once the meaning of each column is known.
 
 use crate::error::{Fault, Place};
 use crate::format::Format;
@@ -6,51 +6,53 @@ use crate::sheet::Sheet;
 use crate::take::{Body, Point, Pose, Take};
 use crate::unit::LengthUnit;
 
-/// Greatest absolute coordinate, m.
+/// Maximum absolute value of a coordinate, m; a greater one is an error.
 const FARTHEST: f64 = 1e4;
-/// Limit of samples × (points + bodies), which bounds the memory used.
+/// Maximum of the number of samples times the number of points and bodies; bounds the memory used.
 const MOST: usize = 1 << 23;
-/// Greatest number of points and bodies.
+/// Maximum number of points and bodies of a take.
 pub(crate) const MOST_LABELS: usize = 4096;
-/// Greatest distance of a quaternion's norm, or of the entries of RᵀR − 1, from their values for a rotation.
+/// Maximum deviation of a quaternion's norm from 1, and of the scalar products of a matrix's columns from those of a
+/// rotation matrix.
 const ROTATION_TOLERANCE: f64 = 0.02;
 
-/// Where the time of a row comes from.
+/// Source of the time of a table row.
 pub(crate) enum Clock {
-    /// A column, with the length of its unit in s.
+    /// Index of the column of times, and the length of the time unit, s.
     Column(usize, f64),
-    /// A column of frame numbers, with the frames per second.
+    /// Index of the column of frame numbers, and the frames per second.
     Frame(usize, f64),
-    /// The count of the rows, with the frames per second.
+    /// No column: rows are counted from 0, at this number of frames per second.
     Count(f64),
 }
 
-/// Columns of an attitude.
+/// Column indices of the attitude of a body.
 pub(crate) enum Attitude {
-    /// Quaternion w, x, y, z from the body to the room.
+    /// Columns of the unit quaternion w, x, y, z of the rotation from body to room.
     Quaternion([usize; 4]),
-    /// Rotation matrix from the body to the room, by rows.
+    /// Columns of the rotation matrix from body to room, row by row.
     Matrix([usize; 9]),
 }
 
-/// Columns of a table.
+/// Columns of a table, and how their values are read.
 pub(crate) struct Layout {
     pub format: Format,
     pub clock: Clock,
     pub length: LengthUnit,
     pub points: Vec<(String, [usize; 3])>,
     pub bodies: Vec<(String, [usize; 3], Attitude)>,
-    /// Number of cells of a row.
+    /// Number of cells in each row.
     pub width: usize,
-    /// Whether a position of exactly 0, 0, 0 stands for one that was not seen.
+    /// Whether a position of exactly 0, 0, 0 marks a missing value.
     pub zero_is_gap: bool,
     pub notes: Vec<String>,
-    /// Number of rows that the file states.
+    /// Number of rows that the header of the file states; `None` if it states none.
     pub stated: Option<usize>,
 }
 
 impl Layout {
-    /// Reads the rows from the current one on, until the end or the first row that `ends` the section.
+    /// Reads the rows of the sheet from the current one to the end of the file, or to the first row for which `ends`
+    /// returns true.
     pub fn samples(
         self,
         sheet: &mut Sheet<'_>,
@@ -94,7 +96,7 @@ impl Layout {
                 return Err(sheet.fault(0, "a row more", expected));
             }
             self.row(sheet, &mut take, &mut zeros)?;
-            // Where rows are counted, one without any position counts too.
+            // If the time is counted in rows, a row without any position counts too.
             more = match self.clock {
                 Clock::Count(_) => sheet.advance_line()?,
                 _ => sheet.advance()?,
@@ -128,7 +130,8 @@ impl Layout {
         Ok(take)
     }
 
-    /// Whether the current row is complete; false for a last row that was cut.
+    /// Whether the current row has all its cells. Returns false and adds a note for a truncated last row; any other
+    /// wrong number of cells is an error.
     fn is_whole(&self, sheet: &Sheet<'_>, notes: &mut Vec<String>) -> Result<bool, Fault> {
         let (found, filled) = (sheet.width(), sheet.filled());
         if found < self.width {
@@ -203,7 +206,7 @@ impl Layout {
         let mut position = [0.0; 3];
         let mut seen = true;
         for (value, index) in position.iter_mut().zip(axes) {
-            // Qualisys may write NULL for what was not seen.
+            // Qualisys may write NULL for a missing value.
             match sheet.cell(index) {
                 "NULL" => seen = false,
                 _ => match sheet.number(index)? {
@@ -227,7 +230,7 @@ impl Layout {
 }
 
 impl Attitude {
-    /// Unit quaternion of the current row; `None` where a component is missing.
+    /// Unit quaternion of the attitude in the current row; `None` if a component is missing.
     fn quaternion(&self, sheet: &Sheet<'_>) -> Result<Option<[f64; 4]>, Fault> {
         match self {
             Self::Quaternion(columns) => {
@@ -277,7 +280,8 @@ fn is_rotation(m: &[f64; 9]) -> bool {
     near(dot(a, a), 1.0) && near(dot(b, b), 1.0) && near(dot(a, b), 0.0) && near(dot(cross, c), 1.0)
 }
 
-/// Quaternion of a rotation matrix by rows, from its largest component.
+/// Converts a rotation matrix, given row by row, to a unit quaternion w, x, y, z by way of the quaternion's largest
+/// component.
 fn of_matrix(m: &[f64; 9]) -> [f64; 4] {
     let squares = [
         1.0 + m[0] + m[4] + m[8],
@@ -301,7 +305,7 @@ fn of_matrix(m: &[f64; 9]) -> [f64; 4] {
     q.map(|x| x / norm)
 }
 
-/// Makes the labels unique: a second `a` becomes `a#2`, with a note.
+/// Makes the labels of a take unique: a second `a` becomes `a#2`, and a note is added.
 pub(crate) fn unique(take: &mut Take) {
     let mut seen = std::collections::BTreeSet::new();
     let points = take.points.iter_mut().map(|point| &mut point.label);

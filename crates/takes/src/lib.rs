@@ -1,8 +1,9 @@
-//! Recordings of motion-capture laboratories: readers of their files, and the throws in them.
+//! Readers of motion-capture recordings, and detection of the throws in them.
 //!
-//! [`read`] recognises the format of a file by its content and gives a [`Take`]: times, points and poses in s and m along
-//! the axes of the file, with notes of what was decided. What the file does not state, such as a unit, is taken from
-//! [`ReadOptions`], or the error names the option. [`Take::with_z_up`] turns a take to the axes of a dataset.
+//! [`read`] recognises the format of a file by its content and returns a [`Take`]: times (s), points and poses (m)
+//! along the axes of the file, with notes on the decisions made while reading. Properties that the file does not state,
+//! such as a unit, come from [`ReadOptions`]; if they are missing there too, the error names the command-line option.
+//! [`Take::with_z_up`] converts a take to the axes of a dataset (right-handed, z up).
 
 #![forbid(unsafe_code)]
 

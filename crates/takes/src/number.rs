@@ -1,6 +1,7 @@
 //! Parsing of one table cell as a number.
 
-/// Parses a table cell as a finite number; `None` for a missing value. The error says what was expected instead.
+/// Parses a table cell as a finite number. Returns `None` for a missing value (an empty cell or NaN), and for any other
+/// text an error message that states what was expected.
 pub fn number(cell: &str) -> Result<Option<f64>, &'static str> {
     const EXPECTED: &str = "a finite number, or nothing for a dropout";
     if cell.is_empty() {
@@ -14,7 +15,8 @@ pub fn number(cell: &str) -> Result<Option<f64>, &'static str> {
     }
 }
 
-/// Hint for a common foreign notation of numbers; `None` if the cell shows none.
+/// Hint for a common notation of numbers that is not accepted (decimal comma, hexadecimal, Unicode minus sign); `None`
+/// if the cell uses none of them.
 fn hint(cell: &str) -> Option<&'static str> {
     let reads = |text: &str| text.parse::<f64>().is_ok_and(f64::is_finite);
     let unsigned = cell.trim_start_matches(['-', '+']);

@@ -1,27 +1,29 @@
-//! What a file of a recording may leave unstated.
+//! Options that supply what the file of a recording does not state.
 
 use crate::error::{Fault, Place};
 use crate::format::Format;
 use crate::unit::{LengthUnit, TimeUnit};
 
-/// Statements about a file that complete its own, or replace them.
+/// User-supplied properties of a recording file. They supplement the properties that the file states, and override
+/// them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ReadOptions {
-    /// Format; recognised by the content if `None`.
+    /// Format of the file; recognised by the content if `None`.
     pub format: Option<Format>,
-    /// Unit of the coordinates.
+    /// Unit of the coordinates; if `None`, the file must state it.
     pub length: Option<LengthUnit>,
-    /// Unit of the times.
+    /// Unit of the times; if `None`, the file must state it.
     pub time: Option<TimeUnit>,
-    /// Frames per second.
+    /// Frames per second; if `None`, the file must state the rate or contain times.
     pub rate: Option<f64>,
 }
 
-/// Greatest frame rate, Hz.
+/// Maximum frame rate, Hz; a greater one is an error.
 const FASTEST: f64 = 1e6;
 
 impl ReadOptions {
-    /// Unit of length by the option or the file, with a note where they contradict each other.
+    /// Unit of length: the option if it is given, otherwise the unit that the file states. Adds a note if the two
+    /// differ. Fails if neither is given, with `place` as the location of the error.
     pub(crate) fn length(
         &self,
         stated: Option<LengthUnit>,
@@ -44,7 +46,8 @@ impl ReadOptions {
         }
     }
 
-    /// Frames per second by the option or the file, with a note where they contradict each other.
+    /// Frames per second: the option if it is given, otherwise the rate that the file states. Adds a note if the two
+    /// differ. Fails if neither is given or the rate is out of range, with `place` as the location of the error.
     pub(crate) fn rate(
         &self,
         stated: Option<f64>,

@@ -1,6 +1,6 @@
-//! Products of quaternions w, x, y, z.
+//! Products of quaternions, and rotation of vectors by them; components are in the order w, x, y, z.
 
-/// Product of two quaternions w, x, y, z.
+/// Hamilton product `a b` of two quaternions w, x, y, z.
 pub(crate) fn product(a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
     [
         a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
@@ -10,7 +10,8 @@ pub(crate) fn product(a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
     ]
 }
 
-/// A vector of the body's axes along the axes of the room, by the quaternion of the body's attitude.
+/// Rotates the vector `v` from the body's axes to the axes of the room; `q` is the unit quaternion w, x, y, z of the
+/// body's attitude.
 pub fn rotated(q: [f64; 4], v: [f64; 3]) -> [f64; 3] {
     let conjugate = [q[0], -q[1], -q[2], -q[3]];
     let [_, x, y, z] = product(product(q, [0.0, v[0], v[1], v[2]]), conjugate);

@@ -1,4 +1,4 @@
-//! Rows of a table with their locations.
+//! Row-by-row reader of a table that keeps the line numbers for error messages.
 
 use csv::{Reader, ReaderBuilder, StringRecord};
 
@@ -6,7 +6,7 @@ use crate::error::{Fault, Place};
 use crate::number::number;
 use crate::words::shown;
 
-/// Cell separator of a line: a tab or a semicolon if it has one outside quotes, otherwise a comma.
+/// Cell separator of a line: the tab, else the semicolon, if the line contains one outside quotes; otherwise the comma.
 pub(crate) fn separator(line: &str) -> u8 {
     let mut quoted = false;
     let mut bare = line.to_owned();
@@ -20,7 +20,7 @@ pub(crate) fn separator(line: &str) -> u8 {
         .unwrap_or(b',')
 }
 
-/// Reader of a table's rows.
+/// Row-by-row reader of a table; skips comment lines, which begin with `#`.
 pub(crate) struct Sheet<'t> {
     text: &'t str,
     reader: Reader<&'t [u8]>,
@@ -45,7 +45,7 @@ impl<'t> Sheet<'t> {
         }
     }
 
-    /// Advances to the next row that is no comment and has text; false at the end.
+    /// Advances to the next row that is neither a comment nor empty; returns false at the end of the table.
     pub fn advance(&mut self) -> Result<bool, Fault> {
         while self.advance_line()? {
             if self.filled() > 0 {
@@ -55,7 +55,8 @@ impl<'t> Sheet<'t> {
         Ok(false)
     }
 
-    /// Advances to the next row that is no comment and no blank line; its cells may all be empty. False at the end.
+    /// Advances to the next row that is neither a comment nor a blank line; its cells may all be empty. Returns false
+    /// at the end of the table.
     pub fn advance_line(&mut self) -> Result<bool, Fault> {
         loop {
             let read = self.reader.read_record(&mut self.record);
@@ -79,29 +80,29 @@ impl<'t> Sheet<'t> {
         }
     }
 
-    /// Line of the current row, from 1.
+    /// Line number of the current row, counted from 1.
     pub fn line(&self) -> usize {
         self.line
     }
 
-    /// Number of cells of the current row, without empty ones at its end.
+    /// Number of cells of the current row, not counting empty cells at its end.
     pub fn filled(&self) -> usize {
         let cells = self.record.iter().zip(1..);
         let filled = cells.filter(|(cell, _)| !cell.trim().is_empty());
         filled.last().map_or(0, |(_, number)| number)
     }
 
-    /// Number of cells of the current row.
+    /// Number of cells of the current row, including empty ones.
     pub fn width(&self) -> usize {
         self.record.len()
     }
 
-    /// A cell of the current row, trimmed; empty where there is none.
+    /// Text of a cell of the current row, trimmed; empty if the row has no cell at this index.
     pub fn cell(&self, index: usize) -> &str {
         self.record.get(index).unwrap_or_default().trim()
     }
 
-    /// The cells of the current row, trimmed.
+    /// Texts of all cells of the current row, trimmed.
     pub fn cells(&self) -> Vec<String> {
         self.record
             .iter()
@@ -109,13 +110,13 @@ impl<'t> Sheet<'t> {
             .collect()
     }
 
-    /// Whether the current row is the last and its line has no end: the file may have been cut in it.
+    /// Whether the file ends in the current row without a line break, so that the row may be truncated.
     pub fn is_cut(&self) -> bool {
         self.reader.position().byte() as usize >= self.text.len() && !self.text.ends_with('\n')
     }
 
-    /// A cell of the current row as a number; `None` where it is empty or NaN. Decimal commas are read where the comma does
-    /// not separate cells.
+    /// Value of a cell of the current row; `None` if the cell is empty or NaN. A decimal comma is accepted unless the
+    /// comma is the cell separator.
     pub fn number(&self, index: usize) -> Result<Option<f64>, Fault> {
         let cell = self.cell(index);
         let is_decimal = |c: char| c.is_ascii_digit() || ['-', '+', ',', 'e', 'E'].contains(&c);
@@ -129,7 +130,7 @@ impl<'t> Sheet<'t> {
         read.map_err(|expected| self.fault(index, shown(cell), expected))
     }
 
-    /// A cell that must hold a number.
+    /// Value of a cell that must contain a number; the error message of any other cell states `what` was expected.
     pub fn needed(&self, index: usize, what: &str) -> Result<f64, Fault> {
         match self.number(index) {
             Ok(Some(number)) => Ok(number),
@@ -137,7 +138,7 @@ impl<'t> Sheet<'t> {
         }
     }
 
-    /// An error at a cell of the current row.
+    /// Error located at a cell of the current row.
     pub fn fault(
         &self,
         index: usize,

@@ -4,56 +4,56 @@ use crate::axes::Axis;
 use crate::format::Format;
 use crate::unit::LengthUnit;
 
-/// A recording as its file has it: coordinates in m along the file's own axes.
+/// A recording as read from its file: coordinates in m along the file's own axes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Take {
-    /// Format of the file.
+    /// Format of the file that was read.
     pub format: Format,
     /// Times of the samples, s, increasing.
     pub times: Vec<f64>,
-    /// Tracked points.
+    /// Tracked points, each with its trajectory.
     pub points: Vec<Point>,
-    /// Tracked rigid bodies.
+    /// Tracked rigid bodies, each with its poses.
     pub bodies: Vec<Body>,
-    /// Unit of the coordinates in the file, stated there or by an option.
+    /// Unit of the coordinates in the file, stated by the file or an option; the coordinates of the take are in m.
     pub length: LengthUnit,
-    /// Axis that points up, where the file states it.
+    /// Axis that points up; `None` if the file does not state it.
     pub up: Option<Axis>,
-    /// Whether the axes are left-handed, where the file or its format states it.
+    /// Whether the axes are left-handed; `None` if neither the file nor its format states it.
     pub left_handed: Option<bool>,
-    /// What was decided while reading: a statement of the file that was not followed, what was left out.
+    /// Notes on decisions made while reading, such as statements of the file that were overridden or columns left out.
     pub notes: Vec<String>,
 }
 
-/// A tracked point.
+/// A tracked point and its trajectory.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
-    /// Label in the file, unique in the take.
+    /// Label of the point in the file, made unique within the take.
     pub label: String,
     /// Position at each sample, m; `None` where the point was not seen.
     pub positions: Vec<Option<[f64; 3]>>,
 }
 
-/// A tracked rigid body.
+/// A tracked rigid body and its poses over time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
-    /// Label in the file, unique in the take.
+    /// Label of the body in the file, made unique within the take.
     pub label: String,
     /// Pose at each sample; `None` where the body was not seen.
     pub poses: Vec<Option<Pose>>,
 }
 
-/// Position and attitude of a body.
+/// Position and attitude of a rigid body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
-    /// Position of the body's origin, m.
+    /// Position of the body's origin along the axes of the take, m.
     pub position: [f64; 3],
     /// Unit quaternion w, x, y, z of the rotation from the body's axes to those of the room.
     pub quaternion: [f64; 4],
 }
 
 impl Take {
-    /// Names of the points and then of the bodies.
+    /// Labels of all points, followed by those of all bodies.
     pub fn labels(&self) -> impl Iterator<Item = &str> {
         let points = self.points.iter().map(|point| point.label.as_str());
         points.chain(self.bodies.iter().map(|body| body.label.as_str()))

@@ -1,15 +1,15 @@
-//! Units of length and time of a recording.
+//! Units of length and time in the file of a recording.
 
 use std::fmt;
 
-/// Unit of the coordinates of a file.
+/// Unit of length of the coordinates in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LengthUnit {
     /// Metre.
     Metre,
-    /// Centimetre.
+    /// Centimetre, 0.01 m.
     Centimetre,
-    /// Millimetre.
+    /// Millimetre, 0.001 m.
     Millimetre,
     /// Inch, 0.0254 m.
     Inch,
@@ -17,16 +17,16 @@ pub enum LengthUnit {
     Foot,
 }
 
-/// Unit of the times of a file.
+/// Unit of the times in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TimeUnit {
     /// Second.
     Second,
-    /// Millisecond.
+    /// Millisecond, 0.001 s.
     Millisecond,
 }
 
-/// Shortest prefix of a unit's name that is accepted as an abbreviation.
+/// Minimum length of an abbreviated unit name, characters.
 const SHORTEST_CUT: usize = 3;
 
 impl LengthUnit {
@@ -48,7 +48,8 @@ impl LengthUnit {
         (Self::Foot, "ft", 0.3048, &["feet", "foot"]),
     ];
 
-    /// The unit of a symbol (`mm`) or of a name or its beginning (`Millimeters`, `mete`), in any case.
+    /// Parses a unit from its symbol (`mm`), its name or the beginning of its name (`Millimeters`, `mete`), ignoring
+    /// case; `None` for any other text.
     pub fn parse(text: &str) -> Option<Self> {
         let text = text.trim().to_ascii_lowercase();
         let is = |symbol: &str, names: &[&str]| {
@@ -60,7 +61,7 @@ impl LengthUnit {
         found.map(|&(unit, ..)| unit)
     }
 
-    /// Length of the unit, m.
+    /// Length of one unit, m.
     pub fn metres(self) -> f64 {
         Self::ALL[self as usize].2
     }
@@ -70,7 +71,7 @@ impl LengthUnit {
         Self::ALL[self as usize].1
     }
 
-    /// Whether a text is one of the unit's symbols or full names, not the beginning of one.
+    /// Whether a text is the symbol or the full name of a unit of length, as opposed to an abbreviated name.
     pub(crate) fn is_whole_name(text: &str) -> bool {
         let text = text.trim().to_ascii_lowercase();
         Self::ALL.iter().any(|(_, symbol, _, names)| {
@@ -87,7 +88,7 @@ impl fmt::Display for LengthUnit {
 }
 
 impl TimeUnit {
-    /// The unit of a symbol (`ms`) or a name (`Seconds`), in any case.
+    /// Parses a unit from its symbol (`ms`) or its name (`Seconds`), ignoring case; `None` for any other text.
     pub fn parse(text: &str) -> Option<Self> {
         match text.trim().to_ascii_lowercase().as_str() {
             "s" | "sec" | "second" | "seconds" => Some(Self::Second),
@@ -96,7 +97,7 @@ impl TimeUnit {
         }
     }
 
-    /// Length of the unit, s.
+    /// Duration of one unit, s.
     pub fn seconds(self) -> f64 {
         match self {
             Self::Second => 1.0,

@@ -1,11 +1,11 @@
-//! Formatting for error messages: external texts escaped and cut, long lists shortened.
+//! Formatting of external text for error messages: escaped and truncated, long lists shortened.
 
-/// Longest external text in a message, characters; longer texts are cut.
+/// Maximum length of an external text in a message, characters; longer texts are truncated.
 const LONGEST: usize = 40;
-/// Greatest number of names that a message lists.
+/// Maximum number of names listed in a message.
 const MOST: usize = 12;
 
-/// An external text in quotes, escaped and cut to a bounded length.
+/// Quotes and escapes an external text for a message, and truncates it to a bounded length.
 pub fn shown(text: &str) -> String {
     if text.chars().count() <= LONGEST {
         return format!("{text:?}");
@@ -14,7 +14,8 @@ pub fn shown(text: &str) -> String {
     format!("{start:?}…")
 }
 
-/// A list of names for a message; long lists are shortened.
+/// Joins names by commas for a message; a long list is shortened to its first names and the number of the remaining
+/// ones.
 pub fn listed<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
     let mut names = names.into_iter();
     let first: Vec<&str> = names.by_ref().take(MOST).collect();

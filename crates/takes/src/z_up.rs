@@ -1,12 +1,13 @@
-//! The change of a take to the axes of a dataset: right-handed, z up.
+//! Conversion of a take to the axes of a dataset: right-handed, z up.
 
 use crate::axes::Axis;
 use crate::quaternion::product;
 use crate::take::{Pose, Take};
 
 impl Take {
-    /// The take along right-handed axes with z up. Where the axes of the file are left-handed, the second horizontal
-    /// axis is mirrored, and so is that of each body's own axes.
+    /// Converts the take to right-handed axes with z up; `up` is the axis of the file that points up. If the axes of
+    /// the file are `left_handed`, the second horizontal axis is mirrored, and so is the second axis of each body's own
+    /// frame.
     pub fn with_z_up(mut self, up: Axis, left_handed: bool) -> Self {
         let changed = |position: [f64; 3]| up.upright(left_handed, position);
         for position in self
@@ -19,7 +20,7 @@ impl Take {
         let turn = up.to_z();
         for pose in self.bodies.iter_mut().flat_map(|body| &mut body.poses) {
             *pose = pose.map(|pose| {
-                // A reflection turns the axis of a rotation the other way.
+                // A reflection reverses the sense of a rotation.
                 let [w, x, y, z] = product(turn, pose.quaternion);
                 let mirrored = if left_handed {
                     [w, -x, y, -z]

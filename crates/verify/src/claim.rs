@@ -1,4 +1,4 @@
-//! The body that stated equations are claimed to be about, as it moves by these equations.
+//! The body that stated equations are claimed to describe, moving as these equations state.
 
 use crate::TOLERANCE;
 use crate::row::Worst;
@@ -7,12 +7,13 @@ use nalgebra::Vector3;
 use oracle::scalar::{Dual, ErrorBound, Field};
 use oracle::{ClaimedBody, Point, Tree, derivatives_of, moving};
 
-/// Dual numbers along the motion: a value and its rate against the time of flight, each with its error bound.
+/// Dual numbers along the motion: a value and its derivative with respect to the time of flight, each with an error
+/// bound.
 pub type Bounded = Dual<ErrorBound>;
 
-/// The claimed body at a point, with the rates at which the model's own equations change it; `None` if the model claims
-/// no body or has no equations to evaluate. The rates are those of the equations under test, their magnitudes those of
-/// the terms in the vector tree.
+/// The claimed body at a point, with the rates implied by the model's own equations; `None` if the model claims no body
+/// or has no equations to evaluate. The values of the rates are from the equations under test, the magnitudes from the
+/// terms in the vector tree.
 pub fn along(subject: &Subject<'_>, point: &Point<f64>) -> Option<ClaimedBody<Bounded>> {
     subject.model.claim.as_ref()?;
     let lifted = point.lift::<ErrorBound>();
@@ -35,7 +36,8 @@ pub fn along(subject: &Subject<'_>, point: &Point<f64>) -> Option<ClaimedBody<Bo
     ClaimedBody::of(&Tree::new(subject.model, &point))
 }
 
-/// Compares a change with its cause, component by component, by the magnitudes of their terms; `what` is the law.
+/// Compares a change with its cause by component, relative to the magnitudes of their terms, and updates `worst`.
+/// `what` is the name of the law.
 pub fn see(
     worst: &mut Worst,
     change: &Vector3<ErrorBound>,
@@ -47,7 +49,7 @@ pub fn see(
     }
 }
 
-/// Size of a difference relative to the magnitudes of its terms; infinite if it is not a number.
+/// Absolute value of a difference relative to the magnitude of its terms; infinite if it is NaN.
 pub fn relative(difference: ErrorBound) -> f64 {
     if difference.value == 0.0 {
         return 0.0;
@@ -56,7 +58,7 @@ pub fn relative(difference: ErrorBound) -> f64 {
     if error.is_nan() { f64::INFINITY } else { error }
 }
 
-/// Whether a relative error exceeds what rounding explains.
+/// Whether a relative error is larger than rounding explains.
 pub fn is_fault(error: f64) -> bool {
     error.is_nan() || error > TOLERANCE
 }

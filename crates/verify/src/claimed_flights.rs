@@ -1,5 +1,5 @@
 //! Checks on integrated flights of claimed bodies: conservation of energy and angular momentum without air, and the
-//! changes of position, momentum, angular momentum and energy against the integrals of their causes along the flight.
+//! changes of position, momentum, angular momentum and energy compared with the time integrals of their causes.
 
 use crate::Options;
 use crate::flights::{
@@ -14,7 +14,7 @@ use oracle::{ClaimedBody, Point, Quaternion, Tree};
 
 /// Maximum number of draws for a release within the limits of the model.
 const DRAWS: usize = 100;
-/// Largest departure of a released state from its default, relative to the typical size of its unit.
+/// Maximum deviation of a released state from its default, relative to the typical size of its unit.
 const SPREAD: f64 = 0.2;
 
 /// Checks that energy and angular momentum are conserved in a flight without air.
@@ -43,7 +43,7 @@ pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
             );
         }
         flown += 1;
-        // Potential of a constant force: −F·r.
+        // Work of the constant force F over the displacement: F·Δr.
         let fall = before.force.dot(&(after.position - before.position));
         let energies = (before.kinetic_energy(), after.kinetic_energy());
         let size = (energies.0 + energies.1).max(f64::MIN_POSITIVE);
@@ -62,8 +62,8 @@ pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
     Row::judged(INVARIANTS, flown, &worst, TOLERANCE)
 }
 
-/// Compares the changes of position, momentum, angular momentum and energy in a flight with the integrals of velocity,
-/// force, moment and power.
+/// Compares the changes of position, momentum, angular momentum and energy in a flight with the time integrals of
+/// velocity, force, moment and power.
 pub fn momenta(subject: &Subject<'_>, options: &Options) -> Row {
     let mut random = Random::new(options.seed, "flight by momenta");
     let mut worst = Worst::default();
@@ -114,12 +114,12 @@ pub fn momenta(subject: &Subject<'_>, options: &Options) -> Row {
 
 const UNRELEASED: &str = "no release was found within the limits of the model";
 
-/// The claimed body at a point.
+/// Returns the claimed body at a point; `None` if the model claims none.
 fn body(subject: &Subject<'_>, point: &Point<f64>) -> Option<ClaimedBody<f64>> {
     ClaimedBody::of(&Tree::new(subject.model, point))
 }
 
-/// Whether the loads are one constant force and no moment, at both ends of a flight.
+/// Whether the loads at both ends of a flight are the same force and no moment.
 fn acts_alike(before: &ClaimedBody<f64>, after: &ClaimedBody<f64>) -> bool {
     let moment = |body: &ClaimedBody<f64>| body.turning.map_or(0.0, |t| t.moment.norm());
     let size = before.force.norm() + after.force.norm();
@@ -128,7 +128,8 @@ fn acts_alike(before: &ClaimedBody<f64>, after: &ClaimedBody<f64>) -> bool {
         && (before.force - after.force).norm() <= TOLERANCE * size
 }
 
-/// Release near the default state of the model and within its limits; effects off, random inputs.
+/// Draws a release near the default state of the model, with effects off and random inputs. `None` if no draw is within
+/// the model's limits.
 fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     let model = subject.model;
     (0..DRAWS).find_map(|_| {
@@ -152,7 +153,8 @@ fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     })
 }
 
-/// Flies as long as the limits of the model allow, at most [`DURATION`]; `None` if they allow nothing.
+/// Integrates the longest flight within the limits of the model, at most [`DURATION`]. Returns the final point and the
+/// ten integrals; `None` if even the shortest flight leaves the limits.
 fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Option<(Point<f64>, Vec<f64>)> {
     if !is_valid(subject.model, from) {
         return None;
@@ -162,8 +164,8 @@ fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Option<(Point<f64>, Vec<f64>
     flights.find(|(end, _)| is_valid(subject.model, end))
 }
 
-/// Integrates the model's equations from a point, and with them the velocity, force, moment and power of the claimed body;
-/// returns the final point and the ten integrals.
+/// Integrates the model's equations from a point, together with the velocity, force, moment and power of the claimed
+/// body. Returns the final point and the ten integrals.
 fn fly_with_sums(
     subject: &Subject<'_>,
     from: &Point<f64>,

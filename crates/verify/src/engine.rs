@@ -1,4 +1,4 @@
-//! Equations of motion of a compiled model, evaluated by the bytecode interpreter (tape) at one point at a time.
+//! Equations of motion of a compiled model, evaluated at one point at a time by the bytecode interpreter (tape).
 
 use crate::subject::{Derivatives, Differentiable, Equations};
 use codegen::compile::Compiled;
@@ -20,7 +20,7 @@ pub struct Engine {
     observe_layout: Entries,
 }
 
-/// Positions of the nonzero entries of sparse Jacobians in the dense Jacobian.
+/// Row and column of the nonzero entries of sparse Jacobians in the dense Jacobian.
 #[derive(Clone, Debug, Default)]
 pub struct Entries {
     rows: usize,
@@ -29,8 +29,8 @@ pub struct Entries {
 }
 
 impl Entries {
-    /// Positions for a function whose outputs are the section `value`, then Jacobian blocks `sections`: (name,
-    /// columns).
+    /// Entries of a function whose outputs are the section `value`, followed by the Jacobian blocks `sections`: (name,
+    /// number of columns).
     pub fn of(function: &Function, value: &str, sections: &[(&str, usize)]) -> Self {
         let rows = function.range(value).len();
         let mut places = Vec::new();
@@ -50,7 +50,7 @@ impl Entries {
         }
     }
 
-    /// Values and dense Jacobian from the outputs `out` of the function.
+    /// Splits the outputs `out` of the function into values and a dense Jacobian.
     pub fn read(&self, out: &[f64]) -> Derivatives {
         let mut entries = vec![vec![0.0; self.columns]; self.rows];
         for (&(row, column), value) in self.places.iter().zip(&out[self.rows..]) {
@@ -63,7 +63,7 @@ impl Entries {
     }
 }
 
-/// Parameters, coefficients and components of inputs, in the order of the compiler.
+/// Values of parameters, coefficients and components of inputs, in the order of the compiler.
 pub fn parameters(point: &Point<f64>) -> Vec<f64> {
     let inputs = point.inputs.iter().flat_map(|v| [v.x, v.y, v.z]);
     point
@@ -76,7 +76,7 @@ pub fn parameters(point: &Point<f64>) -> Vec<f64> {
 }
 
 impl Engine {
-    /// Allocates tapes for all functions of a compiled model.
+    /// Creates tapes for all functions of a compiled model.
     pub fn new(compiled: &Compiled) -> Self {
         let (states, parameters) = (
             compiled.layout.states.len(),

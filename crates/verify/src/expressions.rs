@@ -43,7 +43,7 @@ pub fn roots_mut(model: &mut Model) -> Vec<&mut Expr> {
     out
 }
 
-/// Replaces every occurrence of the coefficient with this index by a number.
+/// Replaces every occurrence of the coefficient with the given index by the number `value`.
 pub fn fix_coefficient(model: &mut Model, index: usize, value: f64) {
     fix(
         model,
@@ -52,7 +52,7 @@ pub fn fix_coefficient(model: &mut Model, index: usize, value: f64) {
     );
 }
 
-/// Replaces every occurrence of the state with this index by a number.
+/// Replaces every occurrence of the state with the given index by the number `value`.
 pub fn fix_state(model: &mut Model, index: usize, value: f64) {
     fix(
         model,

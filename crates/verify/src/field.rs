@@ -1,9 +1,10 @@
-//! Compiled programs evaluated in the field of the integers modulo 2^61 − 1.
+//! Evaluates compiled programs in the field of the integers modulo 2^61 − 1.
 //!
 //! Sums, products and quotients are exact. Sine and cosine of an angle are a point of the unit circle, consistent for
 //! small integer multiples of states and arctangents. A square root is the root that is itself a square. Any other
-//! function value is a symbol: a pseudo-random element that depends on function and arguments only. Two programs with
-//! equal results at random points are with high probability the same function of states, parameters and symbols.
+//! function value is a symbol: a pseudo-random element that depends only on the function and its arguments. Two
+//! programs with equal results at random points are, with high probability, the same function of states, parameters and
+//! symbols.
 
 use codegen::functions::{MathFunction, Parity};
 use codegen::program::{Binary, Fused, Op, Operand, Program, Unary};
@@ -15,7 +16,7 @@ use std::f64::consts::PI;
 /// An angle with its (sine, cosine), as elements of the field.
 pub type Angle = (Prime, (Prime, Prime));
 
-/// Largest integer multiple of a known angle whose sine and cosine are derived by addition formulas.
+/// Maximum integer multiple of a known angle whose sine and cosine are derived by addition formulas.
 const MULTIPLES: usize = 4;
 
 /// Evaluator of programs at a point of the prime field.
@@ -25,12 +26,12 @@ pub struct Machine<'a> {
     parameters: Vec<Prime>,
     /// Results of the program `prepare`; `None` for a result without a value in the field.
     pub prepared: Vec<Option<Prime>>,
-    /// Whether non-rational functions yield symbols; otherwise they have no value.
+    /// Whether non-rational functions yield symbols. If false, they have no value.
     symbols: bool,
 }
 
 impl<'a> Machine<'a> {
-    /// Evaluator at a point; `circles` contains (sine, cosine) of each state.
+    /// Creates an evaluator at a point; `circles` contains (sine, cosine) of each state.
     pub fn new(point: &'a Point<Prime>, circles: &'a [(Prime, Prime)], symbols: bool) -> Self {
         let inputs = point.inputs.iter().flat_map(|v| [v.x, v.y, v.z]);
         let parameters = point
@@ -49,7 +50,7 @@ impl<'a> Machine<'a> {
         }
     }
 
-    /// Outputs of a program; `None` for an output without a value in the field.
+    /// Runs a program and returns its outputs; `None` for an output without a value in the field.
     pub fn run(&self, program: &Program) -> Vec<Option<Prime>> {
         let mut temps: Vec<Option<Prime>> = Vec::with_capacity(program.statements.len());
         let mut angles: Vec<Angle> = self
@@ -158,7 +159,7 @@ pub fn on_circle(t: Prime) -> (Prime, Prime) {
     )
 }
 
-/// Value of a function without relations: a symbol with the symmetry of the function.
+/// Value of a function without algebraic relations: a symbol with the parity of the function.
 pub fn call(function: MathFunction, a: Prime) -> Prime {
     let of_function = MathFunction::ALL.iter().position(|&f| f == function);
     let tag = of_function.map_or(u64::MAX, |k| k as u64);
@@ -169,12 +170,13 @@ pub fn call(function: MathFunction, a: Prime) -> Prime {
     }
 }
 
-/// Value of a table, by the hash of its curve, or of a derivative of it.
+/// Value of a table function or of its derivative of the given order: a symbol that depends on the hash of the curve.
 pub fn table(fingerprint: u64, order: u8, a: Prime) -> Prime {
     symbol(0x100 + u64::from(order), &[Prime::new(fingerprint), a])
 }
 
-/// Value of a literal: the rational number that rounds to it, else that multiple of the symbol π, else a symbol of its own.
+/// Value of a literal: the rational number that rounds to it, else a rational multiple of the symbol π, else a symbol
+/// that depends on the bits of the literal.
 pub fn literal(c: f64) -> Prime {
     let number = |c: f64| symbol(3, &[Prime::new(c.to_bits())]);
     constant(c)
@@ -182,12 +184,12 @@ pub fn literal(c: f64) -> Prime {
         .unwrap_or_else(|| number(c))
 }
 
-/// Whether a literal is a rational number or a rational multiple of π, and no symbol of its own.
+/// Whether a literal is represented as a rational number or a rational multiple of π, rather than by a separate symbol.
 pub fn is_exact(c: f64) -> bool {
     constant(c).or_else(|| multiple_of_pi(c)).is_some()
 }
 
-/// Rational number with a denominator up to 360 whose product with π rounds to `c`.
+/// Rational number with a denominator up to 360 whose product with π rounds to `c`; `None` if there is none.
 fn multiple_of_pi(c: f64) -> Option<Prime> {
     (1..=360).find_map(|d| {
         let n = (c / PI * f64::from(d)).round();
@@ -198,7 +200,7 @@ fn multiple_of_pi(c: f64) -> Option<Prime> {
     })
 }
 
-/// Rational number that rounds to `c`: denominator up to 1000 or a power of ten; `None` if there is none.
+/// Rational number that rounds to `c`, with a denominator up to 1000 or a power of ten; `None` if there is none.
 fn constant(c: f64) -> Option<Prime> {
     let decimals = (4..=15).map(|k| 10_i64.pow(k));
     (1..=1000).chain(decimals).find_map(|d| {
@@ -225,7 +227,8 @@ fn power(a: Prime, mut exponent: u64) -> Prime {
     product
 }
 
-/// Symbol for atan2(y, x), with (sine, cosine); odd in y, independent of scale. `None` if x² + y² is not a square.
+/// Symbol for atan2(y, x), with its (sine, cosine). It is odd in y and independent of scale. `None` if x² + y² is not a
+/// square.
 pub fn angle(y: Prime, x: Prime) -> Option<Angle> {
     let length = root(x * x + y * y)?.inverse();
     let (sine, cosine) = (y * length, x * length);
@@ -233,7 +236,7 @@ pub fn angle(y: Prime, x: Prime) -> Option<Angle> {
     Some((symbol(4, &[size, cosine]) * sign, (sine, cosine)))
 }
 
-/// (sine, cosine) of `a` if it is ± a small integer multiple of one of `angles`.
+/// (sine, cosine) of `a` if `a` is ± a small integer multiple of one of `angles`; otherwise `None`.
 pub fn known(a: Prime, angles: &[Angle]) -> Option<(Prime, Prime)> {
     angles.iter().find_map(|&(angle, (s, c))| {
         let (mut multiple, mut circle) = (angle, (s, c));
@@ -256,14 +259,14 @@ fn odd(function: u64, a: Prime) -> Prime {
     symbol(function, &[a]) * sign
 }
 
-/// Symbolic (sine, cosine) of an angle that is not a multiple of a known angle; the sine is odd.
+/// Symbolic (sine, cosine) of an angle that is not a multiple of a known angle. The sine is odd.
 pub fn circle(a: Prime) -> (Prime, Prime) {
     let (a, sign) = least(a);
     let (sine, cosine) = on_circle(symbol(5, &[a]));
     (sine * sign, cosine)
 }
 
-/// Of a and −a the one with the smaller representative, and the sign that maps it back to a.
+/// The element of {a, −a} with the smaller representative, and the sign that maps it back to a.
 fn least(a: Prime) -> (Prime, Prime) {
     if (-a).value() < a.value() {
         (-a, -Prime::one())

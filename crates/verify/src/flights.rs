@@ -13,18 +13,18 @@ use oracle::{
     solve,
 };
 
-/// Name of the check of energy and angular momentum without air.
+/// Name in reports of the check of energy and angular momentum without air.
 pub const INVARIANTS: &str = "flight without air";
-/// Name of the check against the reference law integrated in momenta.
+/// Name in reports of the check against the reference law integrated in momenta.
 pub const MOMENTA: &str = "flight: reference in momenta";
-/// Name of the comparison of the flights of two models.
+/// Name in reports of the comparison of the flights of two models.
 const FLIGHTS: &str = "flights";
 
-/// Largest relative difference of two final states; the integration tolerance is 1e-11.
+/// Maximum relative difference of two final states; the integration tolerance is 1e-11.
 pub(crate) const TOLERANCE: f64 = 1e-8;
-/// Reason to skip a model whose measuring clock does not run at 1 second per second of flight.
+/// Reason to skip a model whose measuring clock does not advance by 1 s per second of flight.
 pub(crate) const OWN_CLOCK: &str = "its clock does not keep to the seconds of the flight";
-/// Number of flights of a check.
+/// Number of flights per check.
 pub(crate) const RELEASES: usize = 3;
 /// Maximum number of draws for a release within the limits of the model.
 const DRAWS: usize = 100;
@@ -71,7 +71,7 @@ pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
         worst.see(moment.norm(), || {
             String::from("a moment is left where there is no air")
         });
-        // Potential of a constant force: −F·r.
+        // Work of the constant force F over the displacement: F·Δr.
         let fall = force.dot(&(after.position - before.position));
         let energy = (after.energy - before.energy - fall).abs() / (before.energy + after.energy);
         worst.see(energy, || String::from("energy"));
@@ -82,7 +82,8 @@ pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
     Row::judged(INVARIANTS, RELEASES, &worst, TOLERANCE)
 }
 
-/// Compares final states: model equations against the reference law in momenta and a quaternion.
+/// Compares the final states of flights by the model equations and by the reference law, which is integrated in momenta
+/// and a quaternion.
 pub fn momenta(subject: &Subject<'_>, options: &Options) -> Row {
     let Some(reference) = &subject.reference else {
         return subject.without_reference(MOMENTA);
@@ -106,7 +107,7 @@ pub fn momenta(subject: &Subject<'_>, options: &Options) -> Row {
     Row::judged(MOMENTA, RELEASES, &worst, TOLERANCE)
 }
 
-/// Compares the final physical states of two models flown from equal releases.
+/// Compares the final physical states of two models in flights from the same releases.
 pub fn same_flights(a: &Subject<'_>, b: &Subject<'_>, options: &Options) -> Row {
     let mut random = Random::new(options.seed, FLIGHTS);
     let mut worst = Worst::default();
@@ -137,8 +138,8 @@ pub fn same_flights(a: &Subject<'_>, b: &Subject<'_>, options: &Options) -> Row 
     Row::judged(FLIGHTS, RELEASES, &worst, TOLERANCE)
 }
 
-/// Whether the loads are one constant force and no moment, at both ends of a flight: what a law that the model's author
-/// made leaves without air may be anything else, such as the pull of a cord.
+/// Whether the loads at both ends of a flight are the same force and no moment. A law made by the model's author may
+/// leave other loads without air, such as the tension of a cord.
 fn acts_alike(subject: &Subject<'_>, start: &Point<f64>, end: &Point<f64>) -> bool {
     let (Some((force, moment, _)), Some((later, other, _))) =
         (loads(subject, start), loads(subject, end))
@@ -149,7 +150,7 @@ fn acts_alike(subject: &Subject<'_>, start: &Point<f64>, end: &Point<f64>) -> bo
     moment.norm() == 0.0 && other.norm() == 0.0 && (force - later).norm() <= TOLERANCE * size
 }
 
-/// Row of a check of flights where no release was found.
+/// Row of a flight check for which no release was found.
 fn unreleased(subject: &Subject<'_>, check: &'static str) -> Row {
     if subject.chart.is_none() {
         return subject.without_meaning(check);
@@ -157,7 +158,8 @@ fn unreleased(subject: &Subject<'_>, check: &'static str) -> Row {
     Row::unverified(check, "no release was found within the limits of the model")
 }
 
-/// Random release within the limits of the model; `None` if none was found or the meaning of the states is unknown.
+/// Draws a release within the limits of the model; `None` if no draw is within them or the meaning of the states is
+/// unknown.
 fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     (0..DRAWS).find_map(|_| {
         let point = any_release(subject, random)?;
@@ -165,8 +167,8 @@ fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     })
 }
 
-/// Random release: 12 ± 3 m/s forward, nearly flat, spin −40 ± 10 rad/s; default constants, random inputs. `None` if
-/// the meaning of the states is unknown.
+/// Draws a release: 12 ± 3 m/s forward, nearly level, spin −40 ± 10 rad/s, with default constants and random inputs.
+/// `None` if the meaning of the states is unknown.
 fn any_release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     let chart = subject.chart.as_ref()?;
     let mut point = Point::defaults(subject.model);
@@ -194,8 +196,8 @@ fn any_release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>>
     Some(point)
 }
 
-/// Removes the air: parameter `rho` and all coefficients are set to 0, or to the end of their bounds next to it; extra
-/// coefficients to their null values.
+/// Removes the air: the parameter `rho` and all coefficients are set to 0, or to the value within their bounds that is
+/// closest to 0. Extra coefficients get their null values.
 pub(crate) fn airless(subject: &Subject<'_>, point: &mut Point<f64>) {
     for (constant, value) in subject.model.params.iter().zip(&mut point.params) {
         if constant.name == "rho" {
@@ -216,7 +218,8 @@ pub(crate) fn airless(subject: &Subject<'_>, point: &mut Point<f64>) {
     }
 }
 
-/// Integrates the model equations from a point; returns the final point.
+/// Integrates the model equations from a point for [`DURATION`] and returns the final point. The error is the
+/// integrator's message.
 pub(crate) fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Result<Point<f64>, String> {
     let mut at = from.clone();
     let mut moving = ode::rhs_from_fn(&[], |t, x: &Vec<f64>, dx: &mut Vec<f64>| {
@@ -233,8 +236,8 @@ pub(crate) fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Result<Point<f64>
     })
 }
 
-/// Integrates the reference law in position, momentum, attitude and angular momentum; returns the final physical
-/// state.
+/// Integrates the reference law in position, momentum, attitude and angular momentum, and returns the final physical
+/// state. The error is the integrator's message.
 fn fly_by_momenta(reference: &Reference, point: &Point<f64>) -> Result<Physical<f64>, String> {
     let properties = reference.mass_properties(point);
     let read = |y: &[f64]| -> Physical<f64> {
@@ -277,7 +280,8 @@ fn fly_by_momenta(reference: &Reference, point: &Point<f64>) -> Result<Physical<
     integrate(&mut moving, &start, DURATION).map(|end| read(&end))
 }
 
-/// Integrates over a duration, s, with the tolerance of all checks on flights; returns the final state.
+/// Integrates over a duration (s) with the tolerance of all flight checks, and returns the final state. The error is
+/// the integrator's message.
 pub(crate) fn integrate<D: ode::OdeRhs<State = Vec<f64>>>(
     d: &mut D,
     start: &Vec<f64>,
@@ -307,7 +311,7 @@ fn compare(worst: &mut Worst, a: &Physical<f64>, b: &Physical<f64>) {
     }
 }
 
-/// Position, m, energy, J, and angular momentum, kg·m²/s, of a body.
+/// Position (m) and conserved quantities of a body: energy (J) and angular momentum (kg·m²/s).
 struct Held {
     position: Vector3<f64>,
     energy: f64,
@@ -333,7 +337,8 @@ fn held(
     })
 }
 
-/// Force, N, moment, N·m, and mass properties in the body frame; `None` without a reference and without a body.
+/// Force, N, moment, N·m, and mass properties in the body frame. They are from the reference, else from the model's
+/// body; `None` if there is neither.
 fn loads(
     subject: &Subject<'_>,
     point: &Point<f64>,

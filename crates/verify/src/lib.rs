@@ -7,8 +7,8 @@
 //! assert!(report.holds(), "{}", report.table());
 //! ```
 //!
-//! An error is measured against the sum of the magnitudes of the terms that make up a value (see
-//! [`oracle::scalar::ErrorBound`]): cancellation neither hides a fault nor looks like one.
+//! Errors are relative to the sum of the magnitudes of the terms that make up a value (see
+//! [`oracle::scalar::ErrorBound`]), so cancellation neither hides a fault nor looks like one.
 
 pub mod certificate;
 pub mod checks;
@@ -69,10 +69,11 @@ impl Default for Options {
     }
 }
 
-/// Number of random points at which backends are compared; not a multiple of any lane count, to test remainders.
+/// Number of random points at which backends are compared. It is not a multiple of any lane count, so that remainders
+/// are tested.
 const BACKEND_POINTS: usize = 37;
 
-/// Largest allowed rounding error, relative to the sum of the magnitudes of the terms of a value.
+/// Maximum allowed error, relative to the sum of the magnitudes of the terms of a value.
 pub const TOLERANCE: f64 = 1e-12;
 
 /// Runs every check of a loaded model. Diagnostics of the language checker are reported as faults; the numerical checks
@@ -111,7 +112,8 @@ pub fn run(loaded: &Loaded, options: &Options) -> Report {
     report
 }
 
-/// Checks of the model with effects switched on: effects at null values, and effects against their reference.
+/// Checks of the model with effects switched on: effects at null values, and effects against their reference
+/// implementations.
 fn of_effects(loaded: &Loaded, options: &Options) -> [Row; 2] {
     match checks::effects::variants(loaded) {
         Some((with, without)) => [
@@ -126,7 +128,7 @@ fn of_effects(loaded: &Loaded, options: &Options) -> [Row; 2] {
     }
 }
 
-/// Checks pairwise whether several models have equal accelerations and flights.
+/// Checks for each pair of models whether their accelerations and flights are equal.
 pub fn same_motion(models: &[Model], options: &Options) -> SameMotion {
     let values: Vec<Values> = models.iter().map(Values::of).collect();
     let subjects: Vec<Subject<'_>> = models
@@ -137,7 +139,7 @@ pub fn same_motion(models: &[Model], options: &Options) -> SameMotion {
     same_motion::compare(&subjects, options)
 }
 
-/// Rounding errors of every backend and of every statement of a model, at many points.
+/// Measures the rounding errors of every backend and every statement of a model at many points.
 pub fn rounding(model: &Model, options: &Options) -> Rounding {
     let compiled = codegen::compile(model);
     let engine = Engine::new(&compiled);
@@ -145,8 +147,8 @@ pub fn rounding(model: &Model, options: &Options) -> Rounding {
     rounding::measure(&subject, &compiled, options, Effort::DETAILS)
 }
 
-/// Rows of the checks of a compiled program against a model, which need not be the one it was compiled from: those of
-/// [`run`] without the text, the effects and the mutants.
+/// Runs the checks of a compiled program against a model, which need not be the one it was compiled from. The checks
+/// are those of [`run`] except for the text, the effects and the mutants.
 pub fn rows_of_code(model: &Model, compiled: &Compiled, options: &Options) -> Vec<Row> {
     let engine = Engine::new(compiled);
     every_check(&Subject::new(model, &engine), compiled, &engine, options)

@@ -1,5 +1,5 @@
-//! What the states of a model stand for: the physical state at a point, its rate, and the states of a physical state; by
-//! a chart, or by the body that stated equations are claimed to be about.
+//! Physical meaning of the states of a model: conversion of states to the physical state, to its rate, and back. It is
+//! given by a chart, or by the body that stated equations claim to describe.
 
 use crate::subject::Subject;
 use model_spec::model::{ClaimedAttitude, FrameKind, Model};
@@ -7,23 +7,23 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use oracle::scalar::{Dual, Real};
 use oracle::{Chart, ClaimedBody, Physical, PhysicalRate, Point, Tree, moving};
 
-/// Maximum number of Gauss-Newton steps towards the states of a physical state.
+/// Maximum number of Gauss-Newton steps when solving for the states of a physical state.
 const STEPS: usize = 60;
-/// Maximum number of halvings of a step.
+/// Maximum number of halvings of a Gauss-Newton step.
 const HALVINGS: usize = 30;
-/// Largest residual of the states that are found, relative to the size of the quantities.
+/// Maximum residual of a solution, relative to the size of the quantities.
 const FOUND: f64 = 1e-12;
 
-/// Meaning of the states of a model.
+/// Physical meaning of the states of a model.
 pub enum Meaning<'a> {
     /// Each state is a component of a physical quantity.
     Chart(&'a Chart),
-    /// Expressions are the physical quantities; states are found from them by solving.
+    /// Expressions of the model's claim give the physical quantities; the states are found from them by solving.
     Claim(&'a Model),
 }
 
 impl<'a> Meaning<'a> {
-    /// Meaning of the states of a subject; `None` if nothing states it.
+    /// Meaning of the states of a subject; `None` if the model has neither a chart nor a claim.
     pub fn of(subject: &'a Subject<'_>) -> Option<Self> {
         match &subject.chart {
             Some(chart) => Some(Self::Chart(chart)),
@@ -32,7 +32,7 @@ impl<'a> Meaning<'a> {
         }
     }
 
-    /// Whether the body turns; false for a point mass.
+    /// Whether the body has an attitude; false for a point mass.
     pub fn has_attitude(&self) -> bool {
         match self {
             Self::Chart(chart) => chart.has_attitude(),
@@ -40,8 +40,8 @@ impl<'a> Meaning<'a> {
         }
     }
 
-    /// Axis of the body-fixed frame about which the claimed body is one of revolution: that of the turn from the frame of the
-    /// inertia; `None` if there is no such frame.
+    /// Axis of revolution of the claimed body (1, 2 or 3): the axis of the rotation from the inertia's frame to the
+    /// body-fixed frame. `None` if there is no such rotation.
     pub fn axis_of_revolution(&self) -> Option<u8> {
         let Self::Claim(model) = self else {
             return None;
@@ -69,7 +69,8 @@ impl<'a> Meaning<'a> {
         }
     }
 
-    /// Rate of the physical state for given rates of the states; `pace` is the clock's seconds of flight per second.
+    /// Rate of the physical state for given rates of the states; `pace` is the flight time, s, per second of the
+    /// model's clock. `None` if the claimed body cannot be evaluated.
     pub fn rate(&self, point: &Point<f64>, rates: &[f64], pace: f64) -> Option<PhysicalRate> {
         match self {
             Self::Chart(chart) => Some(chart.physical_rate(&point.states, rates)),
@@ -80,7 +81,8 @@ impl<'a> Meaning<'a> {
         }
     }
 
-    /// States of a physical state, with everything else as at a point; `None` if no states were found.
+    /// States that represent a physical state, with everything else taken from the point `at`; `None` if no such states
+    /// were found.
     pub fn states(&self, physical: &Physical<f64>, at: &Point<f64>) -> Option<Vec<f64>> {
         match self {
             Self::Chart(chart) => chart.states(physical),
@@ -110,7 +112,7 @@ fn rate_of(body: &ClaimedBody<Dual<f64>>) -> PhysicalRate {
             let omega = match turning.axis {
                 // ω = ½ Σ axis × d(axis)/dt
                 None => (turns(0) + turns(1) + turns(2)) / 2.0,
-                // The spin shows in no axis.
+                // The spin rotates no axis, so it is taken from the stated angular velocity.
                 Some(axis) => {
                     let k = usize::from(axis) - 1;
                     let normal = along(k).map(|d| d.value);
@@ -128,8 +130,8 @@ fn rate_of(body: &ClaimedBody<Dual<f64>>) -> PhysicalRate {
     }
 }
 
-/// Finds the states whose claimed quantities are those of a physical state, from the states of a point by damped
-/// Gauss-Newton steps.
+/// Solves for the states whose claimed quantities equal those of a physical state, by damped Gauss-Newton steps from
+/// the states of the point `at`. `None` if they do not converge.
 fn solved(model: &Model, physical: &Physical<f64>, at: &Point<f64>) -> Option<Vec<f64>> {
     let turning = ClaimedBody::of(&Tree::new(model, at))?.turning;
     let axes: Vec<u8> = turning.map_or_else(Vec::new, |t| t.turning_axes());
@@ -142,7 +144,7 @@ fn solved(model: &Model, physical: &Physical<f64>, at: &Point<f64>) -> Option<Ve
         wanted.extend(physical.angular_velocity.iter());
     }
     let wanted = DVector::from_vec(wanted);
-    // Sizes of position, velocity, axes and angular velocity, so that each counts alike.
+    // Scales of position, velocity, axes and angular velocity, so that their residuals have equal weight.
     let mut sizes = vec![1.0 + physical.position.norm(); 3];
     sizes.extend([1.0 + physical.velocity.norm(); 3]);
     sizes.extend(axes.iter().flat_map(|_| [1.0; 3]));
@@ -179,7 +181,7 @@ fn solved(model: &Model, physical: &Physical<f64>, at: &Point<f64>) -> Option<Ve
     (error.amax() <= FOUND).then_some(states)
 }
 
-/// Derivatives of the scaled quantities with respect to each state.
+/// Jacobian of the scaled quantities with respect to the states; `None` if the claimed body cannot be evaluated.
 fn jacobian(
     model: &Model,
     states: &[f64],
@@ -204,7 +206,7 @@ fn jacobian(
     Some(out)
 }
 
-/// Position, velocity, axes that turn with the body, and angular velocity of a claimed body.
+/// Position, velocity, axes that rotate with the body, and angular velocity of a claimed body, concatenated.
 fn quantities<T: Real>(body: &ClaimedBody<T>, axes: &[u8]) -> Vec<T> {
     let mut out: Vec<T> = body.position.iter().copied().collect();
     out.extend(body.velocity.iter());

@@ -2,12 +2,12 @@
 
 use oracle::scalar::Prime;
 
-/// SplitMix64 generator: reproducible from its seed on every machine.
+/// SplitMix64 generator. Its sequence depends only on the seed, on every machine.
 #[derive(Clone, Debug)]
 pub struct Random(u64);
 
 impl Random {
-    /// Generator for a seed and a stream name; each check has its own stream.
+    /// Creates a generator from a seed and a stream name; each check has its own stream.
     pub fn new(seed: u64, stream: &str) -> Self {
         let mut random = Self(seed);
         for byte in stream.bytes() {
@@ -17,7 +17,7 @@ impl Random {
         random
     }
 
-    /// Next 64 pseudo-random bits.
+    /// Returns the next 64 pseudo-random bits.
     #[allow(clippy::should_implement_trait)]
     pub fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
@@ -27,23 +27,23 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// Uniformly distributed number in [`least`, `greatest`).
+    /// Draws a uniformly distributed number in [`least`, `greatest`).
     pub fn between(&mut self, least: f64, greatest: f64) -> f64 {
         let unit = (self.next() >> 11) as f64 / (1u64 << 53) as f64;
         least + (greatest - least) * unit
     }
 
-    /// Uniformly distributed number in [−`size`, `size`).
+    /// Draws a uniformly distributed number in [−`size`, `size`).
     pub fn within(&mut self, size: f64) -> f64 {
         self.between(-size, size)
     }
 
-    /// True with probability 1/`n`.
+    /// Returns true with probability 1/`n`.
     pub fn once_in(&mut self, n: u64) -> bool {
         self.next().is_multiple_of(n)
     }
 
-    /// Random element of the prime field.
+    /// Uniformly distributed element of the prime field.
     pub fn prime(&mut self) -> Prime {
         Prime::new(self.next() >> 3)
     }

@@ -6,20 +6,20 @@ use crate::table::plain_table;
 use comfy_table::Cell;
 use serde::{Deserialize, Serialize};
 
-/// Outcome of all checks of one model.
+/// Combined outcome of all checks of one model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Outcome {
-    /// Every check that applies was made and holds.
+    /// Every applicable check was made and holds.
     Verified,
-    /// No check was refuted, and at least one that applies could not be made.
+    /// No check was refuted, but at least one applicable check could not be made.
     NotVerified,
     /// At least one check was refuted.
     Refuted,
 }
 
 impl Outcome {
-    /// Outcome in words.
+    /// Name of the outcome for messages.
     pub fn words(self) -> &'static str {
         match self {
             Self::Verified => "verified",
@@ -32,15 +32,15 @@ impl Outcome {
 /// Results of all checks of one model.
 #[derive(Clone, Debug, Serialize)]
 pub struct Report {
-    /// Name of the model.
+    /// Name of the verified model.
     pub model: String,
     /// Seed of all random numbers.
     pub seed: u64,
-    /// One row per check.
+    /// Results of the checks, one row each.
     pub rows: Vec<Row>,
     /// Stated equations that disagree with the reference, with the terms at fault.
     pub refuted: Vec<Refutation>,
-    /// Status of each mutant by check, if mutants were requested.
+    /// Mutation matrix; `None` if mutants were not requested.
     pub mutants: Option<crate::mutants::MutationMatrix>,
 }
 
@@ -50,7 +50,7 @@ impl Report {
         self.rows.iter().all(|row| row.verdict != Verdict::Refuted)
     }
 
-    /// Outcome of all checks together.
+    /// Combined outcome of all checks: the worst of all.
     pub fn outcome(&self) -> Outcome {
         let outcome = |row: &Row| match row.verdict {
             Verdict::Holds | Verdict::Skipped => Outcome::Verified,
@@ -61,7 +61,7 @@ impl Report {
         rows.max().unwrap_or(Outcome::NotVerified)
     }
 
-    /// Names of the checks that apply to the model and could not be made.
+    /// Names of the checks that apply to the model but could not be made.
     pub fn unverified(&self) -> Vec<&'static str> {
         let rows = self.rows.iter();
         rows.filter(|row| row.verdict == Verdict::Unverified)
@@ -69,7 +69,7 @@ impl Report {
             .collect()
     }
 
-    /// Text table with a row per check.
+    /// Formats the report as a text table with one row per check, followed by remarks, refuted equations and mutants.
     pub fn table(&self) -> String {
         let mut table = plain_table(&[
             "check",

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Outcome of a check.
+/// Result category of a check.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
@@ -10,20 +10,20 @@ pub enum Verdict {
     Holds,
     /// An error exceeds the tolerance.
     Refuted,
-    /// The check does not apply to this model; the detail says why.
+    /// The check does not apply to this model; the row's detail gives the reason.
     Skipped,
-    /// The check applies and could not be made, or not for all of the model; the detail says why. The model is then not
-    /// verified.
+    /// The check applies but could not be made, or not for the whole model; the row's detail gives the reason. The
+    /// model is then not verified.
     Unverified,
 }
 
-/// Measure of a check's errors.
+/// Unit in which the errors of a check are expressed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Measure {
     /// Relative to the sum of the magnitudes of the terms that make up the value.
     Relative,
-    /// Units in the last place.
+    /// Units in the last place of the value.
     Ulp,
     /// Units in the last place of the sum of the magnitudes of the terms that make up the value.
     Magnitude,
@@ -36,25 +36,25 @@ pub enum Measure {
 pub struct Row {
     /// Name of the check.
     pub check: &'static str,
-    /// Number of points or cases.
+    /// Number of points or cases that were tested.
     pub cases: usize,
-    /// Largest error over the cases, in units of `measure`.
+    /// Maximum error over the cases, in the unit given by `measure`.
     pub worst: f64,
-    /// Kind of measure of `worst` and `tolerance`.
+    /// Unit of `worst` and `tolerance`.
     pub measure: Measure,
-    /// Largest error that is allowed, in units of `measure`.
+    /// Maximum error that is allowed, in the unit given by `measure`.
     pub tolerance: f64,
-    /// Outcome of the check.
+    /// Whether the check holds, is refuted, does not apply or could not be made.
     pub verdict: Verdict,
-    /// Location of the worst error, or the reason of a skip; may have several lines.
+    /// Point or item with the maximum error, or the reason why the check was skipped; may have several lines.
     pub detail: String,
-    /// What the check leaves out of a model that it lets through; stated below the table.
+    /// Limitation of the check for this model, printed below the table; `None` if there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub remark: Option<String>,
 }
 
 impl Row {
-    /// Row of a check that holds if its worst relative error is at most `tolerance`.
+    /// Creates the row of a check that holds if its maximum relative error is at most `tolerance`.
     pub fn judged(check: &'static str, cases: usize, worst: &Worst, tolerance: f64) -> Self {
         let holds = worst.error <= tolerance;
         Self {
@@ -73,7 +73,8 @@ impl Row {
         }
     }
 
-    /// Row of a check that holds if the list of faults is empty; `holds` is then its detail.
+    /// Creates the row of a check that holds if the list of faults is empty. The detail is `holds` in that case,
+    /// otherwise the faults.
     pub fn counted(check: &'static str, cases: usize, faults: &[String], holds: &str) -> Self {
         Self {
             check,
@@ -95,7 +96,7 @@ impl Row {
         }
     }
 
-    /// Row of a check that applies to the model and could not be made, with the reason.
+    /// Creates the row of a check that applies to the model but could not be made, with the reason.
     pub fn unverified(check: &'static str, why: impl Into<String>) -> Self {
         Self {
             verdict: Verdict::Unverified,
@@ -103,7 +104,7 @@ impl Row {
         }
     }
 
-    /// Row of a check that does not apply to the model, with the reason.
+    /// Creates the row of a check that does not apply to the model, with the reason.
     pub fn skipped(check: &'static str, why: impl Into<String>) -> Self {
         Self {
             check,
@@ -117,30 +118,30 @@ impl Row {
         }
     }
 
-    /// Adds a remark on what the check leaves out.
+    /// Returns the row with a remark on what the check does not cover.
     pub fn remarking(mut self, remark: impl Into<String>) -> Self {
         self.remark = Some(remark.into());
         self
     }
 
-    /// Replaces the detail of the row.
+    /// Returns the row with another detail.
     pub fn saying(mut self, detail: impl Into<String>) -> Self {
         self.detail = detail.into();
         self
     }
 }
 
-/// Running maximum of an error, with the location where it occurred.
+/// Running maximum of an error, with a description of where it occurred.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Worst {
-    /// Largest error so far; infinite if any was NaN.
+    /// Maximum error so far; infinite if any error was NaN.
     pub error: f64,
-    /// Description of where the largest error occurred.
+    /// Description of where the maximum error occurred.
     pub place: String,
 }
 
 impl Worst {
-    /// Includes an error in the maximum; `place` is called only for a new maximum.
+    /// Updates the maximum with an error. `place` is called only for a new maximum.
     pub fn see(&mut self, error: f64, place: impl FnOnce() -> String) {
         let error = if error.is_nan() { f64::INFINITY } else { error };
         if error > self.error {

@@ -1,4 +1,4 @@
-//! Comparison of several models of one body: accelerations at equal physical states, and flights from equal releases.
+//! Compares several models of the same body: accelerations at equal physical states, and flights from equal releases.
 
 use crate::random::Random;
 use crate::row::{Row, Verdict, Worst};
@@ -10,14 +10,14 @@ use nalgebra::Vector3;
 use oracle::PhysicalRate;
 use serde::Serialize;
 
-/// Comparison of two models.
+/// Comparison of the motions of two models.
 #[derive(Clone, Debug, Serialize)]
 pub struct Pair {
     /// Names of the two models.
     pub models: [String; 2],
-    /// Result of the comparison of accelerations and velocities at equal physical states.
+    /// Comparison of velocities and accelerations at equal physical states.
     pub accelerations: Row,
-    /// Result of the comparison of the final states of flights from equal releases.
+    /// Comparison of the final states of flights from equal releases.
     pub flights: Row,
 }
 
@@ -36,7 +36,7 @@ impl SameMotion {
         })
     }
 
-    /// Text table of the results.
+    /// Formats the results as a text table.
     pub fn table(&self) -> String {
         let mut table = plain_table(&["models", "accelerations", "flights", "verdict", "where"]);
         for pair in &self.pairs {
@@ -59,7 +59,7 @@ impl SameMotion {
     }
 }
 
-/// Compares models pairwise. All must describe a body of one kind, with equal names for corresponding constants.
+/// Compares each pair of models. All must describe the same kind of body, with equal names for corresponding constants.
 pub fn compare(subjects: &[Subject<'_>], options: &Options) -> SameMotion {
     let mut pairs = Vec::new();
     for (k, a) in subjects.iter().enumerate() {

@@ -6,14 +6,15 @@ use model_spec::unit::{Base, Unit};
 use nalgebra::Vector3;
 use oracle::{Point, Tree};
 
-/// Maximum number of draws for a point within the validity limits; after that the last draw is moved towards the defaults.
+/// Maximum number of draws for a point within the validity limits. After that the last draw is moved towards the
+/// defaults.
 const DRAWS: usize = 1000;
 /// Maximum number of halvings of the distance to the defaults.
 const HALVINGS: i32 = 20;
 
-/// Random point within the validity limits: states of magnitudes typical of flights, one in four up to 1000 times
-/// smaller; parameters around their defaults, coefficients within their bounds and of either sign where these allow it, never
-/// 0; random inputs and marker.
+/// Draws a point within the validity limits. States have magnitudes typical of flights, one in four up to 1000 times
+/// smaller. Parameters are drawn around their defaults; coefficients within their bounds, with random signs where the
+/// bounds allow it, never 0. Inputs and marker are random.
 pub fn point(model: &Model, random: &mut Random) -> Point<f64> {
     let mut point = anywhere(model, random);
     for _ in 0..DRAWS {
@@ -29,7 +30,8 @@ pub fn point(model: &Model, random: &mut Random) -> Point<f64> {
         .unwrap_or(defaults)
 }
 
-/// Point at a fraction of the way from one point to another.
+/// Interpolates linearly between two points; `fraction` is 0 at `from` and 1 at `to`. Time and marker are those of
+/// `to`.
 pub fn between(from: &Point<f64>, to: &Point<f64>, fraction: f64) -> Point<f64> {
     let mix = |from: &[f64], to: &[f64]| -> Vec<f64> {
         let pairs = from.iter().zip(to);
@@ -45,14 +47,14 @@ pub fn between(from: &Point<f64>, to: &Point<f64>, fraction: f64) -> Point<f64> 
     }
 }
 
-/// Whether a point lies within every limit of the model.
+/// Whether a point is within every limit of the model.
 pub fn is_valid(model: &Model, point: &Point<f64>) -> bool {
     let tree = Tree::new(model, point);
     let mut limits = model.limits.iter();
     limits.all(|limit| tree.scalar(&limit.value) > limit.bound)
 }
 
-/// Whether each validity limit of the model is met with a margin of 10 % of max(|bound|, 1).
+/// Whether a point meets each validity limit of the model with a margin of 10 % of max(|bound|, 1).
 pub fn within_limits(model: &Model, point: &Point<f64>) -> bool {
     let tree = Tree::new(model, point);
     model
@@ -97,7 +99,7 @@ fn anywhere(model: &Model, random: &mut Random) -> Point<f64> {
     point
 }
 
-/// Typical magnitude of a quantity of this unit in flights, in SI units.
+/// Typical magnitude in flights of a quantity with the given unit, in SI units.
 pub fn typical(unit: Unit) -> f64 {
     let [metre, second, radian] =
         [Base::Metre, Base::Second, Base::Radian].map(|base| unit.doubled[base as usize]);
@@ -132,7 +134,7 @@ fn coefficient(constant: &Parameter, random: &mut Random) -> f64 {
     let Some((low, high)) = constant.bounds else {
         return value;
     };
-    // Beyond the bounds a divisor that they keep from 0 may vanish.
+    // Outside the bounds, a divisor that the bounds keep away from 0 may vanish.
     if (low..=high).contains(&value) && value != 0.0 {
         value
     } else if (low..=high).contains(&-value) && value != 0.0 {

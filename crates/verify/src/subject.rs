@@ -1,4 +1,4 @@
-//! Subject of a verification: a model, and its equations of motion as evaluable functions.
+//! Subject of a verification: a model, and its equations of motion as functions that can be evaluated.
 
 use crate::row::Row;
 use model_spec::model::Model;
@@ -9,7 +9,7 @@ use oracle::{BindError, Chart, Point, Reference, Tree, Unsupported, derivatives}
 pub trait Equations: Sync {
     /// Derivative of every state with respect to the time of the measuring clock, in state order.
     fn rates(&self, point: &Point<f64>) -> Vec<f64>;
-    /// Observation (marker position), in inertial components; `None` if the model has none.
+    /// Observation (marker position) in inertial components; `None` if the model has no observation.
     fn observation(&self, point: &Point<f64>) -> Option<Vector3<f64>>;
 }
 
@@ -19,16 +19,17 @@ pub struct Subject<'a> {
     pub model: &'a Model,
     /// Equations of motion under test.
     pub equations: &'a dyn Equations,
-    /// Reference law that the model claims, bound to its names; `None` if none is claimed or binding failed.
+    /// Reference law that the model claims, bound to the names of the model; `None` if none is claimed or binding
+    /// failed.
     pub reference: Option<Reference>,
-    /// Reason why the claimed reference law cannot be bound.
+    /// Reason why the claimed reference law cannot be bound; `None` if it is bound or none is claimed.
     pub unbound: Option<BindError>,
     /// Physical meaning of the states: from the reference law, else from the declared body; `None` if unknown.
     pub chart: Option<Chart>,
 }
 
 impl<'a> Subject<'a> {
-    /// Binds a model to its equations, its reference law and its chart of the states.
+    /// Binds a model to its equations, and determines its reference law and the chart of its states.
     pub fn new(model: &'a Model, equations: &'a dyn Equations) -> Self {
         let (reference, unbound) = match Reference::bind(model) {
             Some(Ok(reference)) => (Some(reference), None),
@@ -56,15 +57,15 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// Derivative of every state with respect to the time of flight, not of the measuring clock.
+    /// Derivative of every state with respect to the time of flight (rather than of the measuring clock).
     pub fn flight_rates(&self, point: &Point<f64>) -> Vec<f64> {
         let pace = self.clock(point);
         let rates = self.equations.rates(point);
         rates.into_iter().map(|rate| rate / pace).collect()
     }
 
-    /// The point of another model with the same physical state, time, marker, and constants and inputs of equal names;
-    /// `None` if a chart is missing or cannot represent the attitude.
+    /// Returns the point of another model with the same physical state, time and marker, and the same values of
+    /// constants and inputs of equal names. `None` if a chart is missing or cannot represent the attitude.
     pub fn corresponding_point(
         &self,
         other: &Subject<'_>,
@@ -108,8 +109,8 @@ impl<'a> Subject<'a> {
         Some(there)
     }
 
-    /// Index and null value of the extra coefficients: those not in the reference law or, without a reference law,
-    /// those of effects. At the null value a coefficient does not change the law.
+    /// Index and null value of each extra coefficient: a coefficient that is not in the reference law or, without a
+    /// reference law, one of an effect. At its null value a coefficient does not change the law.
     pub fn extras(&self) -> Vec<(usize, f64)> {
         match &self.reference {
             Some(reference) => reference.null_values(self.model),
@@ -120,7 +121,7 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// Indices of the coefficients that neither the claimed law nor an effect declares: those of the model's author.
+    /// Indices of the coefficients added by the model's author: extra coefficients that belong to no effect.
     pub fn own_coefficients(&self) -> Vec<usize> {
         let of_effects = self.model.effects.iter().flat_map(|e| &e.coefficients);
         let of_effects: Vec<usize> = of_effects.map(|c| c.index).collect();
@@ -128,12 +129,12 @@ impl<'a> Subject<'a> {
         extras.filter(|i| !of_effects.contains(i)).collect()
     }
 
-    /// Whether the meaning of the states is known by the claimed body alone.
+    /// Whether the meaning of the states is given only by the claimed body.
     pub fn is_known_by_claim(&self) -> bool {
         self.chart.is_none() && self.model.claim.is_some()
     }
 
-    /// The point with the coefficients of effects at their null values and added states at their defaults.
+    /// Returns the point with the coefficients of effects at their null values and added states at their defaults.
     pub fn without_effects(&self, mut point: Point<f64>) -> Point<f64> {
         for coefficient in self.model.effects.iter().flat_map(|e| &e.coefficients) {
             point.coefficients[coefficient.index] = coefficient.null_value;
@@ -144,8 +145,9 @@ impl<'a> Subject<'a> {
         point
     }
 
-    /// Row of a check that needs a reference law, where the model claims none: it does not apply to a body, whose
-    /// equations are derived from Newton's and Euler's laws, and leaves stated equations without a law that holds them.
+    /// Row of a check that requires a reference law, for a model that claims none. The check is skipped for a body,
+    /// whose equations are derived from Newton's and Euler's laws, and for a claimed body, which is checked otherwise.
+    /// It is unverified for stated equations without a claim.
     pub fn without_reference(&self, check: &'static str) -> Row {
         if self.model.body.is_some() {
             return Row::skipped(check, "the model claims no reference");
@@ -162,12 +164,12 @@ impl<'a> Subject<'a> {
         )
     }
 
-    /// Row of a check that needs the physical meaning of the states, where it is unknown.
+    /// Row of a check that requires the physical meaning of the states, for a model in which it is unknown.
     pub fn without_meaning(&self, check: &'static str) -> Row {
         Row::unverified(check, "which state stands for what is not known")
     }
 
-    /// The point with extra coefficients at their null values and added states at their defaults.
+    /// Returns the point with extra coefficients at their null values and added states at their defaults.
     pub fn without_extras(&self, mut point: Point<f64>) -> Point<f64> {
         for (index, value) in self.extras() {
             point.coefficients[index] = value;
@@ -183,7 +185,10 @@ impl<'a> Subject<'a> {
 pub struct Interpreted<'a>(&'a Model);
 
 impl<'a> Interpreted<'a> {
-    /// Interprets a model; an error if the oracle cannot derive its equations of motion.
+    /// Interprets a model.
+    ///
+    /// # Errors
+    /// [`Unsupported`] if the oracle cannot derive the model's equations of motion.
     pub fn new(model: &'a Model) -> Result<Self, Unsupported> {
         derivatives(model, &Point::defaults(model)).map(|_| Self(model))
     }
@@ -202,19 +207,19 @@ impl Equations for Interpreted<'_> {
 
 /// Equations of motion with their Jacobians.
 pub trait Differentiable: Equations {
-    /// Values and dense Jacobian with respect to all variables.
+    /// State derivatives and observation, with their dense Jacobian with respect to all variables.
     fn derivatives(&self, point: &Point<f64>) -> Derivatives;
-    /// State derivatives and their dense Jacobian with respect to the states only, by the function `f_jac`.
+    /// State derivatives with their dense Jacobian with respect to the states only, computed by the function `f_jac`.
     fn by_state(&self, point: &Point<f64>) -> Derivatives;
 }
 
-/// Values and dense Jacobian. Rows: state derivatives, then observation components. Columns: states, parameters,
+/// Values and their dense Jacobian. Rows: state derivatives, then observation components. Columns: states, parameters,
 /// coefficients, components of inputs.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Derivatives {
-    /// Value of each row.
+    /// Values of the rows.
     pub values: Vec<f64>,
-    /// Entries of the Jacobian, by row and column.
+    /// Entries of the Jacobian, indexed by row and column.
     pub entries: Vec<Vec<f64>>,
 }
 
@@ -224,7 +229,7 @@ impl Derivatives {
         self.entries.iter().map(|row| row[j]).collect()
     }
 
-    /// Whether all values and entries are finite.
+    /// Whether all values and Jacobian entries are finite.
     pub fn finite(&self) -> bool {
         self.values
             .iter()

@@ -1,7 +1,7 @@
-//! The prime field with the functions of the model language, for the oracle: functions are the symbols of [`crate::field`].
+//! The prime field as a scalar of the oracle; functions of the model language yield the symbols of [`crate::field`].
 //!
-//! A function value may not exist in the field, and the sine of an angle depends on how the angle was made. Both are kept
-//! for the thread while [`evaluate`] runs.
+//! A function value may not exist in the field, and the sine of an angle depends on how the angle was computed. Missing
+//! values and known angles are recorded in a thread-local context while [`evaluate`] runs.
 
 use crate::field::{self, Angle};
 use codegen::functions::MathFunction;
@@ -11,7 +11,7 @@ use oracle::scalar::{Elementary, Field, Prime, Real};
 use std::cell::RefCell;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// An element of the prime field, with the functions of the language.
+/// An element of the prime field, with the functions of the model language.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Symbolic(pub Prime);
 
@@ -25,7 +25,7 @@ thread_local! {
     static CONTEXT: RefCell<Context> = RefCell::new(Context::default());
 }
 
-/// Result of an evaluation in which the sines and cosines of `angles` are known; `None` if a value does not exist.
+/// Evaluates `task` with known sines and cosines of `angles`; `None` if a value does not exist in the field.
 pub fn evaluate<R>(angles: Vec<Angle>, task: impl FnOnce() -> R) -> Option<R> {
     let fresh = Context {
         angles,
@@ -119,7 +119,7 @@ impl Real for Symbolic {
         Self(field::literal(value))
     }
 
-    /// No singular point: inside the domain of every function.
+    /// Arbitrary value that is no singular point and is inside the domain of every function.
     fn re(self) -> f64 {
         0.5
     }

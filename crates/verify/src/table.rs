@@ -1,8 +1,8 @@
-//! Layout of the printed tables.
+//! Creation of text tables with a common layout.
 
 use comfy_table::{ContentArrangement, Table};
 
-/// Text table without colours; long cells are wrapped.
+/// Creates a text table with the given header, without colours; long cells are wrapped.
 pub(crate) fn plain_table(header: &[&str]) -> Table {
     let mut table = Table::new();
     table.load_style(comfy_table::presets::ASCII_MARKDOWN);

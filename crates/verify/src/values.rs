@@ -1,5 +1,5 @@
-//! A model compiled to values only, without derivatives and without hoisting of parameter-only code: enough for mutants
-//! and effects, at a tenth of the compilation time.
+//! A model compiled to values only, without derivatives and without hoisting of parameter-only code. This is sufficient
+//! for mutants and effects, and takes a tenth of the compilation time.
 
 use crate::engine::parameters;
 use crate::subject::Equations;
@@ -31,7 +31,7 @@ impl Values {
         }
     }
 
-    /// Number of operations of the program.
+    /// Number of operations that the program performs per evaluation.
     pub fn operations(&self) -> usize {
         codegen::count::count(&self.program).total()
     }
@@ -56,7 +56,7 @@ impl Equations for Values {
     }
 }
 
-/// Outputs of a tape at a point, in numbers.
+/// Floating-point outputs of a tape at a point.
 pub(crate) fn evaluated(tape: &Tape, point: &Point<f64>) -> Vec<f64> {
     let (p, marker) = (
         parameters(point),

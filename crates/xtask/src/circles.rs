@@ -1,7 +1,7 @@
-//! Import circles between the files of a crate.
+//! Detection of import cycles between the files of a crate.
 //!
-//! A file imports another where a path of its code leads to an item of the other, re-exports followed. A file may use what its
-//! ancestors in the module tree define: nesting is no import.
+//! A file imports another if a path in its code resolves to an item of the other file, with re-exports followed. A path
+//! to an item of an ancestor in the module tree does not count as an import.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -12,24 +12,24 @@ use syn::{Item, UseTree};
 
 use crate::source;
 
-/// Path of a module from its crate's root: empty for the root itself.
+/// Path of a module from its crate's root, one name per segment; empty for the root itself.
 type ModulePath = Vec<String>;
 
-/// A file's imports, as paths from the crate's root.
+/// Imports, re-exports and definitions of a file. All paths start at the crate's root.
 #[derive(Default)]
 struct Module {
     file: PathBuf,
-    /// Paths that the code names.
+    /// Paths that occur in the code or in private `use` declarations.
     named: BTreeSet<Vec<String>>,
-    /// Name in this module → path it is re-exported from.
+    /// Maps each name that a `use` declares in this module to the path of the imported item.
     exports: BTreeMap<String, Vec<String>>,
-    /// Modules whose public names are all re-exported.
+    /// Modules whose public names are imported by a glob.
     globs: Vec<Vec<String>>,
     /// Names of the items that the file defines.
     defined: BTreeSet<String>,
 }
 
-/// Fails where files of a crate import each other in a circle, and names them.
+/// Returns an error that lists the import cycles between files of a crate, if there are any.
 pub fn check(root: &Path) -> Result<()> {
     let mut circles = Vec::new();
     let mut files = 0;
@@ -77,7 +77,7 @@ fn modules(source: &Path) -> Result<BTreeMap<ModulePath, Module>> {
     Ok(modules)
 }
 
-/// `a/b.rs` and `a/b/mod.rs` are both `a::b`.
+/// Module path of a file: `a::b` for both `a/b.rs` and `a/b/mod.rs`.
 fn module_path(file: &Path) -> ModulePath {
     let mut path: ModulePath = file
         .with_extension("")
@@ -93,14 +93,15 @@ fn module_path(file: &Path) -> ModulePath {
     path
 }
 
-/// Collects what a file names; test modules are passed over.
+/// Syntax visitor that collects the imports and definitions of a file; inline modules, such as tests, are skipped.
 struct Reader<'m> {
     here: ModulePath,
     module: &'m mut Module,
 }
 
 impl Reader<'_> {
-    /// A path from the crate's root; none where it leads out of the crate.
+    /// Resolves a path of the file to a path from the crate's root; `None` if the path is empty or leads above the
+    /// root.
     fn absolute(&self, path: &[String]) -> Option<Vec<String>> {
         let mut base = self.here.clone();
         let mut rest = path;
@@ -158,7 +159,7 @@ impl Reader<'_> {
         };
         let key = rename.or_else(|| path.last().cloned()).unwrap_or_default();
         self.module.exports.insert(key, path.clone());
-        // A face that only hands a name on does not depend on it.
+        // A module that only re-exports a name does not depend on it.
         if !is_public {
             self.module.named.insert(path);
         }
@@ -209,7 +210,7 @@ fn name_of(item: &Item) -> Option<String> {
     Some(ident.to_string())
 }
 
-/// Which modules each module imports from.
+/// Directed graph of imports: for each module, the modules that it imports from, without its ancestors.
 fn arrows(modules: &BTreeMap<ModulePath, Module>) -> BTreeMap<ModulePath, BTreeSet<ModulePath>> {
     let arrows_of = |(here, module): (&ModulePath, &Module)| {
         let targets = module
@@ -222,14 +223,14 @@ fn arrows(modules: &BTreeMap<ModulePath, Module>) -> BTreeMap<ModulePath, BTreeS
     modules.iter().map(arrows_of).collect()
 }
 
-/// The module that defines what a path names.
+/// Module that defines the item of a path; `None` if no module of the crate defines it.
 fn target(
     modules: &BTreeMap<ModulePath, Module>,
     here: &ModulePath,
     path: &[String],
 ) -> Option<ModulePath> {
     let mut path = path.to_vec();
-    // A name that the file imports may start the path.
+    // The path may start with a name that the file imports.
     if path.len() > here.len() + 1
         && let Some(exported) = modules[here].exports.get(&path[here.len()])
         && path.starts_with(here)
@@ -301,7 +302,7 @@ mod tests {
 
     use super::{arrows, modules, strong_components};
 
-    /// Circles among files given as (path, text).
+    /// Import cycles between files given as (path, text).
     fn circles(files: &[(&str, &str)]) -> Vec<Vec<String>> {
         let folder = tempfile::tempdir().expect("a folder");
         for (path, text) in files {

@@ -1,4 +1,4 @@
-//! Dependencies: used, of an allowed licence, and content with the compiler that the workspace states.
+//! Checks of the dependencies: each is used, has an allowed licence, and supports the Rust version of the workspace.
 
 use std::path::Path;
 
@@ -8,7 +8,7 @@ use spdx::{Expression, LicenseReq, Licensee};
 
 use crate::source;
 
-/// Licences that the dependencies may have, as `deny.toml` lists them.
+/// Licences that are allowed for dependencies, as listed in `deny.toml`.
 const ALLOWED: [&str; 11] = [
     "MIT",
     "Apache-2.0",
@@ -23,7 +23,8 @@ const ALLOWED: [&str; 11] = [
     "Zlib",
 ];
 
-/// Fails where a dependency is unused, its licence is not allowed, or it needs a newer compiler.
+/// Returns an error if a dependency is unused, has a licence that is not allowed, or needs a newer Rust version than
+/// the workspace.
 pub fn check(root: &Path) -> Result<()> {
     let metadata = MetadataCommand::new()
         .manifest_path(root.join("Cargo.toml"))
@@ -44,7 +45,7 @@ pub fn check(root: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Dependencies of the workspace's packages that no Rust file of the package names.
+/// Messages about dependencies of the workspace's packages that no Rust file of the package names.
 fn unused(metadata: &Metadata) -> Result<Vec<String>> {
     let mut faults = Vec::new();
     for package in metadata.workspace_packages() {
@@ -74,7 +75,7 @@ fn unused(metadata: &Metadata) -> Result<Vec<String>> {
     Ok(faults)
 }
 
-/// Whether a text has `name` as a path's first segment.
+/// Whether `text` contains `name` as the first segment of a path, or imports it.
 fn names(text: &str, name: &str) -> bool {
     text.match_indices(name).any(|(at, _)| {
         let is_word = |c: char| c.is_alphanumeric() || c == '_';

@@ -1,5 +1,5 @@
-//! A sample of doc comments, to be judged by a reader who sees the comment and the signature alone, with
-//! the header of the type or impl block around it.
+//! Random sample of doc comments, for review by a reader who sees only the comment, the signature and the
+//! header of the enclosing type or impl block.
 
 use std::path::Path;
 
@@ -19,7 +19,8 @@ struct Documented {
     signature: String,
 }
 
-/// Prints doc comments drawn without replacement; the same seed draws the same comments of the same tree.
+/// Prints `count` doc comments, drawn without replacement. The same seed selects the same comments of the same source
+/// tree.
 pub fn print_sample(root: &Path, seed: u64, count: usize) -> Result<()> {
     let mut all = Vec::new();
     for folder in source::crates(root)? {
@@ -84,7 +85,7 @@ fn parent(lines: &[&str]) -> Option<String> {
         .map(|line| line.trim().to_owned())
 }
 
-/// The lines of an item up to the one that opens its body or ends it.
+/// Lines of an item, joined, up to the line that opens its body or ends it. `lines` starts at the item.
 fn signature(lines: &[&str]) -> String {
     let ends = |line: &&str| line.ends_with(['{', ';', ',', '}']) && !line.ends_with("(,");
     let last = lines.iter().position(ends).unwrap_or(0);

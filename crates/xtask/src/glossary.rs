@@ -1,4 +1,4 @@
-//! `docs/glossary.md` is true where every name in its column of types is a name in the source.
+//! Check of `docs/glossary.md`: every name in its column of types must occur in the source.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -7,10 +7,10 @@ use anyhow::{Result, bail};
 
 use crate::source;
 
-/// Heading of the column whose names are looked for.
+/// Heading of the table column that lists the names.
 const COLUMN: &str = "type";
 
-/// Fails where the glossary names something that no source file has.
+/// Returns an error if a name in the glossary's column of types occurs in no source file.
 pub fn check(root: &Path) -> Result<()> {
     let mut words = BTreeSet::new();
     for folder in source::crates(root)? {
@@ -44,7 +44,7 @@ pub fn check(root: &Path) -> Result<()> {
     Ok(())
 }
 
-/// The last segments of the names in backticks in the column of types.
+/// Names in backticks in the glossary's column of types, each reduced to its last path segment.
 fn names(page: &str) -> Vec<String> {
     let mut column = None;
     let mut names = Vec::new();

@@ -1,4 +1,5 @@
-//! Task runner of the repository: one command per habit; `cargo xtask check` is all of them but the tests.
+//! Task runner of the repository. `cargo xtask check` runs every task that must pass before a change is committed; the
+//! tests run separately.
 
 mod circles;
 mod dependencies;
@@ -26,26 +27,26 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Task {
-    /// Everything but the tests that must hold before a change lands
+    /// Run every check that a change must pass, except the tests
     Check,
-    /// Format, clippy and rustdoc, with warnings denied
+    /// Run rustfmt, clippy and rustdoc, with warnings as errors
     Lint,
-    /// Files of a crate that import each other in a circle
+    /// Find import cycles between the files of a crate
     Circles,
-    /// Dependencies that no file names, licences that are not allowed, packages that need a newer compiler
+    /// Find unused dependencies, licences that are not allowed, and packages that need a newer compiler
     Dependencies,
-    /// Build every package that can be published from its own archive, as a registry would get it
+    /// Build every publishable package from its own archive, as a registry would receive it
     Package,
-    /// Names in docs/glossary.md that no source file has
+    /// Find names in docs/glossary.md that occur in no source file
     Glossary,
-    /// Files longer than 500 lines, and the lines of each crate without its tests
+    /// Find files longer than 500 lines, and print the line count of each crate without its tests
     Lines,
-    /// Doc comments drawn at random, each with the signature of its item
+    /// Print a random sample of doc comments, each with the signature of its item
     DocSample {
-        /// Seed of the draw
+        /// Seed of the random sample
         #[arg(long, default_value_t = 1)]
         seed: u64,
-        /// Number of comments
+        /// Number of comments in the sample
         #[arg(long, default_value_t = 100)]
         count: usize,
     },
@@ -113,7 +114,7 @@ fn section(name: &str) {
     println!("== {name}");
 }
 
-/// Runs cargo in the repository; an error where it fails.
+/// Runs cargo in the root of the repository. Returns an error if cargo cannot be started or exits with a failure.
 fn cargo(root: &Path, arguments: &[&str], environment: &[(&str, &str)]) -> Result<()> {
     let program = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
     let status = Command::new(program)
@@ -128,7 +129,7 @@ fn cargo(root: &Path, arguments: &[&str], environment: &[(&str, &str)]) -> Resul
     Ok(())
 }
 
-/// Root of the repository: two folders above this crate's manifest.
+/// Root folder of the repository: two levels above the folder of this crate's manifest.
 fn root() -> Result<PathBuf> {
     let manifest = Path::new(env!("CARGO_MANIFEST_DIR"));
     let root = manifest.ancestors().nth(2);

@@ -1,4 +1,4 @@
-//! Packages as a registry would get them.
+//! Check of the publishable packages: archives and licence files.
 
 use std::path::Path;
 
@@ -8,15 +8,15 @@ use cargo_metadata::MetadataCommand;
 /// License files that every published package carries.
 const LICENSE_FILES: [&str; 2] = ["LICENSE-MIT", "LICENSE-APACHE"];
 
-/// Packs every package that can be published. With `verify`, each is also built from its own archive, against the
-/// archives of the others.
+/// Packs every publishable package, after a check that it contains the licence files. With `verify`, each package is
+/// also built from its own archive, against the archives of the other packages.
 pub fn check(root: &Path, verify: bool) -> Result<()> {
     let metadata = MetadataCommand::new()
         .manifest_path(root.join("Cargo.toml"))
         .no_deps()
         .exec()?;
     let mut arguments = vec!["package", "--workspace", "--locked", "--quiet"];
-    // Changes that are not committed are checked like all else.
+    // Uncommitted changes are included in the check.
     arguments.push("--allow-dirty");
     if !verify {
         arguments.push("--no-verify");

@@ -1,4 +1,4 @@
-//! Uses of the specific force and the angular acceleration, which follow from the forces and moments.
+//! Check of where the specific force and the angular acceleration, which follow from the forces and moments, are used.
 
 use super::Checker;
 use crate::diagnostic::{Diagnostic, Kind, Span};
@@ -6,7 +6,8 @@ use crate::layout::{depends, depends_on_accelerations, is_acceleration};
 use crate::model::Expr;
 
 impl Checker<'_> {
-    /// Reports loads, stated equations, limits, the clock and claims that depend on what follows from the loads.
+    /// Reports loads, stated equations, limits, clock rates and claims that depend on the specific force or the angular
+    /// acceleration, since both are computed from the loads.
     pub fn after_motion(&mut self) {
         let model = &self.model;
         let known = depends_on_accelerations(model);

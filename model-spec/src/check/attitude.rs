@@ -21,8 +21,8 @@ impl Checker<'_> {
         }
     }
 
-    /// Reports an inertia tensor that changes with time in its frame. That frame must be the body-fixed one, or differ
-    /// from it by rotations about axes of inertial symmetry.
+    /// Reports an inertia tensor that changes with time in the frame `frame`. That frame must be the body-fixed frame
+    /// `body`, or differ from it only by rotations about axes of inertial symmetry.
     pub fn steady_inertia(
         &mut self,
         inertia: &[[Expr; 3]; 3],
@@ -69,7 +69,8 @@ impl Checker<'_> {
         }
     }
 
-    /// Reports an attitude that is neither three rotations nor one quaternion, and frames off the chain to the body.
+    /// Reports an attitude that is neither three rotations nor one quaternion, and frames that are not on the path from
+    /// the inertial to the body-fixed frame.
     pub fn attitude(&mut self, body: &ast::Body, parts: &Parts<'_>) {
         let Some(rotation) = self.model.body.as_ref().and_then(|b| b.rotation.as_ref()) else {
             return;
@@ -156,7 +157,8 @@ impl Checker<'_> {
     }
 }
 
-/// Whether an inertia tensor is that of a body of revolution about axis 1, 2 or 3.
+/// Whether an inertia tensor is that of a body of revolution about axis `axis` (1, 2 or 3): diagonal, with equal
+/// moments about the other two axes.
 pub(super) fn is_symmetric(inertia: &[[Expr; 3]; 3], axis: u8) -> bool {
     let k = usize::from(axis) - 1;
     let (i, j) = ((k + 1) % 3, (k + 2) % 3);

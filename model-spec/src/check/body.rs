@@ -1,4 +1,4 @@
-//! Declaration of the body: states, mass, inertia tensor.
+//! Semantic checks of the body: states, mass, inertia tensor.
 
 use super::elaborate::node;
 use super::{Checker, Typed};
@@ -20,7 +20,8 @@ pub(super) struct Parts<'a> {
 }
 
 impl<'a> Checker<'a> {
-    /// Declares a body's states: position, velocity, attitude and angular velocity; expressions are resolved later.
+    /// Declares a body's states: position, velocity, attitude and angular velocity. The expressions of mass and inertia
+    /// are resolved later, by [`Checker::body`].
     pub fn body_states(&mut self, body: &'a ast::Body) {
         let parts = self.parts(body, true);
         self.missing_parts(body, &parts);
@@ -206,7 +207,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Checks a body's mass, inertia tensor and attitude; all names must have been declared.
+    /// Checks the mass, inertia tensor and attitude of the declared body; all names must have been declared before.
     pub fn body(&mut self) {
         let Some(body) = self.declared_body else {
             return;
@@ -227,7 +228,9 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Resolves a body's mass or inertia entry; `None`, with an error, if its value can change during a flight.
+    /// Resolves an expression for the mass or an inertia entry of a body, described by `what` in messages. `None`, with
+    /// an error reported, if it is invalid or changes during a flight. A default that is not positive is reported
+    /// unless `signed`.
     pub fn constant_of_body(
         &mut self,
         e: &ast::Expr,
@@ -288,7 +291,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Constant folding with default parameter values, SI; `None` for anything but literals, parameters and + − * /.
+    /// Evaluates an expression with default parameter values, SI; `None` if it contains anything but literals,
+    /// parameters and + − * /.
     fn value(&self, e: &Expr) -> Option<f64> {
         Some(match &e.kind {
             ExprKind::Number { value, .. } => *value,
@@ -304,7 +308,7 @@ impl<'a> Checker<'a> {
     }
 }
 
-/// Literal 0 (inertia, kg m²), a placeholder for entries that are not stated.
+/// Literal 0 with a provisional unit, as a placeholder for a mass or for tensor entries that are not stated.
 pub(super) fn zero(span: Span) -> Expr {
     let mut expr = node(
         ExprKind::Number {

@@ -1,4 +1,4 @@
-//! Type checking of function calls: number, shape and unit of arguments, shape and unit of results.
+//! Type checking of function calls: number, shape and unit of the arguments, shape and unit of the result.
 
 use super::elaborate::node;
 use super::term::{Fraction, Term};
@@ -9,7 +9,7 @@ use crate::suggest;
 use crate::syntax::ast;
 use crate::unit::Unit;
 
-/// Unit rule of a function of one scalar: allowed unit of the argument, unit of the result.
+/// Unit rule of a function of one scalar: permitted unit of the argument, and unit of the result.
 #[derive(Clone, Copy)]
 enum Rule {
     /// Argument: angle or dimensionless number; result: dimensionless number.
@@ -34,7 +34,7 @@ fn rule_of(function: Function) -> Rule {
     }
 }
 
-/// Common names in other languages (`arcsin`), each with the name in this language (`asin`), for suggestions.
+/// Names of functions in other languages (`arcsin`), each with the name in this language (`asin`), for suggestions.
 const ALIASES: [(&str, &str); 12] = [
     ("arcsin", "asin"),
     ("arccos", "acos"),
@@ -101,7 +101,8 @@ impl Checker<'_> {
         }
     }
 
-    /// The arguments of a call as an array of length `N`; `None`, with an error, if their number is not `N`.
+    /// Converts the arguments of a call to an array; `None`, with an error reported, if their number is not `N`.
+    /// `takes` describes the expected arguments.
     fn arguments<'e, const N: usize>(
         &mut self,
         name: &ast::Name,
@@ -179,7 +180,8 @@ impl Checker<'_> {
         })
     }
 
-    /// Checks `unit(v)` or `unit(v, otherwise)`: unit vector along `v`; `otherwise` is the value at the zero vector.
+    /// Elaborates `unit(v)` or `unit(v, otherwise)`: unit vector along `v`; `otherwise` is the value at the zero
+    /// vector.
     fn direction(
         &mut self,
         name: &ast::Name,
@@ -255,7 +257,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Checks `ratio(a, b, otherwise)`: the quotient a / b, or `otherwise` where b is 0.
+    /// Elaborates `ratio(a, b, otherwise)`: the quotient a / b, or `otherwise` where b is 0.
     fn ratio(&mut self, name: &ast::Name, arguments: &[ast::Expr], span: Span) -> Option<Typed> {
         let takes = "three numbers: above, below, and the value where the one below is 0";
         let [a, b, c] = self.arguments(name, arguments, span, takes)?;
@@ -285,7 +287,7 @@ impl Checker<'_> {
         })
     }
 
-    /// Checks `in_F(v)`: the vector `v` with its components transformed to frame F.
+    /// Elaborates `in_F(v)`: the vector `v` with its components transformed to the frame F.
     fn reexpress(
         &mut self,
         frame: &str,
@@ -301,7 +303,7 @@ impl Checker<'_> {
         Some(reexpressed(v, from, frame, span))
     }
 
-    /// Checks `in_frame_of(v, w)`: the vector `v` with its components transformed to the frame of `w`.
+    /// Elaborates `in_frame_of(v, w)`: the vector `v` with its components transformed to the frame of `w`.
     fn in_frame_of(
         &mut self,
         name: &ast::Name,
@@ -353,7 +355,7 @@ impl Checker<'_> {
     }
 }
 
-/// The vector `v`, in components of the frame `from`, in those of `frame`.
+/// Transforms the components of the vector `v` from the frame `from` to the frame `frame`.
 fn reexpressed(v: Typed, from: usize, frame: usize, span: Span) -> Typed {
     if frame == from {
         return v;

@@ -1,4 +1,4 @@
-//! Semantic checks of `check` blocks: values that are set and results that are expected.
+//! Semantic checks of `check` blocks: values to set and expected results.
 
 use std::collections::HashMap;
 
@@ -66,7 +66,8 @@ impl Checker<'_> {
         }
     }
 
-    /// Checks `set NAME = value;`: returns the targets, one or an input's three components, with their values, SI.
+    /// Checks `set NAME = value;`. Returns pairs of target and SI value: one pair, or three for the components of an
+    /// input. `None`, with an error reported, if the name or its value is invalid.
     fn setting(
         &mut self,
         name: &Name,
@@ -91,7 +92,8 @@ impl Checker<'_> {
         Some(targets.into_iter().zip(values).collect())
     }
 
-    /// Targets that a name in `set NAME` refers to, with their unit; `None`, with an error, if the name cannot be set.
+    /// Targets that the name in `set NAME` refers to, with their common unit; `None`, with an error reported, if the
+    /// name cannot be set.
     fn targets(&mut self, name: &Name) -> Option<(Vec<Target>, Term)> {
         Some(match self.scope.find(&name.text) {
             Some(Symbol::Param(i)) => (vec![Target::Param(i)], self.params[i].clone()),
@@ -122,7 +124,8 @@ impl Checker<'_> {
         })
     }
 
-    /// The derivative of a state in `expect der(NAME) = …`; `None`, with an error, if `NAME` is no state.
+    /// Resolves the state derivative in `expect der(NAME) = …`; `None`, with an error reported, if `NAME` is not a
+    /// state.
     fn expected_derivative(&mut self, name: &Name) -> Option<Expected> {
         let Some(Symbol::State(i)) = self.scope.find(&name.text) else {
             self.no_state(name);
@@ -136,7 +139,8 @@ impl Checker<'_> {
         })
     }
 
-    /// The scalar auxiliary variable in `expect NAME = …`; `None`, with an error, if `NAME` is something else.
+    /// Resolves the scalar auxiliary variable in `expect NAME = …`; `None`, with an error reported, if `NAME` is not
+    /// one.
     fn expected_quantity(&mut self, name: &Name) -> Option<Expected> {
         let (message, help) = match self.scope.find(&name.text) {
             Some(Symbol::Let(i)) => match self.definitions.get(i)?.clone() {
@@ -175,7 +179,8 @@ impl Checker<'_> {
         None
     }
 
-    /// Checks `expect … = value within tolerance;`; a tolerance without a unit has the unit of the value.
+    /// Checks `expect … = value within tolerance;`. A tolerance without a unit has the unit of the value. `None` if a
+    /// unit or the tolerance is invalid, with an error reported.
     fn expectation(
         &mut self,
         expected: Expected,
@@ -218,7 +223,8 @@ impl Checker<'_> {
         })
     }
 
-    /// SI unit and conversion factor of a unit expression; dimensionless if absent; `None` if a symbol is unknown.
+    /// SI unit and conversion factor of a unit expression; dimensionless if `unit` is `None`. Returns `None`, with an
+    /// error reported, if the expression is invalid.
     pub fn measure_or_one(&mut self, unit: Option<&UnitExpr>) -> Option<Measure> {
         match unit {
             Some(unit) => self.measure(unit),
@@ -226,7 +232,8 @@ impl Checker<'_> {
         }
     }
 
-    /// Whether a literal's unit has the dimension of the quantity `quantity`; otherwise reports an error.
+    /// Whether the unit `measure` of a literal agrees with the unit `expected` of `quantity`; reports an error if not.
+    /// A unit that is still unknown agrees with any unit.
     fn agrees(
         &mut self,
         quantity: &str,
@@ -272,11 +279,11 @@ impl Checker<'_> {
 struct Expected {
     observable: Observable,
     unit: Term,
-    /// Source form of the result, such as `der(u)` or `alpha`, for messages.
+    /// Text of the result as written, such as `der(u)` or `alpha`, for messages.
     text: String,
 }
 
-/// Error for a vector given where a scalar is required (`is_number`), or a scalar where a vector is required.
+/// Creates the error for a vector where a scalar is required (`is_number`), or a scalar where a vector is required.
 fn wrong_shape(name: &str, is_number: bool, span: Span) -> Diagnostic {
     let (message, help) = if is_number {
         (

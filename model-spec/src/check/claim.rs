@@ -1,4 +1,5 @@
-//! Semantic checks of a claim: units and frames of the claimed quantities, and that they do not follow from the equations.
+//! Semantic checks of a claim: units and frames of the claimed quantities, which must not be computed from the stated
+//! equations.
 
 use super::body::zero;
 use super::order::uses;
@@ -10,7 +11,8 @@ use crate::syntax::ast::{self, BodyClass, ClaimPart, ClaimPartKind, ItemKind};
 use crate::unit::Unit;
 
 impl<'a> Checker<'a> {
-    /// Checks the claim of the file, of which there is at most one, in a model without a body.
+    /// Checks the claim of the file and adds it to the model. A file may have at most one claim, and only without a
+    /// body.
     pub fn claim(&mut self) {
         let file = self.file;
         let mut claims = file.items.iter().filter_map(|item| match &item.kind {
@@ -33,7 +35,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Whether the statements of a claim are those that its body has, each once and without `der(…)`; reports the others.
+    /// Whether a claim has all statements that its kind of body requires, each once and without `der(…)`; reports each
+    /// violation.
     fn claimed_parts(&mut self, claim: &'a ast::Claim) -> bool {
         let before = self.diagnostics.len();
         let mut seen: Vec<(&str, Span)> = Vec::new();
@@ -85,7 +88,7 @@ impl<'a> Checker<'a> {
         self.diagnostics.len() == before
     }
 
-    /// Reports `der(…)` in a claim: the claim would hold whatever the equations are.
+    /// Reports a use of `der(…)` in a statement of a claim, since such a claim would hold for any equations.
     fn without_derivatives(&mut self, part: &'a ClaimPart) {
         let mut found: Option<(&str, Span)> = None;
         for e in part.kind.expressions() {
@@ -108,7 +111,7 @@ impl<'a> Checker<'a> {
         self.report(fault.help("state the quantity by the states and parameters"));
     }
 
-    /// Reports an auxiliary variable that depends on `der(…)`; `true` if there is one.
+    /// Reports an auxiliary variable in `e` that depends on `der(…)`. Returns whether there is one.
     fn is_circular(&mut self, e: &Expr) -> bool {
         let of_equations: Vec<usize> = { self.derivatives.values() }
             .filter_map(|&definition| match self.definitions.get(definition) {
@@ -234,7 +237,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Entries of an inertia tensor (constant, kg m², symmetric); `None`, with an error, for any other.
+    /// Entries of an inertia tensor, kg m²; `None`, with an error reported, if an entry is invalid or changes during a
+    /// flight, or the tensor is not symmetric.
     pub fn inertia_entries(
         &mut self,
         inertia: &ast::Inertia,

@@ -1,4 +1,4 @@
-//! Declarations: adds parameters, inputs, states, frames and the marker to the symbol table.
+//! Declarations: parameters, inputs, states, frames and the marker are added to the model and to the symbol table.
 
 use super::quantity::Measure;
 use super::scope::Symbol;
@@ -40,7 +40,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Checks `model NAME;` and `reference NAME;`: each at most once, `model` required.
+    /// Checks the statements `model NAME;` and `reference NAME;`: each may occur at most once, and `model` is required.
     fn headings(&mut self) {
         let (mut model, mut reference): (Option<&Name>, Option<&Name>) = (None, None);
         let file = self.file;
@@ -77,7 +77,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Reports a duplicate of a statement that may occur only once, with the spans of both.
+    /// Reports a second occurrence of a statement that may occur only once, with the source spans of both.
     pub fn second(&mut self, what: &str, first: Span, again: Span) {
         self.report(
             Diagnostic::new(Kind::Duplicate, again, format!("`{what}` is stated twice"))
@@ -87,8 +87,8 @@ impl<'a> Checker<'a> {
         );
     }
 
-    /// Unit of a declared number: as stated, dimensionless where none is stated; an unknown, and `true`, if it is to
-    /// be inferred.
+    /// Unit of a declared value: as stated, or dimensionless if none is stated. If it is to be inferred, the term is a
+    /// new unknown and the `bool` is `true`.
     fn declared_unit(&mut self, name: &Name, unit: Option<&UnitExpr>) -> (Measure, Term, bool) {
         let Some(unit) = unit else {
             let term = self.unitless.term(name.span);
@@ -102,7 +102,7 @@ impl<'a> Checker<'a> {
                 let term = Term::known(measure.unit);
                 (measure, term, false)
             }
-            // The unknown symbol has been reported; an unknown unit causes no further errors.
+            // The unknown symbol has been reported; an unknown as unit causes no further errors.
             None => (Measure::one(), self.unknown_unit_of(&name.text), true),
         }
     }
@@ -176,7 +176,8 @@ impl<'a> Checker<'a> {
         self.define(&constant.name, symbol);
     }
 
-    /// SI value of a parameter's bound; a bound without a unit has the unit of the default value.
+    /// SI value of a parameter's bound; a bound without a unit has the unit `of` of the default value. `None`, with an
+    /// error reported, if the stated unit differs from that unit.
     fn bound(&mut self, bound: &ast::Quantity, of: &Measure, inferred: bool) -> Option<f64> {
         let Some(unit) = &bound.unit else {
             return Some(of.of(&bound.number).0);
@@ -222,7 +223,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Adds a state of known unit with an initial value, SI, to the model; returns its index in the state vector.
+    /// Adds a state with a known unit and a default initial value, SI, to the model; returns its index in the state
+    /// vector.
     pub fn state(&mut self, name: &str, span: Span, unit: Unit, value: f64) -> usize {
         let index = self.model.states.len();
         self.model.states.push(model::State {
@@ -237,7 +239,7 @@ impl<'a> Checker<'a> {
         index
     }
 
-    /// Declares all states: position, velocity and rates of the body first, then `state` statements in order.
+    /// Declares all states: states of the body first, then `state` statements in order.
     fn declare_states(&mut self) {
         let file = self.file;
         let mut bodies: Vec<&'a ast::Body> = Vec::new();

@@ -1,4 +1,5 @@
-//! Applied effects: their coefficients and states, with null values and smallest effect sizes of interest.
+//! Semantic checks of applied effects: their coefficients and states, with null values and smallest effect sizes of
+//! interest.
 
 use super::quantity::Measure;
 use super::scope::Symbol;
@@ -59,7 +60,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Reports a quantity of the model that has not the kind or the unit that an effect needs.
+    /// Reports a quantity that an effect needs, if it has another kind (scalar or vector) or another unit in the model.
     fn needed(&mut self, effect: &Name, need: &Need) {
         let (is_vector, unit) = match self.scope.find(&need.name.text) {
             Some(Symbol::Param(i)) => (false, self.model.params[i].unit),
@@ -73,7 +74,7 @@ impl Checker<'_> {
                     let unit = self.model.aux_variables[*aux].value.unit;
                     (*shape != Shape::Scalar, unit)
                 }
-                // Its own fault is reported.
+                // The error of the definition has already been reported.
                 _ => return,
             },
             None => return,
@@ -103,7 +104,8 @@ impl Checker<'_> {
         self.report(fault);
     }
 
-    /// Smallest effect size of interest (`negligible NAME …;`), SI, of a coefficient or state; `None` if not stated.
+    /// Smallest effect size of interest, SI, of a coefficient or state as stated by `negligible NAME …;`; `None` if not
+    /// stated.
     fn smallest_of_interest(&mut self, applied: &Applied, name: &Name, unit: Unit) -> Option<f64> {
         let mut stated = applied.negligible.iter();
         let (_, quantity) = stated.find(|(own, _)| own.text == name.text)?;

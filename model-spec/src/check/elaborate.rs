@@ -7,10 +7,10 @@ use crate::model::{Expr, ExprKind, Shape};
 use crate::syntax::ast::{self, BinaryOp};
 use crate::unit::{Unit, symbol};
 
-/// Limit on the magnitude of a power's exponent, times 2: `x^64` is the largest.
+/// Maximum magnitude of twice the exponent of a power: `x^64` is the largest power.
 const MAX_DOUBLED_EXPONENT: f64 = 128.0;
 
-/// Typed expression node with a provisional unit; [`Checker::finish`] assigns the final one.
+/// Creates an expression node with the provisional unit 1; [`Checker::finish`] assigns the final unit.
 pub(super) fn node(kind: ExprKind, shape: Shape, span: Span) -> Expr {
     Expr {
         kind,
@@ -25,7 +25,7 @@ impl UnitOf {
         UnitOf::Term(Term::known(unit))
     }
 
-    /// Unit as a factor of a product; a literal 0 counts as dimensionless. `None` if the unit is inconsistent.
+    /// Unit for use in products, where a literal 0 counts as dimensionless; `None` if the unit is inconsistent.
     pub fn factor(&self) -> Option<Term> {
         match self {
             UnitOf::Term(term) => Some(term.clone()),
@@ -36,7 +36,8 @@ impl UnitOf {
 }
 
 impl Checker<'_> {
-    /// Elaborates an expression: names, shape, frame, unit. `None` after any error other than a unit error.
+    /// Resolves the names of an expression and determines its shape, frame and unit. `None`, with an error reported, on
+    /// any error other than a unit error.
     pub fn elaborate(&mut self, e: &ast::Expr) -> Option<Typed> {
         match &e.kind {
             ast::ExprKind::Number(q) => self.literal(q, e.span),
@@ -68,7 +69,8 @@ impl Checker<'_> {
         }
     }
 
-    /// Elaborates an expression that must be a scalar; `what` names its role in the error message.
+    /// Elaborates an expression that must be a scalar, described by `what` in messages. `None`, with an error reported,
+    /// if it is a vector or invalid.
     pub fn scalar(&mut self, e: &ast::Expr, what: &str) -> Option<Typed> {
         let typed = self.elaborate(e)?;
         if typed.expr.shape == Shape::Scalar {
@@ -85,7 +87,8 @@ impl Checker<'_> {
         None
     }
 
-    /// Elaborates an expression that must be a vector; returns it with the index of the frame of its components.
+    /// Elaborates an expression that must be a vector, described by `what` in messages. Returns it with the index of
+    /// the frame of its components; `None`, with an error reported, if it is a scalar or invalid.
     pub fn vector(&mut self, e: &ast::Expr, what: &str) -> Option<(Typed, usize)> {
         let typed = self.elaborate(e)?;
         if let Shape::Vector(frame) = typed.expr.shape {
@@ -115,7 +118,7 @@ impl Checker<'_> {
         Some(Typed { expr, unit })
     }
 
-    /// Elaborates `(a, b, c) in F`: a vector from three components of one unit in frame F.
+    /// Elaborates `(a, b, c) in F`: a vector with three components of equal unit in the frame F.
     fn components(
         &mut self,
         parts: &[ast::Expr; 3],
@@ -183,7 +186,7 @@ impl Checker<'_> {
         })
     }
 
-    /// Unit of a · b^power; inconsistent if either operand's unit is inconsistent.
+    /// Unit of a · b^`power`; [`UnitOf::Faulty`] if the unit of either operand is inconsistent.
     pub fn multiplied(&mut self, a: &UnitOf, b: &UnitOf, power: Fraction, span: Span) -> UnitOf {
         let (Some(a), Some(b)) = (a.factor(), b.factor()) else {
             return UnitOf::Faulty;
@@ -192,7 +195,8 @@ impl Checker<'_> {
         self.in_range(a.times_power(&b, power), span)
     }
 
-    /// Converts `None` (an exponent out of range) to an inconsistent unit, with an error.
+    /// Wraps a computed unit; `None`, which means that an exponent is out of range, is reported and becomes
+    /// [`UnitOf::Faulty`].
     pub fn in_range(&mut self, term: Option<Term>, span: Span) -> UnitOf {
         match term {
             Some(term) if term.has_unknowns() || term.unit().is_some() => UnitOf::Term(term),
@@ -253,7 +257,8 @@ impl Checker<'_> {
         })
     }
 
-    /// Reports `5 m/s`, which parses as `(5 m)/s`, if no variable `s` is declared; `true` if reported.
+    /// Reports an expression such as `5 m/s`, which parses as `(5 m)/s`, if no variable `s` is declared. Returns
+    /// whether an error was reported.
     fn unit_in_pieces(&mut self, e: &ast::Expr) -> bool {
         if self.literal_with_units(e) != Some(true) {
             return false;
@@ -270,7 +275,8 @@ impl Checker<'_> {
         true
     }
 
-    /// For a literal times or over unit names: whether one of the names is undeclared. `None` for other expressions.
+    /// For a literal multiplied or divided by names of units, returns whether one of the names is not declared in the
+    /// model. `None` for other expressions.
     fn literal_with_units(&self, e: &ast::Expr) -> Option<bool> {
         match &e.kind {
             ast::ExprKind::Number(q) => q.unit.as_ref().map(|_| false),
@@ -291,7 +297,7 @@ impl Checker<'_> {
     }
 }
 
-/// Constant folding of an expression of literals without units; `None` if it contains anything else.
+/// Evaluates an expression of literals without units; `None` if it contains anything else.
 fn constant(e: &ast::Expr) -> Option<f64> {
     match &e.kind {
         ast::ExprKind::Number(q) if q.unit.is_none() => q.number.text.parse().ok(),

@@ -12,7 +12,8 @@ use crate::syntax::ast::{self, ItemKind, LoadClass};
 use crate::unit::Unit;
 
 impl<'a> Checker<'a> {
-    /// Checks all `let` definitions, and equations referenced as `der(STATE)`, in topological order of their uses.
+    /// Checks all `let` definitions, and the equations that expressions reference as `der(STATE)`, in topological order
+    /// of their uses.
     pub fn definitions(&mut self) {
         let file = self.file;
         let mut definitions: Vec<Defining<'a>> = Vec::new();
@@ -83,8 +84,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Index of the definition whose value is `der(STATE)`; `None` if the state has no equation, which is reported
-    /// by the check of the equations.
+    /// Index into [`Checker::definitions`] of the definition of `der(STATE)`; `None` if the state has no equation,
+    /// which the check of the equations reports, or if no expression uses its derivative.
     pub fn derivative_definition(&self, state: usize) -> Option<usize> {
         self.derivatives.get(&state).copied()
     }
@@ -136,7 +137,7 @@ impl<'a> Checker<'a> {
         });
     }
 
-    /// Unit of an auxiliary variable, by its index in `Model::aux_variables`.
+    /// Unit of an auxiliary variable, by index into [`model::Model::aux_variables`].
     pub fn let_unit(&self, index: usize) -> UnitOf {
         self.let_units[index].clone()
     }
@@ -156,7 +157,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Checks all forces, moments, stated differential equations, the clock rate and the measurement equation.
+    /// Checks all forces, moments, stated differential equations, the clock rate and the measurement equation, and adds
+    /// them to the model.
     pub fn equations(&mut self) {
         let file = self.file;
         let mut loads: HashMap<(bool, &str), Span> = HashMap::new();

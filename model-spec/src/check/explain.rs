@@ -1,4 +1,4 @@
-//! Error messages about units: the unit of each operand, and the declarations that determine it.
+//! Error messages about units, which state the unit of each operand and the declarations that determine it.
 
 use super::term::Term;
 use super::{Checker, Typed, UnitOf};
@@ -6,7 +6,7 @@ use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{Expr, ExprKind, Shape};
 use crate::unit::Unit;
 
-/// Maximum number of declarations labelled in one unit error.
+/// Maximum number of declarations that one unit error labels.
 const MAX_LABELS: usize = 8;
 
 /// Maximum number of operands (names and literals) of an expression that a unit error analyses.
@@ -23,7 +23,7 @@ struct Leaf {
 }
 
 impl Checker<'_> {
-    /// Noun phrase for a unit: `a force (N = kg·m/s²)`.
+    /// Description of a unit for messages, such as `a force (N = kg·m/s²)`.
     pub fn described(&self, term: &Term) -> String {
         self.described_as(term, false)
     }
@@ -51,7 +51,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Symbol of a unit, such as `m/s`, or `still unknown` if not yet inferred.
+    /// Text of a unit, such as `m/s`, or `still unknown` if it is not yet inferred.
     fn symbol_of(&self, term: &Term) -> String {
         match self.units.resolve(term).unit() {
             Some(unit) => unit.tidy().pretty(),
@@ -59,7 +59,8 @@ impl Checker<'_> {
         }
     }
 
-    /// Error for expressions that must have one unit but have several; `groups` holds indices of equal unit.
+    /// Creates the error for expressions that must have equal units but differ. Each element of `groups` holds the
+    /// indices into `terms` of expressions with equal units. `rule` begins the message.
     pub fn mismatch(
         &mut self,
         terms: &[Typed],
@@ -94,8 +95,8 @@ impl Checker<'_> {
         fault.help_if(advice)
     }
 
-    /// Requires an expression to have the unit `expected`; returns false after reporting an error. `rule` begins the
-    /// message, as in "the argument of `exp` must be a pure number".
+    /// Requires an expression to have the unit `expected`; returns `false` after reporting an error if it does not.
+    /// `rule` begins the message, as in "the argument of `exp` must be a pure number".
     pub fn must_be(&mut self, typed: &Typed, expected: &Term, rule: &str) -> bool {
         let UnitOf::Term(found) = &typed.unit else {
             return !matches!(typed.unit, UnitOf::Faulty);
@@ -119,7 +120,8 @@ impl Checker<'_> {
         false
     }
 
-    /// Adds to a unit error the units of each expression's operands and the source spans of their declarations.
+    /// Adds to a unit error the units of the operands of each expression in `sides`, and the source spans of their
+    /// declarations.
     fn origins(&mut self, mut fault: Diagnostic, sides: &[&Typed]) -> Diagnostic {
         self.suspect_unitless(fault.span, sides);
         let mut shown: Vec<Span> = Vec::new();
@@ -168,7 +170,8 @@ impl Checker<'_> {
         fault
     }
 
-    /// Notes that `2 g` means two grams, if a variable `g` might have been intended.
+    /// Adds to an error the note that `2 g` means two grams, if a variable `g` is declared and might have been
+    /// intended.
     fn unit_or_name(&self, fault: Diagnostic, leaf: &Leaf) -> Diagnostic {
         match leaf.name.split_once(' ') {
             Some((number, symbol)) if self.scope.find(symbol).is_some() => fault
@@ -184,7 +187,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Collects the operands (names and literals) of an expression without duplicates, with their units.
+    /// Appends to `out` the operands (names and literals) of an expression with their units, without duplicates.
     fn leaves(&self, e: &Expr, out: &mut Vec<Leaf>) {
         let model = &self.model;
         let written = |term: Term| (self.text(e.span), term, e.span, false);
@@ -244,16 +247,17 @@ impl Checker<'_> {
         }
     }
 
-    /// Suggested factor that would make the two units of a sum agree; `None` if no single factor does.
+    /// Suggests a factor that would make the two units of a sum equal; `None` if there is no such single factor.
     fn advice(&self, terms: &[Typed], groups: &[Vec<usize>]) -> Option<String> {
         let [a, b] = groups else { return None };
-        // The unit of the group with more terms is taken as the expected one.
+        // The unit of the group with more terms is assumed to be the expected one.
         let (odd, even) = if a.len() <= b.len() { (a, b) } else { (b, a) };
         let unit = |i: usize| self.units.resolve(&term_of(&terms[i])).unit();
         self.missing_factor(&terms[odd[0]], unit(odd[0])?, unit(even[0])?)
     }
 
-    /// Suggestion to remove, divide by or multiply by one named quantity, so that `found` becomes `expected`.
+    /// Suggests to remove, divide by or multiply by one named quantity, so that the unit `found` becomes `expected`;
+    /// `None` if no such quantity is declared.
     fn missing_factor(&self, typed: &Typed, found: Unit, expected: Unit) -> Option<String> {
         let text = self.text(typed.expr.span);
         let excess = found.checked_div(expected)?;

@@ -35,7 +35,8 @@ impl Checker<'_> {
         self.applied();
     }
 
-    /// Reports parameters whose unit could not be inferred; silent if there are other errors, which may be the cause.
+    /// Reports declared names whose unit could not be inferred. Reports nothing if there are other errors, which may be
+    /// the cause.
     fn undetermined(&mut self) {
         if !self.diagnostics.is_empty() {
             return;
@@ -69,7 +70,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Computes the unit of every expression bottom-up.
+    /// Computes the unit of every expression of the model bottom-up.
     fn assign(&mut self) {
         let model = &mut self.model;
         let mut tables = Tables {
@@ -99,7 +100,7 @@ fn bare_zero(e: &Expr) -> bool {
     matches!(e.kind, ExprKind::Number { value: 0.0, .. }) && e.unit == Unit::ONE
 }
 
-/// Root expressions of a model, for modification, other than the definitions of auxiliary variables.
+/// Mutable references to the root expressions of a model, except the definitions of auxiliary variables.
 fn expressions(model: &mut crate::model::Model) -> Vec<&mut Expr> {
     let mut all: Vec<&mut Expr> = Vec::new();
     if let Some(body) = &mut model.body {
@@ -123,7 +124,7 @@ fn expressions(model: &mut crate::model::Model) -> Vec<&mut Expr> {
     all
 }
 
-/// Units of all symbols, indexed as in the model.
+/// Units of all symbols, by the same indices as in the model's vectors.
 struct Tables {
     params: Vec<Unit>,
     coefficients: Vec<Unit>,

@@ -1,4 +1,4 @@
-//! Frames of reference: a tree rooted at the inertial frame.
+//! Semantic checks of the frames of reference, which form a tree rooted at the inertial frame.
 
 use super::Checker;
 use super::scope::Symbol;
@@ -19,7 +19,7 @@ impl<'a> Checker<'a> {
         })
     }
 
-    /// Declares the frames' names in order; every parent must be declared before its children.
+    /// Declares the names of all frames in order; reports a frame whose parent is not declared before it.
     pub fn frame_names(&mut self) {
         let mut inertial: Option<&Name> = None;
         for (count, frame) in self.declared_frames().enumerate() {
@@ -70,7 +70,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Reports a parent frame that is not declared before its child.
+    /// Reports an error if the frame `parent` is not declared before the frame `child`.
     fn parent(&mut self, parent: &Name, child: &Name) {
         if self.scope.frame(&parent.text).is_some() {
             return;
@@ -92,7 +92,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Sets the orientation of each frame; the angles and quaternion components must have been declared as states.
+    /// Sets the orientation of each frame in the model; the angles and quaternion components must already be declared
+    /// as states.
     pub fn frame_kinds(&mut self) {
         for frame in self.declared_frames() {
             let Some(index) = self.scope.frame(&frame.name.text) else {
@@ -138,10 +139,11 @@ impl<'a> Checker<'a> {
         })
     }
 
-    /// Index of the state that is a rotation angle or quaternion component; `None` if there is no such state.
+    /// Index of the state that is a frame's rotation angle or quaternion component; `None` if there is no such state.
+    /// Reports a state that is neither an angle nor dimensionless.
     fn frame_state(&mut self, name: &Name) -> Option<usize> {
         let Some(Symbol::State(index)) = self.scope.find(&name.text) else {
-            // With a body, the errors of its own statements have been reported.
+            // If there is a body, the errors of its statements have already been reported.
             if self.declared_body.is_none() {
                 self.no_state(name);
             }
@@ -164,9 +166,9 @@ impl<'a> Checker<'a> {
         Some(index)
     }
 
-    /// Reports a name that is not the name of a state.
+    /// Reports that `name` is not the name of a state.
     pub fn no_state(&mut self, name: &Name) {
-        // No suggestions for errors beyond the number shown.
+        // Errors that are not shown need no suggestions.
         let told = if self.diagnostics.len() < MAX_SHOWN {
             &self.model.states[..]
         } else {
@@ -200,7 +202,8 @@ impl<'a> Checker<'a> {
         self.report(fault);
     }
 
-    /// Indices of the frames on the path from `from` to the inertial frame; `from` first, the inertial frame omitted.
+    /// Indices of the frames on the path from the frame `from` to the inertial frame, starting with `from`; the
+    /// inertial frame is omitted.
     pub fn chain(&self, from: usize) -> Vec<usize> {
         let mut chain = Vec::new();
         let mut at = from;

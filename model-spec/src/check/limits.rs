@@ -8,14 +8,15 @@ use crate::model::{self, Expr, ExprKind, FrameKind, Function, Shape};
 use crate::syntax::ast::ItemKind;
 use crate::unit::Unit;
 
-/// Lower bound of the middle attitude angle's cosine (or sine), dimensionless: avoids gimbal lock at 0.
+/// Lower bound, dimensionless, of the cosine or sine of the middle attitude angle. It avoids gimbal lock, where that
+/// function is 0.
 const GIMBAL_LIMIT: f64 = 0.01;
 
-/// Maximum number of validity limits in a model; every divisor is compared with each limit.
+/// Maximum number of validity limits in a model. It bounds the run time, as every divisor is compared with each limit.
 const MAX_LIMITS: usize = 100;
 
 impl Checker<'_> {
-    /// Checks the stated limits, and adds the limit that avoids gimbal lock of three attitude angles.
+    /// Checks the stated limits, and adds the limit that avoids gimbal lock if the attitude is given by three angles.
     pub fn limits(&mut self) {
         let file = self.file;
         for item in &file.items {
@@ -65,7 +66,8 @@ impl Checker<'_> {
         self.attitude_limit();
     }
 
-    /// Adds the limit that avoids gimbal lock: the cosine of the middle angle, or its sine if the outer axes are equal.
+    /// Adds the limit that avoids gimbal lock. It bounds the cosine of the middle attitude angle, or its sine if the
+    /// first and third rotation axes have the same number.
     fn attitude_limit(&mut self) {
         let Some(rotation) = self.model.body.as_ref().and_then(|b| b.rotation.as_ref()) else {
             return;
@@ -109,7 +111,7 @@ impl Checker<'_> {
         });
     }
 
-    /// Whether a validity limit requires an expression to be above a bound of at least 0.
+    /// Whether a validity limit requires an expression to exceed a bound of at least 0.
     pub fn limited(&self, e: &Expr) -> bool {
         super::singular::limited(&self.model, e)
     }

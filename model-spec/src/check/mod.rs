@@ -1,7 +1,7 @@
 //! Semantic analysis, from syntax tree to model: names, shapes, frames, units and singular points.
 //!
-//! Checks act on the vector expressions as written, before any simplification. A statement with an error is reported
-//! once and omitted; statements that refer to it cause no further reports.
+//! The checks analyse the vector expressions as written, before any simplification. A statement with an error is
+//! reported once and omitted; statements that refer to it cause no further reports.
 
 mod accelerations;
 mod attitude;
@@ -45,13 +45,14 @@ pub use singular::{SingularPoint, nonzero_constants, singular_points};
 /// Result of [`check`](fn@check): the model and the diagnostics.
 #[derive(Clone, Debug)]
 pub struct Checked {
-    /// The checked model; `None` after any error other than a unit error.
+    /// The checked model; `None` if there is any error other than a unit error.
     pub model: Option<Model>,
     /// Errors, in the order of their source spans.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Checks names, shapes, frames, units and singular points of a syntax tree; spans refer to `sources`.
+/// Checks names, shapes, frames, units and singular points of a syntax tree, and converts it to a model. The spans of
+/// the tree refer to `sources`.
 pub fn check(file: &ast::File, sources: &[Source]) -> Checked {
     if file.items.is_empty() {
         let fault = Diagnostic::new(Kind::Missing, file.end, "the file declares nothing").help(
@@ -104,13 +105,13 @@ pub fn check(file: &ast::File, sources: &[Source]) -> Checked {
 enum UnitOf {
     /// A product of powers of base units and of unknown units.
     Term(Term),
-    /// Compatible with every unit: the expression is a literal 0 without a unit.
+    /// Compatible with every unit, because the expression is a literal 0 without a unit.
     Zero,
     /// Inconsistent; the error has already been reported.
     Faulty,
 }
 
-/// Expression with resolved names, shape and frame; its unit may contain unknowns.
+/// Expression with resolved names, shape and frame, and its unit, which may contain unknown factors.
 #[derive(Clone, Debug)]
 struct Typed {
     expr: model::Expr,
@@ -122,11 +123,12 @@ struct Typed {
 enum Definition {
     /// Not yet checked, or has an error.
     Missing,
-    /// Checked: index into [`Model::aux_variables`], shape and unit.
+    /// Checked without error: index into [`Model::aux_variables`], shape and unit.
     Done(usize, model::Shape, UnitOf),
 }
 
-/// Semantic analyser: the file, its symbol table, inferred units, diagnostics and the model under construction.
+/// State of the semantic analysis: syntax tree, symbol table, inferred units, diagnostics, and the model under
+/// construction.
 struct Checker<'a> {
     file: &'a ast::File,
     sources: &'a [Source],
@@ -134,7 +136,7 @@ struct Checker<'a> {
     units: Units,
     scope: Scope,
     model: Model,
-    /// Units of the known constants, by index into [`Model::params`]; unknown if to be inferred (`[?]`).
+    /// Units of the known constants, by index into [`Model::params`]; an unknown for a unit to be inferred (`[?]`).
     params: Vec<Term>,
     coefficients: Vec<Term>,
     inputs: Vec<Term>,
@@ -143,15 +145,16 @@ struct Checker<'a> {
     let_units: Vec<UnitOf>,
     /// Whether each auxiliary variable changes during a flight, by index into [`Model::aux_variables`].
     varies: Vec<bool>,
-    /// Results for all `let` definitions in order, then for every `der(…)` used in an expression.
+    /// Results for all `let` definitions in order of declaration, then for each equation whose `der(…)` an expression
+    /// uses.
     definitions: Vec<Definition>,
-    /// Source span of the first use of each constant of unknown unit, by the index of the unknown.
+    /// Source span of the first use of each declared name of unknown unit, by index of the unknown.
     first_uses: Vec<Option<Span>>,
-    /// For each state whose `der(…)` is used in an expression: index into [`Checker::definitions`].
+    /// Maps the index of each state whose `der(…)` an expression uses to an index into [`Checker::definitions`].
     derivatives: HashMap<usize, usize>,
-    /// Number of states of the body, which come first; states declared with `state` follow.
+    /// Number of states of the body, which precede the states declared with `state`.
     of_body: usize,
-    /// The declared body, even if it has errors.
+    /// The declared body, even if it has errors; `None` if the file declares no body.
     declared_body: Option<&'a ast::Body>,
     /// Declarations without a unit, and the unit errors that they may cause.
     unitless: Unitless,
@@ -185,7 +188,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Runs every pass; afterwards [`Checker::model`] and [`Checker::diagnostics`] are complete.
+    /// Runs all passes of the analysis; afterwards [`Checker::model`] and [`Checker::diagnostics`] are complete.
     fn run(&mut self) {
         self.declare();
         self.definitions();
@@ -211,7 +214,7 @@ impl<'a> Checker<'a> {
         self.diagnostics.iter().all(|d| d.kind == Kind::Unit)
     }
 
-    /// Source text of a span, whitespace collapsed to one line.
+    /// Source text of a span, with each run of whitespace replaced by one space, truncated for messages.
     fn text(&self, span: Span) -> String {
         let raw = self
             .sources
@@ -223,7 +226,7 @@ impl<'a> Checker<'a> {
     }
 }
 
-/// Text without one pair of brackets that encloses all of it.
+/// Removes one pair of parentheses that encloses the whole text; other texts are returned unchanged.
 fn unwrapped(text: &str) -> &str {
     let Some(inner) = text.strip_prefix('(').and_then(|t| t.strip_suffix(')')) else {
         return text;

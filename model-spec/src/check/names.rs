@@ -11,7 +11,7 @@ use crate::syntax::ast;
 use crate::unit::{Unit, symbol};
 
 impl Checker<'_> {
-    /// Resolves a name to an expression; `None`, with an error, if it is undefined.
+    /// Resolves a name to an expression; `None`, with an error reported, if it is undefined.
     pub fn name(&mut self, name: &str, span: Span) -> Option<Typed> {
         let scalar = |kind, term| Typed {
             expr: node(kind, Shape::Scalar, span),
@@ -79,7 +79,8 @@ impl Checker<'_> {
         }
     }
 
-    /// Resolves a vector of the body: `position`, `velocity`, `angular_velocity`, `specific_force`, `angular_acceleration`.
+    /// Resolves a predefined vector of the body, such as `velocity` or `specific_force`; `None`, with an error
+    /// reported, if the body is missing or has no such vector.
     fn of_body(&mut self, name: &str, span: Span) -> Option<Typed> {
         if self.declared_body.is_none() {
             let message = format!("there is no body whose `{name}` this could be");
@@ -156,7 +157,7 @@ impl Checker<'_> {
         None
     }
 
-    /// Records the first use of each unknown unit in `term`, for messages.
+    /// Records `span` as the first use of each unknown unit in `term` that has none yet, for messages.
     fn used(&mut self, term: &Term, span: Span) {
         for unknown in term.unknowns() {
             let place = &mut self.first_uses[unknown as usize];
@@ -164,7 +165,8 @@ impl Checker<'_> {
         }
     }
 
-    /// Resolves `F.k` (unit vector along axis k of frame F) or `v.k` (component k of vector v).
+    /// Resolves `F.k` (unit vector along axis k of frame F) or `v.k` (component k of vector v); `None`, with an error
+    /// reported, if there is no such frame or vector.
     pub fn part(&mut self, of: &ast::Expr, part: u8, span: Span) -> Option<Typed> {
         if let ast::ExprKind::Name(name) = &of.kind
             && let Some(frame) = self.scope.frame(name)
@@ -205,7 +207,8 @@ impl Checker<'_> {
         })
     }
 
-    /// Resolves `der(STATE)` in an expression to the right-hand side of the state's equation.
+    /// Resolves `der(STATE)` in an expression to the right-hand side of the state's equation; `None`, with an error
+    /// reported, if the state has no stated equation.
     pub fn derivative(&mut self, state: &ast::Name, span: Span) -> Option<Typed> {
         let found = self.scope.find(&state.text);
         let derived = match found {
@@ -225,7 +228,7 @@ impl Checker<'_> {
             return None;
         };
         let definition = self.derivative_definition(i)?;
-        // The unit follows from the state's, even if the equation has an error.
+        // The unit follows from that of the state, even if the equation has an error.
         let per_second =
             self.states[i].times_power(&Term::known(Unit::SECOND), Fraction::new(-1, 1)?);
         let unit = per_second.map_or(UnitOf::Faulty, UnitOf::Term);

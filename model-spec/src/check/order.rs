@@ -1,4 +1,4 @@
-//! Topological order of auxiliary variables by their uses.
+//! Topological order of the definitions of auxiliary variables, by the names that they use.
 
 use std::collections::HashMap;
 
@@ -7,7 +7,7 @@ use super::scope::Symbol;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::syntax::ast::{self, Expr, ExprKind};
 
-/// Maximum number of dependency cycles reported; each report walks over the definitions of a cycle.
+/// Maximum number of dependency cycles that are reported, since each report traverses the definitions of a cycle.
 const MAX_CYCLES: usize = 50;
 
 /// Maximum number of definitions of a dependency cycle that an error message lists.
@@ -21,13 +21,14 @@ pub(super) struct Defining<'a> {
     pub value: &'a Expr,
     pub doc: &'a str,
     pub effect: Option<usize>,
-    /// For an equation, the index of the state; `None` for a `let`.
+    /// For an equation, the index of its state in the model; `None` for a `let`.
     pub state: Option<usize>,
-    /// Source span of the statement.
+    /// Source span of the defined name.
     pub span: Span,
 }
 
-/// Calls `visit` for each name in an expression with: the name, whether it stands in `der(…)`, its source span.
+/// Calls `visit` for each name in an expression, with the arguments: name, whether it is the state of a `der(…)`,
+/// source span.
 pub(super) fn uses<'e>(e: &'e Expr, visit: &mut dyn FnMut(&'e str, bool, Span)) {
     match &e.kind {
         ExprKind::Name(name) => visit(name, false, e.span),
@@ -37,7 +38,8 @@ pub(super) fn uses<'e>(e: &'e Expr, visit: &mut dyn FnMut(&'e str, bool, Span)) 
 }
 
 impl Checker<'_> {
-    /// Dependency graph: for each definition, the indices of definitions it uses, with the source span of each use.
+    /// Dependency graph: for each definition, the indices of the definitions that it uses, with the source span of each
+    /// use.
     fn dependencies(&self, definitions: &[Defining<'_>]) -> Vec<Vec<(usize, Span)>> {
         let derivatives = definitions.iter().enumerate();
         let of_state: HashMap<usize, usize> = derivatives
@@ -58,8 +60,8 @@ impl Checker<'_> {
         definitions.iter().map(used_by).collect()
     }
 
-    /// Topological order of the definitions by depth-first search, dependencies first, otherwise in source order.
-    /// Definitions on a cycle are omitted; at most [`MAX_CYCLES`] cycles are reported.
+    /// Topological order of the definitions by depth-first search: dependencies first, otherwise in source order.
+    /// Definitions on a cycle are omitted, and up to [`MAX_CYCLES`] cycles are reported.
     pub fn ordered(&mut self, definitions: &[Defining<'_>]) -> Vec<usize> {
         let edges = self.dependencies(definitions);
         let mut cycles = 0;
@@ -70,7 +72,7 @@ impl Checker<'_> {
                 continue;
             }
             mark[root] = Mark::Open;
-            // Stack of the search: definition, number of its dependencies visited so far.
+            // Stack of the search: index of a definition, and number of its dependencies visited so far.
             let mut path = vec![(root, 0)];
             while let Some(&mut (at, ref mut next)) = path.last_mut() {
                 let Some(&(to, _)) = edges[at].get(*next) else {

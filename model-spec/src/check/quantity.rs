@@ -1,4 +1,4 @@
-//! Literals with units: SI values, and exact rational values where possible.
+//! Evaluation of literals with units: SI values, and exact rational values where possible.
 
 use super::Checker;
 use super::unitless::Unitless;
@@ -6,18 +6,18 @@ use crate::diagnostic::{Diagnostic, Kind};
 use crate::syntax::ast::{File, Number, UnitExpr};
 use crate::unit::{Unit, symbol};
 
-/// Meaning of a unit expression: SI unit and conversion factor.
+/// Evaluated unit expression: SI unit and conversion factor to it.
 #[derive(Clone, Debug)]
 pub(super) struct Measure {
     pub unit: Unit,
     pub factor: f64,
     pub exact: Option<(i128, i128)>,
-    /// Text of the unit as written, or of the SI unit if the value has been converted.
+    /// Text of the unit as written if the conversion factor is 1, otherwise of the SI unit.
     pub text: String,
 }
 
 impl Measure {
-    /// The unit of dimensionless numbers, conversion factor 1.
+    /// The unit 1 of dimensionless values, with conversion factor 1.
     pub fn one() -> Measure {
         Measure {
             unit: Unit::ONE,
@@ -27,7 +27,8 @@ impl Measure {
         }
     }
 
-    /// SI value of a literal in this unit, and its exact value (numerator, denominator) if rational and within `i64`.
+    /// SI value of a literal in this unit, and its exact value (numerator, denominator); the latter is `None` if it is
+    /// not rational or exceeds `i64`.
     pub fn of(&self, number: &Number) -> (f64, Option<(i64, i64)>) {
         let decimal = number.text.parse::<f64>().unwrap_or(0.0);
         let exact = self.exact.and_then(|(above, below)| {
@@ -36,7 +37,7 @@ impl Measure {
         });
         const MAX_EXACT: u64 = 1 << 53;
         let value = match exact {
-            // Division of two integers below 2^53 rounds only once.
+            // A division of two integers up to 2^53 rounds only once.
             Some((n, d)) if n.unsigned_abs() <= MAX_EXACT && d.unsigned_abs() <= MAX_EXACT => {
                 n as f64 / d as f64
             }
@@ -46,7 +47,7 @@ impl Measure {
     }
 }
 
-/// Decimal text as (numerator, denominator), not reduced; `None` if too long for `i128`.
+/// Converts decimal text to a fraction (numerator, denominator), not reduced; `None` if it is too long for `i128`.
 fn fraction(text: &str) -> Option<(i128, i128)> {
     let (mantissa, exponent) = match text.find(['e', 'E']) {
         Some(i) => (&text[..i], text[i + 1..].parse::<i32>().ok()?),
@@ -66,7 +67,7 @@ fn fraction(text: &str) -> Option<(i128, i128)> {
     }
 }
 
-/// Fraction in lowest terms; `None` if numerator or denominator exceeds `i64`.
+/// Reduces a fraction to lowest terms; `None` if numerator or denominator exceeds `i64`.
 fn reduced(above: i128, below: i128) -> Option<(i64, i64)> {
     let (mut a, mut b) = (above.unsigned_abs(), below.unsigned_abs());
     while b != 0 {
@@ -79,7 +80,7 @@ fn reduced(above: i128, below: i128) -> Option<(i64, i64)> {
     ))
 }
 
-/// SI value of a literal with a unit; `None` if the unit is unknown or out of range.
+/// SI value of a literal with a unit; `None` if a unit symbol is unknown or the unit is out of range.
 pub(crate) fn si_value(number: &Number, unit: &UnitExpr) -> Option<f64> {
     let nothing = File::default();
     let measure = Checker::new(&nothing, &[], Unitless::default()).measure(unit)?;
@@ -87,7 +88,8 @@ pub(crate) fn si_value(number: &Number, unit: &UnitExpr) -> Option<f64> {
 }
 
 impl Checker<'_> {
-    /// SI unit and conversion factor of a unit expression; `None`, with an error, if a symbol is unknown.
+    /// SI unit and conversion factor of a unit expression; `None`, with an error reported, if a symbol is unknown or a
+    /// power or factor is out of range.
     pub fn measure(&mut self, unit: &UnitExpr) -> Option<Measure> {
         let mut out = Measure::one();
         for factor in &unit.factors {
@@ -127,7 +129,7 @@ impl Checker<'_> {
                 out.exact = out.exact.filter(|_| found.factor == 1.0);
             }
         }
-        // The rational factor is more accurate than the product of rounded ones.
+        // The rational factor is more accurate than the product of rounded factors.
         if let Some((n, d)) = out.exact {
             out.factor = n as f64 / d as f64;
         }

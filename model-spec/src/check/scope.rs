@@ -1,4 +1,4 @@
-//! Symbol table of a model.
+//! Symbol table of a model: declaration and lookup of names.
 
 use std::collections::HashMap;
 
@@ -8,13 +8,13 @@ use crate::model::Function;
 use crate::suggest;
 use crate::syntax::ast::Name;
 
-/// What a name refers to, with its index in the model.
+/// Declared entity that a name refers to, by index into the model's vectors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Symbol {
     Param(usize),
     Coefficient(usize),
     Input(usize),
-    /// Component (1 to 3) of an input of this index, such as `wind_x`.
+    /// Component of an input, such as `wind_x`: index of the input, and number of the component (1 to 3).
     InputPart(usize, u8),
     State(usize),
     /// Auxiliary variable: index into `Checker::definitions`.
@@ -22,7 +22,7 @@ pub(super) enum Symbol {
     Marker,
 }
 
-/// Symbol table: names of values and of frames, with the spans of their declarations.
+/// Symbol table: names of values, frames and tables, with the spans of their declarations.
 #[derive(Default)]
 pub(super) struct Scope {
     values: HashMap<String, (Symbol, Span)>,
@@ -35,7 +35,7 @@ pub(super) struct Scope {
 /// Reserved names, which no declaration can use.
 pub(super) const FIXED: [&str; 3] = ["pi", "time", "previous"];
 
-/// Names predefined in models with a body; other models may declare them.
+/// Names that are predefined in models with a body; models without a body may declare them.
 pub(crate) const OF_BODY: [&str; 5] = [
     "position",
     "velocity",
@@ -86,7 +86,8 @@ impl Scope {
 }
 
 impl Checker<'_> {
-    /// Adds a name to the symbol table; returns false, with an error, if it is already defined or reserved.
+    /// Adds a name to the symbol table; returns `false`, with an error reported, if the name is already declared or
+    /// reserved.
     pub fn define(&mut self, name: &Name, symbol: Symbol) -> bool {
         self.define_as(&name.text, name.span, symbol)
     }
@@ -143,7 +144,7 @@ impl Checker<'_> {
         true
     }
 
-    /// Adds a table to the names of functions; an error if there is a function of this name.
+    /// Adds a table's name to the functions; reports an error if a function or table already has this name.
     pub fn define_table(&mut self, name: &Name, index: usize) {
         let fault = Diagnostic::new(Kind::Duplicate, name.span, String::new());
         let (text, span) = (&name.text, name.span);
@@ -168,7 +169,7 @@ impl Checker<'_> {
         self.report(fault);
     }
 
-    /// Index of a frame by name; `None`, with an error, if there is no such frame.
+    /// Index of a frame by name; `None`, with an error reported, if there is no such frame.
     pub fn frame_of(&mut self, name: &Name) -> Option<usize> {
         self.frame_named(&name.text, name.span)
     }
@@ -197,7 +198,8 @@ impl Checker<'_> {
         None
     }
 
-    /// Defined name nearest in spelling to `wrong`; `None` if none is near or the limit of shown errors is reached.
+    /// Declared name that is nearest in spelling to `wrong`; `None` if none is near, or if so many errors were found
+    /// that further ones are not shown.
     pub fn nearest(&self, wrong: &str) -> Option<String> {
         if self.diagnostics.len() >= MAX_SHOWN {
             return None;
@@ -216,10 +218,10 @@ impl Checker<'_> {
     }
 }
 
-/// Maximum number of names listed in a message.
+/// Maximum number of names that a message lists.
 const MAX_LISTED: usize = 8;
 
-/// Quoted names as a list for a sentence: `a`, `b` and `c`.
+/// Formats names as a quoted list for a sentence, such as "`a`, `b` and `c`".
 pub(super) fn listed(names: &[impl AsRef<str>]) -> String {
     let quoted: Vec<String> = names
         .iter()

@@ -1,21 +1,24 @@
-//! Analysis of singular points: divisors that may be zero, and guarded functions with a defined value there.
+//! Analysis of singular points: divisors that may be zero, and guarded functions, which have a defined value at their
+//! singular points.
 
 use super::Checker;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{Expr, ExprKind, Function, Model};
 
-/// Subexpression with a point of no derivative (zero of a norm, kink, jump), and its defined value there.
+/// A subexpression that is not differentiable at some point (zero of a norm, kink, jump), with its defined behaviour
+/// there.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SingularPoint {
     /// Source span of the expression.
     pub span: Span,
     /// Source text of the expression.
     pub text: String,
-    /// Where the expression is singular and its value or derivative there, such as `derivative 0 where …`.
+    /// Condition under which the expression is singular, and its value or derivative there, such as `derivative 0 where
+    /// …`.
     pub what: String,
 }
 
-/// Value facts of an expression: what is known of its sign.
+/// Known facts about the sign of an expression's value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Sign {
     Unknown,
@@ -92,7 +95,7 @@ impl<'m> Signs<'m> {
             K::Number { value, .. } if *value < 0.0 => Sign::NotZero,
             K::Number { .. } => Sign::NotNegative,
             K::Pi | K::Call(Function::Exp, _) => Sign::Positive,
-            // Nonzero values of parameters that are divisors are enforced when the parameters are set.
+            // Parameters that are divisors are checked to be nonzero when they are set.
             K::Param(i) => bounded(self.model.params[*i].bounds),
             K::Coefficient(i) => bounded(self.model.coefficients[*i].bounds),
             K::AuxVariable(i) => self.lets.get(*i).copied().unwrap_or(Sign::Unknown),
@@ -127,7 +130,8 @@ impl<'m> Signs<'m> {
         }
     }
 
-    /// Interval arithmetic over parameter bounds, SI; `None` if a bound is missing or the operation is not + − *.
+    /// Range (minimum, maximum) of an expression, SI, by interval arithmetic over the bounds of parameters; `None` if a
+    /// bound is missing or the expression has operations other than + − *.
     fn range(&self, e: &Expr) -> Option<(f64, f64)> {
         use ExprKind as K;
         match &e.kind {
@@ -154,7 +158,8 @@ impl<'m> Signs<'m> {
         }
     }
 
-    /// The factor of a divisor that may be zero, for the error message.
+    /// Factor of a divisor that may be zero, for the error message; the divisor itself if no single factor is
+    /// identified.
     fn culprit<'e>(&self, e: &'e Expr) -> &'e Expr {
         match &e.kind {
             ExprKind::Mul(a, b) if !self.of(a).never_zero() && self.of(b).never_zero() => {
@@ -168,7 +173,7 @@ impl<'m> Signs<'m> {
     }
 }
 
-/// Whether a validity limit requires an expression to be above a bound of at least 0.
+/// Whether a validity limit requires an expression to exceed a bound of at least 0.
 pub(super) fn limited(model: &Model, e: &Expr) -> bool {
     model.limits.iter().filter(|l| l.bound >= 0.0).any(|limit| {
         let (a, b) = (named(model, e), named(model, &limit.value));
@@ -176,7 +181,7 @@ pub(super) fn limited(model: &Model, e: &Expr) -> bool {
     })
 }
 
-/// The definition if the expression is an auxiliary variable, otherwise the expression.
+/// Definition of an auxiliary variable; other expressions are returned unchanged.
 fn named<'m>(model: &'m Model, e: &'m Expr) -> &'m Expr {
     match &e.kind {
         ExprKind::AuxVariable(i) => model.aux_variables.get(*i).map_or(e, |l| &l.value),
@@ -184,7 +189,8 @@ fn named<'m>(model: &'m Model, e: &'m Expr) -> &'m Expr {
     }
 }
 
-/// Root expressions of a model: mass, inertia, auxiliary variables, loads, equations, observation, clock, limits.
+/// Root expressions of a model: mass, inertia, auxiliary variables, loads, equations, claim, observation, clock,
+/// limits.
 fn roots(model: &Model) -> Vec<&Expr> {
     let mut all: Vec<&Expr> = Vec::new();
     if let Some(body) = &model.body {
@@ -218,7 +224,7 @@ fn divisor(e: &Expr) -> Option<&Expr> {
 }
 
 impl Checker<'_> {
-    /// Reports divisors that may be zero, and tangents whose cosine no validity limit keeps above zero.
+    /// Reports divisors that may be zero, and tangents unless a validity limit keeps their cosine above zero.
     pub fn singularities(&mut self) {
         let mut faults: Vec<Diagnostic> = Vec::new();
         let signs = Signs::new(&self.model);
@@ -273,7 +279,8 @@ impl Checker<'_> {
         fault
     }
 
-    /// Error for a divisor with a parameter or coefficient whose default is 0; `None` if there is no such factor.
+    /// Creates the error for a divisor with a parameter or coefficient as factor whose default is 0; `None` if there is
+    /// no such factor.
     fn zero_default(&self, divisor: &Expr) -> Option<Diagnostic> {
         let mut found = None;
         factors(divisor, &mut |factor| {
@@ -308,8 +315,8 @@ fn factors<'e>(e: &'e Expr, visit: &mut dyn FnMut(&'e Expr)) {
     }
 }
 
-/// Parameters that a model divides by, so that a value of 0 must be refused: indices into [`Model::params`], then into
-/// [`Model::coefficients`].
+/// Returns the parameters that a model divides by and that must therefore be nonzero: indices into [`Model::params`],
+/// and indices into [`Model::coefficients`].
 pub fn nonzero_constants(model: &Model) -> (Vec<usize>, Vec<usize>) {
     let (mut params, mut coefficients) = (Vec::new(), Vec::new());
     let mut lets = vec![false; model.aux_variables.len()];
@@ -335,7 +342,7 @@ pub fn nonzero_constants(model: &Model) -> (Vec<usize>, Vec<usize>) {
             }
         });
     }
-    // Reverse order: auxiliary variables come after those they use.
+    // Reverse order, because auxiliary variables follow those that they use.
     for i in (0..model.aux_variables.len()).rev() {
         if lets[i] {
             look(&model.aux_variables[i].value, &mut lets);
@@ -348,7 +355,7 @@ pub fn nonzero_constants(model: &Model) -> (Vec<usize>, Vec<usize>) {
     (params, coefficients)
 }
 
-/// Singular points of a model with their stated behaviour, in the order of their source spans.
+/// Returns the singular points of a model with their defined behaviour, in the order of their source spans.
 pub fn singular_points(model: &Model) -> Vec<SingularPoint> {
     let signs = Signs::new(model);
     let text = |span: Span| {

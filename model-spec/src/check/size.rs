@@ -1,23 +1,23 @@
-//! Bounds on the size of a compiled model. A short text can stand for a huge expression: thirty lines `let a = b*b;` are
-//! a power of 2³⁰. Sizes are estimated on the checked tree, with names replaced by what they stand for where the compiler
-//! does so: sums of sums and products of products become one sum or product.
+//! Bounds on the size of a compiled model. A short text can define a huge expression: thirty lines `let a = b*b;`
+//! define a power of 2³⁰. Sizes are estimated on the checked tree, with names replaced by their definitions where the
+//! compiler does so: nested sums become one sum, and nested products one product.
 
 use super::Checker;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{Expr, ExprKind, Function, Shape};
 
-/// Maximum number of factors of a product, powers counted as repeated factors.
+/// Maximum number of factors of a product; a power counts as repeated factors.
 pub(crate) const MAX_FACTORS: u64 = 1_000;
 
-/// Maximum number of scalar operations of a model, before differentiation.
+/// Maximum number of scalar operations of a model before differentiation.
 pub(crate) const MAX_OPERATIONS: u64 = 10_000;
 
 /// Estimated size of an expression after the compiler has merged nested sums and products.
 #[derive(Clone, Copy)]
 struct Size {
-    /// Terms of each component as a sum.
+    /// Number of terms of each component, written as a sum.
     terms: u64,
-    /// Factors of each component as a product, powers as repeated factors.
+    /// Number of factors of each component, written as a product; a power counts as repeated factors.
     factors: u64,
 }
 
@@ -26,16 +26,16 @@ const ATOM: Size = Size {
     factors: 1,
 };
 
-/// Sizes of the auxiliary variables so far, and the operations of the model so far.
+/// Sizes of the auxiliary variables and number of operations of the model, accumulated so far.
 struct Sizes {
     variables: Vec<Size>,
     operations: u64,
-    /// Number of frames, which bounds the rotations of a change of frame.
+    /// Number of frames, an upper bound of the number of rotations in a change of frame.
     frames: u64,
 }
 
 impl Checker<'_> {
-    /// Reports the definition or statement at which the model becomes too large to be compiled.
+    /// Reports the first definition or statement with which the model becomes too large to be compiled.
     pub fn size(&mut self) {
         let model = &self.model;
         let mut sizes = Sizes {
@@ -78,7 +78,8 @@ impl Checker<'_> {
 }
 
 impl Sizes {
-    /// The error of a model that has become too large with the statement of this name.
+    /// Error for a model that has become too large with the statement `name` of the given size; `None` if the model is
+    /// not too large.
     fn fault(&self, size: Size, name: &str, span: Span) -> Option<Diagnostic> {
         let help =
             "a name that is used twice in the definition of the next doubles the size each time";
@@ -99,7 +100,7 @@ impl Sizes {
         })
     }
 
-    /// Size of an expression; adds its operations to those of the model.
+    /// Estimates the size of an expression, and adds its operations to the total of the model.
     fn of(&mut self, e: &Expr) -> Size {
         use ExprKind as K;
         let each = match e.shape {
@@ -131,7 +132,7 @@ impl Sizes {
                 self.count(each);
                 Size {
                     terms: sizes[0].terms.saturating_add(sizes[1].terms),
-                    // A common factor of all terms may become one of the sum.
+                    // A common factor of all terms may become a factor of the sum.
                     factors: sizes[0].factors.max(sizes[1].factors),
                 }
             }
@@ -205,7 +206,8 @@ impl Sizes {
         }
     }
 
-    /// Size of an operand of a sum or product. The parts of a name are copied when they are merged into it.
+    /// Size of an operand of a sum or product with `each` components. The terms or factors of an auxiliary variable
+    /// count again, since they are copied into the sum or product.
     fn merged(&mut self, e: &Expr, each: u64) -> Size {
         let size = self.of(e);
         if matches!(e.kind, ExprKind::AuxVariable(_)) {
@@ -227,7 +229,7 @@ fn product(a: Size, b: Size) -> Size {
     }
 }
 
-/// A count for messages; beyond a billion only that.
+/// Formats a count for messages; counts above a billion are not spelled out.
 fn shown(count: u64) -> String {
     const MANY: u64 = 1_000_000_000;
     if count > MANY {

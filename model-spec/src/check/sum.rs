@@ -7,7 +7,7 @@ use crate::model::{ExprKind, Shape};
 use crate::syntax::ast::{self, BinaryOp};
 
 impl Checker<'_> {
-    /// Elaborates `a + b - c …` as one n-ary sum, so that one inconsistent term causes one error message.
+    /// Elaborates `a + b - c …` as one n-ary sum, so that one inconsistent term causes only one error message.
     pub fn sum(&mut self, e: &ast::Expr) -> Option<Typed> {
         // Terms from the left, each with its operator and the source span of the partial sum.
         let mut terms: Vec<(BinaryOp, &ast::Expr, Span)> = Vec::new();
@@ -47,7 +47,7 @@ impl Checker<'_> {
         Some(Typed { expr: sum?, unit })
     }
 
-    /// Common shape of all terms; `None`, with an error, if they differ in shape or frame.
+    /// Common shape of all terms of a sum; `None`, with an error reported, if they differ in shape or frame.
     pub fn same_shape(&mut self, terms: &[Typed], span: Span) -> Option<Shape> {
         let first = terms.first()?;
         let Some(other) = terms.iter().find(|t| t.expr.shape != first.expr.shape) else {
@@ -77,7 +77,7 @@ impl Checker<'_> {
         None
     }
 
-    /// Error for two vectors whose components are in different frames.
+    /// Creates the error for two vectors `a` and `b` whose components are in different frames, `f` and `g`.
     pub fn different_frames(
         &self,
         a: &Typed,
@@ -100,7 +100,8 @@ impl Checker<'_> {
             ))
     }
 
-    /// Common unit of expressions; inconsistent, with a single error message, if they differ.
+    /// Common unit of expressions; [`UnitOf::Faulty`], with a single error reported, if they differ. `rule` begins the
+    /// message.
     pub fn same_unit(&mut self, terms: &[Typed], span: Span, rule: &str) -> UnitOf {
         let mut groups: Vec<Vec<usize>> = Vec::new();
         let mut faulty = false;

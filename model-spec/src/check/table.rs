@@ -1,4 +1,4 @@
-//! Tables: declaration, and calls.
+//! Semantic checks of tables: declarations and calls.
 
 use super::elaborate::node;
 use super::quantity::Measure;
@@ -8,19 +8,20 @@ use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{self, ExprKind, Function, Shape};
 use crate::syntax::ast::{self, Item, Quantity, UnitExpr};
 
-/// Least number of knots: two would be a straight line.
+/// Minimum number of knots of a table; two knots would define only a straight line.
 const MIN_KNOTS: usize = 3;
-/// Greatest number of knots.
+/// Maximum number of knots of a table.
 const MAX_KNOTS: usize = 500;
-/// Greatest number of tables of a model.
+/// Maximum number of tables of a model.
 const MAX_TABLES: usize = 100;
-/// Least width of an interval, as a part of the range of the arguments.
+/// Minimum width of an interval between knots, relative to the range of the arguments.
 const MIN_WIDTH: f64 = 1e-9;
-/// Greatest absolute value of an argument and a value, and least range of arguments that is not zero, as a power of ten.
+/// Decimal exponent that limits the numbers of a table: absolute values are at most 10^60, and intervals between knots
+/// are wider than 10^-60, SI.
 const MAX_EXPONENT: f64 = 60.0;
 
 impl Checker<'_> {
-    /// Adds a table to the model and its name to the functions.
+    /// Checks the declaration of a table, adds it to the model, and adds its name to the functions.
     pub fn table(&mut self, table: &ast::Table, item: &Item) {
         let units = [&table.argument_unit, &table.unit].map(|unit| self.unit_of_table(unit));
         let index = self.model.tables.len();
@@ -30,7 +31,7 @@ impl Checker<'_> {
         }
         self.define_table(&table.name, index);
         let [Some(of_argument), Some(of_value)] = units else {
-            // Calls of the table cause no further reports.
+            // Calls of a table without knots cause no further reports.
             self.model.tables.push(self.made(table, item, Vec::new()));
             return;
         };
@@ -77,7 +78,8 @@ impl Checker<'_> {
         }
     }
 
-    /// SI value of a number of a table; in the unit of its column unless it states its own.
+    /// SI value of an argument or value at a knot. A number without a unit has the unit `column`. `None`, with an error
+    /// reported, if the stated unit differs from it.
     fn of_table(&mut self, number: &Quantity, column: &Measure) -> Option<f64> {
         let Some(unit) = &number.unit else {
             return Some(column.of(&number.number).0);
@@ -95,7 +97,7 @@ impl Checker<'_> {
         Some(own.of(&number.number).0)
     }
 
-    /// Checks the number of knots, that their arguments increase, and that no number is too large.
+    /// Checks that the number of knots is permitted, that their arguments increase, and that no value is too large.
     fn knots(&mut self, table: &ast::Table, knots: &[(f64, f64)]) {
         let name = &table.name.text;
         if !(MIN_KNOTS..=MAX_KNOTS).contains(&knots.len()) {
@@ -140,7 +142,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Checks the call of a table.
+    /// Elaborates the call of a table, by its index in the model, and checks the unit of the argument.
     pub fn call_of_table(&mut self, index: usize, argument: Typed, span: Span) -> Typed {
         let table = &self.model.tables[index];
         let (unit, expected) = (table.unit, Term::known(table.argument_unit));

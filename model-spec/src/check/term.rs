@@ -1,19 +1,20 @@
-//! Inference of units: products of powers of base units and of unknowns, and the solution for the unknowns.
+//! Inference of units: units as products of powers of base units and of unknown units, and the solution of equations
+//! between them.
 //!
-//! Units form an abelian group, so an equation between two of them determines at most one unknown, without search.
+//! Units form an abelian group, so an equation between two units determines at most one unknown, without search.
 
 use std::cell::RefCell;
 
 use crate::diagnostic::Span;
 use crate::unit::Unit;
 
-/// Maximum number of unknown factors in one unit; a unit with more is an error.
+/// Maximum number of unknown units in one product; a unit with more is an error.
 const MAX_UNKNOWNS: usize = 32;
 
-/// Limit on numerator and denominator of a unit exponent; sums of such fractions stay within `i64`.
+/// Maximum magnitude of numerator and denominator of a unit exponent; sums of such fractions stay within `i64`.
 const MAX_PART: i32 = 4096;
 
-/// Rational exponent in lowest terms, denominator positive.
+/// Rational exponent in lowest terms, with positive denominator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Fraction {
     above: i32,
@@ -98,7 +99,8 @@ impl Term {
         }
     }
 
-    /// Unit `self` · `other`^`power`; `None` if an exponent is out of range or there are too many unknowns.
+    /// Computes the unit `self` · `other`^`power`; `None` if an exponent is out of range or there are too many
+    /// unknowns.
     pub fn times_power(&self, other: &Term, power: Fraction) -> Option<Term> {
         let mut base = self.base;
         for (b, o) in base.iter_mut().zip(other.base) {
@@ -125,7 +127,8 @@ impl Term {
         Term::one().times_power(self, power)
     }
 
-    /// The unit; `None` if it has unknown factors, or an exponent that is out of range or no multiple of 1/2.
+    /// Converts the product to a unit; `None` if it has unknown factors, or an exponent that is out of range or not a
+    /// multiple of 1/2.
     pub fn unit(&self) -> Option<Unit> {
         if !self.unknowns.is_empty() {
             return None;
@@ -149,7 +152,7 @@ impl Term {
         self.unknowns.iter().map(|u| u.0)
     }
 
-    /// The product of the base units' powers, unknown factors omitted.
+    /// Copy of the product without its unknown factors.
     pub fn known_part(&self) -> Term {
         Term {
             base: self.base,
@@ -158,17 +161,17 @@ impl Term {
     }
 }
 
-/// Unknown unit of a constant, to be inferred.
+/// Unknown unit of a declared name, which is to be inferred.
 struct Unknown {
-    /// Name of the constant.
+    /// Declared name whose unit is unknown.
     name: String,
-    /// Solution in terms of other unknowns; `None` while undetermined.
+    /// Solution as a product that may contain other unknowns; `None` while undetermined.
     solution: RefCell<Option<Term>>,
     /// Source span of the expression that determined the solution.
     at: Option<Span>,
 }
 
-/// The system of unknown units with the solutions found so far.
+/// The unknown units of a model, with the solutions found so far.
 #[derive(Default)]
 pub(super) struct Units {
     unknowns: Vec<Unknown>,
@@ -196,7 +199,7 @@ impl Units {
         self.unknowns[unknown as usize].at
     }
 
-    /// Substitutes all solutions found so far into a unit.
+    /// Returns a unit with all solutions found so far substituted for its unknowns.
     pub fn resolve(&self, term: &Term) -> Term {
         for unknown in term.unknowns() {
             self.compress(unknown);
@@ -208,14 +211,14 @@ impl Units {
         self.unknowns[unknown as usize].solution.borrow().is_some()
     }
 
-    /// Whether the solution of an unknown contains an unknown that has itself a solution.
+    /// Whether the solution of an unknown contains another unknown that is itself solved.
     fn is_chained(&self, unknown: u32) -> bool {
         let solution = self.unknowns[unknown as usize].solution.borrow();
         let term = solution.as_ref();
         term.is_some_and(|term| term.unknowns().any(|u| self.is_solved(u)))
     }
 
-    /// Substitutes solutions into a unit once, without recursion; `None` if an exponent leaves the range.
+    /// Substitutes solutions for the unknowns of a unit once, without recursion; `None` if an exponent is out of range.
     fn substituted(&self, term: &Term) -> Option<Term> {
         let mut result = term.known_part();
         for &(index, power) in &term.unknowns {
@@ -227,7 +230,7 @@ impl Units {
         Some(result)
     }
 
-    /// Path compression: substitutes solutions recursively into the solution of an unknown.
+    /// Substitutes solutions recursively into the solution of an unknown (path compression).
     fn compress(&self, unknown: u32) {
         let mut path = vec![unknown];
         while let Some(&last) = path.last() {
@@ -248,7 +251,8 @@ impl Units {
         }
     }
 
-    /// Unifies two units by solving for at most one unknown; `at` is the span of the expression that requires it.
+    /// Makes two units equal by solving for at most one unknown; returns [`Differ`] if that is impossible. `at` is the
+    /// span of the expression that requires equality.
     pub fn equate(&mut self, a: &Term, b: &Term, at: Span) -> Result<(), Differ> {
         let (a, b) = (self.resolve(a), self.resolve(b));
         let Some(ratio) = a.times_power(
@@ -260,7 +264,7 @@ impl Units {
         ) else {
             return Err(Differ);
         };
-        // Solving for the unknown declared last prevents cyclic solutions.
+        // Solving for the unknown that was created last prevents cyclic solutions.
         let Some(&(index, exponent)) = ratio.unknowns.last() else {
             return if ratio.base[..7].iter().all(|e| e.is_zero()) {
                 Ok(())
@@ -278,7 +282,7 @@ impl Units {
         Ok(())
     }
 
-    /// The unit of an unknown; it contains unknowns while it is not fully determined.
+    /// Unit of an unknown, as far as it is determined; it may still contain unknowns.
     pub fn solution(&self, unknown: u32) -> Term {
         self.resolve(&Term::unknown(unknown))
     }

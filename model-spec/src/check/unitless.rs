@@ -1,5 +1,5 @@
-//! Declarations without a unit: their numbers are dimensionless. Where that leads to a unit error, a second run of the
-//! checker infers their units, and the error shows the declarations as they would have to be.
+//! Declarations without a unit. Their values are dimensionless. If that may have caused a unit error, a second run of
+//! the checker infers their units, and the error then shows the declarations with the units that they would need.
 
 use std::collections::HashMap;
 
@@ -10,22 +10,23 @@ use crate::model::{Expr, ExprKind};
 use crate::syntax::ast::{Item, ItemKind, Name, UnitExpr, UnitFactor};
 use crate::unit::Unit;
 
-/// Maximum number of declarations that one error suggests to change.
+/// Maximum number of declarations that one unit error suggests to change.
 const MAX_SUGGESTED: usize = 3;
 
-/// Declarations without a unit, identified by the spans of their names.
+/// Record of the declarations without a unit, which are identified by the spans of their names.
 #[derive(Default)]
 pub(super) struct Unitless {
-    /// Whether the units are inferred rather than 1.
+    /// Whether the units are unknowns to be inferred rather than 1.
     infers: bool,
-    /// Unit of each declaration: 1, or an unknown if units are inferred.
+    /// Unit of each declaration, by the span of its name: 1, or an unknown if units are inferred.
     terms: HashMap<Span, Term>,
-    /// Spans of unit errors, each with the declarations that its expressions depend on.
+    /// Source span of each unit error, with the names' spans of the declarations without a unit that its expressions
+    /// depend on.
     suspects: Vec<(Span, Vec<Span>)>,
 }
 
 impl Unitless {
-    /// The record of a check that infers the units of all declarations that state none.
+    /// Creates the record for a check that infers the units of all declarations that state none.
     pub fn inferred() -> Unitless {
         Unitless {
             infers: true,
@@ -33,7 +34,8 @@ impl Unitless {
         }
     }
 
-    /// Unit of a declaration without a unit.
+    /// Unit that the checker assumes for a declaration without a unit, given the span of its name: 1, or an unknown if
+    /// units are inferred.
     pub fn term(&self, name: Span) -> Term {
         self.terms.get(&name).cloned().unwrap_or_else(Term::one)
     }
@@ -45,7 +47,8 @@ impl Unitless {
 }
 
 impl<'a> Checker<'a> {
-    /// Records the declarations without a unit. Their unknowns come before those of `[?]`, which are solved for first.
+    /// Records the declarations without a unit. Their unknowns are created before those of `[?]`, so that equations are
+    /// solved for the unknowns of `[?]` first.
     pub fn declare_unitless(&mut self) {
         let file = self.file;
         for item in &file.items {
@@ -61,8 +64,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Records the declarations without a unit that the expressions of a unit error depend on, also through auxiliary
-    /// variables, for [`Checker::suggest_units`].
+    /// Records the declarations without a unit on which the expressions `sides` of a unit error depend, directly or
+    /// through auxiliary variables, for [`Checker::suggest_units`].
     pub fn suspect_unitless(&mut self, fault: Span, sides: &[&Typed]) {
         if self.unitless.suspects.len() >= MAX_SHOWN || self.unitless.terms.is_empty() {
             return;
@@ -84,7 +87,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Records one declaration as a possible cause of a unit error, if it has no unit.
+    /// Records the declaration of a name as a possible cause of a unit error, if that declaration has no unit.
     pub fn suspect_declaration(&mut self, fault: Span, name: Span) {
         if !self.unitless.terms.contains_key(&name) {
             return;
@@ -95,7 +98,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Collects the declarations without a unit and the auxiliary variables that an expression uses itself.
+    /// Appends to `names` the declarations without a unit, and to `variables` the auxiliary variables, that an
+    /// expression uses directly.
     fn unitless_operands(&self, e: &Expr, variables: &mut Vec<usize>, names: &mut Vec<Span>) {
         let model = &self.model;
         let name = match &e.kind {
@@ -117,7 +121,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Adds to each unit error the declarations that would have to state a unit, as found by a run that infers them.
+    /// Adds to each unit error the declarations that would need a unit, as found by the checker run `inferring`.
     pub fn suggest_units(&mut self, inferring: &Checker<'_>) {
         let remaining: Vec<Span> = inferring
             .diagnostics
@@ -126,7 +130,7 @@ impl<'a> Checker<'a> {
             .map(|d| d.span)
             .collect();
         for (span, names) in std::mem::take(&mut self.unitless.suspects) {
-            // An error that no unit of these declarations removes has another cause.
+            // An error that remains although these units are inferred has another cause.
             if remaining.contains(&span) {
                 continue;
             }
@@ -165,7 +169,7 @@ impl<'a> Checker<'a> {
         { declared }.find(|d| d.name.span == name)
     }
 
-    /// The sentence that tells which declarations would have to be changed to what; `None` if there are none.
+    /// Sentence that states which declarations would need which unit; `None` if `needed` is empty.
     fn suggestion(&self, needed: &[(Declared<'_>, Unit)]) -> Option<String> {
         let listed = |texts: Vec<String>| texts.join(" and ");
         let shown = &needed[..needed.len().min(MAX_SUGGESTED)];
@@ -187,7 +191,7 @@ impl<'a> Checker<'a> {
     }
 }
 
-/// A declaration of a number or a vector of numbers, which may state a unit.
+/// A declaration of a parameter, state or input, which may state a unit.
 struct Declared<'a> {
     item: &'a ItemKind,
     name: &'a Name,
@@ -195,7 +199,7 @@ struct Declared<'a> {
 }
 
 impl<'a> Declared<'a> {
-    /// The declaration that a statement is; `None` for other statements.
+    /// Interprets a statement as a declaration of a parameter, state or input; `None` for other statements.
     fn of(item: &'a Item) -> Option<Declared<'a>> {
         let (name, unit) = match &item.kind {
             ItemKind::Parameter(p) => (&p.name, &p.value.unit),
@@ -210,7 +214,7 @@ impl<'a> Declared<'a> {
         })
     }
 
-    /// The statement as it would be with a unit.
+    /// Text of the statement with the given unit.
     fn with_unit(&self, unit: Unit) -> String {
         let unit = Some(written(unit));
         let mut item = self.item.clone();
@@ -224,7 +228,7 @@ impl<'a> Declared<'a> {
     }
 }
 
-/// A unit in the notation of model files: one derived symbol if there is one, else powers of the base units.
+/// Unit expression for model files: one derived symbol if there is one, otherwise powers of the base units.
 fn written(unit: Unit) -> UnitExpr {
     let span = Span::default();
     let factor = |symbol: &str, doubled: i8| UnitFactor {

@@ -1,4 +1,4 @@
-//! Which effects a model can take, told by names, kinds and units, without composing them.
+//! Test of whether an effect can be applied to a model, by names, kinds and units, without applying it.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -18,51 +18,51 @@ const ANGULAR_VELOCITY: &str = "angular_velocity";
 const SPECIFIC_FORCE: &str = "specific_force";
 const ANGULAR_ACCELERATION: &str = "angular_acceleration";
 
-/// What an effect needs that speaks of a mass, its position or its velocity.
+/// Text of the requirement of an effect that refers to the mass, position, velocity or specific force of the body.
 const BODY: &str = "a body or a point";
-/// What an effect needs that speaks of moments, rates or the frame of the body.
+/// Text of the requirement of an effect that refers to moments, angular rates or the body-fixed frame.
 const TURNING: &str = "a body that turns";
 
-/// What an effect requires of a model and does not find.
+/// Requirement of an effect that a model does not meet.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Unmet {
-    /// The effect is made for other models.
+    /// The effect is restricted to other models (`on`).
     #[error("it is made for {}", .models.join(", "))]
     OtherModel {
-        /// Names of those models.
+        /// Names of the models to which the effect is restricted.
         models: Vec<String>,
     },
     /// The model lacks a quantity that the effect needs or uses.
     #[error("it needs {what}")]
     Lacking {
-        /// Kind, name and unit of the quantity.
+        /// Description of the missing quantity: kind, name and unit.
         what: String,
     },
-    /// A quantity of the model has another kind or unit than the effect needs.
+    /// A quantity of the model differs in kind or unit from the one that the effect needs.
     #[error("it needs {what}; here `{name}` is {found}")]
     Differs {
         /// Name of the quantity.
         name: String,
-        /// Kind, name and unit that the effect needs.
+        /// Description of the needed quantity: kind, name and unit.
         what: String,
-        /// Kind and unit that the quantity has.
+        /// Kind and unit of the model's quantity.
         found: String,
     },
-    /// The model has nothing that the effect could replace.
+    /// The model has no statement that the effect's `replace` could refer to.
     #[error("the model has no {what} to replace")]
     Replaced {
-        /// The statement that the effect replaces.
+        /// Description of the statement that the effect replaces.
         what: String,
     },
-    /// The model has a quantity of its own by a name that the effect declares.
+    /// The effect declares a name that the model already declares.
     #[error("the model has a `{name}` of its own")]
     Taken {
-        /// The name.
+        /// Name that model and effect both declare.
         name: String,
     },
 }
 
-/// Names of a model by which effects can be bound to it.
+/// Names that a model declares, with kinds and units, against which the requirements of effects are tested.
 #[derive(Clone, Debug)]
 pub struct Binding {
     model: String,
@@ -77,7 +77,7 @@ pub struct Binding {
 }
 
 impl Binding {
-    /// The names of a checked model.
+    /// Collects the names of a checked model.
     pub fn new(model: &Model) -> Binding {
         let mut values = BTreeMap::new();
         let mut add = |name: &str, is_vector: bool, unit: Unit| {
@@ -146,7 +146,7 @@ impl Binding {
         }
     }
 
-    /// What keeps the effect from the model, the first of it; `None` if the model has all that the effect uses.
+    /// First requirement of the effect that the model does not meet; `None` if it meets all of them.
     pub fn unmet(&self, effect: &EffectTree) -> Option<Unmet> {
         self.fits(effect).err()
     }
@@ -206,7 +206,8 @@ impl Binding {
         Ok(())
     }
 
-    /// Whether a need is met by the model; `None` if something else stands for it.
+    /// Tests a need of an effect. Returns `Some(())` if the model meets it, `None` if the need's fallback expression
+    /// replaces the quantity, or an error if neither is the case.
     fn needed(&self, need: &Need) -> Result<Option<()>, Unmet> {
         let name = &need.name.text;
         let unit = need.unit.as_ref().map_or(Some(Unit::ONE), si_unit);
@@ -226,13 +227,14 @@ impl Binding {
         }
     }
 
-    /// Name of a value that an effect adds; loads need a body.
+    /// Tests a statement that an effect adds. Returns the name of the declared value, or `None` if it declares none,
+    /// such as a load. Returns an error if the name is already used or a load has no body to act on.
     fn declared<'e>(&self, item: &'e ItemKind) -> Result<Option<&'e str>, Unmet> {
         let name = match item {
             ItemKind::Parameter(own) => &own.name,
             ItemKind::State(own) => &own.name,
             ItemKind::Let(own) => &own.name,
-            // Effects share inputs.
+            // Several effects may declare the same input.
             ItemKind::Input(own) => {
                 self.frame(&own.frame)?;
                 return Ok(Some(&own.name.text));
@@ -301,7 +303,7 @@ impl Binding {
     }
 }
 
-/// Names that the expressions of one effect may use.
+/// Names that the expressions of an effect may use: the model's, the effect's own, and fallbacks of its needs.
 struct Uses<'a> {
     binding: &'a Binding,
     own: BTreeSet<&'a str>,
@@ -323,7 +325,7 @@ impl Uses<'_> {
                     })?;
                 }
             }
-            // `F.3` names a frame or a vector.
+            // In `F.3`, `F` is a frame or a vector.
             ExprKind::Part(of, _) => {
                 if let ExprKind::Name(name) = &of.kind
                     && self.value(name).is_err()
@@ -355,7 +357,7 @@ impl Uses<'_> {
             return Ok(());
         }
         if let Some(otherwise) = self.fallbacks.get(name) {
-            // What stands for a quantity does not use that quantity.
+            // The fallback expression of a quantity must not use that quantity.
             return match &otherwise.kind {
                 ExprKind::Name(own) if own == name => Err(lacking(format!("`{name}`"))),
                 _ => self.all_of(otherwise),
@@ -385,14 +387,15 @@ fn kind(is_vector: bool) -> &'static str {
     if is_vector { "vector" } else { "number" }
 }
 
-/// Kind, name and unit of a needed quantity.
+/// Text that describes a needed quantity: kind, name and unit.
 fn described(need: &Need) -> String {
     let unit = need.unit.as_ref().map(|unit| format!(" in {unit}"));
     let (kind, name) = (kind(need.is_vector), &need.name.text);
     format!("a {kind} `{name}`{}", unit.unwrap_or_default())
 }
 
-/// A unit expression in SI base units, without its factor; `None` for an unknown symbol or a power out of range.
+/// Unit of a unit expression in SI base units, without the conversion factor; `None` if a symbol is unknown or an
+/// exponent is out of range.
 fn si_unit(expression: &UnitExpr) -> Option<Unit> {
     let power = |factor: &UnitFactor| {
         let symbol = symbol::find(&factor.symbol)?;

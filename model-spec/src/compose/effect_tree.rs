@@ -1,4 +1,4 @@
-//! An effect as a syntax tree, parsed once or built from parts.
+//! An effect as a syntax tree, which is parsed from text or built from parts.
 
 use std::fmt;
 use std::path::Path;
@@ -17,7 +17,7 @@ use crate::syntax::{self, Parsed};
 #[derive(Clone, Debug)]
 pub struct EffectTree {
     tree: Effect,
-    /// Text that the tree's spans refer to; `None` for an effect declared in the model's file.
+    /// Source text that the tree's spans refer to; `None` for an effect declared in a model's file.
     source: Option<Source>,
 }
 
@@ -27,7 +27,7 @@ impl EffectTree {
         EffectTree { tree, source: None }
     }
 
-    /// Builds an effect from a syntax tree; the printed tree becomes its source text.
+    /// Builds an effect from a syntax tree; its source text is the printed tree.
     ///
     /// ```
     /// use model_spec::compose::{EffectTree, ModelTree};
@@ -58,15 +58,17 @@ impl EffectTree {
         }
     }
 
-    /// Loads an effect from a file, which must contain one effect or one of the file's name.
+    /// Loads an effect from a file. The file must declare exactly one effect, or one with the name of the file.
     ///
     /// # Errors
-    /// [`LoadError::Unreadable`]; [`LoadError::Faults`] for syntax errors or if there is no effect.
+    /// [`LoadError::Unreadable`] if the file cannot be read; [`LoadError::Faults`] if it has syntax errors or contains
+    /// no such effect.
     pub fn load(path: &str) -> Result<EffectTree, LoadError> {
         EffectTree::parse(path, &read(path)?)
     }
 
-    /// The built-in effect `name`, specific or general; `None` if there is none. Each is parsed once.
+    /// Built-in effect of the given name, from [`EFFECTS`] or [`GENERAL_EFFECTS`]; `None` if there is none. All are
+    /// parsed on the first call.
     pub(super) fn built_in(name: &str) -> Option<&'static EffectTree> {
         static BUILT_IN: LazyLock<Vec<EffectTree>> = LazyLock::new(|| {
             let all = EFFECTS.iter().chain(GENERAL_EFFECTS);
@@ -77,7 +79,8 @@ impl EffectTree {
         BUILT_IN.iter().find(|effect| effect.name() == name)
     }
 
-    /// Names of the effects that say the same of narrower families of models (`generalises`).
+    /// Names of the effects of which this effect is the general form, each made for a narrower family of models
+    /// (`generalises` statement).
     pub fn generalises(&self) -> impl Iterator<Item = &str> {
         self.tree.parts.iter().flat_map(|part| match part {
             EffectPart::Generalises(names) => names.iter().map(|name| name.text.as_str()).collect(),
@@ -85,10 +88,10 @@ impl EffectTree {
         })
     }
 
-    /// Parses an effect from text, which must contain one effect or one named like the file `name`.
+    /// Parses an effect from text. The text must declare exactly one effect, or one with the name of the file `name`.
     ///
     /// # Errors
-    /// [`LoadError::Faults`] for syntax errors or if there is no effect.
+    /// [`LoadError::Faults`] if the text has syntax errors or contains no such effect.
     pub fn parse(name: &str, text: &str) -> Result<EffectTree, LoadError> {
         let Parsed {
             file,
@@ -117,7 +120,8 @@ impl EffectTree {
         }
     }
 
-    /// Quantities that a model must have for the effect (`needs`), without those that something else can stand for.
+    /// Quantities that a model must have for the effect to be applicable (`needs` statement), without those for which
+    /// the effect states a fallback.
     pub fn needs(&self) -> impl Iterator<Item = &Need> {
         let all = self.tree.parts.iter().flat_map(|part| match part {
             EffectPart::Needs(needs) => needs.as_slice(),
@@ -126,7 +130,7 @@ impl EffectTree {
         all.filter(|need| need.otherwise.is_none())
     }
 
-    /// Instruments whose quantities the effect needs.
+    /// Instruments whose quantities the effect needs, without a fallback.
     pub(crate) fn instruments(&self) -> Vec<Instrument> {
         let is_needed = |instrument: &Instrument| {
             let mut needs = self.needs();
@@ -153,7 +157,8 @@ impl EffectTree {
             .unwrap_or_default()
     }
 
-    /// The tree with spans that refer to `sources`; appends the effect's text to `sources` unless it is present.
+    /// Copy of the tree with spans that refer to `sources`. Appends the effect's text to `sources` unless it is already
+    /// present.
     pub(super) fn in_sources(&self, sources: &mut Vec<Source>) -> Effect {
         let mut tree = self.tree.clone();
         if let Some(own) = &self.source {

@@ -1,13 +1,14 @@
-//! Instruments on a body, and what each usually measures.
+//! Instruments mounted on a body, and the default definitions of the quantities that they measure.
 
-/// An instrument whose reading is a quantity of the model.
+/// An instrument whose reading is predicted by an auxiliary variable of the model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Instrument {
-    /// Angular velocity, rad/s, in the frame that markers are fixed in.
+    /// Measures the angular velocity of the body, rad/s, with components in the frame in which markers are fixed.
     Gyroscope,
-    /// Specific force where it sits on the body, m/s², in the frame that markers are fixed in.
+    /// Measures the specific force at the instrument's position, which is that of the marker, m/s², with components in
+    /// the frame in which markers are fixed.
     Accelerometer,
-    /// Speed, m/s; of the mass centre over the ground unless the model declares another.
+    /// Measures a speed, m/s: that of the centre of mass over ground unless the model declares another `speed`.
     Speed,
 }
 
@@ -15,7 +16,7 @@ impl Instrument {
     /// All instruments.
     pub const ALL: [Self; 3] = [Self::Gyroscope, Self::Accelerometer, Self::Speed];
 
-    /// Name of the quantity in a model, and of the kind in a dataset.
+    /// Name of the instrument's auxiliary variable in a model, and of the kind of measurement in a dataset.
     pub fn name(self) -> &'static str {
         match self {
             Self::Gyroscope => "gyroscope",
@@ -24,7 +25,7 @@ impl Instrument {
         }
     }
 
-    /// Number of components of a reading.
+    /// Number of scalar components of a reading: 3 for a vector, 1 for a speed.
     pub fn components(self) -> usize {
         match self {
             Self::Gyroscope | Self::Accelerometer => 3,
@@ -32,7 +33,8 @@ impl Instrument {
         }
     }
 
-    /// The usual definition, given the frame and the name of the model's marker.
+    /// Default definition of the instrument's quantity as a `let` statement, for the given names of the frame and of
+    /// the model's marker.
     pub(super) fn definition(self, frame: &str, marker: &str) -> String {
         match self {
             Self::Gyroscope => format!("let gyroscope = in_{frame}(angular_velocity);"),

@@ -1,4 +1,5 @@
-//! Every effect that is known for a model, with what keeps it from being a candidate for what the model lacks.
+//! Enumeration of all effects known for a model, each with the reason, if any, why it is not a candidate for a missing
+//! effect.
 
 use thiserror::Error;
 
@@ -7,49 +8,50 @@ use super::{EffectTree, ModelTree, effects_of, rates};
 use crate::library::{EFFECTS, GENERAL_EFFECTS};
 use crate::model::Model;
 
-/// Where an effect comes from.
+/// Source from which an effect is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Origin {
-    /// Declared in the model's file.
+    /// The effect is declared in the model's file.
     Own,
-    /// Built in, for a family of bodies.
+    /// The effect is built in, for a family of bodies.
     Specific,
-    /// Built in, for models of any kind.
+    /// The effect is built in, for models of any kind.
     General,
-    /// Made for a stated equation of the model.
+    /// The effect is generated for a stated equation of the model.
     Equation,
 }
 
-/// Why an effect is not a candidate for what a model lacks.
+/// Reason why an effect is not a candidate for an effect that a model lacks.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Refused {
-    /// The model has not what the effect requires.
+    /// The model does not meet a requirement of the effect.
     #[error(transparent)]
     Unmet(Unmet),
-    /// The effect is switched on.
+    /// The effect is already applied to the model.
     #[error("it is switched on")]
     Applied,
-    /// Another effect says the same of this model.
+    /// A more specific effect that this one generalises is applicable to the model.
     #[error("`{by}` says it of this model")]
     Covered {
-        /// Name of that effect.
+        /// Name of the more specific effect.
         by: String,
     },
 }
 
-/// An effect, and why it is not a candidate.
+/// An effect known for a model, with its origin and candidate status.
 #[derive(Clone, Debug)]
 pub struct KnownEffect {
-    /// The effect.
+    /// Syntax tree of the effect.
     pub effect: EffectTree,
-    /// Where it comes from.
+    /// Source from which the effect is known.
     pub origin: Origin,
-    /// Why it is not a candidate; `None` if it is one.
+    /// Reason why the effect is not a candidate; `None` if it is a candidate.
     pub refused: Option<Refused>,
 }
 
-/// All effects known for a checked model: those of its own file, built-in ones, general ones, and those made for its stated
-/// equations; of several with one name the first. Told by names and units, without composing any of them.
+/// Returns all effects known for a checked model: effects of its own file, specific and general built-in effects, and
+/// effects generated for its stated equations. If several have the same name, only the first is returned. Candidates
+/// are determined by names and units, without applying any effect.
 pub fn known_effects(model: &Model) -> Vec<KnownEffect> {
     let tree = ModelTree::of(model);
     let binding = Binding::new(model);

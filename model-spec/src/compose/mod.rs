@@ -1,5 +1,5 @@
-//! Composition of a model with effects on the syntax tree: the model is parsed once, and each combination of effects is
-//! applied to its tree and checked.
+//! Composition of a model with effects on the syntax tree: the model is parsed once; each combination of effects is
+//! applied to a copy of its tree and checked.
 //!
 //! ```
 //! use model_spec::compose::ModelTree;
@@ -49,7 +49,7 @@ pub use instrument::Instrument;
 pub use known::{KnownEffect, Origin, Refused, known_effects};
 pub use values::ValueError;
 
-/// A model's syntax tree with effects applied, and the source texts that its spans refer to.
+/// A model's syntax tree with the applied effects, and the source texts that its spans refer to.
 #[derive(Clone, Debug)]
 pub struct ModelTree {
     file: Arc<File>,
@@ -60,13 +60,13 @@ impl ModelTree {
     /// Parses a model from a file path or the name of a built-in model.
     ///
     /// # Errors
-    /// Every variant of [`LoadError`] except `UnknownEffect`.
+    /// Any variant of [`LoadError`] except [`LoadError::UnknownEffect`].
     pub fn load(name_or_path: &str) -> Result<ModelTree, LoadError> {
         let (name, text) = model_text(name_or_path)?;
         ModelTree::parse(&name, &text)
     }
 
-    /// Parses the text of a model; `name` appears in messages.
+    /// Parses the text of a model; messages refer to the text as `name`.
     ///
     /// # Errors
     /// [`LoadError::Faults`] with all syntax errors.
@@ -79,7 +79,7 @@ impl ModelTree {
         }
     }
 
-    /// The syntax tree that a checked model was made from, effects included.
+    /// Returns the syntax tree of a checked model, including the applied effects.
     pub fn of(model: &Model) -> ModelTree {
         ModelTree {
             file: Arc::clone(&model.tree),
@@ -87,7 +87,7 @@ impl ModelTree {
         }
     }
 
-    /// Parses a model; returns the tree without statements that have syntax errors, and the errors.
+    /// Parses a model. Returns the tree without the statements that have syntax errors, and the errors.
     pub(crate) fn parse_with_faults(name: &str, text: &str) -> (ModelTree, Vec<Diagnostic>) {
         let Parsed {
             file,
@@ -101,7 +101,7 @@ impl ModelTree {
         (tree, diagnostics)
     }
 
-    /// Syntax tree of the model, with applied effects.
+    /// Syntax tree of the model with the applied effects.
     pub fn file(&self) -> &File {
         &self.file
     }
@@ -118,11 +118,11 @@ impl ModelTree {
         own.chain(built_in.map(|(name, _)| *name))
     }
 
-    /// Finds an effect by file path, or by name (`_` or `-` between words) in the model's file, among built-in ones, or
-    /// among those made for the stated equations of the model.
+    /// Finds an effect by file path, or by name (with `_` or `-` between words) among the effects of the model's file,
+    /// the built-in effects, and the effects generated for the model's stated equations, in this order.
     ///
     /// # Errors
-    /// [`LoadError::UnknownEffect`]; for a path, the errors of [`EffectTree::load`].
+    /// [`LoadError::UnknownEffect`] if no effect has the name; for a path, the errors of [`EffectTree::load`].
     pub fn find_effect(&self, name_or_path: &str) -> Result<EffectTree, LoadError> {
         if std::path::Path::new(name_or_path).is_file() {
             return EffectTree::load(name_or_path);
@@ -154,8 +154,9 @@ impl ModelTree {
         }
     }
 
-    /// Applies effects in order to a copy of the tree; each is given by name or path as in [`ModelTree::find_effect`]. The
-    /// quantity of an instrument that an effect needs gets its usual definition where the model has none.
+    /// Applies effects in order to a copy of the tree. Each effect is given by name or path as in
+    /// [`ModelTree::find_effect`]. If an effect needs the quantity of an [`Instrument`] that the model does not
+    /// declare, its default definition is added.
     ///
     /// # Errors
     /// The errors of [`ModelTree::find_effect`] and [`ModelTree::with`].
@@ -173,7 +174,8 @@ impl ModelTree {
         Ok(extended)
     }
 
-    /// Applies an effect in place; unchanged if that causes errors. The effect's text joins the sources in any case.
+    /// Applies an effect in place. The tree is unchanged if there are errors, but the effect's text is appended to the
+    /// sources in any case.
     pub(crate) fn apply(&mut self, effect: &EffectTree) -> Result<(), Vec<Diagnostic>> {
         let tree = effect.in_sources(&mut self.sources);
         self.file = Arc::new(effect::apply(&self.file, &tree)?);
@@ -194,7 +196,8 @@ impl ModelTree {
         }
     }
 
-    /// The checked model, `None` after any error other than a unit error, and all errors.
+    /// Checks the model; returns the checked model, which is `None` if there is any error other than a unit error, and
+    /// all errors.
     pub(crate) fn check_with_faults(&self) -> Checked {
         let mut checked = check::check(&self.file, &self.sources);
         if checked.diagnostics.is_empty() {
@@ -203,8 +206,8 @@ impl ModelTree {
         checked
     }
 
-    /// Prints the model as `.hyz` text with effects merged into its statements; applied effects are not declared again.
-    /// `note` becomes the last paragraph of the file's documentation.
+    /// Prints the model as `.hyz` text with the applied effects merged into its statements; the declarations of applied
+    /// effects are omitted. `note` becomes the last paragraph of the file's documentation.
     pub fn to_text(&self, note: &str) -> String {
         let mut file = File::clone(&self.file);
         let is_applied = |name: &str| self.file.applied.iter().any(|a| a.name.text == name);
@@ -226,7 +229,7 @@ impl ModelTree {
     }
 }
 
-/// Display name and text of a model given by path or built-in name; an existing file takes precedence.
+/// Display name and text of a model, which is given by path or by built-in name; an existing file takes precedence.
 pub(crate) fn model_text(name_or_path: &str) -> Result<(String, String), LoadError> {
     let path = std::path::Path::new(name_or_path);
     if path.is_file() {

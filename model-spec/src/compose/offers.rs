@@ -11,7 +11,7 @@ use crate::syntax::ast::{File, ItemKind};
 /// Maximum number of declared effects that are checked; each requires a check of the whole model.
 const MAX_CHECKED_OFFERS: usize = 50;
 
-/// Errors of the effects declared in a model's file, each applied alone to the model.
+/// Errors of the effects declared in a model's file. Each effect is applied alone to the model, which is then checked.
 pub(super) fn faults(file: &File, sources: &[Source]) -> Vec<Diagnostic> {
     let model = file.items.iter().find_map(|item| match &item.kind {
         ItemKind::Model(name) => Some(name.text.as_str()),

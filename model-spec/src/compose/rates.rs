@@ -1,5 +1,5 @@
-//! Effects of models whose equations are stated outright: a rate that is missing from an equation, steady, growing with the
-//! time, or in proportion to the state.
+//! Effects generated for models that state their equations: a term that is missing from a derivative, either constant,
+//! proportional to time, or proportional to the state.
 
 use std::collections::BTreeSet;
 
@@ -7,10 +7,11 @@ use super::EffectTree;
 use crate::source::Span;
 use crate::syntax::ast::{Equation, ExprKind, File, ItemKind, State, UnitExpr, UnitFactor};
 
-/// Maximum number of equations that have effects of their own.
+/// Maximum number of stated equations for which effects are generated.
 const MAX_EQUATIONS: usize = 24;
 
-/// Effects on each stated equation that is more than a name: none if the model has a body.
+/// Generates the effects of the stated equations, except equations whose right-hand side is only the name of a state;
+/// empty if the model has a body.
 pub(super) fn rate_effects(file: &File) -> Vec<EffectTree> {
     let has_body = file
         .items
@@ -35,7 +36,7 @@ pub(super) fn rate_effects(file: &File) -> Vec<EffectTree> {
         .collect()
 }
 
-/// The model's own states, in the order of their declaration.
+/// States that the model declares itself, not through effects, in the order of declaration.
 fn states(file: &File) -> Vec<&State> {
     let own = file.items.iter().filter(|item| item.effect.is_none());
     own.filter_map(|item| match &item.kind {
@@ -45,7 +46,7 @@ fn states(file: &File) -> Vec<&State> {
     .collect()
 }
 
-/// The stated equations, those that effects have replaced among them.
+/// All stated equations, including those that effects have replaced.
 fn equations(file: &File) -> impl Iterator<Item = &Equation> {
     file.items.iter().filter_map(|item| match &item.kind {
         ItemKind::Equation(equation) => Some(equation),
@@ -53,13 +54,13 @@ fn equations(file: &File) -> impl Iterator<Item = &Equation> {
     })
 }
 
-/// Whether an equation only names another state as the rate, as `der(phi) = phidot` does.
+/// Whether the right-hand side of an equation is only the name of a state, as in `der(phi) = phidot`.
 fn is_state(equation: &Equation, states: &BTreeSet<&str>) -> bool {
     matches!(&equation.value.kind, ExprKind::Name(name) if states.contains(name.as_str()))
 }
 
-/// The three effects on the equation of a state. What they call negligible is a thousandth of the unit of the state in a
-/// second, and of the state itself.
+/// Generates the three effects on the equation of a state: constant, proportional to time, and proportional to the
+/// state. The smallest effect size of interest of each coefficient is 0.001 of its unit.
 fn of_equation(state: &State) -> impl Iterator<Item = EffectTree> {
     let name = &state.name.text;
     let per = |seconds: i32| format!("[{}]", per_second(state.value.unit.as_ref(), seconds));
@@ -108,7 +109,7 @@ fn of_equation(state: &State) -> impl Iterator<Item = EffectTree> {
         .filter_map(|text| EffectTree::parse("stated equations", &text).ok())
 }
 
-/// Text of a unit over a power of the second.
+/// Text of a unit divided by a power of the second.
 fn per_second(unit: Option<&UnitExpr>, power: i32) -> String {
     let mut factors = unit.map_or_else(Vec::new, |unit| unit.factors.clone());
     match factors.iter_mut().find(|factor| factor.symbol == "s") {

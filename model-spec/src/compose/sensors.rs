@@ -1,5 +1,5 @@
-//! Quantities that instruments on a body measure: `gyroscope`, `accelerometer` and `speed`. A model may declare them by
-//! `let`; one that does not gets their usual definitions.
+//! Auxiliary variables that predict the readings of instruments on a body: `gyroscope`, `accelerometer` and `speed`. A
+//! model may declare them by `let`; otherwise default definitions are added.
 
 use std::sync::Arc;
 
@@ -13,10 +13,12 @@ use super::ModelTree;
 use super::instrument::Instrument;
 
 impl ModelTree {
-    /// The model with a quantity for each of these instruments: its own, or the usual one.
+    /// Returns the model with an auxiliary variable for each of the instruments: the model's own, or else the default
+    /// definition.
     ///
     /// # Errors
-    /// [`LoadError::Faults`] if the usual definition does not fit the model, such as that of a gyroscope on a point mass.
+    /// [`LoadError::Faults`] if the default definition of an instrument is invalid for the model, such as a gyroscope
+    /// on a point mass.
     pub fn with_instruments(&self, instruments: &[Instrument]) -> Result<ModelTree, LoadError> {
         let mut tree = self.clone();
         for instrument in instruments {
@@ -62,10 +64,11 @@ impl ModelTree {
 }
 
 impl Model {
-    /// The model with a quantity for each of these instruments, as from [`ModelTree::with_instruments`].
+    /// Returns the model with an auxiliary variable for each of the instruments, as [`ModelTree::with_instruments`]
+    /// does.
     ///
     /// # Errors
-    /// [`LoadError::Faults`] if the usual definition does not fit the model.
+    /// [`LoadError::Faults`] if the default definition of an instrument is invalid for the model.
     pub fn with_instruments(&self, instruments: &[Instrument]) -> Result<Model, LoadError> {
         let has = |name: &str| self.aux_variables.iter().any(|own| own.name == name);
         if instruments.iter().all(|own| has(own.name())) {
@@ -74,7 +77,8 @@ impl Model {
         ModelTree::of(self).with_instruments(instruments)?.check()
     }
 
-    /// The model with a quantity for each instrument that it can carry: a point mass has a speed alone.
+    /// Returns the model with an auxiliary variable for each instrument whose definition is valid for it. For a point
+    /// mass, this is only the speed.
     pub fn with_every_instrument(&self) -> Model {
         let all = Instrument::ALL.into_iter();
         all.fold(self.clone(), |model, instrument| {

@@ -1,4 +1,4 @@
-//! Other default values of parameters, coefficients and inputs, such as those that a fit found.
+//! Replacement of the default values of parameters, coefficients and inputs, for example by the estimates of a fit.
 
 use std::sync::Arc;
 
@@ -13,35 +13,37 @@ use crate::syntax::ast::{
 use crate::syntax::{self, Parsed};
 use crate::unit::Unit;
 
-/// Why default values cannot be set.
+/// Error of [`ModelTree::with_values`].
 #[derive(Clone, Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ValueError {
-    /// The model itself has errors.
+    /// The model has errors before any value is replaced.
     #[error(transparent)]
     Load(#[from] LoadError),
     /// The model has no parameter, coefficient or component of an input of this name.
     #[error("the model has no parameter, coefficient or component of an input `{name}`")]
     UnknownName {
-        /// Name that was given.
+        /// Name passed by the caller.
         name: String,
     },
     /// A value is infinite or not a number.
     #[error("the value of `{name}` is {value}, expected a finite number")]
     NotFinite {
-        /// Name of the parameter.
+        /// Name passed by the caller with the value.
         name: String,
-        /// Value that was given.
+        /// Value passed by the caller.
         value: f64,
     },
 }
 
 impl ModelTree {
-    /// A copy of the tree in which parameters, coefficients and components of inputs (`wind_x`) have other default
-    /// values, given in SI units; the defaults of the checked copy are equal to them to the bit.
+    /// Returns a copy of the tree in which parameters, coefficients and components of inputs (such as `wind_x`) have
+    /// other default values, given in SI units. After a check of the copy, the default values equal the given values
+    /// bit for bit.
     ///
-    /// A value keeps the unit of its declaration, unless no literal in that unit gives it exactly: then it is written in
-    /// SI units. Bounds that a value violates are dropped. Check cases set the earlier defaults that they relied on.
+    /// A value keeps the unit of its declaration unless no literal in that unit represents it exactly; then it is
+    /// written in SI units. Bounds that a value violates are removed. Check cases that rely on a replaced default get
+    /// `set` statements with the previous value.
     ///
     /// ```
     /// use model_spec::ModelTree;
@@ -54,7 +56,7 @@ impl ModelTree {
     /// ```
     ///
     /// # Errors
-    /// [`ValueError`] for an unknown name, a value that is not finite, or a model with errors.
+    /// [`ValueError`] if a name is unknown, a value is not finite, or the model has errors.
     pub fn with_values<'v>(
         &self,
         values: impl IntoIterator<Item = (&'v str, f64)>,
@@ -85,14 +87,15 @@ impl ModelTree {
     }
 }
 
-/// An earlier default, as the statement `set NAME = literals unit;` of a check case.
+/// A replaced default value, in the form of the statement `set NAME = literals unit;` of a check case.
 struct Default {
     name: Name,
     literals: Vec<Number>,
     unit: Option<UnitExpr>,
 }
 
-/// Replaces a default; returns the earlier one if it differs, `None` if nothing has the name.
+/// Replaces a default value. Returns `None` if the model declares no such name, `Some(None)` if the value is unchanged,
+/// else the previous default.
 fn replace(file: &mut File, model: &Model, name: &str, value: f64) -> Option<Option<Default>> {
     file.items.iter_mut().find_map(|item| match &mut item.kind {
         ItemKind::Parameter(parameter) if parameter.name.text == name => {
@@ -145,7 +148,7 @@ fn set_parameter(parameter: &mut Parameter, declared: &crate::model::Parameter, 
     match literal(value, unit.as_ref()) {
         Some(text) => number.text = text,
         None => {
-            // A bound without a unit has that of the default, which changes.
+            // A bound without a unit has the unit of the default value, which changes here.
             let (old, at) = (unit.clone(), *span);
             for bound in parameter.bounds.iter_mut().flat_map(|(a, b)| [a, b]) {
                 bound.unit = bound.unit.take().or_else(|| old.clone());
@@ -174,7 +177,7 @@ fn set_input(input: &mut Input, unit: Unit, si: [f64; 3]) {
     }
 }
 
-/// Adds `set` statements for the earlier defaults that a check case does not set itself.
+/// Adds `set` statements for the replaced default values that a check case does not set itself.
 fn keep_defaults(case: &mut Check, earlier: &[Default]) {
     let is_set = |case: &Check, default: &Default| {
         case.parts.iter().any(|part| match part {
@@ -187,7 +190,7 @@ fn keep_defaults(case: &mut Check, earlier: &[Default]) {
         })
     };
     for (k, default) in earlier.iter().enumerate() {
-        // Of what has changed several times, the first is the default of the model.
+        // If a value was replaced several times, the first entry is the default of the model.
         let is_first = earlier[..k]
             .iter()
             .all(|e| e.name.text != default.name.text);
@@ -203,7 +206,7 @@ fn keep_defaults(case: &mut Check, earlier: &[Default]) {
     }
 }
 
-/// Literal in a unit whose SI value is `value` to the bit; `None` if there is none.
+/// Literal that, in the given unit, has exactly the SI value `value`, bit for bit; `None` if there is no such literal.
 fn literal(value: f64, unit: Option<&UnitExpr>) -> Option<String> {
     let of = |text: &str| {
         let number = Number {
@@ -213,7 +216,7 @@ fn literal(value: f64, unit: Option<&UnitExpr>) -> Option<String> {
         si_value(&number, unit)
     };
     let nearest = value / of("1");
-    // Conversion rounds: the exact literal, if any, is the nearest number or a neighbour.
+    // Conversion rounds: the exact literal, if any, is the nearest floating-point number or one of its neighbours.
     let mut near = [nearest; 5];
     near[1] = nearest.next_up();
     near[2] = nearest.next_down();
@@ -225,7 +228,7 @@ fn literal(value: f64, unit: Option<&UnitExpr>) -> Option<String> {
         .find(|text| of(text).to_bits() == value.to_bits())
 }
 
-/// Shortest text that is read as this number, in exponent notation if that is what is easily read.
+/// Shortest text that parses to `value`; in exponent notation for magnitudes outside 1e-4 to 1e7.
 fn shortest(value: f64) -> String {
     match value.abs() {
         0.0 => value.to_string(),
@@ -234,7 +237,7 @@ fn shortest(value: f64) -> String {
     }
 }
 
-/// SI value of a literal; a unit that is missing or unknown counts as 1.
+/// SI value of a literal. A missing or unknown unit counts as 1; an invalid literal gives NaN.
 fn si_value(number: &Number, unit: Option<&UnitExpr>) -> f64 {
     let of = |unit| check::si_value(number, unit);
     match unit.and_then(of) {
@@ -243,7 +246,7 @@ fn si_value(number: &Number, unit: Option<&UnitExpr>) -> f64 {
     }
 }
 
-/// The unit as an expression of SI symbols, with the source span of what it replaces.
+/// Converts a unit to an expression of SI symbols, in which every node has the source span `span`.
 fn unit_expr(unit: Unit, span: Span) -> Option<UnitExpr> {
     let Parsed { file, .. } = syntax::parse("unit", &format!("param x = 1 [{unit}];"));
     let ItemKind::Parameter(parameter) = &file.items.first()?.kind else {
@@ -262,7 +265,7 @@ mod tests {
     use super::*;
     use crate::load;
 
-    /// A model of a user's own, with units of every kind.
+    /// A user-defined model with many kinds of units.
     const OWN: &str = "//! A kite on a string.\n\
         model kite;\nframe N;\n\
         /// Mass of the kite.\nparam m = 320 g in 100 .. 900 g;\n\
@@ -359,7 +362,7 @@ mod tests {
         assert_eq!(case.matches("set C_D0 = 0.15").count(), 1, "{case}");
         assert_eq!(case.matches("set C_L0").count(), 1, "{case}");
         assert!(load::from_text("fitted.hyz", &text, &[]).is_ok(), "{text}");
-        // Nothing changes where a value is what it was.
+        // Nothing changes if a value equals the default.
         let same = disc.with_values([("C_D0", 0.15)]).unwrap();
         assert_eq!(same.to_text(""), disc.to_text(""));
     }

@@ -21,13 +21,13 @@ pub const VARIABLES: [&str; 9] = [
     "alpha", "spin", "speed", "rates", "height", "time", "position", "attitude", "none",
 ];
 
-/// Maximum number of statements in an effect; the whole model is searched for each.
+/// Maximum number of statements in an effect. It bounds the run time, as each statement searches the whole model.
 const MAX_STATEMENTS: usize = 500;
 
-/// A file with an effect applied; the statements that it adds come last.
+/// Returns a copy of `file` with `effect` applied, or the errors. The statements that the effect adds come last.
 ///
-/// In a `replace` the name `previous` stands for the definition that is replaced, so that effects on one quantity add up.
-/// A `replace` without `previous` is a fault if an effect applied before replaces the same quantity.
+/// In a `replace` statement, the name `previous` refers to the replaced definition, so that effects on one quantity
+/// accumulate. A `replace` without `previous` is an error if a previously applied effect replaces the same quantity.
 pub fn apply(file: &File, effect: &Effect) -> Result<File, Vec<Diagnostic>> {
     let mut change = Change {
         file: file.clone(),
@@ -113,12 +113,12 @@ pub fn apply(file: &File, effect: &Effect) -> Result<File, Vec<Diagnostic>> {
     }
 }
 
-/// Applies one effect to a syntax tree, collecting errors.
+/// State of the application of one effect to a syntax tree, with the errors found so far.
 struct Change<'a> {
     file: File,
     index: usize,
     name: &'a Name,
-    /// Keys and spans of the statements that this effect has replaced so far.
+    /// Key and span of each statement that this effect has replaced so far.
     replaced: Vec<(String, Span)>,
     diagnostics: Vec<Diagnostic>,
 }

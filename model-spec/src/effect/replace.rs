@@ -1,4 +1,4 @@
-//! `replace` statements of effects: `previous` in the new definition is substituted by the replaced one.
+//! Application of `replace` statements: the replaced definition is substituted for `previous` in the new one.
 
 use super::Change;
 use super::standard::zero;
@@ -126,8 +126,9 @@ impl Change<'_> {
         });
     }
 
-    /// Replaces the moments of inertia; in an entry, `previous` is that entry as it was. A tensor is stated in a frame that
-    /// differs from the body-fixed one by turns about an axis of symmetry at most, so that its entries are the same in both.
+    /// Replaces the body's inertia tensor; `previous` in an entry refers to the same entry of the replaced tensor. The
+    /// two tensors may refer to different frames: each frame differs from the body-fixed frame at most by rotations
+    /// about an axis of symmetry, so the entries are equal in all of these frames.
     pub(super) fn replace_inertia(&mut self, mut inertia: Box<Inertia>, span: Span) {
         let lacking = |message| Diagnostic::new(Kind::Missing, span, message);
         let body = self.file.items.iter_mut().find_map(|i| match &mut i.kind {
@@ -155,7 +156,7 @@ impl Change<'_> {
                 put_in(new, &before, &mut 0, &mut false);
             }
         }
-        // Keep `angular_velocity` in the frame it had before the replacement.
+        // Keep `angular_velocity` in the frame of the replaced tensor.
         let stated = |p: &BodyPart| matches!(p.kind, BodyPartKind::AngularVelocityIn(_));
         if inertia.frame.text != old.frame.text && !parts.iter().any(stated) {
             parts.push(BodyPart {
@@ -173,7 +174,8 @@ impl Change<'_> {
 /// The name that refers to the replaced definition in a `replace` statement.
 pub(crate) const PREVIOUS: &str = "previous";
 
-/// Substitutes `old` for the name `previous`; counts nodes, and stops at [`MAX_NODES`].
+/// Substitutes `old` for each name `previous` in `e` and then sets `found`. Adds the number of visited and inserted
+/// nodes to `nodes`, and stops if it exceeds [`MAX_NODES`].
 fn put_in(e: &mut Expr, old: &Expr, nodes: &mut usize, found: &mut bool) {
     *nodes += 1;
     if *nodes > MAX_NODES {
@@ -203,7 +205,8 @@ fn height(e: &Expr) -> u32 {
     1 + highest
 }
 
-/// Noun for a statement in messages, such as "force `drag`" or "the clock".
+/// Description of a statement for messages, such as "force `drag`" or "the clock". Equal for statements that replace
+/// each other.
 fn key(kind: &ItemKind) -> String {
     match kind {
         ItemKind::Let(l) => format!("quantity `{}`", l.name.text),
@@ -219,7 +222,7 @@ fn same_statement(a: &ItemKind, b: &ItemKind) -> bool {
     match (a, b) {
         (ItemKind::Let(a), ItemKind::Let(b)) => a.name.text == b.name.text,
         (ItemKind::Load(a), ItemKind::Load(b)) => a.class == b.class && a.name.text == b.name.text,
-        // An observation without a name is any.
+        // An observation without a name matches any observation.
         (ItemKind::Observe(a), ItemKind::Observe(b)) => {
             b.name.text.is_empty() || a.name.text == b.name.text
         }

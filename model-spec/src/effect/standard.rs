@@ -1,5 +1,6 @@
-//! Names by which an effect speaks of any model: the mass and the moments of inertia that the body states, its frames, and
-//! what stands for a quantity that the model lacks. They are replaced by the model's own before the effect is applied.
+//! Standard names with which an effect can refer to any model: mass and moments of inertia of the body, the inertial
+//! and the body-fixed frame, and needed quantities with a fallback. They are replaced by the model's own names and
+//! expressions before the effect is applied.
 
 use std::collections::{HashMap, HashSet};
 
@@ -10,26 +11,27 @@ use crate::syntax::ast::{
     Number, Quantity,
 };
 
-/// Name of the mass that the body states.
+/// Standard name of the body's mass.
 pub(crate) const MASS: &str = "mass";
 
-/// Names of the moments of inertia about the body's axes 1, 2 and 3.
+/// Standard names of the moments of inertia about axes 1, 2 and 3 of the inertia frame.
 pub(crate) const INERTIA: [&str; 3] = ["inertia_11", "inertia_22", "inertia_33"];
 
-/// Names of the inertial frame and of the body-fixed frame.
+/// Standard names of the inertial frame and of the body-fixed frame.
 pub(crate) const FRAMES: [&str; 2] = ["inertial", "body"];
 
-/// The model's own expressions and frames for the names of this module.
+/// The model's expressions and frame names that replace the standard names.
 #[derive(Default)]
 struct Standard {
     values: HashMap<String, Expr>,
     frames: HashMap<&'static str, String>,
 }
 
-/// A copy of an effect in the names of a model. A name that the model or the effect declares keeps that meaning.
+/// Returns a copy of an effect in which standard names are replaced by the model's names and expressions. A name that
+/// the model or the effect declares is not replaced.
 ///
 /// # Errors
-/// One per quantity that the effect needs and the model lacks.
+/// One diagnostic per quantity that the effect needs and the model does not declare.
 pub(super) fn in_names_of(file: &File, effect: &Effect) -> Result<Effect, Vec<Diagnostic>> {
     let declared = declared(file);
     let own: HashSet<&str> = declared_by(effect).collect();
@@ -136,7 +138,7 @@ impl Standard {
         standard
     }
 
-    /// Replaces values and frames in an expression of an effect.
+    /// Replaces the standard names of values and frames in an expression of an effect.
     fn rename(&self, e: &mut Expr) {
         if let ExprKind::Name(name) = &e.kind
             && let Some(value) = self.values.get(name)
@@ -172,7 +174,7 @@ impl Standard {
     }
 }
 
-/// Substitutes expressions for names.
+/// Substitutes in `e` the expressions of `by` for the names that are its keys.
 fn replace_names(e: &mut Expr, by: &HashMap<String, Expr>) {
     if let ExprKind::Name(name) = &e.kind
         && let Some(value) = by.get(name)
@@ -183,7 +185,7 @@ fn replace_names(e: &mut Expr, by: &HashMap<String, Expr>) {
     e.children_mut(&mut |child| replace_names(child, by));
 }
 
-/// Right-hand sides and moments of inertia of an effect.
+/// Mutable references to the right-hand sides of an effect's statements and the entries of its inertia tensor.
 fn expressions(effect: &mut Effect) -> impl Iterator<Item = &mut Expr> {
     effect.parts.iter_mut().flat_map(|part| match part {
         EffectPart::Replace(item) | EffectPart::Add(item) => {
@@ -196,7 +198,7 @@ fn expressions(effect: &mut Effect) -> impl Iterator<Item = &mut Expr> {
     })
 }
 
-/// The body or point of a model.
+/// The rigid body or point mass that a file declares; `None` if it declares none.
 pub(super) fn body(file: &File) -> Option<&Body> {
     file.items.iter().find_map(|item| match &item.kind {
         ItemKind::Body(body) => Some(body),
@@ -208,7 +210,7 @@ fn is_of_body(file: &File, name: &str) -> bool {
     body(file).is_some() && OF_BODY.contains(&name)
 }
 
-/// Names of values that an effect declares.
+/// Names of the parameters, inputs, states and auxiliary variables that an effect declares.
 fn declared_by(effect: &Effect) -> impl Iterator<Item = &str> {
     effect.parts.iter().filter_map(|part| match part {
         EffectPart::Add(item) => match &item.kind {
@@ -222,7 +224,7 @@ fn declared_by(effect: &Effect) -> impl Iterator<Item = &str> {
     })
 }
 
-/// Names of values that a file declares, those of states of frames and bodies among them.
+/// Names of all values that a file declares, including the states of its frames and body.
 fn declared(file: &File) -> HashSet<String> {
     let mut names = HashSet::new();
     let mut add = |name: &str| names.insert(name.to_owned());
@@ -276,7 +278,7 @@ fn declared(file: &File) -> HashSet<String> {
     names
 }
 
-/// The literal 0, which has any unit.
+/// The literal 0, which is compatible with any unit.
 pub(super) fn zero(span: Span) -> Expr {
     let number = Number {
         text: "0".to_owned(),

@@ -1,10 +1,10 @@
-//! Claim of a model with stated equations: which of its quantities are those of a body.
+//! Claim of a model with stated equations: which expressions are the mass, motion and loads of a body.
 
 use super::Expr;
 use crate::source::Span;
 
-/// What stated equations are about: expressions for the quantities of a body. It adds nothing to the equations and is
-/// compared with them.
+/// Physical meaning of stated equations: expressions for the mass, motion and loads of a body. The claim does not
+/// change the equations; verification compares it with them.
 #[derive(Clone, Debug)]
 pub struct Claim {
     /// Name of the claimed body.
@@ -13,11 +13,11 @@ pub struct Claim {
     pub mass: Expr,
     /// Position of the centre of mass, a vector in any frame, m.
     pub position: Expr,
-    /// Velocity of the centre of mass against the inertial frame, a vector in any frame, m/s.
+    /// Velocity of the centre of mass relative to the inertial frame, a vector in any frame, m/s.
     pub velocity: Expr,
-    /// Sum of all forces, with the weight, a vector in any frame, N.
+    /// Sum of all forces including the weight, a vector in any frame, N.
     pub force: Expr,
-    /// Rotational motion; none for a point mass.
+    /// Rotational motion; `None` for a point mass.
     pub rotation: Option<ClaimedRotation>,
     /// Source span of the claim's name.
     pub span: Span,
@@ -26,29 +26,30 @@ pub struct Claim {
 /// Claimed rotational motion of a rigid body.
 #[derive(Clone, Debug)]
 pub struct ClaimedRotation {
-    /// What turns with the body.
+    /// Frame or axis that turns with the body.
     pub attitude: ClaimedAttitude,
-    /// Index of the frame in which the inertia is constant.
+    /// Index of the frame in which the inertia tensor is constant.
     pub inertia_frame: usize,
     /// Inertia tensor, kg m², symmetric; entries depend on parameters and coefficients alone.
     pub inertia: [[Expr; 3]; 3],
-    /// Angular velocity of the body against the inertial frame, a vector in any frame, rad/s.
+    /// Angular velocity of the body relative to the inertial frame, a vector in any frame, rad/s.
     pub angular_velocity: Expr,
     /// Sum of all moments about the centre of mass, a vector in any frame, N m.
     pub moment: Expr,
 }
 
-/// What turns with a claimed body.
+/// Frame or axis that turns with the body of a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ClaimedAttitude {
-    /// The frame of this index is fixed in the body.
+    /// The frame of this index is fixed to the body.
     Frame(usize),
-    /// The axis of revolution: axis 1, 2 or 3 of the frame of this index; the frame does not spin with the body.
+    /// The axis of revolution of the body: axis 1, 2 or 3 (second field) of the frame of this index (first field). The
+    /// frame does not spin with the body.
     Axis(usize, u8),
 }
 
 impl Claim {
-    /// Every expression of the claim.
+    /// References to all expressions of the claim.
     pub fn expressions(&self) -> Vec<&Expr> {
         let mut all = vec![&self.mass, &self.position, &self.velocity, &self.force];
         if let Some(rotation) = &self.rotation {
@@ -58,7 +59,7 @@ impl Claim {
         all
     }
 
-    /// Every expression of the claim, for modification.
+    /// Mutable references to all expressions of the claim.
     pub fn expressions_mut(&mut self) -> Vec<&mut Expr> {
         let mut all = vec![
             &mut self.mass,

@@ -1,4 +1,4 @@
-//! Effects of a checked model: applied ones, and ones that the model's file declares.
+//! Effects of a checked model: applied effects, and effects declared in the model's file.
 
 #[cfg(doc)]
 use crate::model::Model;
@@ -17,19 +17,23 @@ pub struct AppliedEffect {
     pub variables: Vec<String>,
     /// Literature reference of the effect (`source` statement); empty if there is none.
     pub citation: String,
-    /// What the effect does where its first coefficient is above its null value (`increases "…"`); empty if not stated.
+    /// Sentence that describes the effect if its first coefficient exceeds the null value (`increases "…"` statement);
+    /// empty if not stated.
     pub increases: String,
-    /// What the effect does where its first coefficient is below its null value (`decreases "…"`); empty if not stated.
+    /// Sentence that describes the effect if its first coefficient is below the null value (`decreases "…"` statement);
+    /// empty if not stated.
     pub decreases: String,
-    /// Coefficients of the effect, by index into [`Model::coefficients`].
+    /// Coefficients of the effect; their indices refer to [`Model::coefficients`].
     pub coefficients: Vec<EffectUnknown>,
-    /// States of the effect, by index into [`Model::states`]; their initial values are local parameters of each flight.
+    /// States of the effect; their indices refer to [`Model::states`]. Their initial values are local parameters of
+    /// each flight.
     pub states: Vec<EffectUnknown>,
 }
 
 impl AppliedEffect {
-    /// What the effect does where its first coefficient departs from its null value by `departure`; its documentation if
-    /// the effect does not state it.
+    /// Sentence that describes the effect if its first coefficient differs from the null value by `departure`:
+    /// [`AppliedEffect::increases`] or [`AppliedEffect::decreases`], or the documentation if that sentence is not
+    /// stated.
     pub fn sentence(&self, departure: f64) -> &str {
         let stated = if departure > 0.0 {
             &self.increases
@@ -53,13 +57,13 @@ pub struct OfferedEffect {
     pub span: Span,
 }
 
-/// A coefficient or initial state of an effect: at its null value it contributes nothing.
+/// A coefficient or the initial value of a state of an effect. At its null value, the effect is absent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EffectUnknown {
-    /// Index into the model's coefficients, or into its states.
+    /// Index into [`Model::coefficients`] for a coefficient, or into [`Model::states`] for a state.
     pub index: usize,
     /// Value at which the effect is absent, SI; equal to the default value.
     pub null_value: f64,
-    /// Smallest effect size of interest, as distance from the null value, SI; `None` if not stated.
+    /// Smallest effect size of interest, as a distance from the null value, SI; `None` if not stated.
     pub smallest_of_interest: Option<f64>,
 }

@@ -1,20 +1,21 @@
-//! Tables: functions of one number, given by their values at knots.
+//! Tables: functions of one scalar, specified by their values at knots.
 
 use crate::source::Span;
 use crate::unit::Unit;
 
 pub use crate::syntax::ast::{Continuation, Interpolation};
 
-/// A function of one number that is given by its values at knots. Its value is continuous with its first derivative.
+/// A function of one scalar that is specified by its values at knots. The function and its first derivative are
+/// continuous.
 ///
-/// With [`Interpolation::Spline`] the second derivative is continuous between the ends, too, and beyond them where the table
-/// goes straight on: the second derivative is zero at the first and the last knot (natural cubic spline). Where the table goes
-/// on with a constant, the slope is zero at the ends (clamped cubic spline). With [`Interpolation::Monotone`] the slopes at the
-/// inner knots are those of Fritsch and Butland (1984), weighted by the intervals, and at the ends the one-sided ones of three
-/// points, limited to keep the shape, or zero.
+/// With [`Interpolation::Spline`], the second derivative is continuous between the first and the last knot. With linear
+/// continuation it is zero at both end knots (natural cubic spline), so it is continuous everywhere. With constant
+/// continuation the slope is zero at both end knots (clamped cubic spline). With [`Interpolation::Monotone`], the
+/// slopes at the inner knots are those of Fritsch and Butland (1984), weighted by the intervals. The slopes at the end
+/// knots are one-sided three-point slopes limited to preserve the shape, or zero with constant continuation.
 #[derive(Clone, Debug)]
 pub struct Table {
-    /// Name, by which the table is called.
+    /// Name by which expressions call the table.
     pub name: String,
     /// Documentation: the `///` lines before the declaration.
     pub doc: String,
@@ -24,22 +25,23 @@ pub struct Table {
     pub argument_unit: Unit,
     /// Unit of the value.
     pub unit: Unit,
-    /// Texts of the units of argument and value, SI units.
+    /// Texts of the SI units of the argument and of the value, in this order.
     pub unit_texts: [String; 2],
-    /// Arguments and values at the knots, SI: at least 3, arguments strictly increasing, all finite.
+    /// Pairs of argument and value at the knots, SI: at least 3 pairs, arguments strictly increasing, all finite.
     pub knots: Vec<(f64, f64)>,
-    /// How the table is interpolated between its knots.
+    /// Interpolation between the knots.
     pub interpolation: Interpolation,
-    /// How the table continues beyond its ends.
+    /// Continuation below the first knot and above the last knot.
     pub continuation: Continuation,
     /// Source span of the name in the declaration.
     pub span: Span,
-    /// Index into [`Model::effects`](super::Model::effects) of the effect that added the table; `None` for the model's own.
+    /// Index into [`Model::effects`](super::Model::effects) of the effect that added the table; `None` for a table of
+    /// the model's file.
     pub effect: Option<usize>,
 }
 
 impl Table {
-    /// Hash of the curve: equal for tables with the same knots (SI), interpolation and continuation (64-bit FNV-1a).
+    /// 64-bit FNV-1a hash of the curve: equal for tables with the same knots (SI), interpolation and continuation.
     pub fn fingerprint(&self) -> u64 {
         let ways = [self.interpolation as u64, self.continuation as u64];
         let numbers = self

@@ -92,15 +92,15 @@ impl Expr {
 }
 
 impl Model {
-    /// Source text of a span, with whitespace collapsed to one line.
+    /// Source text of a span, with each run of whitespace replaced by one space; empty if the span is invalid.
     pub fn text(&self, span: Span) -> String {
         let source = self.sources.get(usize::from(span.source));
         let raw = source.and_then(|s| s.text.get(span.range())).unwrap_or("");
         raw.split_whitespace().collect::<Vec<_>>().join(" ")
     }
 
-    /// Indices of states whose initial value is the default unless a flight states one. With a body: all states that
-    /// are not the body's; without a body: the states of effects.
+    /// Indices of the states whose initial values have a default, so that a flight need not state them. In a model with
+    /// a body, these are all states that are not the body's; without a body, the states of effects.
     pub fn added_states(&self) -> Vec<usize> {
         let of_effects = |state: &usize| {
             self.effects
@@ -113,7 +113,7 @@ impl Model {
             .collect()
     }
 
-    /// State indices of each quaternion frame, scalar part first; the four states have norm 1.
+    /// Iterates over the quaternion frames: indices of the four quaternion states, scalar part first, whose norm is 1.
     pub fn quaternions(&self) -> impl Iterator<Item = [usize; 4]> {
         self.frames.iter().filter_map(|frame| match frame.kind {
             FrameKind::Quaternion { states, .. } => Some(states),
@@ -121,7 +121,7 @@ impl Model {
         })
     }
 
-    /// Whether a limit was added by the checker to avoid gimbal lock, rather than stated in the file.
+    /// Whether the checker added the limit to avoid gimbal lock, so that the file does not state it.
     pub fn is_automatic(&self, limit: &ValidityLimit) -> bool {
         self.frames.iter().any(|f| f.span == limit.span)
     }

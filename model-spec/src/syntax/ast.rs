@@ -1,4 +1,4 @@
-//! Syntax tree of a model file: names unresolved, each node with its source span.
+//! Syntax tree of a model file, with unresolved names; each node has its source span.
 //!
 //! Fields are public so that other crates can change a model and check it with [`check`](crate::check()).
 
@@ -14,13 +14,13 @@ pub use table::{Continuation, Interpolation, Table};
 /// A parsed file: a model, effects, or both.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct File {
-    /// Documentation: the `//!` lines.
+    /// Documentation: the `//!` lines of the file.
     pub doc: String,
     /// Statements in order; those of applied effects come last.
     pub items: Vec<Item>,
-    /// Applied effects, in order.
+    /// Applied effects, in order of application.
     pub applied: Vec<Applied>,
-    /// End of the text, the source span of errors about missing statements.
+    /// Empty span at the end of the text, for errors about missing statements.
     pub end: Span,
 }
 
@@ -37,13 +37,13 @@ pub struct Applied {
     pub variables: Vec<String>,
     /// Literature reference of the effect; empty if none is stated.
     pub citation: String,
-    /// What the effect does where its first coefficient is above its null value; empty if none is stated.
+    /// Sentence that describes the effect if its first coefficient exceeds the null value; empty if none is stated.
     pub increases: String,
-    /// What the effect does where its first coefficient is below its null value; empty if none is stated.
+    /// Sentence that describes the effect if its first coefficient is below the null value; empty if none is stated.
     pub decreases: String,
-    /// Smallest effect size of interest of each coefficient and state that states one (`negligible`).
+    /// Smallest effect sizes of interest, as stated by `negligible`: name of a coefficient or state, and size.
     pub negligible: Vec<(Name, Quantity)>,
-    /// Quantities of the model that the effect needs, without those that the model lacks and the effect can do without.
+    /// Quantities of the model that the effect needs, without quantities that a fallback expression replaces.
     pub needs: Vec<Need>,
 }
 
@@ -56,52 +56,53 @@ pub struct Item {
     pub doc: String,
     /// Source span from the first word of the statement to its end.
     pub span: Span,
-    /// Index into [`File::applied`] of the effect that added or replaced the statement; `None` for the model's own.
+    /// Index into [`File::applied`] of the effect that added or replaced the statement; `None` for a statement of the
+    /// model's file.
     pub effect: Option<usize>,
 }
 
 /// Kinds of statement in a model file, with their content.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ItemKind {
-    /// `model NAME;`
+    /// Name of the model: `model NAME;`
     Model(Name),
-    /// `reference NAME;`
+    /// Name of the reference implementation: `reference NAME;`
     Reference(Name),
-    /// `param …;` or `coefficient …;`
+    /// Declaration of a known constant or a coefficient: `param …;` or `coefficient …;`
     Parameter(Parameter),
-    /// `input NAME in FRAME = (…) unit;`
+    /// Declaration of an input vector: `input NAME in FRAME = (…) unit;`
     Input(Input),
-    /// `state NAME = value;`
+    /// Declaration of a state: `state NAME = value;`
     State(State),
-    /// `frame …;`
+    /// Declaration of a frame of reference: `frame …;`
     Frame(Frame),
-    /// `body NAME { … }` or `point NAME { … }`
+    /// Declaration of a rigid body or a point mass: `body NAME { … }` or `point NAME { … }`
     Body(Body),
-    /// `table NAME(ARGUMENT: UNIT): UNIT = { … };`
+    /// Declaration of a table: `table NAME(ARGUMENT: UNIT): UNIT = { … };`
     Table(Table),
-    /// `let NAME = …;`
+    /// Declaration of an auxiliary variable: `let NAME = …;`
     Let(Let),
-    /// `force NAME = …;` or `moment NAME = …;`
+    /// Declaration of a load: `force NAME = …;` or `moment NAME = …;`
     Load(Load),
-    /// `der(STATE) = …;`
+    /// Stated differential equation: `der(STATE) = …;`
     Equation(Equation),
-    /// `marker NAME in FRAME;`
+    /// Declaration of the observed point: `marker NAME in FRAME;`
     Marker(Marker),
-    /// `observe NAME = …;`
+    /// Measurement equation: `observe NAME = …;`
     Observe(Observe),
-    /// `clock EXPR;`
+    /// Rate of flight time relative to measured time: `clock EXPR;`
     Clock(Expr),
-    /// `limit … > bound "reason";`
+    /// Validity limit: `limit … > bound "reason";`
     Limit(Limit),
-    /// `check "title" { … }`
+    /// Check case: `check "title" { … }`
     Check(Check),
-    /// `claim body NAME { … }` or `claim point NAME { … }`
+    /// Claim about stated equations: `claim body NAME { … }` or `claim point NAME { … }`
     Claim(Claim),
-    /// `effect NAME { … }`
+    /// Declaration of an effect: `effect NAME { … }`
     Effect(Effect),
 }
 
-/// A name in ASCII spelling (`alpha` for `α`).
+/// A name with its source span; the text is in ASCII spelling (`alpha` for `α`).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Name {
     /// ASCII spelling of the name.
@@ -110,19 +111,19 @@ pub struct Name {
     pub span: Span,
 }
 
-/// A literal number with its sign, as text.
+/// A numeric literal with its sign, as text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Number {
-    /// Sign, digits, point and exponent, in a form that `f64::from_str` reads.
+    /// Sign, digits, decimal point and exponent, in a form that `f64::from_str` accepts.
     pub text: String,
     /// Source span of the literal.
     pub span: Span,
 }
 
-/// A literal number with an optional unit.
+/// A numeric literal with an optional unit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quantity {
-    /// Literal number.
+    /// Numeric literal.
     pub number: Number,
     /// Unit of the number; `None` if none is written.
     pub unit: Option<UnitExpr>,
@@ -130,8 +131,8 @@ pub struct Quantity {
     pub span: Span,
 }
 
-/// Unit expression: a product of powers of unit symbols; without factors it is `1`. The only factor `?`
-/// ([`UnitExpr::INFERRED`]) asks for the unit that the uses of the declared name imply.
+/// Unit expression: a product of powers of unit symbols; without factors it is the unit `1`. A single factor `?`
+/// ([`UnitExpr::INFERRED`]) requests inference of the unit from the uses of the declared name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UnitExpr {
     /// Powers of unit symbols whose product is the unit.
@@ -141,10 +142,10 @@ pub struct UnitExpr {
 }
 
 impl UnitExpr {
-    /// Symbol of the unit that is inferred: `[?]` behind the number of a declaration.
+    /// Symbol `?` of a unit to be inferred, as in the declaration `param k = 2 [?];`.
     pub const INFERRED: &str = "?";
 
-    /// Whether the unit is to be inferred from uses, `[?]`.
+    /// Whether the unit is `[?]`, so that it is inferred from the uses of the declared name.
     pub fn is_inferred(&self) -> bool {
         matches!(&self.factors[..], [only] if only.symbol == UnitExpr::INFERRED)
     }
@@ -155,9 +156,9 @@ impl UnitExpr {
 pub struct UnitFactor {
     /// Unit symbol, such as `kg`.
     pub symbol: String,
-    /// Exponent of the symbol, times 2.
+    /// Twice the exponent of the symbol.
     pub doubled: i32,
-    /// Source span of symbol and exponent.
+    /// Source span of the symbol with its exponent.
     pub span: Span,
 }
 
@@ -166,24 +167,24 @@ pub struct UnitFactor {
 pub enum ParameterClass {
     /// Known constant of the body or its environment (`param`).
     Param,
-    /// Estimated from flights (`coefficient`).
+    /// Coefficient that is estimated from flights (`coefficient`).
     Coefficient,
 }
 
 /// Declaration of a known constant or a coefficient.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameter {
-    /// Known constant or coefficient to be estimated.
+    /// Whether the parameter is a known constant or a coefficient.
     pub class: ParameterClass,
     /// Name of the parameter.
     pub name: Name,
     /// Default value, with its unit.
     pub value: Quantity,
-    /// Lower and upper bound; in the unit of the default unless they state one.
+    /// Lower and upper bound; a bound without a unit has the unit of the default value. `None` if no bounds are stated.
     pub bounds: Option<(Quantity, Quantity)>,
 }
 
-/// Declaration of a vector given with each flight.
+/// Declaration of an input: a vector whose value is specified for each flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Input {
     /// Name of the input vector.
@@ -196,7 +197,7 @@ pub struct Input {
     pub unit: Option<UnitExpr>,
 }
 
-/// Declaration of a state that is not the body's.
+/// Declaration of a state other than those of frames and body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
     /// Name of the state.
@@ -217,7 +218,7 @@ pub struct Frame {
 /// Orientation of a frame relative to its parent.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FrameKind {
-    /// Inertial, third axis up.
+    /// Inertial frame, with its third axis up.
     Inertial,
     /// Parent frame rotated about one of its axes by an angle.
     Turned {
@@ -232,7 +233,7 @@ pub enum FrameKind {
     Quaternion {
         /// Name of the parent frame.
         parent: Name,
-        /// Names of the quaternion's states, scalar part first.
+        /// Names of the four quaternion states, scalar part first.
         states: [Name; 4],
     },
 }
@@ -249,7 +250,7 @@ pub enum BodyClass {
 /// Declaration of a rigid body or a point mass.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
-    /// Rigid body or point mass.
+    /// Whether the body is rigid or a point mass.
     pub class: BodyClass,
     /// Name of the body.
     pub name: Name,
@@ -275,13 +276,13 @@ pub enum BodyPartKind {
     Inertia(Box<Inertia>),
     /// `fixed in FRAME;`: the body-fixed frame.
     Fixed(Name),
-    /// `position (x, y, z) in FRAME;`: position states of the centre of mass, and their frame.
+    /// `position (x, y, z) in FRAME;`: names of the position states of the centre of mass, and their frame.
     Position([Name; 3], Name),
-    /// `velocity (u, v, w) in FRAME;`: velocity states of the centre of mass, and their frame.
+    /// `velocity (u, v, w) in FRAME;`: names of the velocity states of the centre of mass, and their frame.
     Velocity([Name; 3], Name),
-    /// `angular velocity (p, q, r) in FRAME;`: angular-velocity states, and their frame.
+    /// `angular velocity (p, q, r) in FRAME;`: names of the angular-velocity states, and their frame.
     AngularVelocity([Name; 3], Name),
-    /// `angular velocity in FRAME;`: frame of the name `angular_velocity` in expressions.
+    /// `angular velocity in FRAME;`: frame of the components of `angular_velocity` in expressions.
     AngularVelocityIn(Name),
 }
 
@@ -299,7 +300,7 @@ pub struct Inertia {
 pub struct Let {
     /// Name of the auxiliary variable.
     pub name: Name,
-    /// Declared unit; `None` if it is to be computed.
+    /// Declared unit; `None` if the unit follows from the defining expression.
     pub unit: Option<UnitExpr>,
     /// Defining expression.
     pub value: Expr,
@@ -328,7 +329,7 @@ pub struct Load {
 /// A stated differential equation: `der(STATE) = …`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equation {
-    /// Name of the state.
+    /// Name of the state whose derivative is stated.
     pub state: Name,
     /// Derivative of the state with respect to time.
     pub value: Expr,
@@ -352,14 +353,14 @@ pub struct Observe {
     pub value: Expr,
 }
 
-/// A validity limit: the model holds where the value is above the bound.
+/// A validity limit: the model is valid where the value exceeds the bound.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Limit {
     /// Scalar expression that must exceed the bound.
     pub value: Expr,
     /// Lower bound of the expression.
     pub bound: Quantity,
-    /// Reason why the model is invalid beyond the limit, for messages.
+    /// Reason why the model is invalid where the condition fails, for messages.
     pub reason: String,
 }
 
@@ -375,18 +376,18 @@ pub struct Check {
 /// A statement of a check case.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CheckPart {
-    /// `set NAME = value;`
+    /// Sets a value: `set NAME = value;`
     Set {
         /// Name of a parameter, coefficient, state or input, or of a component of an input.
         name: Name,
-        /// One literal, or the three components of a vector.
+        /// One literal, or three literals for the components of an input.
         value: Vec<Number>,
         /// Unit of the literals; `None` if none is written.
         unit: Option<UnitExpr>,
         /// Source span of the statement.
         span: Span,
     },
-    /// `expect NAME = value within tolerance;`
+    /// Compares a result with its expected value: `expect NAME = value within tolerance;`
     Expect {
         /// Name of an auxiliary variable, or of a state if `derivative`.
         name: Name,
@@ -394,7 +395,7 @@ pub enum CheckPart {
         derivative: bool,
         /// Expected value of the result.
         value: Quantity,
-        /// Absolute tolerance; without a unit it has the unit of the value.
+        /// Absolute tolerance of the comparison; without a unit it has the unit of the expected value.
         within: Quantity,
         /// Source span of the statement.
         span: Span,
@@ -406,33 +407,33 @@ pub enum CheckPart {
 pub struct Expr {
     /// Operation with its operands, or a name or literal.
     pub kind: ExprKind,
-    /// Source span of the expression, with enclosing brackets.
+    /// Source span of the expression, including enclosing parentheses.
     pub span: Span,
 }
 
-/// Binary operators.
+/// Binary operators of expressions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BinaryOp {
-    /// `+`
+    /// Addition, `+`.
     Add,
-    /// `-`
+    /// Subtraction, `-`.
     Sub,
-    /// `*`
+    /// Multiplication, `*`.
     Mul,
-    /// `·`: scalar product of two vectors, else multiplication.
+    /// Operator `·`: scalar product of two vectors, otherwise multiplication.
     Dot,
-    /// `×`: vector product of two vectors, else multiplication.
+    /// Operator `×`: vector product of two vectors, otherwise multiplication.
     Cross,
-    /// `/`
+    /// Division, `/`.
     Div,
-    /// `^`
+    /// Exponentiation, `^`.
     Pow,
 }
 
-/// Operations and operands of expressions.
+/// Operations and leaves of expressions, as written.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ExprKind {
-    /// A literal number with an optional unit.
+    /// A numeric literal with an optional unit.
     Number(Quantity),
     /// A name, not yet resolved.
     Name(String),

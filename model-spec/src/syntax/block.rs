@@ -70,7 +70,7 @@ impl Parser<'_> {
         })
     }
 
-    /// Parses `in FRAME`.
+    /// Parses `in FRAME` and returns the frame's name; `after` describes the preceding text in error messages.
     pub fn in_frame(&mut self, after: &str) -> Read<Name> {
         self.need_word("in", after)?;
         self.name("the name of a frame after `in`")
@@ -87,7 +87,7 @@ impl Parser<'_> {
         Ok([a, b, c])
     }
 
-    /// Parses `diag(a, b, c) in FRAME` or `((a, b, c), (d, e, f), (g, h, i)) in FRAME`: an inertia tensor.
+    /// Parses an inertia tensor: `diag(a, b, c) in FRAME` or `((a, b, c), (d, e, f), (g, h, i)) in FRAME`.
     pub fn inertia(&mut self) -> Read<Inertia> {
         let rows = if self.eat_word("diag") {
             let [a, b, c] = self.triple()?;

@@ -6,7 +6,8 @@ use super::quantity::superscript_value;
 use super::token::Token;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 
-/// Maximum height of an expression's syntax tree, which bounds the recursion depth of later passes.
+/// Maximum height of an expression's syntax tree, in nodes from root to leaf. It bounds the recursion depth of later
+/// passes.
 pub(crate) const MAX_HEIGHT: u32 = 200;
 
 const SIGN: u8 = 25;
@@ -68,7 +69,8 @@ impl Parser<'_> {
         Ok(left)
     }
 
-    /// Makes a node over subtrees of height `below`; an error if the tree exceeds [`MAX_HEIGHT`].
+    /// Creates a tree node whose highest subtree has height `below`; reports an error if the result would exceed
+    /// [`MAX_HEIGHT`].
     fn grown(&mut self, kind: ExprKind, span: Span, below: u32) -> Read<Tree> {
         if below + 1 > MAX_HEIGHT {
             let message = format!("this expression has more than {MAX_HEIGHT} operations in a row");
@@ -130,7 +132,7 @@ impl Parser<'_> {
         Ok(tree)
     }
 
-    /// Parses the number of an axis: 1, 2 or 3.
+    /// Parses the number of an axis or component: 1, 2 or 3. `what` describes the expected number in error messages.
     pub fn axis(&mut self, what: &str) -> Read<u8> {
         match (self.peek(), self.raw()) {
             (Token::Number, raw @ ("1" | "2" | "3")) => {
@@ -159,7 +161,8 @@ impl Parser<'_> {
         }
     }
 
-    /// Parses a literal, optionally with one unit symbol or a unit in square brackets.
+    /// Parses a numeric literal, optionally followed by one unit symbol with its exponent or by a unit in square
+    /// brackets.
     fn literal(&mut self) -> Read<Tree> {
         let number = self.digits("a number")?;
         let unit = match self.peek() {

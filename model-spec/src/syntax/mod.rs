@@ -1,6 +1,6 @@
 //! Parser and printer of model files: recursive descent for statements, precedence climbing for expressions.
 //!
-//! Error recovery: after an error the parser continues at the next statement, so one pass reports all syntax errors.
+//! After an error, the parser continues at the next statement, so one pass reports all syntax errors.
 
 pub mod ast;
 mod block;
@@ -31,18 +31,18 @@ pub const MAX_SOURCE_BYTES: usize = 1_000_000;
 pub struct Parsed {
     /// Syntax tree without the statements that have errors.
     pub file: ast::File,
-    /// The text that was parsed.
+    /// Source text that was parsed; empty if it was too long.
     pub source: Source,
     /// Lexical and syntax errors, in the order of their source spans.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Parses the text of a model file; `name` appears in messages. Source index 0.
+/// Parses the text of a model file; messages refer to it as `name`. All spans have source index 0.
 pub fn parse(name: &str, text: &str) -> Parsed {
     parse_as(name, text, 0)
 }
 
-/// Parses a text whose spans have the source index `source`; `name` appears in messages.
+/// Parses the text of a model file; messages refer to it as `name`. All spans have the source index `source`.
 pub fn parse_as(name: &str, text: &str, source: u16) -> Parsed {
     let text = text.strip_prefix('\u{FEFF}').unwrap_or(text);
     if text.len() > MAX_SOURCE_BYTES {
@@ -61,7 +61,8 @@ pub fn parse_as(name: &str, text: &str, source: u16) -> Parsed {
     }
 }
 
-/// Result for a text longer than [`MAX_SOURCE_BYTES`] bytes: an empty tree and one error.
+/// Result of parsing for a text longer than [`MAX_SOURCE_BYTES`]: an empty tree and one error that states `length`,
+/// bytes.
 pub(crate) fn too_long(name: &str, length: usize, source: u16) -> Parsed {
     let span = Span {
         source,

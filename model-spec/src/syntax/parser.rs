@@ -1,4 +1,4 @@
-//! Parser state shared by all grammar rules: token cursor, error messages, error recovery.
+//! Parser state shared by all grammar rules, with token access, error messages and error recovery.
 
 use super::ast::{File, Name};
 use super::token::{self, Lexed, Lexeme, Token};
@@ -42,13 +42,13 @@ pub(super) const STATEMENTS: [&str; 30] = [
     "decreases",
 ];
 
-/// Error marker: the syntax error has been reported, the current statement is abandoned.
+/// Marker that a syntax error has already been reported, so that the current statement is abandoned.
 pub(super) struct Reported;
 
-/// Result of a grammar rule; its error has already been reported.
+/// Result of a grammar rule; an `Err` means that the error has already been reported.
 pub(super) type Read<T> = Result<T, Reported>;
 
-/// Recursive-descent parser: the tokens of a text, the position of the next token, and the nesting depth.
+/// Recursive-descent parser: tokens of a text, index of the next token, and current nesting depth.
 pub(super) struct Parser<'a> {
     text: &'a str,
     source: u16,
@@ -96,7 +96,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// All lexical and syntax errors, in the order of their source spans.
+    /// Returns all lexical and syntax errors, in the order of their source spans.
     pub fn finish(mut self) -> Vec<Diagnostic> {
         self.lexed.diagnostics.sort_by_key(|d| d.span);
         self.lexed.diagnostics
@@ -146,7 +146,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Source span of the previous token; of the next one at the start of the text.
+    /// Source span of the previous token; at the start of the text, that of the next token.
     pub fn behind(&self) -> Span {
         match self.at.checked_sub(1) {
             Some(i) => {
@@ -191,12 +191,13 @@ impl<'a> Parser<'a> {
         self.lexed.diagnostics.push(fault);
     }
 
-    /// Whether the next token is invalid, which the lexer has reported.
+    /// Whether the next token is one that the lexer has already reported as an error.
     pub fn reported_by_lexer(&self) -> bool {
         matches!(self.peek(), Token::Bad | Token::OpenText)
     }
 
-    /// Reports "expected `what`, found …" at the next token; always returns `Err`.
+    /// Reports "expected `what`, found …" at the next token, unless the lexer has reported that token. Always returns
+    /// `Err`.
     pub fn expected<T>(&mut self, what: &str) -> Read<T> {
         self.expected_help(what, None)
     }
@@ -211,7 +212,8 @@ impl<'a> Parser<'a> {
         Err(Reported)
     }
 
-    /// The word nearest in spelling to `wrong`; `None` if none is near or the limit of shown errors is reached.
+    /// The element of `words` that is nearest in spelling to `wrong`; `None` if none is near, or if so many errors were
+    /// found that further ones are not shown.
     pub fn nearest<'w>(&self, wrong: &str, words: &[&'w str]) -> Option<&'w str> {
         if self.lexed.diagnostics.len() >= MAX_SHOWN {
             return None;
@@ -219,7 +221,7 @@ impl<'a> Parser<'a> {
         suggest::nearest(wrong, words.iter().copied())
     }
 
-    /// Reports that a keyword was expected, suggesting the nearest of `words`; always returns `Err`.
+    /// Reports that `what` was expected and suggests the nearest of the keywords `words`. Always returns `Err`.
     pub fn expected_word<T>(&mut self, what: &str, words: &[&str]) -> Read<T> {
         let near = match self.peek() {
             Token::Name => self.nearest(self.raw(), words),
@@ -244,7 +246,8 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Consumes the `;` that ends a statement; reports an error if it is missing.
+    /// Consumes the `;` that ends a statement, or reports that it is missing. `after` describes the statement in the
+    /// message.
     pub fn semicolon(&mut self, after: &str) -> Read<()> {
         if self.eat(Token::Semicolon) {
             return Ok(());
@@ -296,7 +299,7 @@ impl<'a> Parser<'a> {
         Ok(name)
     }
 
-    /// Parses a string in quotation marks; `what` names its role in the error message.
+    /// Parses a string in quotation marks and returns its content; `what` describes the string in error messages.
     pub fn quoted(&mut self, what: &str) -> Read<String> {
         if self.peek() != Token::Text {
             return self.expected(&format!("{what} between quotation marks"));
@@ -306,7 +309,7 @@ impl<'a> Parser<'a> {
         Ok(text)
     }
 
-    /// The `///` lines directly before the next token, joined.
+    /// Consumes and joins the `///` lines directly before the next token.
     pub fn doc(&mut self) -> String {
         let mut lines: Vec<&str> = Vec::new();
         while let Some((at, line)) = self.lexed.docs.get(self.next_doc) {
@@ -320,7 +323,7 @@ impl<'a> Parser<'a> {
         lines.join("\n")
     }
 
-    /// Runs a grammar rule one nesting level deeper; an error beyond [`MAX_DEPTH`].
+    /// Runs a grammar rule one nesting level deeper; reports an error if the depth would exceed [`MAX_DEPTH`].
     pub fn nested<T>(&mut self, read: impl FnOnce(&mut Self) -> Read<T>) -> Read<T> {
         if self.depth >= MAX_DEPTH {
             let message = format!("this is nested more than {MAX_DEPTH} levels deep");
@@ -334,8 +337,9 @@ impl<'a> Parser<'a> {
         result
     }
 
-    /// Error recovery: skips past the next `;` or block at this nesting level, or to a `}` that closes the enclosing
-    /// block, or to a line that begins with a statement keyword.
+    /// Recovers from an error in the statement that starts at token index `started`. Skips tokens past the next `;` or
+    /// block at this nesting level, up to a `}` that closes the enclosing block, or up to a line that begins with a
+    /// statement keyword.
     pub fn recover(&mut self, started: usize) {
         let mut open = 0_u32;
         loop {
@@ -369,7 +373,8 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Parses `{ statement… }` with the rule `read`, recovering from errors inside the block.
+    /// Parses `{ statement… }` with the grammar rule `read` for each statement, and recovers from errors inside the
+    /// block. `what` describes the owner of the block in error messages.
     pub fn braces<T>(
         &mut self,
         what: &str,

@@ -5,7 +5,7 @@ use std::fmt;
 use super::ast::{BinaryOp, Expr, ExprKind, Quantity, UnitExpr};
 
 impl BinaryOp {
-    /// Text of the operator, with surrounding spaces where they are written.
+    /// Text of the operator; sums and differences include surrounding spaces.
     pub fn symbol(self) -> &'static str {
         match self {
             BinaryOp::Add => " + ",
@@ -38,7 +38,7 @@ impl fmt::Display for UnitExpr {
             power(f, factor.doubled)?;
             any = true;
         }
-        // A bare 1 after a number would be read as another number.
+        // A bare 1 after a number would be parsed as another number.
         if self.factors.iter().all(|u| u.doubled == 0) {
             return f.write_str("[1]");
         }
@@ -71,7 +71,7 @@ impl fmt::Display for Quantity {
     }
 }
 
-/// Prints an expression with minimal brackets; parsing the text yields an equal tree.
+/// Formats an expression with minimal parentheses; parsing the text yields an equal tree.
 impl fmt::Display for Expr {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write_expr(f, self, 0)

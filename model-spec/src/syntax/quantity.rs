@@ -5,14 +5,14 @@ use super::parser::{Parser, Read, Reported};
 use super::token::Token;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 
-/// Keywords that may follow a literal and are not units.
+/// Keywords that may follow a literal and must not be parsed as units.
 const FOLLOWING: [&str; 4] = ["in", "within", "about", "on"];
 
-/// Limit on the magnitude of a unit's exponent, times 2: `m^63` is the largest.
+/// Maximum magnitude of twice the exponent of a unit: `m^63` is the largest power.
 const MAX_DOUBLED_EXPONENT: i32 = 126;
 
 impl Parser<'_> {
-    /// Parses an unsigned literal; `what` names its role in the error message.
+    /// Parses an unsigned numeric literal; `what` describes it in error messages.
     pub fn digits(&mut self, what: &str) -> Read<Number> {
         if self.peek() != Token::Number {
             return self.expected(what);
@@ -30,7 +30,7 @@ impl Parser<'_> {
         Ok(number)
     }
 
-    /// Parses a literal with optional sign; `what` names its role in the error message.
+    /// Parses a numeric literal with optional sign; `what` describes it in error messages.
     pub fn number(&mut self, what: &str) -> Read<Number> {
         let start = self.here();
         let negative = self.eat(Token::Minus);
@@ -53,7 +53,8 @@ impl Parser<'_> {
         })
     }
 
-    /// Parses a literal and the unit that may follow, such as `0.175 kg` or `2.4 /rad`.
+    /// Parses a numeric literal with an optional unit, such as `0.175 kg` or `2.4 /rad`; `what` describes it in error
+    /// messages.
     pub fn quantity(&mut self, what: &str) -> Read<Quantity> {
         let number = self.number(what)?;
         let unit = self.optional_unit()?;
@@ -73,7 +74,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Parses the unit after a literal of a declaration; `Ok(None)` if there is none.
+    /// Parses the unit that may follow a literal in a declaration; `Ok(None)` if there is no unit.
     pub fn optional_unit(&mut self) -> Read<Option<UnitExpr>> {
         if !self.at_unit() {
             return Ok(None);
@@ -103,7 +104,7 @@ impl Parser<'_> {
         Ok(unit)
     }
 
-    /// Parses the `?` of `[?]`, a unit to be inferred.
+    /// Parses the `?` of `[?]`, which requests inference of the unit.
     fn inferred_unit(&mut self) -> UnitExpr {
         let span = self.here();
         self.advance();
@@ -118,7 +119,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Parses a product or quotient of powers of unit symbols; it may begin with `/`.
+    /// Parses a product or quotient of powers of unit symbols, such as `kg*m/s^2`; it may begin with `/`.
     pub fn unit(&mut self) -> Read<UnitExpr> {
         let start = self.here();
         let mut factors = Vec::new();
@@ -211,7 +212,7 @@ impl Parser<'_> {
     }
 }
 
-/// Value of a number written in superscript digits, such as `⁻²`; `None` if it is malformed.
+/// Value of an integer written in superscript digits, such as `⁻²`; `None` if the text is malformed.
 pub(super) fn superscript_value(raw: &str) -> Option<f64> {
     let plain: String = raw
         .chars()

@@ -1,4 +1,4 @@
-//! Rewrites the source spans of an effect's syntax tree, to refer to another source text.
+//! Change of the source spans of an effect's syntax tree, so that they refer to another source text.
 
 use super::ast::{Effect, EffectPart, Expr, ExprKind, Inertia, Item, ItemKind, Quantity, UnitExpr};
 use crate::source::Span;
@@ -45,13 +45,13 @@ impl Effect {
 }
 
 impl Item {
-    /// Calls `change` on every source span of a statement of the kinds that an effect may contain.
+    /// Calls `change` on every source span of the statement, which must be of a kind that an effect can contain.
     pub(crate) fn change_spans(&mut self, change: Change<'_>) {
         statement(self, change);
     }
 }
 
-/// Calls `change` on every span of a statement of the kinds that an effect may contain.
+/// Calls `change` on every source span of a statement, which must be of a kind that an effect can contain.
 fn statement(item: &mut Item, change: Change<'_>) {
     change(&mut item.span);
     match &mut item.kind {

@@ -9,7 +9,7 @@ use super::token::Token;
 use crate::diagnostic::{Diagnostic, Kind};
 
 impl Parser<'_> {
-    /// Parses one statement with its `///` lines.
+    /// Parses one statement with the `///` lines that precede it.
     pub fn statement(&mut self) -> Read<Item> {
         let doc = self.doc();
         let start = self.here();
@@ -49,7 +49,7 @@ impl Parser<'_> {
         })
     }
 
-    /// Reports that `word` does not begin a statement; always returns `Err`.
+    /// Reports that `word` does not begin a statement in this context. Always returns `Err`.
     pub fn no_statement<T>(&mut self, word: &str) -> Read<T> {
         let span = self.here();
         let fault = match word {
@@ -152,7 +152,7 @@ impl Parser<'_> {
         }))
     }
 
-    /// Parses three literals in brackets, such as `(1, 2, 3)`.
+    /// Parses three literals in parentheses, such as `(1, 2, 3)`.
     pub fn triple_of_numbers(&mut self) -> Read<[super::ast::Number; 3]> {
         self.need(Token::Open, "`(` and three numbers")?;
         let a = self.number("a number")?;
@@ -291,7 +291,7 @@ impl Parser<'_> {
         Ok(ItemKind::Observe(Observe { name, value }))
     }
 
-    /// Parses the rest of `clock EXPR;` or, in an effect, of `replace clock = EXPR;`.
+    /// Parses the rest of a clock statement after the keyword: `clock EXPR;`, or `replace clock = EXPR;` in an effect.
     pub fn clock(&mut self) -> Read<ItemKind> {
         let value = self.expr()?;
         self.semicolon("this `clock`")?;

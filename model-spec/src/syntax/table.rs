@@ -60,7 +60,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Parses `argument: value, …` and the `}` behind; a comma may follow the last knot.
+    /// Parses the knots `argument: value, …` and the closing `}`; a comma may follow the last knot.
     fn knots(&mut self) -> Read<Vec<(Quantity, Quantity)>> {
         let mut knots = Vec::new();
         while !self.eat(Token::CloseBrace) {
@@ -74,7 +74,8 @@ impl Parser<'_> {
         Ok(knots)
     }
 
-    /// Skips the rest of a block that has an error.
+    /// Skips tokens up to and including the next `}`, after an error in a block of knots; stops at `;` or the end of
+    /// the text.
     fn leave_braces(&mut self) {
         while !matches!(
             self.peek(),

@@ -91,16 +91,16 @@ pub(super) struct Lexeme {
 pub(super) struct Lexed {
     /// Tokens without comments; the last is [`Token::End`].
     pub tokens: Vec<Lexeme>,
-    /// `///` lines, each with the index in `tokens` of the token that follows.
+    /// `///` lines without the marker, each with the index in `tokens` of the token that follows it.
     pub docs: Vec<(usize, String)>,
-    /// The `//!` lines, joined.
+    /// The `//!` lines of the file without the marker, joined by newlines.
     pub file_doc: String,
     /// Lexical errors, in the order of their source spans.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Splits a text into tokens. A run of invalid characters becomes one [`Token::Bad`] and is reported, unless there was
-/// an error on the same line.
+/// Splits a text into tokens. Each run of invalid characters becomes one [`Token::Bad`], and is reported unless an
+/// error on the same line has been reported before.
 pub(super) fn lex(text: &str, source: u16) -> Lexed {
     let mut lexer = Lexer {
         text,
@@ -137,12 +137,12 @@ pub(super) fn lex(text: &str, source: u16) -> Lexed {
     lexer.lexed
 }
 
-/// Lexer state.
+/// State of the lexer between tokens.
 struct Lexer<'a> {
     text: &'a str,
     source: u16,
     lexed: Lexed,
-    /// Byte range of the last run of invalid characters, if not yet reported.
+    /// Byte range of the last run of invalid characters, if it is not yet reported; otherwise `None`.
     unread: Option<Range<usize>>,
     /// Whether the next token is the first on its line.
     is_first: bool,
@@ -189,7 +189,7 @@ impl Lexer<'_> {
         self.push(Token::OpenText, range);
     }
 
-    /// Handles an invalid character: extends the last run of invalid characters, or begins a new one.
+    /// Processes an invalid character: extends the last run of invalid characters, or begins a new run.
     fn unread(&mut self, range: Range<usize>) {
         let last = self.lexed.tokens.last_mut();
         let end = (range.start as u32, Token::Bad);
@@ -217,7 +217,7 @@ impl Lexer<'_> {
         }
     }
 
-    /// Reports the pending run of invalid characters.
+    /// Reports the last run of invalid characters, if it is not yet reported.
     fn report_unread(&mut self) {
         const BINARY: &str =
             "a model file is plain text in UTF-8; this looks like another kind of file";
@@ -249,7 +249,7 @@ impl Lexer<'_> {
     }
 }
 
-/// Suggested replacement for a character that is not part of the language; `None` if there is no suggestion.
+/// Suggests a replacement for a character that is not part of the language; `None` if there is no suggestion.
 fn instead(c: char) -> Option<String> {
     let text = match c {
         '\u{2018}' | '\u{2019}' | '\'' | '`' => "texts stand between `\"` marks",
@@ -270,7 +270,7 @@ fn instead(c: char) -> Option<String> {
     Some(text.to_owned())
 }
 
-/// Noun for a token in error messages.
+/// Description of a token for error messages.
 pub(super) fn name_of(lexeme: Lexeme, text: &str) -> String {
     let raw = &text[lexeme.start as usize..lexeme.end as usize];
     match lexeme.token {

@@ -17,7 +17,7 @@ impl Expr {
         }
     }
 
-    /// Calls `visit` on each direct subexpression, from left to right, for modification.
+    /// Calls `visit` with a mutable reference to each direct subexpression, from left to right.
     pub fn children_mut(&mut self, visit: &mut dyn FnMut(&mut Expr)) {
         match &mut self.kind {
             ExprKind::Name(_) | ExprKind::Number(_) | ExprKind::Derivative(_) => {}
@@ -33,7 +33,7 @@ impl Expr {
 }
 
 impl ItemKind {
-    /// The right-hand side of a `let`, load, equation, observation or clock statement; `None` for other statements.
+    /// Right-hand side of a `let`, load, equation, observation or clock statement; `None` for other kinds of statement.
     pub(crate) fn value(&self) -> Option<&Expr> {
         match self {
             ItemKind::Let(binding) => Some(&binding.value),
@@ -45,7 +45,8 @@ impl ItemKind {
         }
     }
 
-    /// Mutable right-hand side of a `let`, load, equation, observation or clock statement; `None` for others.
+    /// Mutable reference to the right-hand side of a `let`, load, equation, observation or clock statement; `None` for
+    /// other kinds of statement.
     pub(crate) fn value_mut(&mut self) -> Option<&mut Expr> {
         match self {
             ItemKind::Let(binding) => Some(&mut binding.value),

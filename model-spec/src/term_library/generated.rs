@@ -1,9 +1,12 @@
-//! The term library of a model that has none of its own, from the model's named quantities and their units.
+//! Generation of a term library for a model that is compatible with no built-in library, from the model's quantities
+//! and their units.
 //!
-//! Channels are the forces along, up across and left across the stream (over the weight on Earth), the moments about the axes
-//! of the moments of inertia (over ten times those per s²), or the stated equations (over the state's unit per second).
-//! Variables are speed, height, time and rates of a body, the direction of the stream in its axes, the states of stated
-//! equations, and named numbers that change in flight and depend on no coefficient, each over a typical size of its unit.
+//! For a body, the channels are the forces along, upward across and leftward across the relative wind, divided by the
+//! weight on Earth, and the moments about the axes of the inertia frame, divided by ten times the moments of inertia
+//! per s². Otherwise they are the stated equations, divided by the state's unit per second. The variables are: speed,
+//! height, rates and direction of the relative wind for a body, or the states of stated equations; scalar auxiliary
+//! variables that vary during a flight and depend on no coefficient; and time. Each variable is divided by a typical
+//! magnitude of its unit.
 
 use std::fmt::Write;
 
@@ -11,25 +14,27 @@ use super::{ChannelEntry, LibraryFile, VariableEntry};
 use crate::model::{Body, Expr, ExprKind, Model, Shape};
 use crate::unit::Unit;
 
-/// Maximum number of variables of which all products of two are formed.
+/// Maximum number of leading variables of which all products of two are formed.
 const MAX_IN_PRODUCTS: usize = 4;
 
-/// Maximum number of variables taken from the model's named quantities.
+/// Maximum number of variables taken from the model's auxiliary variables.
 const MAX_NAMED: usize = 3;
 
 /// Maximum number of variables taken from the states of stated equations.
 const MAX_STATES: usize = 6;
 
-/// Maximum number of stated equations with channels.
+/// Maximum number of stated equations that become channels.
 const MAX_EQUATIONS: usize = 8;
 
-/// Needed by every expression that speaks of the stream.
+/// `needs` statement of every effect that refers to the relative wind; without `air_velocity`, the velocity replaces
+/// it.
 const NEEDS: &str = "needs vector air_velocity: m/s or velocity;";
 const ALONG: &str = "unit(in_inertial(air_velocity))";
 const LEFT: &str = "unit(cross(inertial.3, in_inertial(air_velocity)))";
 const WEIGHT: &str = "mass*(9.80665 [m/s^2])";
 
-/// A variable with its definition and its rank: those of lower rank come first, and take part in products.
+/// A candidate variable with its definition. Variables are sorted by ascending rank; the first [`MAX_IN_PRODUCTS`] form
+/// products.
 struct Variable {
     name: String,
     definition: String,
@@ -37,7 +42,7 @@ struct Variable {
     rank: u8,
 }
 
-/// The library of a model; `None` if the model has neither a body nor equations with channels.
+/// Generates the library of a model; `None` if the model has neither a body nor an equation that becomes a channel.
 pub(super) fn library(model: &Model) -> Option<LibraryFile> {
     let (mut loads, channels) = match &model.body {
         Some(body) => channels_of_body(model, body),
@@ -77,7 +82,8 @@ pub(super) fn library(model: &Model) -> Option<LibraryFile> {
     })
 }
 
-/// The constant, every variable, and the products of two of the first variables.
+/// Factor names of all products: the constant 1, each variable, and each product of two of the first
+/// [`MAX_IN_PRODUCTS`] variables.
 fn products(names: &[String]) -> Vec<Vec<String>> {
     let mut products = vec![Vec::new()];
     products.extend(names.iter().map(|name| vec![name.clone()]));
@@ -137,7 +143,7 @@ fn channels_of_body(model: &Model, body: &Body) -> (String, Vec<ChannelEntry>) {
     (loads, channels)
 }
 
-/// Name of the frame of the moments of inertia; `None` for a point mass.
+/// Name of the frame of the inertia tensor; `None` for a point mass.
 fn axes<'a>(model: &'a Model, body: &Body) -> Option<&'a str> {
     let rotation = body.rotation.as_ref()?;
     Some(&model.frames[rotation.inertia_frame].name)
@@ -207,7 +213,7 @@ fn variables_of_body(model: &Model, body: &Body) -> Vec<Variable> {
     variables
 }
 
-/// States of stated equations.
+/// Variables from the first [`MAX_STATES`] states of a model with stated equations, without states of effects.
 fn variables_of_states(model: &Model) -> Vec<Variable> {
     let of_effects = model.added_states();
     let own = model.states.iter().enumerate();
@@ -222,8 +228,9 @@ fn variables_of_states(model: &Model) -> Vec<Variable> {
         .collect()
 }
 
-/// Numbers with a name that change in flight and depend on no coefficient: pure numbers and angles first, then rates, then
-/// others, in the order of the file. Loads are none of them, nor is what a body has already.
+/// Variables from the scalar auxiliary variables that vary during a flight and depend on no coefficient: dimensionless
+/// ones first, then rates, then others, each in the order of the file. Forces and moments are excluded; for a body,
+/// also speeds and lengths.
 fn named_quantities(model: &Model) -> Vec<Variable> {
     let traits = traits(model);
     let loads = [Unit::NEWTON, Unit::NEWTON_METRE];
@@ -261,7 +268,7 @@ fn named_quantities(model: &Model) -> Vec<Variable> {
     named
 }
 
-/// A quantity over a typical size of its unit.
+/// Expression of a quantity divided by a typical magnitude: 10 units for speeds and rates, 1 unit for others.
 fn scaled(name: &str, unit: Unit) -> String {
     match () {
         () if unit.agrees(Unit::ONE) => name.to_owned(),
@@ -272,7 +279,8 @@ fn scaled(name: &str, unit: Unit) -> String {
     }
 }
 
-/// Word for what a quantity is, from its name and unit: one of [`VARIABLES`](crate::VARIABLES).
+/// Word that states what an effect with a quantity depends on, guessed from name and unit: one of
+/// [`VARIABLES`](crate::VARIABLES).
 fn depends_on(name: &str, unit: Unit) -> &'static str {
     match () {
         () if name.contains("alpha") => "alpha",
@@ -285,7 +293,8 @@ fn depends_on(name: &str, unit: Unit) -> &'static str {
     }
 }
 
-/// What a named quantity depends on, directly or by others.
+/// Whether an auxiliary variable varies during a flight and whether it depends on an estimated coefficient, directly or
+/// through other auxiliary variables.
 #[derive(Clone, Copy, Default)]
 struct Traits {
     varies: bool,
@@ -312,7 +321,7 @@ fn look(e: &Expr, before: &[Traits], found: &mut Traits) {
         | ExprKind::SpecificForce
         | ExprKind::AngularAcceleration
         | ExprKind::Axis(1.., _) => found.varies = true,
-        // Of a marker, and so no quantity of the flight.
+        // The marker belongs to an observation, so it is excluded like a coefficient.
         ExprKind::Coefficient(_) | ExprKind::Marker => found.is_estimated = true,
         ExprKind::AuxVariable(index) => {
             let own = before.get(index).copied().unwrap_or_default();

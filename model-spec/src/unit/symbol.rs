@@ -5,7 +5,7 @@ use super::Unit;
 /// SI unit and conversion factor of a unit symbol.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Symbol {
-    /// SI unit of the symbol's dimension.
+    /// SI unit of the same dimension as the symbol.
     pub unit: Unit,
     /// Conversion factor: SI value of one unit of the symbol, such as 0.001 for `mm`.
     pub factor: f64,
@@ -13,7 +13,7 @@ pub struct Symbol {
     pub exact: Option<(i128, i128)>,
 }
 
-/// Unit symbols without prefixes: SI unit, rational factor, and whether the factor is also multiplied by π.
+/// Unit symbols without prefixes: symbol, SI unit, rational conversion factor, and whether π multiplies that factor.
 const TABLE: [(&str, Unit, (i128, i128), bool); 30] = [
     ("m", Unit::METRE, (1, 1), false),
     ("g", Unit::KILOGRAM, (1, 1000), false),
@@ -100,7 +100,8 @@ fn symbol(unit: Unit, (above, below): (i128, i128), pi: bool) -> Symbol {
     }
 }
 
-/// Suggested unit symbol for a word (`meter`) or wrong letter case (`KG`); `None` if unknown.
+/// Suggests a unit symbol for a unit's name (`meter`) or a symbol in wrong letter case (`KG`); `None` if there is no
+/// suggestion.
 pub fn suggest(name: &str) -> Option<&'static str> {
     const WORDS: [(&str, &str); 32] = [
         ("meter", "m"),

@@ -1,4 +1,4 @@
-//! The refits in parts, each written whole as CSV; parts that are there are read.
+//! Computes the refits in parts, each written atomically as CSV; existing parts are read instead.
 
 use std::fmt::Write;
 use std::fs;
@@ -8,21 +8,21 @@ use anyhow::Result;
 use identify::{Fit, FitError, FitOptions};
 use sweep::folder::PartsFolder;
 
-/// Refits in one part.
+/// Number of refits in one part.
 pub(super) const LEN: u64 = 16;
 
-/// Column that says whether a refit converged.
+/// Name of the column that states whether a refit converged.
 const CONVERGED: &str = "converged";
 
-/// One refit: its number and the estimated global parameters, SI; `None` where it did not converge.
+/// One refit: its number and the estimated global parameters, SI; `None` if it did not converge.
 pub(super) type Refit = (u64, Option<Vec<f64>>);
 
-/// Number of parts of so many refits.
+/// Number of parts for the given number of refits.
 pub(super) fn count(refits: u64) -> u64 {
     refits.div_ceil(LEN)
 }
 
-/// What a part is made of.
+/// Data shared by all parts of a bootstrap: the fit, the folder, and the options of the refits.
 pub(super) struct Work<'a> {
     pub fit: &'a Fit,
     pub folder: &'a PartsFolder,
@@ -32,20 +32,21 @@ pub(super) struct Work<'a> {
 }
 
 impl Work<'_> {
-    /// The refits of a part, read or done and written; `progress` is called with their number.
+    /// Returns the refits of a part, read from its file or else computed and written; `progress` is called with the
+    /// number of finished refits.
     pub(super) fn part(&self, part: u64, progress: &(dyn Fn(u64) + Sync)) -> Result<Vec<Refit>> {
         let numbers = part * LEN..((part + 1) * LEN).min(self.refits);
         let len = (numbers.end - numbers.start) as usize;
         let path = self.folder.part(part, "csv");
         let width = self.fit.problem().globals.len();
-        // A part that cannot be read is done again.
+        // A part that cannot be read is computed again.
         if let Some(refits) = read(&path, width)
             && refits.iter().map(|refit| refit.0).eq(numbers.clone())
         {
             progress(len as u64);
             return Ok(refits);
         }
-        // One thread each: many refits at once are faster than many flights at once.
+        // One thread per refit: refits in parallel are faster than the flights of one refit in parallel.
         let alone = FitOptions {
             threads: Some(1),
             ..*self.options
@@ -66,7 +67,7 @@ impl Work<'_> {
     }
 }
 
-/// Refits as CSV: number, whether it converged, and the estimates, SI, with all their digits.
+/// CSV table of refits: number, whether it converged, and the estimates, SI, with all digits.
 pub(super) fn table(fit: &Fit, refits: &[Refit]) -> String {
     let mut text = format!("refit,{CONVERGED}");
     for global in &fit.problem().globals {
@@ -89,7 +90,7 @@ pub(super) fn table(fit: &Fit, refits: &[Refit]) -> String {
     text + "\n"
 }
 
-/// The refits of a table with so many estimates a row; `None` if it is not one.
+/// Reads the refits of a CSV table with `width` estimates per row; `None` if the file is missing or is no such table.
 fn read(path: &Path, width: usize) -> Option<Vec<Refit>> {
     let text = fs::read_to_string(path).ok()?;
     let row = |line: &str| {

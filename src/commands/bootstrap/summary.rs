@@ -1,4 +1,4 @@
-//! The scatter of the estimates over the refits.
+//! Summary of a bootstrap: the distribution of the estimates over the refits.
 
 use std::fmt::Write;
 
@@ -9,7 +9,7 @@ use super::parts::Refit;
 use crate::cli::Bootstrap;
 use crate::commands::fit::{digits, written};
 
-/// Contents of summary.json: standard errors, 95 % intervals by percentiles, correlations; SI.
+/// Contents of `summary.json`: standard errors, 95 % percentile intervals, correlations; SI.
 pub(super) fn json(fit: &Fit, refits: &[Refit], options: &Bootstrap) -> Value {
     let converged: Vec<&[f64]> = refits
         .iter()
@@ -62,7 +62,7 @@ pub(super) fn json(fit: &Fit, refits: &[Refit], options: &Bootstrap) -> Value {
     })
 }
 
-/// Estimates of one parameter.
+/// Estimates of one parameter over the refits, with mean and standard deviation.
 struct Column {
     sorted: Vec<f64>,
     mean: f64,
@@ -105,7 +105,7 @@ fn correlation(refits: &[&[f64]], columns: &[Column], i: usize, j: usize) -> f64
     products.sum::<f64>() / (refits.len() as f64 - 1.0) / (a.sd * b.sd)
 }
 
-/// The summary as a table.
+/// The summary of a bootstrap as a text table.
 pub(super) fn text(summary: &Value) -> String {
     let mut text = format!(
         "{}: {} refits to {} flights drawn with replacement, {} converged\n  {:18} {:>12} {:>12} {:>12} {:>26}  unit\n",

@@ -1,4 +1,4 @@
-//! Errors of coefficients from the report of a fit.
+//! Reads the standard errors of coefficients from the report of a fit.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -10,7 +10,7 @@ use serde_json::Value;
 /// Maximum size of a report, bytes.
 const MAX_BYTES: u64 = 64 << 20;
 
-/// Standard errors and correlations of the coefficients of `report.json` of `hyzer fit`.
+/// Standard errors and correlations of the coefficients in the `report.json` of `hyzer fit`.
 pub fn read(file: &Path) -> anyhow::Result<CoefficientErrors> {
     let place = || format!("--fit: {}", file.display());
     let size = std::fs::metadata(file).with_context(place)?.len();
@@ -30,7 +30,7 @@ pub fn read(file: &Path) -> anyhow::Result<CoefficientErrors> {
     };
     let mut errors = BTreeMap::new();
     for (name, own) in coefficients {
-        // A held coefficient has no standard error.
+        // A coefficient held fixed has no standard error.
         match &own["std_error"] {
             Value::Null => {}
             value => match value.as_f64() {

@@ -1,4 +1,4 @@
-//! Command `hyzer design`: searches for a throw that serves a purpose; writes its release and what it does.
+//! Command `hyzer design`: searches for a throw that serves a purpose; writes its release and a report.
 
 mod errors;
 mod page;
@@ -132,7 +132,7 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
     })
 }
 
-/// The goal of the options, with its point.
+/// The goal that the options state, with its target point.
 fn goal(options: &Options) -> anyhow::Result<Goal> {
     let name = options.goal.as_str();
     let target = options
@@ -161,7 +161,7 @@ fn goal(options: &Options) -> anyhow::Result<Goal> {
     goal.context("--goal")
 }
 
-/// What was found, as text.
+/// Text of a design for the terminal: the throw, its landing and the spread.
 fn table(found: &Design, bounds: &Bounds, spread: &Spread) -> String {
     let mut text = String::new();
     let (figure, unit) = found.goal.figure();

@@ -1,4 +1,5 @@
-//! The page of a design: path from above and from the side, landings, and what each number of the throw does.
+//! The report page of a design: path from above and from the side, landings, and the effect of each quantity of the
+//! throw.
 
 use ::design::{Band, Bounds, Design, Landings, Path, QUANTILES, Spread, numbers};
 use flight::throw::FIELDS;
@@ -6,12 +7,12 @@ use nalgebra::{Vector2, Vector3};
 use report::figures::{Dots, Line, Look, Mark, Panel};
 use report::{Section, Sheet, SheetFigure, Table};
 
-/// Number of points of a path and of an ellipse.
+/// Number of points of a drawn path and of a drawn ellipse.
 const POINTS: usize = 200;
-/// Greatest number of landings that are drawn.
+/// Maximum number of sampled landings that are drawn.
 const MOST_DOTS: usize = 1500;
 
-/// The page.
+/// The report page of a design.
 pub fn sheet(
     title: &str,
     found: &Design,
@@ -74,7 +75,7 @@ fn lead(found: &Design) -> Vec<String> {
     words
 }
 
-/// Rounded to hundredths, without a sign where that is 0.
+/// Rounds to hundredths, without a negative zero.
 pub(super) fn hundredths(value: f64) -> f64 {
     (100.0 * value).round() / 100.0 + 0.0
 }
@@ -133,7 +134,7 @@ fn figure_of_path(
         .sampled
         .as_ref()
         .map_or(&[][..], |sampled| &sampled.bands);
-    // The bands lie along the line to the landing; the map is turned by it.
+    // The bands lie along the line to the landing, so the map is turned to it.
     let turned = |of: Vector2<f64>| (of.dot(&along), of.dot(&left));
     let mut marks = vec![
         Mark {
@@ -251,7 +252,7 @@ fn figure_of_landings(found: &Design, bounds: &Bounds, spread: &Spread) -> Sheet
     }
 }
 
-/// What is to be said of a spread.
+/// Sentences on the spread of the landings.
 pub fn spread_words(spread: &Spread, bounds: &Bounds) -> Vec<String> {
     let of = |landings: &Landings| {
         let (long, short, _) = landings.ellipse(0.5);
@@ -310,7 +311,7 @@ fn circle(place: Vector2<f64>, radius: f64) -> Vec<Vector2<f64>> {
         .collect()
 }
 
-/// Cosine and sine of angles round a turn.
+/// Cosines and sines of evenly spaced angles over a full turn.
 fn round() -> impl Iterator<Item = (f64, f64)> {
     (0..=POINTS / 2).map(|k| {
         let (s, c) = (std::f64::consts::TAU * k as f64 / (POINTS / 2) as f64).sin_cos();

@@ -23,10 +23,10 @@ use crate::{Answer, output};
 /// File name of the extended model.
 const EXTENDED: &str = "extended.hyz";
 
-/// Folder of the extended model's code.
+/// Name of the folder of the extended model's code.
 const CODE: &str = "extended";
 
-/// Random states for each check of the extended model; `hyzer verify` uses more.
+/// Number of random states for each check of the extended model; `hyzer verify` uses more.
 const CASES: usize = 12;
 
 /// Diagnoses the model, prints a summary, and writes the report files.
@@ -95,10 +95,11 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     Ok(Answer::No)
 }
 
-/// Share of the flights above which their exclusion makes a diagnosis unreliable.
+/// Fraction of excluded flights above which a diagnosis is unreliable.
 const MAX_EXCLUDED: f64 = 1.0 / 3.0;
 
-/// Reasons not to rely on a diagnosis; empty if there are none. Large residuals are none: they are what it explains.
+/// Reasons not to rely on a diagnosis; empty if there are none. Large residuals are no such reason, because the
+/// diagnosis explains them.
 fn reasons_against(found: &Diagnosis) -> Vec<String> {
     let mut reasons = Vec::new();
     let (what, fit) = match &found.after {
@@ -130,7 +131,7 @@ fn reasons_against(found: &Diagnosis) -> Vec<String> {
     reasons
 }
 
-/// Last paragraph of the documentation of an extended model.
+/// Sentence appended to the documentation of an extended model: the added effects and the dataset.
 fn note(effects: &[String], dataset: &str) -> String {
     format!(
         "Extended by {}, found in {dataset} by `hyzer diagnose`.",
@@ -165,7 +166,7 @@ fn verified(text: &str) -> anyhow::Result<Verified> {
     })
 }
 
-/// The files that `--out` holds.
+/// The files to be written to the folder `--out`.
 fn results(
     dataset: &Dataset,
     name: &str,

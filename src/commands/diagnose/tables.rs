@@ -4,7 +4,7 @@ use diagnose::Report;
 
 use crate::commands::fit::role;
 
-/// CSV table of the score tests, one row per candidate effect.
+/// CSV table of the score tests: a row per candidate effect.
 pub fn candidates(report: &Report) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record([
@@ -32,7 +32,7 @@ pub fn candidates(report: &Report) -> anyhow::Result<Vec<u8>> {
     Ok(table.into_inner()?)
 }
 
-/// CSV table of the coefficients, one row each, before and after the extension of the model.
+/// CSV table of the coefficients: a row per coefficient, with the values before and after the extension of the model.
 pub fn coefficients(report: &Report) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record(["name", "before", "value", "std_error", "unit"])?;
@@ -49,8 +49,8 @@ pub fn coefficients(report: &Report) -> anyhow::Result<Vec<u8>> {
     Ok(table.into_inner()?)
 }
 
-/// CSV table of the flights, one row each: RMS residual (m) before and after the extension of the model, and the p-value of
-/// the lack-of-fit test.
+/// CSV table of the flights: a row per flight, with the RMS residual (m) before and after the extension of the model
+/// and the p-value of the lack-of-fit test.
 pub fn flights(report: &Report) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record([

@@ -27,10 +27,10 @@ use crate::{Answer, output};
 /// File name of the model with the fitted values.
 const FITTED: &str = "fitted.hyz";
 
-/// File name of the flights in three dimensions.
+/// File name of the three-dimensional view of the flights.
 pub(super) const FLIGHTS: &str = "flights.html";
 
-/// Folder of the numbers behind the figures.
+/// Folder of the CSV tables of the plotted values of the figures.
 pub(super) const FIGURE_DATA: &str = "figure-data";
 
 /// Fits the model to the dataset, prints a summary, and writes the report files.
@@ -78,7 +78,8 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
     Ok(Answer::No)
 }
 
-/// Numbers of drawn flights: first ones, those with the largest residuals, held-out ones.
+/// Maximum numbers of flights shown in figures: the first fitted ones, those with the largest residuals, held-out
+/// ones.
 const DRAWN: (usize, usize, usize) = (6, 3, 3);
 
 pub(super) fn drawn(fitted: &identify::Fit) -> Vec<usize> {
@@ -95,7 +96,7 @@ pub(super) fn drawn(fitted: &identify::Fit) -> Vec<usize> {
     drawn
 }
 
-/// Name of a dataset in reports: that of its folder.
+/// Name of a dataset in reports: the name of its folder.
 pub(super) fn dataset_name(folder: &Path) -> String {
     folder.file_name().map_or_else(
         || folder.display().to_string(),
@@ -103,7 +104,7 @@ pub(super) fn dataset_name(folder: &Path) -> String {
     )
 }
 
-/// The files that `--out` holds.
+/// The files to be written to the folder `--out`.
 fn results(
     from: &Path,
     model: &Model,
@@ -157,7 +158,7 @@ fn results(
     Ok(files)
 }
 
-/// Text of a model whose default values are those of the dataset and those that a fit found of its parameters.
+/// Text of a model whose default values are replaced by the dataset's known parameters and the estimates of a fit.
 pub(super) fn fitted_text(
     tree: &ModelTree,
     note: &str,
@@ -168,7 +169,8 @@ pub(super) fn fitted_text(
         .parameters
         .iter()
         .map(|(name, value)| (name.as_str(), *value));
-    // What the dataset leaves open, such as its vertical, is no property of the body.
+    // Estimates that belong to the measurement, such as the direction of the vertical, are no parameters of the
+    // model.
     let layout = codegen::Layout::new(&tree.check()?);
     let found = fitted.report.coefficients.iter();
     let found = found.filter(|(name, _)| layout.parameter(name).is_some());
@@ -176,7 +178,8 @@ pub(super) fn fitted_text(
     Ok(tree.with_values(given.chain(found))?.to_text(note))
 }
 
-/// Path or name of the model: the option's, or else the dataset's, with paths relative to the dataset's folder.
+/// Path or name of the model: that of the option, or else that of the dataset, whose paths are relative to the
+/// dataset's folder.
 pub(super) fn model_of(
     asked: Option<&String>,
     folder: &Path,
@@ -194,7 +197,7 @@ pub(super) fn model_of(
     }
 }
 
-/// Time after `seconds` from now; `None` without a limit, or where the limit is beyond what the clock can tell.
+/// The instant `seconds` from now; `None` if there is no limit or the clock cannot represent it.
 pub(super) fn deadline(seconds: Option<f64>) -> anyhow::Result<Option<Instant>> {
     let Some(seconds) = seconds else {
         return Ok(None);
@@ -206,17 +209,17 @@ pub(super) fn deadline(seconds: Option<f64>) -> anyhow::Result<Option<Instant>> 
     Ok(Instant::now().checked_add(limit))
 }
 
-/// Parses the options of fixed coefficients, `NAME` or `NAME=VALUE` each; value in SI units.
+/// Parses the values of the option `--hold`, each `NAME` or `NAME=VALUE`; value in SI units.
 pub(super) fn held(texts: &[String]) -> anyhow::Result<Vec<(String, Option<f64>)>> {
     texts.iter().map(|text| one_held(text)).collect()
 }
 
-/// Parses the options of Gaussian priors, `NAME=VALUE+-SIGMA` each, or with `±`.
+/// Parses the values of the option `--prior`, each `NAME=VALUE+-SIGMA` or with `±`; SI units.
 pub(super) fn priors(texts: &[String]) -> anyhow::Result<Vec<Prior>> {
     texts.iter().map(|text| prior(text)).collect()
 }
 
-/// Parses one fixed coefficient, `NAME` or `NAME=VALUE`; `None` without a value.
+/// Parses one coefficient to hold fixed, `NAME` or `NAME=VALUE`; the value (SI) is `None` if not given.
 fn one_held(text: &str) -> anyhow::Result<(String, Option<f64>)> {
     match text.split_once('=') {
         None => Ok((text.to_owned(), None)),
@@ -224,7 +227,7 @@ fn one_held(text: &str) -> anyhow::Result<(String, Option<f64>)> {
     }
 }
 
-/// Parses one Gaussian prior, `NAME=VALUE+-SIGMA`, or with `±`.
+/// Parses one Gaussian prior of the option `--prior`, `NAME=VALUE+-SIGMA` or with `±`; SI units.
 fn prior(text: &str) -> anyhow::Result<Prior> {
     let expected = "NAME=VALUE+-SIGMA, such as C_D0=0.1+-0.02";
     let Some((name, rest)) = text.split_once('=') else {

@@ -91,7 +91,8 @@ pub fn summary(model: &Model, report: &FitReport) -> String {
     text
 }
 
-/// Reasons not to rely on a result, if there are any, and faults of the data with their mends.
+/// Text of the reasons not to rely on a result, and of the faults of the data with their corrections; empty if there
+/// are none.
 pub fn cautions(what: &str, reasons: &[String], faults: &[DataFault]) -> String {
     let mut text = String::new();
     if !reasons.is_empty() {
@@ -185,7 +186,7 @@ fn coefficients(model: &Model, report: &FitReport) -> Table {
     table
 }
 
-/// Number of decimals that shows two significant digits of the standard error.
+/// Number of decimals that shows two significant digits of the standard error; 6 if the standard error is 0.
 pub fn digits(std_error: f64) -> i32 {
     if std_error > 0.0 {
         (1 - std_error.log10().floor() as i32).max(0)
@@ -203,7 +204,7 @@ pub fn written(value: f64, digits: i32) -> String {
     format!("{value:.*}", digits.clamp(0, 8) as usize)
 }
 
-/// Sentence on cluster-robust against Cramér–Rao standard errors; `None` if there is nothing to report.
+/// Sentence on a large ratio of cluster-robust to Cramér–Rao standard errors; `None` if no ratio is large.
 fn scatter(report: &FitReport) -> Option<String> {
     let worst = report
         .coefficients

@@ -3,7 +3,7 @@
 use identify::dataset::{Dataset, Role};
 use identify::{Fit, FitReport};
 
-/// CSV table of the coefficients, one row each.
+/// CSV table of the coefficients: a row per coefficient.
 pub fn coefficients(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record([
@@ -34,7 +34,7 @@ pub fn coefficients(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     Ok(table.into_inner()?)
 }
 
-/// CSV table of the correlations, one row per pair of coefficients.
+/// CSV table of the correlation matrix of the coefficients.
 pub fn correlations(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_field("name")?;
@@ -46,7 +46,7 @@ pub fn correlations(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     Ok(table.into_inner()?)
 }
 
-/// CSV table of the flights, one row each.
+/// CSV table of the flights: a row per flight.
 pub fn flights(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record([
@@ -67,10 +67,10 @@ pub fn flights(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     Ok(table.into_inner()?)
 }
 
-/// Maximum number of rows of the residual table; later flights are omitted.
+/// Number of rows after which the residual tables omit the remaining flights.
 const MOST_ROWS: usize = 1_000_000;
 
-/// CSV table of residuals (measured − predicted, m), one row per measured marker and sample.
+/// CSV table of residuals (measured − predicted, m): a row per measured marker and sample.
 pub fn residuals(dataset: &Dataset, fitted: &Fit) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record(["file", "t_s", "marker", "x_m", "y_m", "z_m", "outlier"])?;
@@ -107,7 +107,7 @@ pub fn residuals(dataset: &Dataset, fitted: &Fit) -> anyhow::Result<Vec<u8>> {
     Ok(table.into_inner()?)
 }
 
-/// CSV table of the residuals of sensors (measured − predicted, in the unit of each), one row per reading.
+/// CSV table of the residuals of sensors (measured − predicted, in the unit of each sensor): a row per reading.
 pub fn sensor_residuals(dataset: &Dataset, fitted: &Fit) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record(["file", "t_s", "sensor", "unit", "x", "y", "z", "outlier"])?;

@@ -1,4 +1,5 @@
-//! A template for takes without one: where the markers are on the body, from the free flights themselves.
+//! Estimates a template (the positions of the markers on the body) from the free flights, for takes without a given
+//! template.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -12,10 +13,10 @@ use super::template::Template;
 use super::{no_throw, up_of};
 use crate::cli::Import;
 
-/// Greatest distance of the centre of mass from the markers, m.
+/// Maximum distance of the centre of mass from the markers, m.
 const FARTHEST: f64 = 2.0;
 
-/// An estimated template, what was decided, and a comment for each marker.
+/// An estimated template, a text of the decisions made, and a comment for each marker.
 pub struct Estimated {
     pub template: Template,
     pub decisions: String,
@@ -24,7 +25,8 @@ pub struct Estimated {
     pub origin_error: [f64; 3],
 }
 
-/// Positions of the points that move as one body in every take that has a throw. Labels that are no names of markers get one.
+/// Estimates the positions of the points that move as one rigid body in every take that has a throw. Labels that are
+/// not valid marker names are added to `names` with a valid name.
 pub fn estimated(
     options: &Import,
     reading: &ReadOptions,
@@ -41,7 +43,7 @@ pub fn estimated(
     let mut thrown: Vec<(Take, Throws)> = Vec::new();
     for file in &options.takes {
         let mut take = takes::read(file, reading)?;
-        // The positions of single points are what places them.
+        // The positions are estimated from the single points, not from poses of bodies.
         take.bodies.clear();
         let (up, _) = up_of(&take, file, options)?;
         let turned = take.with_z_up(up, options.left_handed);
@@ -114,7 +116,7 @@ pub fn estimated(
                 .iter()
                 .map(|marker| Marker {
                     name: marker.label.clone(),
-                    // Finer digits than a nanometre would pretend what no estimate knows.
+                    // More digits than a nanometre would suggest a precision that no estimate has.
                     position: marker.position.map(|x| (x * 1e9).round() / 1e9 + 0.0),
                 })
                 .collect(),
@@ -123,14 +125,15 @@ pub fn estimated(
     })
 }
 
-/// A name of a marker for a label: without blanks and marks.
+/// A valid marker name made from a label: other characters than letters, digits, `_`, `-` and `.` become `_`.
 pub(super) fn name(label: &str) -> String {
     let is_kept = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '.');
     let each = label.chars().map(|c| if is_kept(c) { c } else { '_' });
     each.collect()
 }
 
-/// Labels of the points that move as one in all takes, in the order of the first, and of those that do not.
+/// Labels of the points that move as one rigid body in all takes, in the order of the first take, and the remaining
+/// labels.
 fn labels(thrown: &[(Take, Throws)]) -> (Vec<String>, Vec<String>) {
     let is_rigid = |label: &String| thrown.iter().all(|(_, found)| found.labels.contains(label));
     let mut all: Vec<String> = Vec::new();

@@ -1,4 +1,4 @@
-//! Command `hyzer import`: recordings of laboratories become a dataset, cut to the free flights.
+//! Command `hyzer import`: converts recordings of laboratories to a dataset, cut to the free flights.
 
 mod estimated;
 mod page;
@@ -20,24 +20,24 @@ use self::template::{Followed, Template};
 use crate::cli::Import;
 use crate::{Answer, output, progress};
 
-/// File of the dataset that says what was decided.
+/// File in the dataset's folder that lists the decisions of the import.
 const DECISIONS: &str = "import.txt";
-/// Page with the same and the figures of each flight.
+/// Report page with the decisions and the figures of each flight.
 const PAGE: &str = "import.html";
 
-/// What was found in the recordings.
+/// Flights, decisions and figures gathered from the recordings.
 #[derive(Default)]
 struct Found {
     flights: Vec<Flight>,
-    /// What was decided, as text.
+    /// Decisions of the import, as text.
     decisions: String,
-    /// Name of the body whose poses are the flights; `None` where they are those of markers.
+    /// Name of the body if the flights are recorded as its poses; `None` if they are recorded as marker positions.
     pose: Option<String>,
-    /// The same with its curves, for the page.
+    /// Decisions and curves of each take, for the report page.
     takes: Vec<ImportedTake>,
 }
 
-/// Reads the takes, cuts them to their throws, writes the dataset, and prints what was decided.
+/// Reads the takes, cuts them to their throws, writes the dataset, and prints the decisions made.
 pub fn run(options: &Import) -> anyhow::Result<Answer> {
     output::new_folder(&options.out)?;
     let mut labels = labels(&options.label)?;
@@ -130,7 +130,7 @@ pub fn run(options: &Import) -> anyhow::Result<Answer> {
     Ok(Answer::Yes)
 }
 
-/// What the options state about the files.
+/// Options of reading the recordings, from the command line.
 fn reading(options: &Import) -> anyhow::Result<ReadOptions> {
     let chosen = |name: &str, text: &Option<String>, expected: &str| match text {
         Some(text) => format!("--{name}: found {text:?}, expected {expected}"),
@@ -154,7 +154,7 @@ fn reading(options: &Import) -> anyhow::Result<ReadOptions> {
     })
 }
 
-/// Names in the dataset by labels of the file.
+/// Parses the values `FILE_LABEL=NAME` of the option `--label`: marker names by labels of the files.
 fn labels(texts: &[String]) -> anyhow::Result<BTreeMap<String, String>> {
     let mut labels = BTreeMap::new();
     for text in texts {
@@ -171,7 +171,7 @@ fn labels(texts: &[String]) -> anyhow::Result<BTreeMap<String, String>> {
     Ok(labels)
 }
 
-/// Adds the throws of a take to the flights, and what was decided to the text and the page.
+/// Adds the throws of a take to the flights, and the decisions made to the text and the report page.
 fn add(
     take: &Take,
     file: &Path,
@@ -289,7 +289,7 @@ fn add(
     Ok(())
 }
 
-/// A flight whose samples are the poses of a body.
+/// Converts a flight of marker positions to one of pose readings of the followed body.
 fn of_poses(flight: Flight, samples: &Range<usize>, followed: &Followed, take: &Take) -> Flight {
     let readings = samples
         .clone()
@@ -307,7 +307,7 @@ fn of_poses(flight: Flight, samples: &Range<usize>, followed: &Followed, take: &
     }
 }
 
-/// Name in the dataset of a label of the file.
+/// Name in the dataset for a label of the file: the one given by `--label`, or else one made from the label.
 fn dataset_name(label: &str, labels: &BTreeMap<String, String>) -> String {
     labels
         .get(label)
@@ -315,13 +315,13 @@ fn dataset_name(label: &str, labels: &BTreeMap<String, String>) -> String {
         .unwrap_or_else(|| estimated::name(label))
 }
 
-/// What is said where no take has a throw.
+/// Error message for recordings without a throw.
 fn no_throw() -> String {
     let shortest = ThrowOptions::default().shortest;
     format!("found no throw, expected at least one free flight of {shortest} s")
 }
 
-/// Axis of a take that points up, and whether the option states it.
+/// Axis of a take that points up, and whether the option `--up` states it.
 fn up_of(take: &Take, file: &Path, options: &Import) -> anyhow::Result<(Axis, bool)> {
     let stated = match &options.up {
         Some(text) => match Axis::parse(text) {
@@ -339,12 +339,12 @@ fn up_of(take: &Take, file: &Path, options: &Import) -> anyhow::Result<(Axis, bo
     Ok((up, stated.is_some()))
 }
 
-/// Whether an acceleration, m/s², is more downwards than aside, as that of most flights is.
+/// Whether an acceleration, m/s², z up, points downwards rather than sideways, as in most flights.
 fn is_downwards([x, y, z]: [f64; 3]) -> bool {
     -z > 0.5 * x.hypot(y)
 }
 
-/// The axis with which a take without throws has some.
+/// Another axis with which, taken as up, the take has throws; `None` if there is none.
 fn other_up(take: &Take, labels: &[&str], left_handed: bool, up: Axis) -> Option<Axis> {
     let all = ["+z", "+y", "+x", "-z", "-y", "-x"]
         .into_iter()

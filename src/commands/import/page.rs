@@ -1,4 +1,4 @@
-//! What the page of an import shows of a recording and its flights.
+//! Data of the report page of an import: curves of a recording and its flights.
 
 use identify::dataset::{Flight, Marker};
 use report::import::{Curve, Distance, Edge, ImportedFlight};
@@ -6,12 +6,12 @@ use takes::{Cut, Motion, Take, Throw};
 
 use super::template::Followed;
 
-/// Least time that is shown around a flight, s.
+/// Minimum time that is shown before and after a flight, s.
 const AROUND: f64 = 0.5;
-/// Greatest number of pairs of markers whose distances are shown.
+/// Maximum number of pairs of markers whose distances are shown.
 const MOST_PAIRS: usize = 45;
 
-/// A followed recording with z up, as its flights are shown.
+/// A recording with z up and its followed points, from which the figures of its flights are made.
 pub struct Shown<'a> {
     pub take: &'a Take,
     pub followed: &'a Followed,
@@ -20,7 +20,7 @@ pub struct Shown<'a> {
 }
 
 impl Shown<'_> {
-    /// A flight with the recording around it.
+    /// Figures of a flight with the recording around it.
     pub fn flight(&self, throw: &Throw, flight: &Flight) -> ImportedFlight {
         let times = &self.take.times;
         let span = (times[throw.release.sample], times[throw.end.sample]);
@@ -39,7 +39,7 @@ impl Shown<'_> {
         }
     }
 
-    /// A window of time, no longer than the body is seen.
+    /// Reduces a time window (s) to the part in which the body is seen.
     fn seen(&self, (from, to): (f64, f64)) -> (f64, f64) {
         let times = self.motion.map_or(&[][..], |motion| &motion.times);
         let mut inside = times.iter().filter(|time| from <= **time && **time <= to);
@@ -68,7 +68,8 @@ impl Shown<'_> {
         curves
     }
 
-    /// Distances of all pairs of markers; none where a pose is followed, whose markers are rigid.
+    /// Distances of all pairs of markers in a time window; empty if a pose is followed, because its markers are
+    /// rigid.
     fn distances(&self, window: (f64, f64)) -> Vec<Distance> {
         if self.followed.is_pose() {
             return Vec::new();
@@ -99,7 +100,7 @@ impl Shown<'_> {
         distances
     }
 
-    /// Markers that are not in every sample of a flight.
+    /// Names of the markers that are missing in some samples of a flight, with the number of these samples.
     fn missing(&self, flight: &Flight) -> Vec<(String, usize)> {
         let count = |i: usize| {
             flight
@@ -114,7 +115,7 @@ impl Shown<'_> {
     }
 }
 
-/// Height over the whole recording.
+/// Height (m) over time (s) for the whole recording; empty if the motion is unknown.
 pub fn heights(motion: Option<&Motion>) -> Vec<(f64, f64)> {
     motion.map_or_else(Vec::new, |motion| {
         motion
@@ -133,7 +134,7 @@ fn edge(cut: &Cut) -> Edge {
     }
 }
 
-/// Times between which no marker was seen: from the last sample before to the first after.
+/// Time intervals, s, in which no marker was seen: from the last sample before to the first sample after.
 fn gaps(flight: &Flight) -> Vec<(f64, f64)> {
     let is_seen = |row: &Vec<Option<[f64; 3]>>| row.iter().any(Option::is_some);
     let seen = flight.times.iter().zip(&flight.positions).enumerate();

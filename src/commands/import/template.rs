@@ -1,4 +1,5 @@
-//! What was tracked, as the option `--markers` states it: markers, known parameters, the model.
+//! Template of the tracked body, as the file of the option `--markers` states it: markers, known parameters, the
+//! model.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -8,12 +9,12 @@ use identify::dataset::Marker;
 use takes::words::listed;
 use takes::{Pose, Take, rotated};
 
-/// Greatest size of a template, bytes.
+/// Maximum size of a template file, bytes.
 const LARGEST: u64 = 4 << 20;
 
-/// Parts of a `dataset.toml` that hold for any recording of the same body.
+/// The parts of a `dataset.toml` that are valid for any recording of the same body.
 pub struct Template {
-    /// Name or path of the model.
+    /// Name or path of the model; `None` if not stated.
     pub model: Option<String>,
     /// Known constants, SI.
     pub parameters: BTreeMap<String, f64>,
@@ -21,16 +22,16 @@ pub struct Template {
     pub markers: Vec<Marker>,
 }
 
-/// What of a take becomes the markers of the template, in their order.
+/// Trajectories of a take from which the positions of the template's markers are obtained.
 pub enum Followed {
-    /// A point per marker, by its index.
+    /// The index of a point of the take for each marker, in the order of the template.
     Points(Vec<usize>),
-    /// A body, by its index, on which the markers of the template are fixed.
+    /// The index of a body of the take, and the positions, m, of the template's markers on it.
     Pose(usize, Vec<[f64; 3]>),
 }
 
 impl Template {
-    /// Reads a template: a `dataset.toml`, or its `[[markers]]` with `[parameters]` and `model` where they are known.
+    /// Reads a template file: a `dataset.toml`, or only its `[[markers]]` with optional `[parameters]` and `model`.
     pub fn read(file: &Path) -> anyhow::Result<Self> {
         let bytes = takes::file::bytes(file, LARGEST, "a TOML file with [[markers]]")?;
         let name = file.display();
@@ -85,7 +86,8 @@ impl Template {
         })
     }
 
-    /// The points of a take that are the markers, by their labels or the names given to these; or else its only body.
+    /// Selects the points of a take that are the template's markers, by their labels or the names that `labels` gives
+    /// them; if no point matches, selects the take's only body.
     pub fn followed(
         &self,
         take: &Take,
@@ -129,12 +131,12 @@ impl Template {
 }
 
 impl Followed {
-    /// Whether a pose is followed.
+    /// Whether the pose of a body is followed.
     pub fn is_pose(&self) -> bool {
         matches!(self, Self::Pose(..))
     }
 
-    /// Labels in the file.
+    /// Labels of the followed points or body in the file.
     pub fn labels<'t>(&self, take: &'t Take) -> Vec<&'t str> {
         match self {
             Self::Points(points) => points
@@ -145,7 +147,7 @@ impl Followed {
         }
     }
 
-    /// The followed pose in a sample; `None` where points are followed, or the body was not seen.
+    /// Pose of the followed body in a sample; `None` if points are followed, or if the body was not seen.
     pub fn pose(&self, take: &Take, sample: usize) -> Option<Pose> {
         match self {
             Self::Points(_) => None,
@@ -153,7 +155,7 @@ impl Followed {
         }
     }
 
-    /// Positions of the markers in a sample, m; `None` where one was not seen.
+    /// Positions of the template's markers in a sample, m; `None` for a marker that was not seen.
     pub fn positions(&self, take: &Take, sample: usize) -> Vec<Option<[f64; 3]>> {
         match self {
             Self::Points(points) => points

@@ -1,4 +1,4 @@
-//! What a simulated flight did, in the terms of throwers: range, height, time, speeds, spin and angles.
+//! Characteristics of a simulated flight in terms of a throw: range, height, time, speeds, spin and angles.
 
 use std::fmt::Write;
 
@@ -9,36 +9,37 @@ use model_spec::model::Model;
 use ode::Trajectory;
 use serde_json::{Value, json};
 
-/// Number of evenly spaced times at which greatest and least values are sought, besides the events of the flight.
+/// Number of evenly spaced times at which maxima and minima are searched, in addition to the events of the flight.
 const SAMPLES: u32 = 2000;
 
-/// What a flight did.
+/// Characteristics of a flight.
 #[derive(Clone, Debug)]
 pub struct Flown {
-    /// Duration, s.
+    /// Duration of the flight, s.
     pub seconds: f64,
     /// Reason of the end: the name of an event, or `time`.
     pub ended_by: String,
-    /// Horizontal distance of the end from the release, m.
+    /// Horizontal distance from the release to the end, m.
     pub range: f64,
-    /// Distance of the end to the left of the line of the release's heading, m.
+    /// Lateral distance of the end from the line along the release's heading, left positive, m.
     pub sideways: f64,
-    /// Greatest height, m, and its time, s.
+    /// Maximum height, m, and its time, s.
     pub apex: (f64, f64),
-    /// Greatest speed over the ground, m/s.
+    /// Maximum speed over the ground, m/s.
     pub top_speed: f64,
     /// Position of the mass centre at the end, m.
     pub landing: [f64; 3],
-    /// Motion at release.
+    /// Motion at release, as a throw.
     pub release: Throw,
-    /// Motion at the end.
+    /// Motion at the end, as a throw.
     pub end: Throw,
-    /// Least and greatest angle of attack, deg; `None` for a point mass.
+    /// Minimum and maximum angle of attack, deg; `None` for a point mass.
     pub alpha: Option<(f64, f64)>,
 }
 
 impl Flown {
-    /// Figures of a flight; `None` for a model without a body, whose states have no known meaning.
+    /// Computes the characteristics of a flight; `None` for a model without a body, because the meaning of its states
+    /// is unknown.
     pub fn of(
         model: &Model,
         body: &CompiledModel,
@@ -95,7 +96,7 @@ impl Flown {
         })
     }
 
-    /// The figures as a short table.
+    /// The characteristics as a short text table.
     pub fn table(&self) -> String {
         let mut text = String::new();
         let side = if self.sideways < 0.0 { "right" } else { "left" };
@@ -131,7 +132,7 @@ impl Flown {
         text
     }
 
-    /// The figures as JSON, with units in the names.
+    /// The characteristics as JSON, with units in the keys.
     pub fn json(&self, model: &str) -> Value {
         let motion = |throw: &Throw| {
             json!({
@@ -158,13 +159,13 @@ impl Flown {
     }
 }
 
-/// A value rounded to the two decimals that are shown, without a negative zero.
+/// Rounds a value to the two decimals that are printed, without a negative zero.
 pub fn shown(value: f64) -> f64 {
     (value * 100.0).round() / 100.0 + 0.0
 }
 
-/// Angle of attack, deg: the model's own quantity `alpha` where it has one, else that against the ground; `None` for a
-/// body without attitude.
+/// Angle of attack, deg: the model's quantity `alpha` if it has one, otherwise the angle relative to the velocity
+/// over the ground; `None` for a body without attitude.
 fn angle_of_attack(
     bound: &BoundModel<'_>,
     body: &CompiledModel,

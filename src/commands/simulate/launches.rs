@@ -1,4 +1,4 @@
-//! All throws of a launch monitor: each is flown, with a row of the table of results.
+//! Flies all throws of a launch monitor and lists them in a table of results.
 
 use std::fmt::Write;
 
@@ -18,7 +18,8 @@ use crate::{Answer, output};
 const HEAD: &str = "id,row,speed_m_s,launch_deg,nose_deg,hyzer_deg,spin_rpm,wobble_deg,range_m,left_m,apex_m,seconds,\
     top_speed_m_s,end_speed_m_s,end_spin_rpm,status";
 
-/// Flies every row; prints the table of results, and writes it with a folder of each flight if an output folder is given.
+/// Flies every row; prints the table of results, and writes it together with a folder per flight if an output folder
+/// is given. Answers no if a row could not be flown.
 pub fn run(
     options: &Simulate,
     rows: &[Row],
@@ -99,7 +100,7 @@ pub fn run(
     Ok(answer)
 }
 
-/// Row of the table of results of a flight.
+/// Row of the table of results for a flown throw.
 fn cells(row: &Row, flown: &Flown) -> String {
     let start = &flown.release;
     let numbers = [
@@ -126,7 +127,7 @@ fn cells(row: &Row, flown: &Flown) -> String {
     )
 }
 
-/// A cell of a CSV file, in quotation marks where it needs them.
+/// A cell of a CSV file, in quotation marks if its text requires them.
 fn quoted(text: &str) -> String {
     match text.contains([',', '"', '\n', '\r']) {
         true => format!("\"{}\"", text.replace('"', "\"\"")),

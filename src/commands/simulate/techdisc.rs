@@ -1,4 +1,4 @@
-//! Throws of the launch monitor TechDisc: a CSV file with a header, one throw per row.
+//! Reads throws of the launch monitor TechDisc: a CSV file with a header, one throw per row.
 
 use std::io::Read;
 use std::path::Path;
@@ -6,18 +6,18 @@ use std::path::Path;
 use anyhow::{Context, bail};
 use flight::throw::Throw;
 
-/// Maximum size of a file, bytes.
+/// Maximum size of a TechDisc file, bytes.
 const MAX_BYTES: u64 = 4 << 20;
 /// Maximum number of throws in a file.
 const MAX_ROWS: usize = 1000;
-/// Maximum number of columns.
+/// Maximum number of columns in a file.
 const MAX_COLUMNS: usize = 200;
-/// Greatest difference of the two speeds of a row, as a fraction.
+/// Maximum relative difference between the two speeds of a row, in mph and km/h.
 const SPEED_DIFFERENCE: f64 = 0.01;
 
-/// m/s per mph, and per km/h.
+/// Speed columns, with the factor that converts the value to m/s.
 const SPEEDS: [(&str, f64); 2] = [("speedMph", 0.44704), ("speedKmh", 1.0 / 3.6)];
-/// Column, name of the number in a throw, and whether every file has the column.
+/// Other columns: name of the column, name of the quantity of a throw, and whether the column is required.
 const COLUMNS: [(&str, &str, bool); 5] = [
     ("spinRpm", "spin", true),
     ("launchAngle", "launch", true),
@@ -29,20 +29,20 @@ const COLUMNS: [(&str, &str, bool); 5] = [
 /// A throw of the launch monitor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// Text of the column `id`; the number of the row where there is none.
+    /// Text of the column `id`; the number of the row if it has none.
     pub id: String,
     /// Number of the row among the throws, from 1.
     pub number: usize,
-    /// Line of the file, from 1.
+    /// Line number in the file, from 1.
     pub line: u64,
-    /// The throw: along +x, from the default height.
+    /// The throw, heading along +x from the default height.
     pub throw: Throw,
 }
 
-/// Reads a file.
+/// Reads a file of throws.
 ///
 /// # Errors
-/// A file that cannot be read, is too large, or has faults: the first of them, with its line and column.
+/// If the file cannot be read, is too large or has faults; the first fault is reported, with its line and column.
 pub fn read(path: &Path) -> anyhow::Result<Vec<Row>> {
     let name = path.display();
     let file = std::fs::File::open(path).with_context(|| format!("{name}: cannot be read"))?;
@@ -56,10 +56,10 @@ pub fn read(path: &Path) -> anyhow::Result<Vec<Row>> {
     parse(&name.to_string(), &bytes)
 }
 
-/// Reads the text of a file; `file` is its name in messages.
+/// Parses the text of a file of throws; `file` is its name in messages.
 ///
 /// # Errors
-/// As [`read`].
+/// Those of [`read`], except for reading the file.
 pub fn parse(file: &str, bytes: &[u8]) -> anyhow::Result<Vec<Row>> {
     let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes);
     let mut reader = csv::ReaderBuilder::new()
@@ -92,10 +92,10 @@ pub fn parse(file: &str, bytes: &[u8]) -> anyhow::Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// The one row that `--row` names: by its id, or else by its number.
+/// Selects the row that `--row` names, by its id or else by its number.
 ///
 /// # Errors
-/// No such row, or several of this id.
+/// If there is no such row, or if several rows have this id.
 pub fn choose(rows: Vec<Row>, name: &str) -> anyhow::Result<Row> {
     let of_id = |row: &&Row| row.id == name;
     let count = rows.iter().filter(of_id).count();
@@ -115,7 +115,7 @@ pub fn choose(rows: Vec<Row>, name: &str) -> anyhow::Result<Row> {
     })
 }
 
-/// Positions of the columns that are read.
+/// Indices of the columns that are read, and the number of columns.
 struct Header {
     columns: usize,
     id: Option<usize>,

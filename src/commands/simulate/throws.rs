@@ -1,4 +1,4 @@
-//! Throws of the command line: options over a release, over a throw of a launch monitor, or alone.
+//! Throws from command-line options, which modify a release or a throw of a launch monitor, or stand alone.
 
 use anyhow::{Context, bail};
 use flight::release::{Release, Stop};
@@ -7,12 +7,13 @@ use model_spec::model::Model;
 
 use crate::cli::{Simulate, ThrowOptions};
 
-/// Whether the options state a throw by themselves, without a release.
+/// Whether the options specify a throw by themselves, without a release.
 pub fn are_enough(options: &ThrowOptions) -> bool {
     options.speed.is_some() || options.techdisc.is_some()
 }
 
-/// The model of the options and its release to the ground, with default values, to which a throw is added.
+/// Loads the model of the options and makes a release of it with default values, until the ground, to which a throw
+/// is then applied.
 pub fn bare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     let Some(name) = &options.model else {
         bail!(
@@ -34,8 +35,8 @@ pub fn bare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     Ok((model, release))
 }
 
-/// Gives the release the initial states of a throw, with the numbers of the options in place of the throw's. Without a throw
-/// the release's own motion is the one that the options change.
+/// Sets the initial states of the release to the motion of a throw, in which the options replace single quantities.
+/// If `throw` is `None`, the options modify the release's own motion.
 pub fn apply(
     options: &ThrowOptions,
     throw: Option<Throw>,

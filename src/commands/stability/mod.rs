@@ -1,5 +1,5 @@
-//! Command `hyzer stability`: modes of the linearised motion at release, along the flight and in steady flight; criteria; maps over
-//! speed and spin.
+//! Command `hyzer stability`: computes the modes of the linearised motion at release, along the flight and in steady
+//! flight, stability criteria, and maps over speed and spin.
 
 mod page;
 mod words;
@@ -17,23 +17,23 @@ use super::vector;
 use crate::cli::Stability as Options;
 use crate::{Answer, output};
 
-/// Speeds of the map, m/s, and number of spins from 0 to the greatest, rpm.
+/// Speeds of the map, m/s. `SPINS` are the number of intervals and the maximum of its spins, rpm.
 const SPEEDS: [f64; 12] = [
     6.0, 8.0, 10.0, 12.0, 14.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 31.0,
 ];
 const SPINS: (u32, f64) = (24, 1200.0);
-/// Speed (m/s) and spin (rpm) of a throw that states none.
+/// Default speed (m/s) and spin (rpm) of a throw.
 const THROW: (f64, f64) = (16.0, 700.0);
 
-/// What was found.
+/// Modes and criteria of a body, the result of the command.
 pub struct Found {
-    /// At release.
+    /// Modes and criteria at release.
     pub release: Instant,
-    /// Along the flight to the ground; empty where it has none.
+    /// Modes and criteria along the flight to the ground; empty if the flight cannot be simulated.
     pub flight: Vec<Instant>,
-    /// Steady flight at the spin of release, with its modes.
+    /// Steady (trimmed) flight at the spin of release, with its modes; `None` if no steady flight is found.
     pub trim: Option<(::stability::Trim, ::stability::Modes)>,
-    /// Over speed and spin.
+    /// Modes and criteria of the throw of the release, at a grid of speeds and spins.
     pub map: Vec<Instant>,
 }
 

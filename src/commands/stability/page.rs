@@ -1,4 +1,5 @@
-//! The page: modes at release, along the flight, in steady flight, and over speed and spin.
+//! The report page of a stability analysis: modes at release, along the flight, in steady flight, and over speed and
+//! spin.
 
 use ::stability::{Instant, ModeKind, Modes};
 use report::figures::{Dots, Line, Look, Panel};
@@ -7,10 +8,10 @@ use report::{Section, Sheet, SheetFigure, Table};
 use super::Found;
 use super::words::{nutation, of_criteria, slowest};
 
-/// Most lines of a panel: those with colours of their own.
+/// Maximum number of lines in a panel, equal to the number of distinct line colours.
 const LINES: usize = 4;
 
-/// The page.
+/// The report page of a stability analysis.
 pub fn sheet(model: &str, found: &Found) -> Sheet {
     let mut sections = vec![Section {
         title: "At release".into(),

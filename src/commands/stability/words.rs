@@ -1,4 +1,4 @@
-//! What was found, as text, JSON and CSV.
+//! Output of a stability analysis as text, JSON and CSV.
 
 use std::fmt::Write;
 
@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use super::Found;
 
-/// The modes and criteria as text.
+/// Text of the modes and criteria for the terminal.
 pub fn table(model: &str, found: &Found) -> String {
     let mut text = format!("{model}: modes at release\n");
     text += &modes(&found.release.modes);
@@ -69,7 +69,7 @@ pub fn table(model: &str, found: &Found) -> String {
     text
 }
 
-/// Lines of a list of modes.
+/// Text table of modes.
 fn modes(of: &Modes) -> String {
     let mut text = format!(
         "  {:14} {:>12} {:>12} {:>9} {:>10}\n",
@@ -97,7 +97,7 @@ fn modes(of: &Modes) -> String {
     text
 }
 
-/// What the criteria say, in words.
+/// Sentences on the stability criteria at one instant.
 pub fn of_criteria(instant: &Instant) -> Vec<String> {
     let (d, c) = (&instant.derivatives, &instant.criteria);
     let holds = |holds: bool| if holds { "holds" } else { "fails" };
@@ -136,13 +136,13 @@ fn factor(criteria: &Criteria) -> String {
     }
 }
 
-/// The mode in which the axis circles fastest.
+/// The nutation or, if there is none, the short-period mode; `None` if the motion has neither.
 pub fn nutation(modes: &Modes) -> Option<&Mode> {
     let kinds = [ModeKind::Nutation, ModeKind::ShortPeriod];
     modes.modes.iter().find(|mode| kinds.contains(&mode.kind))
 }
 
-/// Least rate of decay of the other modes but for the neutral ones, 1/s.
+/// Minimum decay rate, 1/s, of the modes other than the nutation and the neutral modes of heading and spin.
 pub fn slowest(modes: &Modes) -> f64 {
     let others = modes.modes.iter().filter(|mode| {
         !matches!(
@@ -185,7 +185,7 @@ fn of_instant(instant: &Instant) -> Value {
     value
 }
 
-/// The result with the schema `hyzer.stability/1`.
+/// The result as JSON of the schema `hyzer.stability/1`.
 pub fn json(model: &str, found: &Found) -> Value {
     json!({
         "schema": "hyzer.stability/1",
@@ -204,7 +204,7 @@ pub fn json(model: &str, found: &Found) -> Value {
     })
 }
 
-/// A row for each mode of each instant.
+/// CSV table with a row per mode of each instant.
 pub fn csv(instants: &[Instant]) -> String {
     let mut text = String::from(
         "t_s,speed_m_s,spin_rpm,mode,real_1_s,imaginary_rad_s,gyroscopic,incidence,wobble\n",

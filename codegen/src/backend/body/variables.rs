@@ -5,10 +5,10 @@ use crate::compile::Compiled;
 use crate::program::{Function, Operand, Program};
 use std::collections::{HashMap, HashSet};
 
-/// Maximum length of the base name in a subexpression's variable name, characters.
+/// Maximum length, in characters, of the owner's name within the variable name `part_of_…` of a subexpression.
 const MAX_STEM: usize = 24;
 
-/// Local variable names of input elements and of statements that are not inlined.
+/// Local variable names of input elements, and of statements that are not inlined.
 pub(crate) struct Variables {
     inputs: HashMap<(super::Input, u32), String>,
     statements: Vec<Option<String>>,
@@ -45,12 +45,12 @@ impl Variables {
         variables
     }
 
-    /// Variable of a statement; `None` if the statement is inlined into its users.
+    /// Name of the variable of statement `k`; `None` if the statement is inlined into its users.
     pub fn of_statement(&self, k: usize) -> Option<&str> {
         self.statements[k].as_deref()
     }
 
-    /// Variable of an operand; `None` for time, constants and inlined statements.
+    /// Name of the variable of an operand; `None` for time, constants and inlined statements.
     pub fn of(&self, operand: Operand) -> Option<&str> {
         match operand {
             Operand::Temp(t) => self.of_statement(t as usize),
@@ -58,7 +58,7 @@ impl Variables {
         }
     }
 
-    /// Gives variables to inlined subexpressions that would make a line too long.
+    /// Assigns variables to inlined subexpressions that would make a line too long.
     fn split_long_expressions(
         &mut self,
         function: &Function,
@@ -90,7 +90,7 @@ impl Variables {
         }
     }
 
-    /// For each inlined statement, the name of the statement or output that contains it.
+    /// For each inlined statement, the name of the variable or output whose expression contains it.
     fn owners(&self, function: &Function) -> Vec<Option<String>> {
         let program = &function.program;
         let mut owners: Vec<Option<String>> = vec![None; program.statements.len()];
@@ -125,7 +125,7 @@ fn input_name(compiled: &Compiled, operand: Operand) -> String {
     names[k as usize].clone()
 }
 
-/// Variable name of a subexpression: `part_of_` and the truncated name of its owner.
+/// Returns a variable name for a subexpression: `part_of_` and the truncated name of its owner.
 fn part_name(owner: Option<&str>, names: &mut UniqueNames<impl Fn(&str) -> bool>) -> String {
     let owner = owner.unwrap_or("result");
     let stem = match owner.char_indices().nth(MAX_STEM) {
@@ -139,7 +139,7 @@ fn part_name(owner: Option<&str>, names: &mut UniqueNames<impl Fn(&str) -> bool>
     names.take_numbered(&base)
 }
 
-/// Generator of unique identifiers.
+/// Generator of unique identifiers that are not reserved.
 struct UniqueNames<F> {
     taken: HashSet<String>,
     /// Last numeric suffix that `take_numbered` used for each name.
@@ -152,7 +152,7 @@ impl<F: Fn(&str) -> bool> UniqueNames<F> {
         !self.taken.contains(name) && !(self.is_reserved)(name)
     }
 
-    /// `base` if unused, else `base` with the smallest unused numeric suffix from 2.
+    /// Returns `base` if unused, else `base` with the smallest unused numeric suffix from 2.
     fn take_numbered(&mut self, base: &str) -> String {
         let mut n = self.numbers.get(base).copied().unwrap_or(0);
         loop {
@@ -169,7 +169,7 @@ impl<F: Fn(&str) -> bool> UniqueNames<F> {
         }
     }
 
-    /// `name`, with underscores appended until unique.
+    /// Returns `name`, with underscores appended until it is unique.
     fn take(&mut self, name: &str) -> String {
         let mut name = name.to_string();
         while !self.is_free(&name) {

@@ -2,10 +2,11 @@
 
 use crate::program::{Binary, Op, Operand, Program, Unary};
 
-/// Maximum width of an inlined expression, characters.
+/// Maximum width of an expression that is inlined into its user, in characters; wider expressions are assigned to a
+/// variable.
 pub(super) const MAX_INLINE: usize = 64;
 
-/// Maximum width of a statement's right-hand side, characters.
+/// Maximum width of a statement's right-hand side, in characters; parts of wider ones are assigned to variables.
 pub(super) const MAX_STATEMENT: usize = 84;
 
 /// Estimated width of a function or method call without its operands, characters.
@@ -14,7 +15,8 @@ const CALL: usize = 11;
 /// Estimated width of a numeric constant, characters.
 const CONSTANT: usize = 13;
 
-/// Estimated widths of a program's statements; `variable` gives the name length of an operand with a variable.
+/// Estimates the widths of a program's statements; `variable` returns the name length of an operand that has a
+/// variable, else `None`.
 pub(super) struct Widths<'a, V> {
     pub program: &'a Program,
     pub variable: V,
@@ -32,7 +34,7 @@ impl<V: Fn(Operand) -> Option<usize>> Widths<'_, V> {
         operands + own_width(op)
     }
 
-    /// Index of the widest inlined operand of a statement; `None` if no operand is inlined.
+    /// Index of the statement that is the widest inlined operand of statement `k`; `None` if no operand is inlined.
     pub fn widest_part(&self, k: usize) -> Option<usize> {
         let operands = self.program.statements[k].op.operands();
         let parts = operands.into_iter().filter_map(|operand| match operand {

@@ -1,4 +1,4 @@
-//! Priority queue of pairs for greedy common-subexpression elimination, rescored lazily.
+//! Priority queue of pairs of operands for greedy common-subexpression elimination; scores are updated lazily.
 
 use crate::graph::FastMap;
 use crate::ssa::DefId;
@@ -6,13 +6,14 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::hash::Hash;
 
-/// Score of a pair: operations saved, then whether the pair depends on parameters only.
+/// Score of a pair: number of operations saved, then whether the pair depends on parameters only.
 pub type Score = (usize, bool);
 
-/// Candidate pairs of operands, the definitions that contain them, and the operations saved by sharing them.
+/// Candidate pairs of operands, with the definitions that contain each pair and the number of operations saved by
+/// computing the pair once.
 ///
-/// A score in the heap may be outdated but never too low; it is recomputed when popped. Equal scores are ordered by
-/// pair, so that the result does not depend on the iteration order of a map.
+/// A score in the heap may be outdated but never too low; it is recomputed when popped. Pairs of equal score are
+/// ordered by pair, so that the result does not depend on the iteration order of a map.
 #[derive(Debug)]
 pub struct Candidates<P> {
     heap: BinaryHeap<(Score, Reverse<P>)>,
@@ -39,7 +40,7 @@ impl<P: Copy + Ord + Hash> Candidates<P> {
         }
     }
 
-    /// Computes the scores of pairs recorded since the last call; `None` from `score` drops a pair.
+    /// Computes the scores of the pairs recorded since the last call; a pair is dropped if `score` returns `None`.
     pub fn rate(&mut self, score: impl Fn(P, &[DefId]) -> Option<Score>) {
         self.touched.sort_unstable();
         self.touched.dedup();

@@ -1,4 +1,4 @@
-//! Common-subexpression elimination: pairs of factors and pairs of terms that several definitions contain.
+//! Common-subexpression elimination: shares pairs of factors and pairs of terms that several definitions contain.
 
 mod candidates;
 mod products;

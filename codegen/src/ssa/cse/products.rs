@@ -1,4 +1,5 @@
-//! Common-subexpression elimination in products: greedy extraction of the pair of factors that saves most.
+//! Common-subexpression elimination in products: greedy extraction of the pair of factors that saves the most
+//! operations.
 
 use super::candidates::{Candidates, Score};
 use crate::graph::FastMap;
@@ -70,8 +71,8 @@ fn count(list: &[DefId], pair: Pair) -> usize {
     }
 }
 
-/// Multiplications saved by sharing a pair of factors: occurrences - 1, or, for a parameter-only pair, the
-/// occurrences in larger products; `None` if nothing is saved.
+/// Score of a pair of factors. The number of multiplications saved is the number of occurrences - 1, or, for a
+/// parameter-only pair, the number of occurrences in products of more than two factors. `None` if nothing is saved.
 fn score(ssa: &Ssa, pair: Pair, users: &[DefId]) -> Option<Score> {
     let (mut places, mut whole) = (0, 0);
     for &id in users {
@@ -90,7 +91,7 @@ fn score(ssa: &Ssa, pair: Pair, users: &[DefId]) -> Option<Score> {
     (saved > 0 && places > whole).then_some((saved, fixed))
 }
 
-/// Merges equal products and replaces single-factor products by the factor.
+/// Merges equal products, and replaces products of a single factor by that factor.
 fn alias(ssa: &mut Ssa) {
     let mut canonical: FastMap<Vec<DefId>, DefId> = FastMap::default();
     let mut target: IndexVec<DefId, DefId> = ssa.defs.indices().collect();

@@ -5,7 +5,7 @@ use crate::graph::FastMap;
 use crate::ssa::{DefId, Signed, Ssa, SsaDef};
 use model_spec::index::IndexVec;
 
-/// Two terms of a sum, and whether their signs differ.
+/// Two terms that occur in one sum, and whether their signs differ.
 type Pair = (DefId, DefId, bool);
 
 /// Extracts common pairs of terms from all sums into shared definitions.
@@ -79,8 +79,8 @@ fn sign(list: &[Signed], pair: Pair) -> Option<bool> {
     (pair.0 != pair.1 && (first != second) == pair.2).then_some(first)
 }
 
-/// Additions saved by sharing a pair of terms: occurrences - 1, or, for a parameter-only pair, the occurrences in
-/// larger sums; `None` if nothing is saved.
+/// Score of a pair of terms. The number of additions saved is the number of occurrences - 1, or, for a parameter-only
+/// pair, the number of occurrences in sums of more than two terms. `None` if nothing is saved.
 fn score(ssa: &Ssa, pair: Pair, users: &[DefId]) -> Option<Score> {
     let holds = |id: DefId| sign(terms(ssa, id), pair).is_some();
     let places = users.iter().filter(|&&id| holds(id)).count();

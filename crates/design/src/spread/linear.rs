@@ -1,4 +1,4 @@
-//! Spread to first order: J Σ Jᵀ with the exact derivatives J of the landing place.
+//! Spread of landings to first order: J Σ Jᵀ with the exact derivatives J of the landing position.
 
 use flight::throw::Throw;
 use nalgebra::{DMatrix, Matrix2, Vector2};
@@ -8,18 +8,18 @@ use super::scattered::Scattered;
 use crate::bounds::Scatter;
 use crate::throw_flight::{By, ThrowFlightError, ThrowFlights};
 
-/// Distribution of landing places over the ground.
+/// Mean and covariance of landing positions on the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Landings {
-    /// Mean, m.
+    /// Mean position (x, y), m.
     pub mean: Vector2<f64>,
-    /// Covariance, m².
+    /// Covariance of (x, y), m².
     pub covariance: Matrix2<f64>,
 }
 
 impl Landings {
-    /// Half axes (m, the longer first) of the ellipse that a fraction of a normal distribution is inside of, and the direction of the
-    /// longer one from +x to the left, rad.
+    /// Ellipse that contains the given fraction of a normal distribution: semi-axes, m, the longer first, and the
+    /// direction of the longer one, rad, from +x towards +y.
     pub fn ellipse(&self, fraction: f64) -> (f64, f64, f64) {
         let eigen = self.covariance.symmetric_eigen();
         let (long, short) = match eigen.eigenvalues[0] >= eigen.eigenvalues[1] {
@@ -33,10 +33,11 @@ impl Landings {
     }
 }
 
-/// Covariance of the landing place (x, y), m², to first order in the scatter of release and wind.
+/// Covariance of the landing position (x, y), m², to first order in the scatter of release, wind and parameters.
+/// `near` is the release state of a similar throw, which speeds up finding the state of this one.
 ///
 /// # Errors
-/// [`ThrowFlightError`]
+/// [`ThrowFlightError`] if the throw has no flight.
 pub fn landing_covariance(
     flights: &ThrowFlights<'_>,
     throw: &Throw,
@@ -48,7 +49,7 @@ pub fn landing_covariance(
     Ok(linear(flights, throw, near, &scattered, options)?.covariance)
 }
 
-/// Landing places to first order in what is scattered.
+/// Mean and covariance of the landing position to first order in the scattered quantities.
 pub(super) fn linear(
     flights: &ThrowFlights<'_>,
     throw: &Throw,

@@ -1,4 +1,5 @@
-//! Spread of landings from the scatter of release, wind and coefficients: linear, by exact derivatives, and sampled, by flights.
+//! Spread of landings due to the scatter of release, wind and coefficients: linearized, by exact derivatives, and
+//! sampled, by simulated flights.
 
 mod linear;
 mod sampled;
@@ -14,14 +15,14 @@ pub use scattered::{CoefficientErrors, Scattered};
 
 use crate::throw_flight::{ThrowFlightError, ThrowFlights};
 
-/// How many flights are sampled.
+/// Number, seed and threads of the sampled flights.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SampleOptions {
-    /// Number of draws; default 1000. None are sampled where it is 0.
+    /// Number of draws; default 1000. 0 disables sampling.
     pub count: usize,
     /// Seed of the draws; default 1.
     pub seed: u64,
-    /// Number of threads, on which the result does not depend; default all processors.
+    /// Number of threads, which does not affect the result; default: all processors.
     pub threads: usize,
 }
 
@@ -38,36 +39,43 @@ impl Default for SampleOptions {
 /// Spread of the landings of a throw.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spread {
-    /// To first order.
+    /// Distribution of landings to first order in the scatter.
     pub linear: Landings,
-    /// By flights; `None` where none were asked for or fewer than three landed.
+    /// Distribution of landings of sampled flights; `None` if sampling was disabled or fewer than three flights
+    /// landed.
     pub sampled: Option<Sampled>,
-    /// Fraction of the landings within the circle about the aim: of the samples, or else of the linear distribution's.
+    /// Fraction of the sampled flights that land within the circle about the aim; draws without a flight count as
+    /// outside. `None` without samples.
     pub inside: Option<f64>,
-    /// Whether linear and sampled spread agree.
+    /// Comparison of the linear with the sampled spread; `None` without samples or if the linear covariance is
+    /// singular.
     pub agreement: Option<Agreement>,
 }
 
 /// Comparison of the linear with the sampled spread.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Agreement {
-    /// Distance of the means as a part of the linear standard deviation in its direction (a Mahalanobis distance).
+    /// Mahalanobis distance of the sampled mean from the linear mean: their distance in units of the linear standard
+    /// deviation in its direction.
     pub shift: f64,
-    /// Least and greatest ratio of the sampled to the linear standard deviation over all directions.
+    /// Minimum and maximum, over all directions, of the ratio of the sampled to the linear standard deviation.
     pub ratios: (f64, f64),
-    /// Standard errors of the shift and of a ratio by the number of samples.
+    /// Sampling standard errors of `shift` and of a ratio in `ratios`.
     pub errors: (f64, f64),
-    /// Whether they agree: shift and ratios differ from 0 and 1 by less than [`TOLERATED`] or three standard errors.
+    /// Whether the linear and the sampled spread agree: `shift` and the ratios differ from 0 and 1 by less than the
+    /// larger of [`TOLERATED`] and three standard errors.
     pub agrees: bool,
 }
 
-/// Shift in standard deviations, and relative difference of standard deviations, up to which linear and sampled spread agree.
+/// Maximum shift in standard deviations, and maximum relative difference of standard deviations, at which linear and
+/// sampled spread agree.
 pub const TOLERATED: f64 = 0.15;
 
-/// Spread of the landings of a throw about an aim on the ground, m.
+/// Spread of the landings of a throw. `(aim, circle)` are the aim on the ground and the radius of the landing circle,
+/// m.
 ///
 /// # Errors
-/// [`ThrowFlightError`] where the throw itself has no flight.
+/// [`ThrowFlightError`] if the throw itself has no flight.
 pub fn spread(
     flights: &ThrowFlights<'_>,
     throw: &Throw,
@@ -84,7 +92,7 @@ pub fn spread(
     };
     let inside = sampled.as_ref().map(|sampled| {
         let near = |point: &&Vector2<f64>| (**point - aim).norm() <= circle;
-        // Throws that have no flight do not land in the circle.
+        // Draws without a flight count as outside the circle.
         sampled.points.iter().filter(near).count() as f64
             / (sampled.points.len() + sampled.failed) as f64
     });
@@ -99,7 +107,8 @@ pub fn spread(
     })
 }
 
-/// Compares two distributions; `None` where the linear one has no extent in some direction.
+/// Compares the linear with the sampled distribution of `count` landings; `None` if the linear covariance is
+/// singular.
 fn compare(linear: &Landings, sampled: &Landings, count: usize) -> Option<Agreement> {
     let factor = linear.covariance.cholesky()?;
     let inverse = factor.l().try_inverse()?;

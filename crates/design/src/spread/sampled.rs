@@ -1,4 +1,4 @@
-//! Spread by flights: draws from the scatter, each flown, and the bands of their paths.
+//! Sampled spread of landings: throws drawn from the scatter, a flight for each, and quantile bands of their paths.
 
 use flight::batch::each_on;
 use flight::throw::{FIELDS, Throw};
@@ -14,36 +14,39 @@ use crate::throw_flight::{By, ThrowFlights};
 
 /// Number of distances at which the bands are computed.
 const STATIONS: usize = 40;
-/// Quantiles of the bands.
+/// Probabilities of the quantiles in each [`Band`].
 pub const QUANTILES: [f64; 3] = [0.05, 0.5, 0.95];
 
-/// Flights of scattered throws.
+/// Landings and paths of throws drawn from the scatter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sampled {
-    /// Mean and covariance of the landing places.
+    /// Mean and covariance of the landing positions.
     pub landings: Landings,
-    /// The landing places, m.
+    /// Landing positions (x, y), m.
     pub points: Vec<Vector2<f64>>,
-    /// Number of draws without a flight: outside the ranges of a throw, or beyond the model's limits.
+    /// Number of draws without a flight: a quantity of the throw is out of its range, or the flight leaves the
+    /// model's limits.
     pub failed: usize,
-    /// Bands of the paths along the line from release to the unscattered landing.
+    /// Bands of the paths at increasing distances along the line from release to the mean landing of the linear
+    /// spread.
     pub bands: Vec<Band>,
 }
 
-/// Quantiles of the paths where they first reach a distance.
+/// Quantiles of the paths at the points where they first reach a given distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Band {
-    /// Distance along the line from release to the unscattered landing, m.
+    /// Distance from the release along the line to the mean landing of the linear spread, m.
     pub distance: f64,
-    /// Number of flights that reach it.
+    /// Number of flights that reach this distance.
     pub flights: usize,
-    /// Offset to the left of the line, m, at each of [`QUANTILES`].
+    /// Quantiles of the lateral offset from the line, left positive, m, at each probability of [`QUANTILES`].
     pub left: [f64; 3],
-    /// Height, m, at each of [`QUANTILES`].
+    /// Quantiles of the height, m, at each probability of [`QUANTILES`].
     pub height: [f64; 3],
 }
 
-/// Flies `count` draws; `None` where fewer than three land.
+/// Integrates `count` flights drawn from the scatter; `target` is the end of the line along which the bands are
+/// computed. `None` if fewer than three flights land.
 pub(super) fn sampled(
     flights: &ThrowFlights<'_>,
     throw: &Throw,
@@ -61,7 +64,7 @@ pub(super) fn sampled(
         .map(|k| 1.15 * length * k as f64 / STATIONS as f64)
         .collect();
     let flown = each_on(threads, count, |i| {
-        // A generator of its own for each draw: the threads do not matter.
+        // Each draw has its own random stream, so the number of threads has no effect.
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         random.set_stream(i as u64);
         let normal = DVector::from_fn(n, |_, _| StandardNormal.sample(&mut random));
@@ -97,7 +100,7 @@ pub(super) fn sampled(
     }
     let band = |(k, distance): (usize, &f64)| {
         let passes: Vec<(f64, f64)> = flown.iter().filter_map(|(_, passes)| passes[k]).collect();
-        // A quantile at 5 % of fewer flights is that of the extremes.
+        // With fewer flights, the 5 % quantile would be an extreme value.
         (passes.len() >= 20).then(|| Band {
             distance: *distance,
             flights: passes.len(),
@@ -113,7 +116,8 @@ pub(super) fn sampled(
     })
 }
 
-/// Offset to the left and height where a path first reaches a distance; `None` where it does not.
+/// Lateral offset, left positive, and height, m, where a path first reaches the distance `station` along the line;
+/// `None` if the path does not reach it.
 fn pass(
     places: &[Vector3<f64>],
     along: Vector2<f64>,
@@ -135,7 +139,7 @@ fn quantiles(values: impl Iterator<Item = f64>) -> [f64; 3] {
     QUANTILES.map(|q| values[((values.len() - 1) as f64 * q).round() as usize])
 }
 
-/// Mean and covariance of points.
+/// Mean and sample covariance of points.
 pub fn moments(points: &[Vector2<f64>]) -> Landings {
     let count = points.len() as f64;
     let mean = points.iter().sum::<Vector2<f64>>() / count;

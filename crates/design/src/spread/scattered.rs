@@ -1,30 +1,32 @@
-//! What differs from throw to throw, as one normal distribution: numbers of the throw, the wind, coefficients.
+//! Quantities that differ from throw to throw, as one normal distribution: quantities of the throw, the wind,
+//! coefficients.
 
 use nalgebra::DMatrix;
 
 use crate::bounds::Scatter;
 use crate::throw_flight::{By, ThrowFlights};
 
-/// Quantities that scatter, and their covariance.
+/// Normal distribution of the quantities that differ from throw to throw.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scattered {
-    /// The quantities.
+    /// The quantities, in the order of the rows of `covariance`.
     pub by: Vec<By>,
-    /// Their covariance, in the units of the quantities.
+    /// Covariance matrix, in the units of the quantities.
     pub covariance: DMatrix<f64>,
 }
 
-/// Covariance of estimated coefficients.
+/// Standard errors and correlations of estimated coefficients.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CoefficientErrors {
     /// Name and standard error of each coefficient, SI.
     pub errors: Vec<(String, f64)>,
-    /// Correlations of pairs of them; those that are not stated are 0.
+    /// Correlations of pairs of coefficients, as (name, name, value); pairs that are not listed have 0.
     pub correlations: Vec<(String, String, f64)>,
 }
 
 impl Scattered {
-    /// The scatter of release, wind and parameters; a wind that the model does not know of has no effect.
+    /// Distribution of the scatter of release, wind and parameters, all independent. The wind is ignored if the model
+    /// has no wind.
     pub fn of(flights: &ThrowFlights<'_>, scatter: &Scatter) -> Scattered {
         let mut all: Vec<(By, f64)> = scatter
             .release
@@ -49,7 +51,8 @@ impl Scattered {
         }
     }
 
-    /// Adds the errors of estimated coefficients; names that the model does not have are left out and returned.
+    /// Adds the errors of estimated coefficients to the distribution. Also returns the names of coefficients that the
+    /// model does not have, which are ignored.
     pub fn with_coefficients(
         mut self,
         flights: &ThrowFlights<'_>,
@@ -87,7 +90,7 @@ impl Scattered {
         (self, unknown)
     }
 
-    /// A matrix L with L Lᵀ the covariance, of positive semidefinite ones too.
+    /// Matrix L with L Lᵀ equal to the covariance, which may be singular.
     pub(super) fn root(&self) -> DMatrix<f64> {
         let eigen = self.covariance.clone().symmetric_eigen();
         let sizes = eigen.eigenvalues.map(|value| value.max(0.0).sqrt());

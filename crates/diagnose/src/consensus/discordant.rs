@@ -1,33 +1,36 @@
-//! Discordant flights: flights that show little of an effect on which the others agree, or its opposite.
+//! Discordant flights: flights in which an effect has the opposite sign, or a much smaller size, than in most
+//! flights.
 
 use super::sign_flip_test::SignFlipTest;
 use crate::context::ColumnId;
 
-/// Greatest number of iterations between the common estimate and the set of concordant flights.
+/// Maximum number of iterations that alternate between the common estimate and the set of concordant flights.
 const MAX_ITERATIONS: usize = 20;
 
-/// Least expected change of a flight's weighted sum of squares by the common estimate, χ², for an informative flight.
+/// Minimum change of a flight's weighted sum of squares, χ², that the common estimate must predict before the flight
+/// can be discordant; flights below it carry too little information.
 const MIN_EXPECTED_CHI2: f64 = 10.0;
 
-/// Fraction of the common estimate below which a flight's own estimate is discordant.
+/// A flight is discordant if its own estimate is less than this fraction of the common estimate.
 const MIN_SHARE: f64 = 0.25;
 
-/// Division of the flights by agreement with a common value of one unknown.
+/// Flights divided by whether they agree with a common value of one unknown.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Concordance {
-    /// Indices of the discordant flights.
+    /// Indices of the flights that contradict the common value.
     pub discordant: Vec<usize>,
-    /// Decrease of the weighted sum of squares of the other flights, χ².
+    /// Decrease of the weighted sum of squares, χ², of the concordant flights if the unknown has the common value.
     pub chi2_decrease: f64,
 }
 
 impl SignFlipTest {
-    /// Finds the value of one unknown on which most flights agree, and the informative flights that contradict it.
+    /// Finds the value of the unknown of `column` on which most flights agree, and the discordant flights:
+    /// informative flights that contradict this value.
     pub fn concordance(&self, column: ColumnId) -> Concordance {
         let flights = 0..self.flights();
         let score = |flight: usize| self.scores[(flight, column.index())];
         let information = |flight: usize| self.information[(flight, column.index())];
-        // The sign of most flights, each weighted by its cosine.
+        // The sign of the effect in most flights, each flight weighted by its cosine.
         let sum: f64 = flights.clone().map(|f| self.cosine(f, column)).sum();
         let sign = sum.signum();
         let mut concordant: Vec<usize> =
@@ -66,7 +69,7 @@ mod tests {
     fn flights_of_opposite_sign_are_discordant() {
         let found = flights(24, 7).concordance(ColumnId::new(0));
         assert_eq!(found.discordant, (17..24).collect::<Vec<_>>());
-        // The squares of each of the 17 others fall by about 1000.
+        // The weighted sum of squares of each of the 17 concordant flights falls by about 1000.
         let relative = found.chi2_decrease / 17_000.0;
         assert!((relative - 1.0).abs() < 0.3, "{relative}");
         let none = flights(24, 0).concordance(ColumnId::new(0));

@@ -1,8 +1,9 @@
-//! Hypotheses on which the flights agree.
+//! Search for hypotheses on which the flights agree.
 //!
-//! Measured flights differ from one another by more than their noise: values stated for a flight have errors, the air
-//! moves. A hypothesis is accepted here if the flights agree on it and, given it, on nothing else; the remaining lack
-//! of fit then follows no common law.
+//! Real flights differ from one another by more than the measurement noise: values stated for a flight have errors,
+//! and the air moves. A hypothesis is accepted here if the effects have the same sign in the flights and, once they
+//! are included in the model, no further candidate has; the remaining lack of fit then follows no law that is common
+//! to all flights.
 
 use identify::Iterate;
 
@@ -11,35 +12,37 @@ use crate::context::{CandidateId, ColumnId, Context, ScoreTestModel, TermId};
 use crate::error::{DiagnosisError, if_possible};
 use crate::selection::{Hypothesis, Search};
 
-/// Familywise significance level of the agreement between flights.
+/// Familywise significance level of the sign-flip test: the flights agree on a candidate if its p-value is below this
+/// level.
 const ALPHA_AGREE: f64 = 0.01;
 
-/// Familywise significance level for the rejection of a hypothesis.
+/// Familywise significance level at which the flights' agreement on a further candidate rejects a hypothesis.
 const ALPHA_REJECT: f64 = 0.002;
 
-/// Least number of flights for a test of agreement; fewer cannot agree significantly.
+/// Minimum number of flights for a test of agreement; with fewer flights the sign-flip test cannot be significant.
 const MIN_FLIGHTS: usize = 20;
 
-/// Least fraction of the concordant flights' excess χ² that a hypothesis must explain.
+/// Minimum fraction of the excess χ² that a hypothesis must explain, of all flights or of the concordant flights.
 const MIN_EXPLAINED: f64 = 0.5;
 
-/// Least fraction of the flights that must be concordant.
+/// Minimum fraction of the flights that must be concordant.
 const MIN_CONCORDANT: f64 = 0.5;
 
-/// Hypotheses on which the flights agree.
+/// Result of the search for hypotheses on which the flights agree.
 pub(crate) struct Consensus {
-    /// Hypotheses that explain most of the excess χ² of all flights; empty if only the concordant flights are
-    /// explained.
+    /// Hypotheses that explain at least half of the excess χ² of all flights, best fit first; empty if a hypothesis
+    /// explains only the concordant flights.
     pub hypotheses: Vec<Hypothesis>,
-    /// Fraction of the excess χ² that is explained.
+    /// Fraction of the excess χ² that the best hypothesis explains.
     pub explained: f64,
-    /// Familywise p-value of the agreement.
+    /// Familywise p-value of the sign-flip test for the best hypothesis.
     pub p_value: f64,
-    /// Indices of the discordant flights, without which the search is to be repeated.
+    /// Indices of the discordant flights; the search is to be repeated without them.
     pub discordant: Vec<usize>,
 }
 
-/// Searches for hypotheses on which the flights agree; `None` if they agree on no single candidate.
+/// Searches for hypotheses on which the flights agree; `None` if there are too few flights, or no single candidate on
+/// which they agree explains enough.
 ///
 /// # Errors
 /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated, or the caller cancelled.
@@ -76,20 +79,21 @@ pub(crate) fn consensus(
     }))
 }
 
-/// A hypothesis with the p-value of the agreement on it.
+/// A hypothesis, and the familywise p-value of the flights' agreement on its effect.
 struct Agreed {
     hypothesis: Hypothesis,
     p_value: f64,
 }
 
-/// A single candidate that explains most of the excess χ² of the concordant flights.
+/// The concordant flights of one candidate that explains most of their excess χ².
 struct ConcordantMajority {
     explained: f64,
     p_value: f64,
     discordant: Vec<usize>,
 }
 
-/// Single candidates on which the flights agree and given which they agree on nothing else, best fit first.
+/// Fits each single candidate on which the flights agree; returns those that leave no further agreement, best fit
+/// first.
 fn agreed_hypotheses(
     context: Context<'_>,
     model: &ScoreTestModel,
@@ -126,7 +130,8 @@ fn agreed_hypotheses(
     Ok(agreed)
 }
 
-/// Candidate of one coefficient that explains most of the excess χ² of its concordant flights.
+/// Finds, among the agreed candidates with one coefficient, the candidate that explains most of the excess χ² of its
+/// concordant flights; `None` if no candidate explains enough or too few flights are concordant.
 fn explained_without_discordant(
     model: &ScoreTestModel,
     test: &SignFlipTest,
@@ -160,7 +165,7 @@ fn explained_without_discordant(
     best
 }
 
-/// Sign-flip test of the flights' scores, given a hypothesis.
+/// Sign-flip test of the flights' scores at the fit of the hypothesis `given`, whose effects are nuisance parameters.
 fn sign_flip_test(
     model: &ScoreTestModel,
     given: &Hypothesis,
@@ -171,7 +176,8 @@ fn sign_flip_test(
     SignFlipTest::new(model, &blocks, &given.effects)
 }
 
-/// Columns of each candidate, in order, empty for those conditioned on; then the column of each library term.
+/// Groups of columns for [`SignFlipTest::p_values`]: one group for each candidate, empty if the candidate is
+/// conditioned on, then one group for each library term.
 fn groups(model: &ScoreTestModel, conditioned_on: &[CandidateId]) -> Vec<Vec<ColumnId>> {
     let of_candidates = model
         .candidates()

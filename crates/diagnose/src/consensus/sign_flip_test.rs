@@ -1,7 +1,8 @@
-//! Sign-flip score test: whether scores of single flights have a common sign.
+//! Sign-flip score test: whether the scores of the single flights have a common sign.
 //!
-//! If each flight departs from the model in its own way, the sum of squares rejects every common law; a common sign
-//! of the flights' scores is still evidence. Under the null hypothesis the signs are exchangeable.
+//! If each flight deviates from the model in a different way, the sum of squares rejects every law that is common to
+//! all flights. A common sign of the flights' scores is still evidence for an effect. Under the null hypothesis, the
+//! sign of each flight's score is positive or negative with equal probability.
 
 use identify::{NormalBlock, pseudo_inverse};
 use nalgebra::{DMatrix, DVector};
@@ -12,38 +13,41 @@ use crate::context::{CandidateId, ColumnId, Partition, ScoreTestModel, select};
 use crate::error::DiagnosisError;
 use crate::score_test::{MIN_TOLERANCE, eliminate_locals, keep_directions};
 
-/// Number of random sign vectors.
+/// Number of random sign vectors drawn for the null distribution.
 const DRAWS: usize = 10_000;
 
-/// Seed of the random signs.
+/// Seed of the random sign vectors.
 const SEED: u64 = 1;
 
-/// Effective scores of single flights.
+/// Effective scores and information of the single flights, the input of the sign-flip test.
 #[derive(Clone, Debug)]
 pub(crate) struct SignFlipTest {
-    /// Effective score of each flight (row) for each column; positive if the sum of squares decreases as the unknown
-    /// grows.
+    /// Effective score by flight (row) and column of the normal equations; positive if the sum of squares decreases
+    /// as the unknown increases. Zero if the column is not tested.
     pub(super) scores: DMatrix<f64>,
-    /// Effective information of each flight (row) about each column.
+    /// Effective information by flight (row) and column of the normal equations. Zero if the column is not tested.
     pub(super) information: DMatrix<f64>,
-    /// Weighted sum of squares of each flight.
+    /// Weighted sum of squares of each flight and its expectation.
     pub(super) fits: Vec<FlightSquares>,
 }
 
-/// Weighted sum of squares of one flight, with its expectation.
+/// Weighted sum of squares of the residuals of one flight, and its expectation.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FlightSquares {
-    /// Weighted sum of squares.
+    /// Weighted sum of squares of the residuals.
     pub squares: f64,
-    /// Expected sum of squares if the residuals are pure noise.
+    /// Expected weighted sum of squares if the residuals are pure noise.
     pub expected: f64,
 }
 
 impl SignFlipTest {
-    /// Scores of all flights from their normal equations, given the model under test and the candidates conditioned on.
+    /// Computes the effective scores of all flights from their normal equations. Nuisance parameters are those of the
+    /// model under test and of the candidates in `conditioned_on`.
     ///
     /// # Errors
-    /// [`DiagnosisError::UndeterminedInitialState`], [`DiagnosisError::SingularInformation`].
+    /// [`DiagnosisError::UndeterminedInitialState`] if the samples of a flight do not determine its initial state;
+    /// [`DiagnosisError::SingularInformation`] if the information matrix of the nuisance parameters cannot be
+    /// inverted.
     pub fn new(
         model: &ScoreTestModel,
         blocks: &[NormalBlock],
@@ -55,7 +59,7 @@ impl SignFlipTest {
             let (_, free) = model.local_partition(flight, conditioned_on);
             eliminate_locals(model, flight, &keep_directions(&blocks[flight], &free))
         };
-        // The flights are reduced twice, so that only one matrix of theirs is in memory.
+        // Each flight is reduced twice, so that only one flight's matrix is in memory at a time.
         let mut total = DMatrix::zeros(size, size);
         for flight in 0..blocks.len() {
             total += reduced(flight)?.matrix;
@@ -82,8 +86,8 @@ impl SignFlipTest {
         Ok(test)
     }
 
-    /// Computes the scores of one flight from its normal equations `h`, `g`: the nuisance columns are projected out
-    /// of the tested ones by the common projection coefficients.
+    /// Computes the scores of one flight from its normal equations, matrix `h` and gradient `g`. The nuisance columns
+    /// are projected out of the tested columns by `projection`, the projection coefficients common to all flights.
     fn set_flight(
         &mut self,
         flight: usize,
@@ -108,19 +112,19 @@ impl SignFlipTest {
         }
     }
 
-    /// Number of flights.
+    /// Number of flights tested.
     pub fn flights(&self) -> usize {
         self.scores.nrows()
     }
 
-    /// Excess χ² of some flights: weighted sum of squares minus its expectation for pure noise.
+    /// Excess χ² of the flights with the given indices: weighted sum of squares minus its expectation for pure noise.
     pub fn excess_chi2(&self, flights: impl Iterator<Item = usize>) -> f64 {
         let each = flights.map(|f| self.fits[f].squares - self.fits[f].expected);
         each.sum()
     }
 
-    /// Cosine between a flight's whitened residuals and the column of an unknown after projection on the nuisance
-    /// columns.
+    /// Cosine of the angle between a flight's whitened residuals and the Jacobian column of an unknown, after
+    /// projection of this column on the nuisance columns. 0 if the flight has no information about the unknown.
     pub(super) fn cosine(&self, flight: usize, column: ColumnId) -> f64 {
         let at = (flight, column.index());
         let norms = (self.information[at] * self.fits[flight].squares).sqrt();
@@ -130,8 +134,8 @@ impl SignFlipTest {
         }
     }
 
-    /// Familywise p-values of groups of columns by the maximum statistic: the fraction of random sign vectors for
-    /// which the agreement on any group is at least that observed for this group.
+    /// Familywise p-value of each group of columns by the maximum statistic: the fraction of random sign vectors for
+    /// which the agreement on any group is at least the observed agreement on this group.
     pub fn p_values(&self, groups: &[Vec<ColumnId>]) -> Vec<f64> {
         let groups: Vec<Vec<Vec<f64>>> = groups
             .iter()
@@ -154,7 +158,7 @@ impl SignFlipTest {
         observed.into_iter().map(p_value).collect()
     }
 
-    /// Cosines of all flights for a column, scaled to a vector of unit length.
+    /// Cosines of all flights for one column, scaled to a vector of unit length.
     fn unit_cosines(&self, column: ColumnId) -> Vec<f64> {
         let cosines: Vec<f64> = (0..self.flights())
             .map(|f| self.cosine(f, column))
@@ -165,7 +169,8 @@ impl SignFlipTest {
     }
 }
 
-/// Greatest absolute sum, over the columns of a group, of the flights' cosines multiplied by the signs.
+/// Agreement of the flights on a group of columns: maximum over the columns of the absolute sum of the flights'
+/// cosines, each multiplied by the flight's sign.
 fn agreement(signs: &[f64], group: &[Vec<f64>]) -> f64 {
     let sum = |cosines: &Vec<f64>| -> f64 {
         let each = cosines.iter().zip(signs);
@@ -179,7 +184,8 @@ pub(super) mod tests {
     use super::*;
     use rand_distr::{Distribution, StandardNormal};
 
-    /// Test flights whose first unknown is about 1, or −1 in the last `opposite` of them, and whose second is random.
+    /// Test with `count` flights and two unknowns: the first is about 1, or −1 in the last `opposite` flights; the
+    /// second is random.
     pub(in crate::consensus) fn flights(count: usize, opposite: usize) -> SignFlipTest {
         let mut random = ChaCha12Rng::seed_from_u64(4);
         let mut normal = || -> f64 { StandardNormal.sample(&mut random) };
@@ -209,7 +215,7 @@ pub(super) mod tests {
         let p = flights(24, 0).p_values(&groups());
         assert!(p[0] < 0.001 && p[1] > 0.05, "{p:?}");
         assert_eq!(p[2], 1.0);
-        // Half of the flights with the opposite sign leave no agreement.
+        // If half of the flights have the opposite sign, there is no agreement.
         let p = flights(24, 12).p_values(&groups());
         assert!(p[0] > 0.05, "{p:?}");
     }
@@ -226,7 +232,7 @@ pub(super) mod tests {
             let p = none.p_values(&groups()[..2]);
             below += usize::from(p.iter().any(|p| *p < 0.1));
         }
-        // 30 of them, ± 5.
+        // Expected value 30, standard deviation 5.
         assert!((12..=48).contains(&below), "{below}");
     }
 }

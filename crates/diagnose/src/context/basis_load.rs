@@ -1,5 +1,4 @@
-//! Loads multiplied by basis functions of time and state: sensitivity to the load's coefficient times the basis
-//! function.
+//! Loads multiplied by basis functions of time and state, and the sensitivities to their coefficients.
 
 use std::borrow::Cow;
 
@@ -7,14 +6,15 @@ use flight::{BoundModel, DifferentiableModelRhs};
 use model_spec::layout::ParamId;
 use ode::DifferentiableRhs;
 
-/// Equations of motion whose parameters are those of a model, followed by coefficients of basis functions.
+/// Equations of motion whose parameters are those of a model, followed by one coefficient for each basis function.
 ///
-/// Where a load coefficient is 0, the derivative by the coefficient of `basis(t, x) · load` is that by the load's own
-/// coefficient, times `basis(t, x)`.
+/// Each additional parameter is the coefficient `c` of a load `c · basis(t, x) · load`. At `c = 0`, the derivative of
+/// the right-hand side by `c` is the derivative by the coefficient of `load`, times `basis(t, x)`.
 pub(crate) struct BasisLoads<'a, B> {
     motion: DifferentiableModelRhs<'a>,
     pattern: Vec<(usize, usize)>,
-    /// For each additional parameter: the index of its load coefficient and of its basis function.
+    /// For each additional entry of the parameter Jacobian: the entry of its load coefficient, and the index of its
+    /// basis function.
     sources: Vec<(usize, usize)>,
     own_entries: usize,
     basis: B,
@@ -22,8 +22,8 @@ pub(crate) struct BasisLoads<'a, B> {
 }
 
 impl<'a, B: FnMut(f64, &[f64], &mut [f64])> BasisLoads<'a, B> {
-    /// Adds one parameter from `first` on for each of `loads`, the load coefficients of the basis functions. `basis`
-    /// writes the value of each function at a time (s) and a state.
+    /// Adds one parameter for each of `loads`, the load coefficients of the basis functions; their indices start at
+    /// `first`. `basis` is called with the time in s and the state, and writes the value of each basis function.
     pub fn new(conditions: &'a BoundModel<'a>, loads: &[ParamId], first: usize, basis: B) -> Self {
         let motion = conditions.differentiable_rhs();
         let mut pattern = motion.parameter_jacobian_pattern().to_vec();

@@ -3,22 +3,23 @@
 use model_spec::layout::{Layout, ParamId, StateId};
 use model_spec::model::{AppliedEffect, Model};
 
-/// An effect that the model may lack.
+/// An effect that the model may lack, with its coefficients and states in the encompassing model.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Candidate {
-    /// Name of the effect with hyphens, as in reports.
+    /// Name of the effect with hyphens, as shown in reports.
     pub name: String,
-    /// Description of the effect.
+    /// Description of the effect, from the comment in its file.
     pub doc: String,
-    /// What the effect does above and below its null value; the description where the effect does not state it.
+    /// Sentences that describe the effect for a coefficient above and below the null value; the general description
+    /// if the effect states no such sentence.
     pub senses: [String; 2],
     /// Site of the effect: the load or equation that it changes.
     pub site: String,
     /// Names of the variables on which the effect depends.
     pub variables: Vec<String>,
-    /// Coefficients of the effect, one value for all flights.
+    /// Coefficients of the effect, each with one value common to all flights.
     pub coefficients: Vec<CandidateParameter<ParamId>>,
-    /// States that the effect adds, constant in time, one value for each flight.
+    /// States that the effect adds: constant in time, with one value for each flight.
     pub states: Vec<CandidateParameter<StateId>>,
 }
 
@@ -27,30 +28,31 @@ pub(crate) struct Candidate {
 pub(crate) struct CandidateParameter<Id> {
     /// Name of the coefficient or state.
     pub name: String,
-    /// Index in the encompassing model.
+    /// Index of the parameter or state in the encompassing model.
     pub id: Id,
-    /// Its unit.
+    /// Unit of the coefficient or state, as text.
     pub unit: String,
-    /// Null value, SI, at which the effect vanishes.
+    /// Null value, SI: the value at which the effect vanishes.
     pub null_value: f64,
-    /// Smallest effect size of interest: departures from the null value below it are negligible, SI.
+    /// Smallest effect size of interest, SI: smaller departures from the null value are negligible. `None` if not
+    /// declared.
     pub smallest_of_interest: Option<f64>,
-    /// Least and greatest value, SI.
+    /// Minimum and maximum value, SI; `None` if unbounded.
     pub bounds: Option<(f64, f64)>,
 }
 
-/// Name of an effect in reports, from its identifier in model files.
+/// Converts the identifier of an effect in model files to its name in reports, with hyphens for underscores.
 pub(crate) fn display_name(identifier: &str) -> String {
     identifier.replace('_', "-")
 }
 
-/// Identifier of an effect in model files, from its name in reports.
+/// Converts the name of an effect in reports to its identifier in model files, with underscores for hyphens.
 pub fn identifier(display_name: &str) -> String {
     display_name.replace('-', "_")
 }
 
 impl Candidate {
-    /// The candidate of an effect that a model has switched on.
+    /// Creates the candidate for an effect that is switched on in `model`.
     pub fn new(model: &Model, layout: &Layout, effect: &AppliedEffect) -> Self {
         let coefficients = effect.coefficients.iter().map(|own| {
             let constant = &model.coefficients[own.index];
@@ -85,7 +87,8 @@ impl Candidate {
         }
     }
 
-    /// What the effect does where its first coefficient departs from its null value by `departure`.
+    /// Sentence that describes the effect if its first coefficient is `departure` above its null value (below if
+    /// negative).
     pub fn sentence(&self, departure: f64) -> &str {
         match departure {
             d if d > 0.0 => &self.senses[0],
@@ -94,7 +97,8 @@ impl Candidate {
         }
     }
 
-    /// Whether the effect has one value for each flight instead of one for all.
+    /// Whether the effect has one value for each flight, as a state, instead of one coefficient common to all
+    /// flights.
     pub fn is_per_flight(&self) -> bool {
         !self.states.is_empty()
     }

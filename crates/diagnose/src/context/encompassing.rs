@@ -12,20 +12,20 @@ use model_spec::term_library::TermLibrary;
 use super::candidates::{Candidate, identifier};
 use super::ids::CandidateId;
 
-/// A model with all candidate effects and, where compatible, the loads of a term library.
+/// A model extended by all candidate effects and, where compatible, by the loads of a term library.
 #[derive(Clone, Debug)]
 pub(crate) struct EncompassingModel {
-    /// The model with every candidate switched on.
+    /// The model with every candidate effect switched on.
     pub model: Model,
-    /// The candidates, in the order in which they were switched on.
+    /// The candidate effects, in the order in which they were switched on.
     pub candidates: IndexVec<CandidateId, Candidate>,
-    /// The term library whose loads the model contains; `None` if no library is compatible.
+    /// The term library whose loads are part of the model; `None` if no library is compatible with the model.
     pub library: Option<Arc<TermLibrary>>,
 }
 
 impl EncompassingModel {
-    /// Switches on every effect that the model can take, except those that are on, those in `without`, and general effects
-    /// where a specific one says the same.
+    /// Composes `model` with every compatible effect. Left out are effects that are already switched on, effects
+    /// named in `without`, and general effects that duplicate an effect specific to the model.
     ///
     /// # Errors
     /// [`LoadError`] if the model without candidates cannot be checked.
@@ -37,7 +37,7 @@ impl EncompassingModel {
         };
         let all = match compose_all(&base, &effects) {
             Ok(all) => all,
-            // Two of them conflict.
+            // Two effects conflict.
             Err(_) => compose_compatible(&base, &effects)?,
         };
         let layout = Layout::new(&all);
@@ -57,7 +57,7 @@ impl EncompassingModel {
         })
     }
 
-    /// Names of the load coefficients of the term library.
+    /// Names of the load coefficients of the term library; empty without a library.
     pub fn load_coefficients(&self) -> impl Iterator<Item = &str> {
         let channels = self
             .library
@@ -67,7 +67,7 @@ impl EncompassingModel {
     }
 }
 
-/// Effects that are candidates for the model and not excluded.
+/// Effects that can be added to the model and are not excluded by `without`.
 fn candidate_effects(model: &Model, without: &[String]) -> Vec<EffectTree> {
     let is_excluded = |name: &str| without.iter().any(|w| identifier(w) == name);
     known_effects(model)
@@ -85,7 +85,8 @@ fn compose_all(base: &ModelTree, effects: &[EffectTree]) -> Result<Model, LoadEr
     tree.check()
 }
 
-/// The model with all mutually compatible effects; each is tried after those before it.
+/// Composes the model with the effects one by one, and skips each effect that conflicts with the effects added
+/// before.
 fn compose_compatible(base: &ModelTree, effects: &[EffectTree]) -> Result<Model, LoadError> {
     let mut tree = base.clone();
     let mut model = tree.check()?;

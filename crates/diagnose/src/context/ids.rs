@@ -1,4 +1,4 @@
-//! Index types of a diagnosis.
+//! Typed indices (newtypes) used in a diagnosis.
 
 use model_spec::index_type;
 
@@ -8,17 +8,18 @@ index_type!(
 );
 
 index_type!(
-    /// Index of a library term on its load channel.
+    /// Index of a library term: a product of variables on one load channel.
     pub(crate) struct TermId;
 );
 
 index_type!(
-    /// Index of a global column of the normal equations: the global parameters of the encompassing model, then one
-    /// coefficient for each library term.
+    /// Index of a global column of the normal equations. The columns are those of the encompassing model's global
+    /// parameters, then one column for the coefficient of each library term.
     pub(crate) struct ColumnId;
 );
 
 index_type!(
-    /// Index of a local column of one flight's normal equations: a direction of its initial-state manifold.
+    /// Index of a local column of one flight's normal equations: a tangent direction of the manifold of its initial
+    /// state.
     pub(crate) struct DirectionId;
 );

@@ -1,7 +1,7 @@
 //! The terms of a term library in a model: each product of variables on each load channel.
 //!
-//! A term is tested without a model of its own: at its null value its sensitivity is that of its load, times the product of
-//! its variables along the trajectory.
+//! A term is tested without compiling a model that contains it: at its null value, the sensitivity to its coefficient
+//! is the sensitivity to its load coefficient, times the product of its variables along the trajectory.
 
 use std::sync::Arc;
 
@@ -15,21 +15,22 @@ use ode::DifferentiableRhs;
 use super::basis_load::BasisLoads;
 use super::ids::TermId;
 
-/// All terms of a library, with the parameters and quantities of a model from which they are formed.
+/// All terms of a library, with the indices of their load coefficients and variables in the layout of a model.
 #[derive(Clone, Debug)]
 pub(crate) struct LibraryTerms {
-    /// The library.
+    /// The term library.
     library: Arc<TermLibrary>,
-    /// The terms: all products on the first channel, then on the second, ….
+    /// The terms, ordered by channel: all products on the first channel, then all products on the second, and so on.
     pub terms: IndexVec<TermId, Term>,
-    /// Load coefficient of each channel.
+    /// Parameter index of the load coefficient of each channel.
     pub loads: IndexVec<ChannelId, ParamId>,
-    /// Auxiliary quantity of each variable.
+    /// Quantity index of each variable; variables are auxiliary quantities of the model.
     variables: IndexVec<VariableId, QuantityId>,
 }
 
 impl LibraryTerms {
-    /// The terms in a model that has the library's loads; none if its layout lacks one of their names.
+    /// Finds the library's load coefficients and variables in the layout of a model; `None` if one of them is
+    /// missing.
     pub fn new(library: Arc<TermLibrary>, layout: &Layout) -> Option<Self> {
         let loads = library.channels.iter();
         let loads = loads.map(|channel| layout.parameter(&channel.coefficient));
@@ -43,7 +44,8 @@ impl LibraryTerms {
         })
     }
 
-    /// Equations of motion under the conditions of one flight, with the terms' coefficients as parameters from `first` on.
+    /// Equations of motion under the conditions of one flight, extended by the terms' coefficients as parameters with
+    /// indices from `first` on.
     pub fn motion<'a>(
         &'a self,
         conditions: &'a BoundModel<'a>,
@@ -71,7 +73,7 @@ impl LibraryTerms {
         )
     }
 
-    /// Factors of a term: index of each variable, and its power.
+    /// Factors of a term: pairs of a variable's index and its power.
     fn factors(&self, term: Term) -> Vec<(usize, i32)> {
         let factors = self.library.factors(term).iter();
         factors
@@ -79,28 +81,29 @@ impl LibraryTerms {
             .collect()
     }
 
-    /// Channel and site of each load, in the order of the channels.
+    /// Pairs of channel and site, the load that the channel changes, in the order of the channels.
     pub fn sites(&self) -> impl Iterator<Item = (ChannelId, &str)> {
         let channels = self.library.channels.iter_enumerated();
         channels.map(|(id, channel)| (id, channel.site.as_str()))
     }
 
-    /// Site of a term: the load that it changes.
+    /// Site of a term: the load to which the term is added.
     pub fn site(&self, term: TermId) -> &str {
         &self.library.channels[self.terms[term].channel].site
     }
 
-    /// Formula of a term's product in the model language.
+    /// Formula of a term's product of variables, in the model language.
     pub fn formula(&self, term: TermId) -> String {
         self.library.formula(self.terms[term])
     }
 
-    /// The display name of a term, such as `lift-by-alpha-squared`.
+    /// Display name of a term, such as `lift-by-alpha-squared`.
     pub fn name(&self, term: TermId) -> String {
         self.library.name(self.terms[term])
     }
 
-    /// An effect with one coefficient for a term; `doc` is its doc comment.
+    /// Generates the effect that adds a term with one coefficient to the model; `doc` is the doc comment of the
+    /// effect.
     pub fn effect(&self, term: TermId, doc: &str) -> EffectTree {
         self.library.effect(self.terms[term], doc)
     }

@@ -1,24 +1,24 @@
-//! When refits stop: cancelled by the caller, past the deadline, or after the steps that a search may take.
+//! Limits of the refits of one search: cancellation by the caller, the deadline, and a maximum number of steps.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 use identify::{CancellationToken, FitOptions};
 
-/// Greatest number of least-squares steps of all refits of one search.
+/// Maximum number of least-squares steps, summed over all refits of one search.
 const MAX_STEPS: usize = 250;
 
-/// Limits of the refits of one search.
+/// Cancellation, deadline and step count that limit the refits of one search.
 #[derive(Debug)]
 pub(crate) struct Limits {
     deadline: Option<Instant>,
     cancellation: Option<CancellationToken>,
-    /// Number of steps taken so far.
+    /// Number of least-squares steps taken so far, over all refits.
     steps: AtomicUsize,
 }
 
 impl Limits {
-    /// Limits that the options of a fit set.
+    /// Creates limits with the deadline and cancellation token of the fit's options; no step is counted yet.
     pub fn new(options: &FitOptions<'_>) -> Self {
         Self {
             deadline: options.deadline,
@@ -39,12 +39,12 @@ impl Limits {
             .is_some_and(|deadline| Instant::now() >= deadline)
     }
 
-    /// Counts the steps of a refit.
+    /// Adds the number of steps of one refit to the total.
     pub fn count(&self, steps: usize) {
         self.steps.fetch_add(steps, Ordering::Relaxed);
     }
 
-    /// Whether the refits have taken all the steps that a search may take.
+    /// Whether the refits together have taken the maximum number of steps.
     pub fn are_steps_used_up(&self) -> bool {
         self.steps.load(Ordering::Relaxed) >= MAX_STEPS
     }

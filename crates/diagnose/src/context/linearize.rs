@@ -1,4 +1,4 @@
-//! Normal equations and residuals of the flights, by all columns of the score-test model.
+//! Normal equations and residuals of the flights, with derivatives by all columns of the score-test model.
 
 use flight::BoundModel;
 use flight::batch;
@@ -15,10 +15,11 @@ use super::score_test_model::ScoreTestModel;
 use super::trajectory_cache::LinearizationPoint;
 
 impl ScoreTestModel {
-    /// Normal equations of every flight by the global parameters.
+    /// Normal equations of every flight by its local parameters and the global parameters, with residuals whitened by
+    /// `noise`.
     ///
     /// # Errors
-    /// [`FitError::Flight`] if a trajectory cannot be integrated.
+    /// [`FitError::Flight`] if a trajectory cannot be integrated; [`FitError::Interrupted`] if the caller cancelled.
     pub fn normal_equations(
         &self,
         problem: &FitProblem,
@@ -41,10 +42,11 @@ impl ScoreTestModel {
         })
     }
 
-    /// Normal equations of every flight by the global parameters and the coefficients of the library's terms.
+    /// Normal equations of every flight by its local parameters, the global parameters and the coefficients of the
+    /// library terms, with residuals whitened by `noise`.
     ///
     /// # Errors
-    /// [`FitError::Flight`] if a trajectory cannot be integrated.
+    /// [`FitError::Flight`] if a trajectory cannot be integrated; [`FitError::Interrupted`] if the caller cancelled.
     pub fn normal_equations_with_terms(
         &self,
         at: LinearizationPoint<'_>,
@@ -80,8 +82,8 @@ impl ScoreTestModel {
         })
     }
 
-    /// Calls `each` with every residual of a flight and its derivatives by the local directions, the global parameters
-    /// and the terms' coefficients.
+    /// Calls `each` with every residual of a flight and the residual's derivatives by the local directions, the
+    /// global parameters and the coefficients of the library terms.
     ///
     /// # Errors
     /// [`FitError::Flight`] if the trajectory cannot be integrated.
@@ -111,7 +113,7 @@ impl ScoreTestModel {
         done.map_err(|reason| self.flight_error(flight, reason))
     }
 
-    /// Copy of the normal equations without the columns of terms, which follow the first `globals` columns.
+    /// Copy of the normal equations without the columns of library terms; the first `globals` global columns remain.
     pub fn without_terms(block: &NormalBlock, globals: usize) -> NormalBlock {
         NormalBlock {
             cross: block.cross.columns(0, globals).into_owned(),
@@ -123,7 +125,8 @@ impl ScoreTestModel {
         }
     }
 
-    /// Leaves a flight out of all tests; returns whether it was there.
+    /// Removes the flight of `file` from the model and from `iterate`, so that no test uses it; returns whether the
+    /// flight was found.
     pub fn set_aside(&mut self, file: &str, iterate: &mut Iterate) -> bool {
         let Some(flight) = self.flights.iter().position(|flight| flight.file == file) else {
             return false;
@@ -133,7 +136,7 @@ impl ScoreTestModel {
         true
     }
 
-    /// Wraps an error of one flight as a fit error.
+    /// Wraps the error of one flight as a fit error with the file of the flight.
     pub fn flight_error(&self, flight: usize, reason: FlightError) -> FitError {
         FitError::Flight {
             file: self.flights[flight].file.clone(),
@@ -159,7 +162,7 @@ impl ScoreTestModel {
         globals.map(|global| global.param).collect()
     }
 
-    /// Equations of motion with the library's terms, and the parameters of all columns.
+    /// Equations of motion extended by the library terms, and the parameters of all global columns.
     fn motion_with_terms<'c>(
         &self,
         conditions: &'c BoundModel<'c>,

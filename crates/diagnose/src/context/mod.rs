@@ -1,4 +1,4 @@
-//! First stage: input of a diagnosis, and the encompassing model with every candidate effect at its null value.
+//! First stage of a diagnosis: its inputs, and the encompassing model with every candidate effect at its null value.
 
 mod basis_load;
 mod candidates;
@@ -29,14 +29,14 @@ pub(crate) use trajectory_cache::{LinearizationPoint, TrajectoryCache};
 pub use candidates::identifier;
 pub use options::{DiagnosisOptions, OptionsError, ThrowRanges};
 
-/// The model, the dataset and the options of one diagnosis.
+/// Inputs of one diagnosis: model, dataset and options.
 #[derive(Clone, Copy)]
 pub(crate) struct Context<'a> {
     /// The model under test.
     pub model: &'a Model,
     /// The measured flights.
     pub dataset: &'a Dataset,
-    /// Options of the diagnosis and of its fits.
+    /// Options of the diagnosis, including those of its fits.
     pub options: &'a DiagnosisOptions<'a>,
 }
 
@@ -47,12 +47,12 @@ impl Context<'_> {
         flights.any(|flight| flight.role == identify::dataset::Role::HeldOut)
     }
 
-    /// Whether the time that the caller gave is over.
+    /// Whether the deadline set by the caller has passed.
     pub fn is_out_of_time(&self) -> bool {
         self.options.fit.is_past_deadline()
     }
 
-    /// Returns an error if the caller cancelled the diagnosis.
+    /// Returns [`identify::FitError::Interrupted`] if the caller cancelled the diagnosis.
     pub fn check_cancelled(&self) -> Result<(), identify::FitError> {
         match self.options.fit.is_cancelled() {
             true => Err(identify::FitError::Interrupted),

@@ -5,7 +5,7 @@ use model_spec::model::Model;
 
 use super::candidates::identifier;
 
-/// Options of a diagnosis beside its dataset and its model.
+/// Options of a diagnosis; its dataset and model are passed separately.
 ///
 /// ```
 /// use diagnose::DiagnosisOptions;
@@ -18,17 +18,18 @@ use super::candidates::identifier;
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct DiagnosisOptions<'a> {
-    /// Name of the dataset in the report and in the comments of written effects.
+    /// Name of the dataset, as shown in the report and in the comments of generated effects.
     pub dataset: &'a str,
-    /// Effects that are not candidates, by name.
+    /// Names of effects that are excluded from the candidates.
     pub without: &'a [String],
-    /// Options of every fit; threads, progress and cancellation apply to the whole diagnosis.
+    /// Options of every fit in the diagnosis. Threads, progress and cancellation apply to the whole diagnosis.
     pub fit: FitOptions<'a>,
-    /// Familywise false-alarm probability for a correct model, default 0.004.
+    /// Probability that any effect is detected although the model is correct, familywise over all candidates; default
+    /// 0.004.
     pub alpha_detect: f64,
-    /// Familywise probability of rejecting the correct explanation, default 0.002.
+    /// Probability that the correct explanation is rejected, familywise over all tests; default 0.002.
     pub alpha_reject: f64,
-    /// Ranges of releases from which the next throw is chosen.
+    /// Ranges of feasible releases, among which the next throw is chosen.
     pub throws: ThrowRanges,
 }
 
@@ -45,26 +46,26 @@ impl Default for DiagnosisOptions<'_> {
     }
 }
 
-/// Ranges (least, greatest) of releases that are feasible for a thrower.
+/// Ranges (minimum, maximum) of releases that a thrower can achieve, and how the simulated throws are sampled.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ThrowRanges {
-    /// Speed, m/s.
+    /// Speed of release, m/s.
     pub speed: (f64, f64),
-    /// Launch angle of the velocity above the horizontal, rad.
+    /// Launch angle: angle of the velocity above the horizontal, rad.
     pub launch: (f64, f64),
-    /// Angle of attack, rad.
+    /// Angle of attack at release (nose angle), rad.
     pub nose: (f64, f64),
-    /// Tilt about the velocity (hyzer angle), rad.
+    /// Hyzer angle: tilt of the body about the velocity, rad.
     pub hyzer: (f64, f64),
-    /// Absolute spin about the axis of symmetry, rad/s; both signs are drawn.
+    /// Absolute spin rate about the axis of symmetry, rad/s; throws of both signs are drawn.
     pub spin: (f64, f64),
-    /// Number of headings, evenly spaced over the horizontal circle.
+    /// Number of headings of the velocity, evenly spaced over the full circle.
     pub headings: usize,
-    /// Height of release, m.
+    /// Height of release above the ground, m.
     pub height: f64,
-    /// Observed duration of a flight, s.
+    /// Duration of the observed part of a flight, s.
     pub duration: f64,
-    /// Sampling rate, 1/s.
+    /// Sampling rate of the observed positions, 1/s.
     pub rate: f64,
 }
 
@@ -84,38 +85,39 @@ impl Default for ThrowRanges {
     }
 }
 
-/// Why the options of a diagnosis are invalid.
+/// Reason why the options of a diagnosis are invalid.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum OptionsError {
-    /// A name in `without` is neither a built-in effect nor one of the model's own.
+    /// A name in `without` is neither a built-in effect nor an effect in the model's own file.
     #[error("there is no effect `{name}`{}", nearest.as_ref().map(|near| format!("; did you mean `{near}`?")).unwrap_or_default())]
     UnknownEffect {
-        /// Unknown name, as given.
+        /// The unknown name, as given in the options.
         name: String,
-        /// The existing name with the smallest edit distance, if one is close.
+        /// The existing name with the smallest edit distance; `None` if no name is close.
         nearest: Option<String>,
     },
-    /// A significance level does not lie between 0 and 1.
+    /// A significance level is not between 0 and 1.
     #[error("the significance level {name} is {value}; it must lie between 0 and 1")]
     SignificanceLevel {
-        /// Name of the option.
+        /// Name of the option: `alpha_detect` or `alpha_reject`.
         name: &'static str,
-        /// Value of the option.
+        /// Invalid value of the option.
         value: f64,
     },
-    /// A range of releases is empty, or a count, time or rate is not positive.
+    /// A range of releases is empty or not finite, or a count, duration or sampling rate is not positive or too
+    /// large.
     #[error("the throws have no usable {name}")]
     ThrowRange {
-        /// Name of the field of [`ThrowRanges`].
+        /// Name of the invalid field of [`ThrowRanges`].
         name: &'static str,
     },
 }
 
 impl DiagnosisOptions<'_> {
-    /// Checks names and ranges against a model.
+    /// Checks the names of effects against a model, and all numeric options against their valid ranges.
     ///
     /// # Errors
-    /// [`OptionsError`] for the first option that cannot be used.
+    /// [`OptionsError`] of the first invalid option.
     pub fn validate(&self, model: &Model) -> Result<(), OptionsError> {
         let levels = [
             ("alpha_detect", self.alpha_detect),
@@ -155,7 +157,7 @@ impl ThrowRanges {
             ("height", (self.height, self.height)),
             ("duration", (f64::MIN_POSITIVE, self.duration)),
             ("rate", (f64::MIN_POSITIVE, self.rate)),
-            // At least two samples, and no more than memory holds.
+            // At least two samples, and at most `MAX_DESIGN_SAMPLES`, which bounds the memory.
             ("duration", (2.0, self.duration * self.rate)),
             ("rate", (self.duration * self.rate, MAX_DESIGN_SAMPLES)),
         ];
@@ -167,7 +169,7 @@ impl ThrowRanges {
     }
 }
 
-/// Greatest number of samples of one simulated throw.
+/// Maximum number of samples of one simulated throw; bounds the memory of the experimental design.
 const MAX_DESIGN_SAMPLES: f64 = 1e5;
 
 #[cfg(test)]

@@ -1,22 +1,22 @@
-//! Partition of the columns of the normal equations, and blocks of matrices by index.
+//! Partition of the columns of the normal equations into nuisance and tested columns, and submatrices by index.
 
 use model_spec::index::Idx;
 use nalgebra::{DMatrix, DVector};
 
 use super::ids::ColumnId;
 
-/// Partition of the global columns under a null hypothesis. Unknowns that are neither nuisance nor tested are fixed and
-/// have no column.
+/// Partition of the global columns under a null hypothesis. A fixed unknown has no column.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Partition {
-    /// Columns whose unknowns are estimated under the null hypothesis.
+    /// Columns of the nuisance parameters: unknowns that are estimated under the null hypothesis.
     pub nuisance: Vec<ColumnId>,
-    /// Columns whose unknowns are fixed at their null value and tested, in order.
+    /// Columns of the unknowns that are tested: fixed at their null value under the null hypothesis, in ascending
+    /// order.
     pub tested: Vec<ColumnId>,
 }
 
 impl Partition {
-    /// Partition in which all of the first `columns` columns that are not nuisance columns are tested.
+    /// Creates the partition of the columns `0..columns` in which every column outside `nuisance` is tested.
     pub fn new(nuisance: Vec<ColumnId>, columns: usize) -> Self {
         let all = (0..columns).map(ColumnId::new);
         Self {
@@ -26,7 +26,7 @@ impl Partition {
     }
 }
 
-/// Submatrix with these rows and columns.
+/// Submatrix of `matrix` with the given rows and columns, in the given order.
 pub(crate) fn select<R: Idx, C: Idx>(
     matrix: &DMatrix<f64>,
     rows: &[R],
@@ -37,7 +37,7 @@ pub(crate) fn select<R: Idx, C: Idx>(
     })
 }
 
-/// Subvector with these entries.
+/// Subvector of `vector` with the entries at the given rows, in the given order.
 pub(crate) fn select_vector<I: Idx>(vector: &DVector<f64>, rows: &[I]) -> DVector<f64> {
     DVector::from_fn(rows.len(), |i, _| vector[rows[i].index()])
 }

@@ -1,4 +1,4 @@
-//! Fits of the model under test extended by some candidates.
+//! Refits of the model under test with some candidates estimated as well.
 
 use identify::{
     Constraint, FitProblem, FlightError, Iterate, LeastSquaresProblem, Loss, NoiseModel,
@@ -13,31 +13,34 @@ use super::limits::Limits;
 use super::partition::select_vector;
 use super::score_test_model::ScoreTestModel;
 
-/// Stopping criteria of a refit: hypotheses are compared by whole units of χ²; beyond 30 steps it counts as not converged.
+/// Stopping criteria of a refit. The relative tolerance suffices because hypotheses are compared by whole units of
+/// χ²; a refit that needs more than 30 steps counts as not converged.
 const REFIT_STOPPING: StoppingCriteria = StoppingCriteria {
     ftol_rel: 1e-5,
     max_steps: 30,
     ..StoppingCriteria::CONVERGED
 };
 
-/// Mean squared whitened residual above which a hypothesis explains so little that its exact minimum does not matter.
+/// Mean squared whitened residual above which a refit need not be solved to convergence: the hypothesis explains so
+/// little that its exact minimum does not matter.
 const MISFIT_RATIO: f64 = 3.0;
 
 /// Result of a refit.
 pub(crate) struct Refitted {
-    /// The fitted values of all unknowns.
+    /// Fitted values of all unknowns of the encompassing problem.
     pub iterate: Iterate,
-    /// Weighted sum of squares.
+    /// Weighted sum of squares of the residuals at the fitted values.
     pub squares: f64,
-    /// Whether the iteration ended before its greatest number of steps.
+    /// Whether the refit ended before the maximum number of steps and was not given up.
     pub is_finished: bool,
 }
 
 impl ScoreTestModel {
-    /// Fits the model under test and some candidates, from an iterate where all others are at their null value.
+    /// Fits the unknowns of the model under test and of the candidates `effects`, starting from an iterate in which
+    /// all other candidates are at their null value.
     ///
     /// # Errors
-    /// [`SolveError`] of the least squares.
+    /// [`SolveError`] if the least-squares problem cannot be solved.
     pub fn refit(
         &self,
         effects: &[CandidateId],
@@ -79,7 +82,7 @@ impl ScoreTestModel {
     }
 }
 
-/// Least-squares problem of the model under test extended by some candidates.
+/// Least-squares problem of the model under test with some candidates estimated as well.
 struct Refit<'a> {
     problem: FitProblem,
     flights: Vec<Observations>,

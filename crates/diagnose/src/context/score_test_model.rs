@@ -1,4 +1,5 @@
-//! The score-test model: the fitted flights in the encompassing model, every candidate at its null value.
+//! The score-test model: the encompassing model with every candidate at its null value, and the observations of the
+//! fitted flights.
 
 use std::sync::Arc;
 
@@ -17,31 +18,33 @@ use super::library_terms::LibraryTerms;
 use super::limits::Limits;
 use super::{Context, Partition};
 
-/// The fitted flights in the encompassing model.
+/// The encompassing model with the estimation problem and the observations of the fitted flights.
 pub(crate) struct ScoreTestModel {
     encompassing: EncompassingModel,
     /// The estimation problem with every candidate at its null value. Its global parameters are those of the model
     /// under test and the candidates' coefficients.
     pub problem: FitProblem,
-    /// Columns of each candidate's coefficients, in their order.
+    /// Columns of each candidate's coefficients, in the order of the coefficients.
     columns: IndexVec<CandidateId, Vec<ColumnId>>,
-    /// Columns of the model under test.
+    /// Columns of the global parameters of the model under test.
     pub base: Vec<ColumnId>,
-    /// Terms of the library, if compatible with the model; their columns follow those of the global parameters.
+    /// Terms of the term library, `None` if no library is compatible with the model. Their columns follow those of
+    /// the global parameters.
     pub terms: Option<LibraryTerms>,
-    /// Observations of the fitted flights; every state is free unless it is known.
+    /// Observations of the fitted flights, in which every state that is not known is an unknown of the initial state.
     pub flights: Vec<Observations>,
-    /// Number of threads used.
+    /// Number of threads for computations over flights.
     pub threads: usize,
-    /// When its refits stop.
+    /// Deadline, cancellation and step limit of the refits.
     pub(super) limits: Limits,
 }
 
 impl ScoreTestModel {
-    /// Places the fitted flights of `fit` in the encompassing model; also returns the iterate of that fit there.
+    /// Creates the model from the encompassing model and the flights that `fit` fitted. Also returns the iterate of
+    /// `fit` in the unknowns of this model, with candidates at their null values.
     ///
     /// # Errors
-    /// [`FitError`] if the flights do not go with the encompassing model.
+    /// [`FitError`] if the flights cannot be used with the encompassing model.
     pub fn new(
         encompassing: EncompassingModel,
         context: Context<'_>,
@@ -82,43 +85,43 @@ impl ScoreTestModel {
         Ok((model, iterate))
     }
 
-    /// Number of columns of global parameters; the columns of terms follow them.
+    /// Number of columns of global parameters. The columns of library terms follow them.
     pub fn global_columns(&self) -> usize {
         self.problem.globals.len()
     }
 
-    /// The column of a term.
+    /// Column of the coefficient of a library term.
     pub fn term_column(&self, term: TermId) -> ColumnId {
         ColumnId::new(self.global_columns() + term.index())
     }
 
-    /// All candidates, in order.
+    /// All candidates with their indices, in order.
     pub fn candidates(&self) -> impl ExactSizeIterator<Item = (CandidateId, &Candidate)> {
         self.encompassing.candidates.iter_enumerated()
     }
 
-    /// A candidate.
+    /// The candidate with index `id`.
     pub fn candidate(&self, id: CandidateId) -> &Candidate {
         &self.encompassing.candidates[id]
     }
 
-    /// Whether the search is to end: its time or its steps are used up.
+    /// Whether the search must end because its deadline has passed or its steps are used up.
     pub fn is_exhausted(&self) -> bool {
         self.limits.is_past_deadline() || self.limits.are_steps_used_up()
     }
 
-    /// The columns of a candidate's coefficients, in their order.
+    /// Columns of a candidate's coefficients, in the order of the coefficients.
     pub fn columns_of(&self, id: CandidateId) -> &[ColumnId] {
         &self.columns[id]
     }
 
-    /// Name of the global parameter of a column; `None` for a term.
+    /// Name of the global parameter of a column; `None` for the column of a library term.
     pub fn column_name(&self, column: ColumnId) -> Option<&str> {
         let global = self.problem.globals.get(column.index())?;
         Some(global.name.as_str())
     }
 
-    /// The columns of the model under test and of some candidates, in order.
+    /// Nuisance columns: those of the model under test and of the candidates in `conditioned_on`, in ascending order.
     pub fn nuisance_columns(&self, conditioned_on: &[CandidateId]) -> Vec<ColumnId> {
         let mut columns = self.base.clone();
         columns.extend(conditioned_on.iter().flat_map(|&id| &self.columns[id]));
@@ -126,7 +129,7 @@ impl ScoreTestModel {
         columns
     }
 
-    /// Number of unknowns that some candidates add, over all flights.
+    /// Number of unknowns that the candidates `effects` add to the fit: coefficients, and states times flights.
     pub fn unknowns_of(&self, effects: &[CandidateId]) -> usize {
         let each = effects.iter().map(|&id| {
             self.columns[id].len() + self.candidate(id).states.len() * self.flights.len()
@@ -134,7 +137,7 @@ impl ScoreTestModel {
         each.sum()
     }
 
-    /// Indices of the states of all candidates except those conditioned on.
+    /// Indices of the states of all candidates except those in `conditioned_on`.
     pub fn null_states(&self, conditioned_on: &[CandidateId]) -> Vec<StateId> {
         self.candidates()
             .filter(|(id, _)| !conditioned_on.contains(id))
@@ -142,8 +145,8 @@ impl ScoreTestModel {
             .collect()
     }
 
-    /// Splits the directions of a flight's initial state in two: those of the states that candidates outside
-    /// `conditioned_on` add, which are at their null values, and all others.
+    /// Splits the tangent directions of a flight's initial state into two lists: directions of states added by
+    /// candidates outside `conditioned_on`, which are at their null values, and all other directions.
     pub fn local_partition(
         &self,
         flight: usize,
@@ -160,8 +163,8 @@ impl ScoreTestModel {
             .partition(is_null)
     }
 
-    /// Estimation problem in which only the given candidates are estimated; its derivatives are cheaper than those of
-    /// the encompassing model.
+    /// Estimation problem in which, of all candidates, only `effects` are estimated; all others are constants at
+    /// their null values. Its derivatives are cheaper than those of the encompassing model.
     pub fn problem_with(&self, effects: &[CandidateId]) -> FitProblem {
         let fixed = fixed_parameters(&self.encompassing, effects);
         FitProblem {
@@ -170,8 +173,8 @@ impl ScoreTestModel {
         }
     }
 
-    /// The problem of [`problem_with`](Self::problem_with), with derivatives by the unknowns of a refit alone: those of
-    /// these columns.
+    /// The problem of [`problem_with`](Self::problem_with) in which only the global parameters of `columns` are
+    /// unknowns; derivatives by other parameters are not generated.
     pub fn refit_problem(&self, effects: &[CandidateId], columns: &[ColumnId]) -> FitProblem {
         let fixed = fixed_parameters(&self.encompassing, effects);
         let globals = columns
@@ -187,7 +190,7 @@ impl ScoreTestModel {
         }
     }
 
-    /// Copy of an iterate with one candidate set to its null value.
+    /// Copy of an iterate with the candidate `dropped` set to its null value.
     pub fn at_null_value(&self, iterate: &Iterate, dropped: CandidateId) -> Iterate {
         let candidate = self.candidate(dropped);
         let mut iterate = iterate.clone();
@@ -202,7 +205,8 @@ impl ScoreTestModel {
         iterate
     }
 
-    /// The iterate of a fit of the model under test with some candidates; none if it fitted other flights.
+    /// Iterate of a fit of the model under test with some candidates, in the unknowns of this model; `None` if it
+    /// fitted other flights.
     pub fn iterate_of(&self, context: Context<'_>, fit: &Fit) -> Option<Iterate> {
         let (flights, local) = fitted_flights(&self.problem, context, fit).ok()?;
         let global = fitted_globals(&self.problem, fit);
@@ -210,20 +214,22 @@ impl ScoreTestModel {
             .then_some(Iterate { global, local })
     }
 
-    /// Whether these are the flights of the model, in its order; sums of squares of others are not to be compared.
+    /// Whether `flights` are the flights of this model, in the same order. Sums of squares of different sets of
+    /// flights are not comparable.
     pub fn has_same_flights(&self, flights: &[Observations]) -> bool {
         let own = self.flights.iter().map(|flight| &flight.file);
         own.eq(flights.iter().map(|flight| &flight.file))
     }
 
-    /// Number of measured coordinates, at least 2.
+    /// Number of measured coordinates in all flights, 3 for each point; at least 2.
     pub fn coordinates(&self) -> usize {
         let points = |flight: &Observations| flight.measured.iter().flatten().count();
         (3 * self.flights.iter().map(points).sum::<usize>()).max(2)
     }
 }
 
-/// The problem of the encompassing model with the fit's options; the loads of the term library are fixed.
+/// Estimation problem of the encompassing model with the options of the fit. The load coefficients of the term
+/// library are fixed at 0.
 fn encompassing_problem(
     encompassing: &EncompassingModel,
     context: Context<'_>,
@@ -237,7 +243,7 @@ fn encompassing_problem(
     );
     let options = FitOptions {
         fixed: &held,
-        // Profiles belong to the fit.
+        // Profile likelihoods are computed by the fit, not here.
         profiles: &[],
         ..context.options.fit
     };
@@ -248,7 +254,8 @@ fn encompassing_problem(
     Ok(problem)
 }
 
-/// Parameter indices and null values of the candidates that are not estimated.
+/// Parameter indices and constant values of the candidates outside `on`, at their null values, and of the library's
+/// loads, at 0.
 fn fixed_parameters(encompassing: &EncompassingModel, on: &[CandidateId]) -> Vec<(usize, f64)> {
     let layout = Layout::new(&encompassing.model);
     let null = encompassing.candidates.iter_enumerated();
@@ -262,7 +269,8 @@ fn fixed_parameters(encompassing: &EncompassingModel, on: &[CandidateId]) -> Vec
     fixed
 }
 
-/// Global parameters of a fit in the encompassing problem; additional parameters have their null values.
+/// Values of the encompassing problem's global parameters at a fit; parameters that the fit lacks have their null
+/// values.
 fn fitted_globals(problem: &FitProblem, fit: &Fit) -> DVector<f64> {
     let before = &fit.problem().globals;
     let values = problem.globals.iter().map(|global| {
@@ -272,7 +280,8 @@ fn fitted_globals(problem: &FitProblem, fit: &Fit) -> DVector<f64> {
     DVector::from_iterator(problem.globals.len(), values)
 }
 
-/// Observations and initial states of the fitted flights, with the states that the encompassing model adds.
+/// Observations and initial states of the fitted flights, extended by the states that the encompassing model adds, at
+/// their null values.
 fn fitted_flights(
     problem: &FitProblem,
     context: Context<'_>,
@@ -319,7 +328,7 @@ mod tests {
             assert_eq!(model.columns_of(id).len(), candidate.coefficients.len());
             for (column, coefficient) in model.columns_of(id).iter().zip(&candidate.coefficients) {
                 assert_eq!(model.column_name(*column), Some(coefficient.name.as_str()));
-                // A fit of the model without the candidate leaves it at its null value.
+                // A fit of the model without the candidate leaves the coefficient at its null value.
                 let value = fixture.iterate.global[column.index()];
                 assert_eq!(value, coefficient.null_value);
             }

@@ -1,38 +1,40 @@
-//! Trajectories with sensitivities, integrated once per linearization point.
+//! Cache of trajectories with sensitivities, integrated once for each linearization point.
 
 use std::sync::Mutex;
 
 use identify::{FitProblem, Iterate};
 
-/// Limit of one cache, bytes; flights that do not fit are integrated again at each use.
+/// Maximum size of one cache in bytes; trajectories of flights that do not fit are integrated again at each use.
 const MAX_CACHE_BYTES: usize = 128 << 20;
 
-/// States and sensitivities of one flight at its samples, in the memory layout of `identify`; `None` before the first
-/// use.
+/// States and sensitivities of one flight at its sample times, in the memory layout of `identify`; `None` until they
+/// are first computed.
 pub(crate) type CachedTrajectory = Option<Vec<f64>>;
 
-/// Cache of the trajectories of all flights at one linearization point, including the sensitivities to library terms.
+/// Cache of the trajectories of all flights at one linearization point. Sensitivities to the coefficients of library
+/// terms are included.
 #[derive(Debug)]
 pub(crate) enum TrajectoryCache {
     /// No trajectory is stored.
     Disabled,
-    /// One cache slot for each flight.
+    /// One cache slot for each flight, by its index.
     PerFlight(Vec<Mutex<CachedTrajectory>>),
 }
 
-/// Linearization point of the normal equations: a problem, values of all its unknowns, and a trajectory cache.
+/// Linearization point of the normal equations: an estimation problem, values of all its unknowns, and a trajectory
+/// cache.
 #[derive(Clone, Copy)]
 pub(crate) struct LinearizationPoint<'p> {
     /// The estimation problem.
     pub problem: &'p FitProblem,
-    /// Values of its unknowns.
+    /// Values of the unknowns of `problem`.
     pub iterate: &'p Iterate,
-    /// Trajectories computed from these values.
+    /// Cache of the trajectories computed from `iterate`.
     pub cache: &'p TrajectoryCache,
 }
 
 impl TrajectoryCache {
-    /// Empty cache for this number of flights.
+    /// Creates an empty cache with slots for `flights` flights.
     pub fn for_flights(flights: usize) -> Self {
         Self::PerFlight((0..flights).map(|_| Mutex::new(None)).collect())
     }
@@ -42,8 +44,8 @@ impl TrajectoryCache {
         matches!(self, Self::Disabled)
     }
 
-    /// Calls `work` with the cached trajectory of a flight, and stores the trajectory it leaves there if the limit
-    /// allows.
+    /// Calls `work` with the cached trajectory of a flight. The trajectory that `work` leaves is stored if the size
+    /// limit allows.
     pub fn with_flight<R>(
         &self,
         flight: usize,
@@ -57,7 +59,7 @@ impl TrajectoryCache {
         };
         let mut slot = slot.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
         let result = work(&mut slot);
-        // Trajectories are of similar length: that of this flight stands for those before it.
+        // Trajectories have similar lengths, so the size of this one estimates the size of those stored before.
         let bytes = slot
             .as_ref()
             .map_or(0, |values| size_of_val(values.as_slice()));

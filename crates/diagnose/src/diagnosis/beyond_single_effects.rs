@@ -1,4 +1,4 @@
-//! The search for explanations where no single candidate is adequate.
+//! Search for explanations if no single candidate effect is adequate.
 
 use super::{Analysis, Discordant, FREE_UNKNOWNS};
 use crate::consensus::consensus;
@@ -8,8 +8,9 @@ use crate::report::Consensus;
 use crate::selection::{MAX_EFFECTS, MAX_SELECTED, StepwiseModel};
 
 impl Analysis<'_> {
-    /// Searches for explanations if no single candidate is adequate: several candidates, library terms, or agreement
-    /// between flights. Fewer terms than candidates replace them if they explain as much.
+    /// Searches for explanations if no single candidate is adequate: several candidates together, library terms, or
+    /// effects on which the flights agree. Library terms replace candidates if they explain as much with fewer
+    /// unknowns.
     pub(super) fn search_beyond_single_effects(&mut self) -> Result<(), DiagnosisError> {
         let few = |effects: &[_]| self.model.unknowns_of(effects) <= FREE_UNKNOWNS;
         let singles = &self.search.rejected;
@@ -31,7 +32,7 @@ impl Analysis<'_> {
                 let (model, before) = (&self.model, &self.before);
                 stepwise.extend(self.context, model, &self.search, before, MAX_SELECTED)?;
             }
-            // What no term alone explains may be the best candidate with terms beside it.
+            // A candidate that is not adequate alone may be adequate together with library terms.
             if let (Some(single), false) = (single, self.has_adequate_terms()) {
                 self.search_terms_beside(&single)?;
             }
@@ -43,8 +44,9 @@ impl Analysis<'_> {
         Ok(())
     }
 
-    /// Selects library terms: fewer than an accepted hypothesis has unknowns, which they may replace; else up to `most`, if
-    /// they promise to explain as much as the best rejected hypothesis.
+    /// Adds library terms to the stepwise regression. With an accepted hypothesis, adds fewer terms than the
+    /// hypothesis has unknowns, since the terms may replace it. Otherwise adds up to `most` terms, if these are
+    /// expected to explain as much as the best rejected hypothesis.
     fn extend_terms(&mut self, most: usize) -> Result<(), DiagnosisError> {
         let (search, Some(stepwise)) = (&self.search, &mut self.stepwise) else {
             return Ok(());
@@ -64,7 +66,8 @@ impl Analysis<'_> {
         stepwise.extend(self.context, &self.model, search, &self.before, most)
     }
 
-    /// Selects library terms beside a candidate, and keeps them if they are better than terms alone.
+    /// Selects library terms with the candidates `effects` included in the model. The result replaces the present
+    /// terms if it is better.
     fn search_terms_beside(&mut self, effects: &[CandidateId]) -> Result<(), DiagnosisError> {
         let (context, model, search) = (self.context, &self.model, &self.search);
         let Some(single) = model.fit_hypothesis(effects, &self.base, &search.noise) else {
@@ -75,7 +78,8 @@ impl Analysis<'_> {
         Ok(())
     }
 
-    /// Accepts hypotheses on which the flights agree, if there are any.
+    /// Searches for hypotheses on which the flights agree, and stores them as accepted; also stores the discordant
+    /// flights.
     fn search_consensus(&mut self) -> Result<(), DiagnosisError> {
         let found = consensus(self.context, &self.model, &self.search, &self.base)?;
         let Some(found) = found else {

@@ -1,4 +1,4 @@
-//! The model with selected effects, in memory and as a model file.
+//! Last stage of the search: the model extended by the selected effects, in memory and as the text of a model file.
 
 mod extended_model;
 

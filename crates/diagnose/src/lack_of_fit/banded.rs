@@ -1,37 +1,39 @@
-//! Least squares on a banded design: Gram matrix, its Cholesky factor, and projections on the columns of the design.
+//! Least squares with a banded design matrix: Gram matrix, its Cholesky factor, and projections on the columns of the
+//! design.
 
-/// Number of diagonals below the main one. A whitened row reaches over the splines of two samples.
+/// Number of subdiagonals of the Gram matrix. A whitened row combines the splines of two successive samples.
 pub(super) const BANDWIDTH: usize = 8;
 
-/// Pivot of the Cholesky factor, relative to the diagonal, below which a column depends on those before it.
+/// Minimum pivot of the Cholesky factor, relative to the diagonal of the Gram matrix; a column with a smaller pivot
+/// is linearly dependent on the columns before it.
 const MIN_PIVOT: f64 = 1e-10;
 
-/// Gram matrix of a banded design, and its products with right-hand sides.
+/// Gram matrix of a banded design matrix, and the products of the design with several right-hand sides.
 #[derive(Clone, Debug)]
 pub(super) struct BandedGram {
     /// `band[column][d]`: entry of the Gram matrix at (column + d, column).
     band: Vec<[f64; BANDWIDTH + 1]>,
-    /// Products of the design's columns with the right-hand sides, `sides` values for each column.
+    /// Products of the design's columns with the right-hand sides: `sides` values for each column of the design.
     products: Vec<f64>,
     sides: usize,
 }
 
-/// Products projected on the columns of a design.
+/// Projections of the right-hand sides on the columns of a banded design.
 #[derive(Clone, Debug)]
 pub(super) struct Projected {
-    /// L⁻¹ Bᵀ z of each right-hand side z, `sides` values for each column; 0 for dependent columns.
+    /// L⁻¹ Bᵀ z for each right-hand side z: `sides` values for each column of the design B; 0 for dependent columns.
     pub coordinates: Vec<f64>,
-    /// Cholesky factor L by columns, as the band of the Gram matrix; 0 for dependent columns.
+    /// Cholesky factor L of the Gram matrix, stored by columns in the same band layout; 0 for dependent columns.
     factor: Vec<[f64; BANDWIDTH + 1]>,
-    /// Number of independent columns.
+    /// Number of linearly independent columns of the design.
     pub rank: usize,
-    /// Log determinant of the Gram matrix of the independent columns.
+    /// Natural logarithm of the determinant of the Gram matrix of the independent columns.
     pub ln_determinant: f64,
     sides: usize,
 }
 
 impl BandedGram {
-    /// Of a design with a number of columns, and a number of right-hand sides.
+    /// Creates the zero Gram matrix of a design with `columns` columns, for `sides` right-hand sides.
     pub fn new(columns: usize, sides: usize) -> Self {
         Self {
             band: vec![[0.0; BANDWIDTH + 1]; columns],
@@ -40,7 +42,8 @@ impl BandedGram {
         }
     }
 
-    /// Adds a row of the design, whose entries differ from 0 from column `first` on, with its right-hand sides.
+    /// Adds one row of the design, given by its nonzero entries from column `first` on, with the row's right-hand
+    /// sides.
     pub fn add(&mut self, first: usize, row: &[f64], sides: &[f64]) {
         for (i, &value) in row.iter().enumerate() {
             let column = first + i;
@@ -54,7 +57,7 @@ impl BandedGram {
         }
     }
 
-    /// Factors the Gram matrix and projects the right-hand sides on the columns.
+    /// Factors the Gram matrix and projects the right-hand sides on the columns of the design.
     pub fn project(mut self) -> Projected {
         let (mut rank, mut ln_determinant) = (0, 0.0);
         let columns = self.band.len();
@@ -99,7 +102,7 @@ impl BandedGram {
 }
 
 impl Projected {
-    /// Least-squares coefficients of the columns for the first right-hand side; 0 for dependent columns.
+    /// Least-squares coefficients of the design's columns for the first right-hand side; 0 for dependent columns.
     pub fn coefficients(&self) -> Vec<f64> {
         let columns = self.factor.len();
         let mut values: Vec<f64> = self

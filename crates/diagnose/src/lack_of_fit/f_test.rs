@@ -1,9 +1,9 @@
-//! Tail of the F distribution, for large numbers of degrees of freedom.
+//! Survival function of the F distribution, approximated for large degrees of freedom.
 
 use statrs::function::erf::erfc;
 
-/// Probability that an F variable of these degrees of freedom exceeds a value, by Paulson's normal approximation of its cube
-/// root.
+/// Probability that an F variable with degrees of freedom (`dof1`, `dof2`) exceeds `value`, by Paulson's normal
+/// approximation of the variable's cube root. 1 if an argument is not positive.
 pub(super) fn f_survival(value: f64, (dof1, dof2): (f64, f64)) -> f64 {
     if !(dof1 > 0.0 && dof2 > 0.0 && value > 0.0) {
         return 1.0;
@@ -14,26 +14,27 @@ pub(super) fn f_survival(value: f64, (dof1, dof2): (f64, f64)) -> f64 {
     erfc(z / std::f64::consts::SQRT_2) / 2.0
 }
 
-/// Statistic with its expectation and variance under the null hypothesis, as an F variable.
+/// Test statistic with its expectation and the variance due to the estimated noise; tested as an F variable.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct ScaledStatistic {
-    /// The statistic.
+    /// Test statistic: sum of squares over the estimated noise variance.
     pub value: f64,
-    /// Its expectation: the number of directions tested.
+    /// Expectation of the statistic under the null hypothesis: its degrees of freedom.
     pub dof: f64,
-    /// Variance from the estimate of the noise, besides that of χ² of `dof`.
+    /// Additional variance of the statistic because the noise is estimated, beyond the variance of χ² with `dof`
+    /// degrees of freedom.
     pub noise_variance: f64,
 }
 
 impl ScaledStatistic {
-    /// Sum of two statistics whose noise is estimated independently.
+    /// Adds a statistic whose noise is estimated independently.
     pub fn add(&mut self, other: &Self) {
         self.value += other.value;
         self.dof += other.dof;
         self.noise_variance += other.noise_variance;
     }
 
-    /// p-value.
+    /// p-value of the statistic under the null hypothesis, by the F distribution.
     pub fn p_value(&self) -> f64 {
         if self.dof <= 0.0 {
             return 1.0;

@@ -1,4 +1,4 @@
-//! Where and when residuals depart from noise.
+//! Marker coordinate and time interval in which residuals deviate most from noise.
 
 use identify::{Channel, NoiseModel};
 use serde::{Deserialize, Serialize};
@@ -6,30 +6,32 @@ use serde::{Deserialize, Serialize};
 use super::noise_floor::FlightSeries;
 use super::spline_basis::{SUPPORT, SplineBasis};
 
-/// Departure from which a time belongs to the stretch of greatest departure, as a fraction of the greatest.
+/// Fraction of the maximum deviation: the reported time interval extends around the maximum while the deviation is
+/// larger.
 const STRETCH: f64 = 0.5;
 
-/// The greatest smooth departure of a flight from its prediction.
+/// The largest smooth deviation of a flight's measurements from the fitted model.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SmoothMisfit {
-    /// File of the flight.
+    /// File name of the flight.
     pub file: String,
-    /// Marker or sensor and axis, as the column of the table: `m1_z`.
+    /// Measured coordinate, as the column name of the flight's table: marker or sensor and axis, such as `m1_z`.
     pub coordinate: String,
-    /// Begin of the stretch where the departure exceeds half its greatest size, s after the first sample.
+    /// Begin of the interval in which the deviation exceeds half its maximum, s after the first sample.
     pub from_s: f64,
-    /// End of that stretch, s after the first sample.
+    /// End of the interval in which the deviation exceeds half its maximum, s after the first sample.
     pub to_s: f64,
-    /// Greatest size of the smooth departure, measured − predicted, in `unit`.
+    /// Maximum of the smooth deviation, measured − predicted, with sign, in `unit`.
     pub size_m: f64,
-    /// Unit of the departure: `m` of positions.
+    /// Unit of the deviation; `m` for positions.
     #[serde(default)]
     pub unit: String,
-    /// p-value of the flight.
+    /// p-value of the lack-of-fit test of this flight alone.
     pub p: f64,
 }
 
-/// The greatest departure of a flight, that coordinate first which differs most from noise.
+/// Largest smooth deviation of a flight, in the coordinate whose spline-fitted residuals exceed noise most; `None` if
+/// there is no residual. The file and p-value are left for the caller to set.
 pub(super) fn greatest_misfit(
     flight: &FlightSeries,
     basis: &SplineBasis,

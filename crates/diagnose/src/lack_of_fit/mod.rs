@@ -1,7 +1,8 @@
-//! Lack of fit: whether the residuals of a fit are noise.
+//! Lack-of-fit test: whether the residuals of a fit are pure noise.
 //!
-//! What is noise is told by what no smooth motion can follow: the short time scales of the residuals, whatever the model
-//! leaves in the longer ones. Under that noise, a fit whose model is right leaves nothing to splines beyond chance.
+//! Noise is estimated from the short time scales of the residuals, which no smooth motion can follow; systematic
+//! misfit of the model at longer time scales does not affect it. If the model is right, splines fitted to the
+//! residuals reduce their sum of squares by no more than expected for this noise.
 
 mod banded;
 mod f_test;
@@ -27,42 +28,46 @@ use self::spline_basis::SplineBasis;
 
 pub use self::localize::SmoothMisfit;
 
-/// Number of knot intervals of a flight for slow misfits.
+/// Number of knot intervals over the duration of a flight for the splines that follow slow misfits.
 const SLOW_INTERVALS: f64 = 5.0;
 
-/// Least number of knot intervals of a flight for fine misfits.
+/// Minimum number of knot intervals over the duration of a flight for the splines that follow fast misfits.
 const FINE_INTERVALS: f64 = 12.0;
 
-/// Number of knots in one period of the fastest motion of the markers.
+/// Number of knots in one period of the fastest predicted motion of the markers.
 const KNOTS_PER_PERIOD: f64 = 4.0;
 
-/// Least knot interval, in samples: what is faster is noise.
+/// Minimum knot interval in samples; faster changes of the residuals are treated as noise.
 const MIN_SAMPLES_PER_KNOT: f64 = 3.0;
 
-/// Integration error of the residuals over the scale of the noise before any fit: the least noise that is told from 0.
+/// Assumed integration error of the residuals, as a fraction of σ₀, the noise scale before any fit. Noise smaller
+/// than this error cannot be distinguished from 0.
 const INTEGRATION_ERROR: f64 = 0.02;
 
-/// Greatest number of flights whose departure is described.
+/// Maximum number of flights whose deviation is described in the report.
 const MAX_DESCRIBED: usize = 6;
 
-/// Test of the residuals of a fit against the noise that no smooth motion can follow.
+/// Result of the lack-of-fit test: residuals of a fit compared with noise that no smooth motion can follow.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LackOfFit {
-    /// p-value, familywise over all flights together and each alone.
+    /// p-value, familywise over the joint test of all flights and the tests of the single flights.
     pub p: f64,
-    /// p-value of each fitted flight, by file.
+    /// p-value of each fitted flight, by file name.
     pub flights: BTreeMap<String, f64>,
-    /// The greatest departures, the least p-value first, where the test rejects.
+    /// Largest smooth deviation of each of the most significant flights, smallest p-value first; empty in a report if
+    /// the test passes.
     #[serde(rename = "where", default)]
     pub departures: Vec<SmoothMisfit>,
-    /// Standard deviation of one coordinate's noise, m: what no smooth motion can follow.
+    /// Standard deviation of the noise of one coordinate, m, estimated from changes that no smooth motion can follow.
     pub noise_floor_m: f64,
-    /// Root mean square of the residuals beyond that noise, m.
+    /// Root mean square of the residuals in excess of the noise, m: the root of mean square minus noise variance, or
+    /// 0.
     pub beyond_noise_m: f64,
-    /// Squares that smooth motions would take away beyond chance, over the variance of the noise.
+    /// Excess χ²: sum of squares that splines remove from the residuals, over the noise variance, minus its
+    /// expectation for pure noise.
     #[serde(skip)]
     pub(crate) excess_chi2: f64,
-    /// The noise.
+    /// Estimated noise model: the noise floor of the residuals.
     #[serde(skip, default = "no_noise")]
     pub(crate) noise: NoiseModel,
 }
@@ -72,7 +77,8 @@ fn no_noise() -> NoiseModel {
 }
 
 impl LackOfFit {
-    /// Tests the residuals of a fit's fitted flights; `None` if they are too few to tell noise from motion.
+    /// Tests the residuals of the fitted flights of `fit`; `None` if they are too few to separate noise from smooth
+    /// motion.
     ///
     /// # Errors
     /// [`FitError::Flight`] if a trajectory cannot be integrated.
@@ -170,13 +176,13 @@ impl LackOfFit {
     }
 }
 
-/// A fitted flight.
+/// A flight that was used in the fit.
 struct FittedFlight<'f> {
     observed: &'f Observations,
     id: FlightId,
 }
 
-/// The fitted flights of a fit.
+/// The flights of a fit that have the role `fit` and were not excluded.
 fn fitted_flights(fit: &Fit) -> Vec<FittedFlight<'_>> {
     let all = (0..fit.report.flights.len()).map(FlightId::new);
     let fitted = all.filter_map(|id| {
@@ -187,20 +193,20 @@ fn fitted_flights(fit: &Fit) -> Vec<FittedFlight<'_>> {
 }
 
 impl FittedFlight<'_> {
-    /// Time from the first to the last sample, s.
+    /// Time from the first to the last sample of the flight, s.
     fn duration(&self) -> f64 {
         self.observed.times.last().copied().unwrap_or(0.0)
     }
 
-    /// Splines that follow slow misfits.
+    /// Spline basis that follows slow misfits: [`SLOW_INTERVALS`] knot intervals over the flight.
     fn slow(&self) -> SplineBasis {
         let duration = self.duration();
         let least = MIN_SAMPLES_PER_KNOT * self.observed.interval().unwrap_or(duration);
         SplineBasis::new((0.0, duration), (duration / SLOW_INTERVALS).max(least))
     }
 
-    /// Residuals of the inliers, without derivatives, and the splines that follow every smooth motion; `None` if there is
-    /// nothing to test.
+    /// Residuals of the inliers, without derivatives, with the spline basis that follows fast misfits; `None` if the
+    /// flight has no residuals to test.
     fn residuals(&self, fit: &Fit) -> Option<FlightSeries> {
         let duration = self.duration();
         let interval = self
@@ -238,7 +244,7 @@ impl FittedFlight<'_> {
         })
     }
 
-    /// Residuals of the inliers with their derivatives by the flight's own unknowns.
+    /// Residuals of the inliers with their derivatives by the local parameters of the flight.
     fn with_derivatives(&self, fit: &Fit, from: &FlightSeries) -> Result<FlightSeries, FitError> {
         let Some((observed, local)) = fit.flight(self.id) else {
             return Ok(FlightSeries {
@@ -283,8 +289,8 @@ fn empty_series(channels: usize, count: usize) -> Vec<[Series; 3]> {
         .collect()
 }
 
-/// Frequency of predicted motions, 1/s: root mean square of the jerk over that of the acceleration's fluctuations (Rice's
-/// formula).
+/// Characteristic frequency of the predicted marker motion, 1/s, by Rice's formula: root mean square of the jerk over
+/// the root mean square of the acceleration's fluctuations, over 2π.
 fn frequency(predicted: &[Vec<[f64; 3]>], interval: f64) -> f64 {
     let (mut of_jerk, mut of_acceleration) = (0.0, f64::MIN_POSITIVE);
     let markers = predicted.first().map_or(0, Vec::len);
@@ -321,7 +327,7 @@ mod tests {
     fn residuals_of_the_true_model_are_noise_and_those_of_another_are_not() {
         let found = tested(&["stall"]);
         assert!(found.p > 0.05, "{found:?}");
-        // The dataset was made with 1.5 mm.
+        // The dataset was made with noise of 1.5 mm.
         assert!(
             (found.noise_floor_m / 0.0015 - 1.0).abs() < 0.05,
             "{found:?}"
@@ -329,7 +335,7 @@ mod tests {
         assert!(found.beyond_noise_m < 0.0005, "{found:?}");
         let wrong = tested(&[]);
         assert!(wrong.p < 1e-6, "{wrong:?}");
-        // What is noise does not depend on what the model leaves.
+        // The noise floor does not depend on the misfit of the model.
         assert!(
             (wrong.noise_floor_m / 0.0015 - 1.0).abs() < 0.05,
             "{wrong:?}"

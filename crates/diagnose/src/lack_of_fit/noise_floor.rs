@@ -1,7 +1,9 @@
-//! Noise floor: the part of the residuals that no smooth motion can follow, as an AR(1) process along each axis.
+//! Noise floor: the part of the residuals that no smooth motion can follow, modelled as an AR(1) process along each
+//! axis.
 //!
-//! Splines with knots close together take everything smooth out of the residuals, whatever its cause; restricted maximum
-//! likelihood gives the variance and the autocorrelation of what they leave, without the bias of the splines' coefficients.
+//! Splines with closely spaced knots remove everything smooth from the residuals, whatever its cause. Restricted
+//! maximum likelihood gives variance and autocorrelation of the remainder, without bias from estimating the splines'
+//! coefficients.
 
 use flight::batch;
 use identify::{AxesNoise, Channel, NoiseModel, group_count};
@@ -9,48 +11,50 @@ use identify::{AxesNoise, Channel, NoiseModel, group_count};
 use super::series::Series;
 use super::spline_basis::SplineBasis;
 
-/// Range of autocorrelations from sample to sample.
+/// Range (minimum, maximum) in which the lag-1 autocorrelation is searched.
 const AR1_RANGE: (f64, f64) = (-0.8, 0.95);
 
-/// Steps of the golden-section search, which leave a hundredth of the range.
+/// Number of steps of the golden-section search; 10 steps reduce the range to a hundredth.
 const GOLDEN_STEPS: usize = 10;
 
-/// Distance of the autocorrelations from which the curvature of the likelihood is taken.
+/// Step in the autocorrelation for the finite-difference curvature of the deviance.
 const CURVATURE_STEP: f64 = 0.03;
 
-/// Greatest number of residuals of one axis from which the autocorrelation is estimated.
+/// Number of residuals of one axis after which no further flight is used to estimate the autocorrelation.
 const MAX_RESIDUALS: usize = 40_000;
 
-/// Residuals of one flight, by channel and axis, and its splines.
+/// Residuals of one flight by channel and axis, and the spline basis of the flight.
 pub(super) struct FlightSeries {
-    /// `series[channel][axis]`.
+    /// Residuals as `series[channel][axis]`.
     pub series: Vec<[Series; 3]>,
-    /// Splines that follow every smooth motion.
+    /// Spline basis fine enough to follow every smooth motion.
     pub fine: SplineBasis,
 }
 
-/// Noise that no smooth motion follows.
+/// Estimated noise that no smooth motion can follow.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct NoiseFloor {
-    /// The noise.
+    /// Noise model: standard deviation and lag-1 autocorrelation by channel group and axis.
     pub noise: NoiseModel,
-    /// Standard errors of the autocorrelations of each group of channels.
+    /// Standard errors of the lag-1 autocorrelations, by channel group and axis.
     pub ar1_std_error: Vec<[f64; 3]>,
 }
 
-/// Restricted likelihood of one axis at one autocorrelation.
+/// Restricted likelihood of the residuals of one axis at a given autocorrelation.
 #[derive(Clone, Copy, Debug, Default)]
 struct Likelihood {
-    /// −2 ln of the likelihood, each flight's variance profiled.
+    /// Restricted deviance: −2 ln of the restricted likelihood, maximized over the variance of each flight.
     deviance: f64,
-    /// Sum of squares over the innovations' relative variances, m².
+    /// Sum of squared innovations that the splines leave, each divided by its variance relative to the noise
+    /// variance, m².
     squares: f64,
-    /// Number of residuals less that of the splines.
+    /// Number of residuals minus the number of fitted splines.
     dof: f64,
 }
 
 impl NoiseFloor {
-    /// Estimates the noise of residuals `interval` seconds apart; `None` if there are fewer residuals than splines need.
+    /// Estimates the noise of residuals with sampling interval `interval`, s; `None` if there are too few residuals
+    /// for the splines.
     pub fn estimate(
         flights: &[FlightSeries],
         channels: &[Channel],
@@ -78,7 +82,7 @@ impl NoiseFloor {
             });
             let (mut noise, mut errors) = (AxesNoise::white(0.0, interval), [0.0; 3]);
             for axis in 0..3 {
-                // A single number stands there three times.
+                // A channel with one component has the same value for all three axes.
                 let (ar1, std_error, sigma) = axes[axis % components]?;
                 noise.ar1[axis] = ar1;
                 noise.sigma[axis] = sigma;
@@ -93,8 +97,8 @@ impl NoiseFloor {
         })
     }
 
-    /// Standard deviation of the ratio of slow to fast noise power, relative, averaged over the axes: the error with which
-    /// the noise of slow motions is extrapolated from that of fast ones.
+    /// Relative standard deviation of the ratio of slow to fast noise power, averaged over the axes: the error of
+    /// extrapolating the noise of slow motions from the noise of fast ones.
     pub fn relative_error(&self) -> f64 {
         let axes = 3.0 * self.ar1_std_error.len() as f64;
         let pairs = self.noise.groups().iter().zip(&self.ar1_std_error);
@@ -108,7 +112,8 @@ impl NoiseFloor {
     }
 }
 
-/// Autocorrelation, its standard error, and standard deviation (m) along an axis.
+/// Lag-1 autocorrelation, its standard error, and the standard deviation (m) of the noise along one axis; `None` if
+/// there are too few residuals.
 fn of_axis(
     flights: &[&FlightSeries],
     group: (usize, &[usize]),
@@ -140,7 +145,7 @@ fn of_axis(
     let around = [-1.0, 1.0].map(|side| deviance(ar1 + side * CURVATURE_STEP));
     let curvature =
         (around[0] + around[1] - 2.0 * found.deviance) / (CURVATURE_STEP * CURVATURE_STEP);
-    // A flat likelihood leaves the autocorrelation open over its whole range.
+    // A flat likelihood does not determine the autocorrelation: its standard error is that of a uniform distribution.
     let widest = (AR1_RANGE.1 - AR1_RANGE.0) / 12.0_f64.sqrt();
     let std_error = match curvature > 0.0 {
         true => (2.0 / curvature).sqrt().min(widest),
@@ -150,7 +155,7 @@ fn of_axis(
     Some((ar1, std_error, sigma))
 }
 
-/// Likelihood of the channels of a group, along an axis.
+/// Restricted likelihood of the channels of one group along one axis, at the lag-1 autocorrelation `ar1`.
 fn likelihood(
     flights: &[&FlightSeries],
     (group, group_of): (usize, &[usize]),
@@ -187,7 +192,7 @@ mod tests {
     use rand_chacha::ChaCha12Rng;
     use rand_distr::StandardNormal;
 
-    /// Flights of AR(1) noise of 2 mm beside a smooth motion of 50 mm, with gaps.
+    /// Flights with AR(1) noise of 2 mm, added to a smooth motion of 50 mm, with gaps.
     fn flights(ar1: f64) -> Vec<FlightSeries> {
         let mut random = ChaCha12Rng::seed_from_u64(3);
         let mut series = || {

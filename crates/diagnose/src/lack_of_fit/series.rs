@@ -1,36 +1,36 @@
-//! Residuals of one channel along one axis, whitened.
+//! Residuals of one channel along one axis, and their whitened products.
 
 use identify::AxesNoise;
 
 use super::banded::{BANDWIDTH, BandedGram, Projected};
 use super::spline_basis::{SUPPORT, SplineBasis};
 
-/// Residuals of one channel of a flight at the times of its inliers.
+/// Residuals of one channel of a flight along one axis, at the sample times of the inliers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Series {
-    /// Times of the inliers, s.
+    /// Sample times of the inliers, s.
     pub times: Vec<f64>,
-    /// `sides[sample * count + k]`: the residual, m, and its derivatives by the local parameters.
+    /// `sides[sample * count + k]`: the residual, m, for `k = 0`, then its derivatives by the local parameters.
     pub sides: Vec<f64>,
-    /// Number of values of one sample in `sides`.
+    /// Number of values for each sample in `sides`: 1 plus the number of local parameters.
     pub count: usize,
 }
 
-/// Whitened products of a series, with a spline basis projected out.
+/// Products of the whitened values of a series, and their projections on a spline basis.
 #[derive(Clone, Debug)]
 pub(super) struct WhitenedProducts {
-    /// Products of the sides with one another, the residual first; row by row.
+    /// Gram matrix of the whitened values (residual first, then derivatives), row by row.
     pub products: Vec<f64>,
-    /// The sides projected on the splines.
+    /// Projections of the whitened residual and derivatives on the splines.
     pub projected: Projected,
-    /// Sum of the log variances of the innovations over that of the noise.
+    /// Sum over the samples of the log ratio of innovation variance to noise variance.
     pub ln_variances: f64,
-    /// Number of samples.
+    /// Number of samples of the series.
     pub samples: usize,
 }
 
 impl Series {
-    /// A series of `count` values in each sample.
+    /// Creates an empty series with `count` values for each sample.
     pub fn new(count: usize) -> Self {
         Self {
             count,
@@ -38,7 +38,7 @@ impl Series {
         }
     }
 
-    /// Whitens the series by a noise model along an axis, and projects it on splines.
+    /// Whitens the series with the noise model of an axis, and projects it on the splines of `basis`.
     pub fn whitened(
         &self,
         basis: &SplineBasis,
@@ -54,7 +54,7 @@ impl Series {
         let mut before: Option<(f64, usize, [f64; SUPPORT], &[f64])> = None;
         for (&time, own) in self.times.iter().zip(self.sides.chunks_exact(count)) {
             let (first, values) = basis.at(time);
-            // After a gap of many knots the noise is independent of that before it.
+            // After a gap of many knot intervals, the noise is independent of the noise before the gap.
             let last = before.filter(|(_, earlier, ..)| first - earlier <= BANDWIDTH + 1 - SUPPORT);
             let (start, length) = match last {
                 Some((earlier, place, splines, previous)) => {
@@ -99,7 +99,7 @@ impl Series {
         }
     }
 
-    /// The series with the residual alone.
+    /// Copy of the series with the residuals only, without derivatives.
     pub fn residuals_only(&self) -> Self {
         Self {
             times: self.times.clone(),

@@ -1,5 +1,5 @@
-//! Smooth part of the residuals of one flight: how much of it a fit with splines would take away, beyond what the flight's
-//! own unknowns take.
+//! Smooth part of the residuals of one flight: the reduction of the sum of squares by splines, beyond the reduction
+//! by the flight's own unknowns.
 
 use identify::{AxesNoise, NoiseModel};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
@@ -9,27 +9,30 @@ use super::noise_floor::FlightSeries;
 use super::series::Series;
 use super::spline_basis::SplineBasis;
 
-/// Squared norm of a direction of the initial state, relative to the whole, below which splines follow it.
+/// Minimum eigenvalue of the scaled normal matrix of the local columns; along directions with smaller eigenvalues,
+/// splines replace the local unknowns entirely.
 const MIN_TOLERANCE: f64 = 1e-9;
 
-/// Squares of one flight that splines take away.
+/// Lack-of-fit statistics of one flight: reduction of its sum of squares by two sets of splines.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct FlightMisfit {
-    /// By splines over a fifth of the flight: what forces do.
+    /// Statistic of splines with knots a fifth of the flight apart: misfit caused by wrong forces.
     pub slow: ScaledStatistic,
-    /// Statistic of splines with knots a fraction of a turn apart: misfit in marker positions, angles and spin.
+    /// Statistic of splines with knots a fraction of a turn apart: misfit in marker positions, attitude and spin.
     pub fine: ScaledStatistic,
 }
 
-/// Products of all series of a flight with one basis projected out.
+/// Sums of products over all series of a flight, before and after projecting out one spline basis.
 struct Projection {
-    /// Squares of the residuals on the splines, and number of splines.
+    /// Sum of squares of the residuals projected on the splines, and total rank of the splines.
     squares: f64,
     rank: usize,
-    /// Products of the local columns that the splines leave, and their products with the residuals.
+    /// Gram matrix of the local columns after projecting out the splines, and its right-hand side (products with the
+    /// residuals).
     left: DMatrix<f64>,
     left_gradient: DVector<f64>,
-    /// Squares of the residuals, products of the local columns, and their products with the residuals.
+    /// Sum of squares of the residuals, Gram matrix of the local columns, and products of these columns with the
+    /// residuals.
     total: f64,
     local: DMatrix<f64>,
     gradient: DVector<f64>,
@@ -37,8 +40,8 @@ struct Projection {
 }
 
 impl FlightMisfit {
-    /// Tests the residuals of a flight against the noise floor; `least_ratio` is the least noise ratio, which the
-    /// integration error sets. None if the flight has too few samples.
+    /// Tests the residuals of a flight against the noise floor; `None` if the flight has too few samples.
+    /// `least_ratio` is the minimum ratio of the flight's noise to the noise floor, due to the integration error.
     pub fn new(
         flight: &FlightSeries,
         slow: &SplineBasis,
@@ -76,13 +79,14 @@ impl FlightMisfit {
         })
     }
 
-    /// p-value of the flight, given the relative error of the extrapolated noise.
+    /// p-value of the flight; `relative_error` is the relative error of the noise extrapolated to slow motions.
     pub fn p_value(&self, relative_error: f64) -> f64 {
         least_p(self.slow, self.fine, relative_error)
     }
 }
 
-/// p-value of the lesser of two tests, Bonferroni-corrected.
+/// Bonferroni-corrected p-value of the more significant of two tests, with the relative error of the extrapolated
+/// noise included in both.
 pub(super) fn least_p(slow: ScaledStatistic, fine: ScaledStatistic, relative_error: f64) -> f64 {
     let p = [slow, fine].map(|mut statistic| {
         statistic.noise_variance += (statistic.dof * relative_error).powi(2);
@@ -139,8 +143,8 @@ impl Projection {
     }
 }
 
-/// Squares that columns take away, from their products with one another and with the residuals, and the number of their
-/// independent directions. `scale` makes whole columns of unit norm.
+/// Reduction of the sum of squares by fitting columns with Gram matrix `matrix` and right-hand side `gradient`, and
+/// the number of independent directions. `scale` normalizes the columns before projection.
 fn decrease(matrix: &DMatrix<f64>, gradient: &DVector<f64>, scale: &DVector<f64>) -> (f64, usize) {
     let size = gradient.len();
     if size == 0 {

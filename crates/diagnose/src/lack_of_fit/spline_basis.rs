@@ -1,9 +1,9 @@
-//! Cubic B-splines on evenly spaced knots: motions that are smooth on the scale of the knots.
+//! Cubic B-splines on evenly spaced knots: a basis for motions that are smooth on the scale of the knot interval.
 
-/// Number of splines that differ from 0 at a time.
+/// Number of cubic B-splines that are nonzero at a given time.
 pub(super) const SUPPORT: usize = 4;
 
-/// Cubic B-splines with evenly spaced knots over a span of time.
+/// Basis of cubic B-splines with evenly spaced knots over a time interval.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SplineBasis {
     start: f64,
@@ -12,7 +12,7 @@ pub(super) struct SplineBasis {
 }
 
 impl SplineBasis {
-    /// Splines over `start` … `end`, s, with knots at most `knot_interval` seconds apart.
+    /// Creates the basis over the interval `start` … `end`, s, with knots at most `knot_interval` seconds apart.
     pub fn new((start, end): (f64, f64), knot_interval: f64) -> Self {
         let span = (end - start).max(f64::MIN_POSITIVE);
         let intervals = (span / knot_interval).ceil().clamp(1.0, MAX_INTERVALS);
@@ -23,12 +23,12 @@ impl SplineBasis {
         }
     }
 
-    /// Number of splines.
+    /// Number of splines in the basis.
     pub fn len(&self) -> usize {
         self.intervals + SUPPORT - 1
     }
 
-    /// Index of the first spline that differs from 0 at a time, s, and the values of it and the next three.
+    /// Index of the first spline that is nonzero at `time`, s, and the values of this spline and the next three.
     pub fn at(&self, time: f64) -> (usize, [f64; SUPPORT]) {
         let place = (time - self.start) / self.knot_interval;
         let interval = (place.max(0.0) as usize).min(self.intervals - 1);
@@ -44,7 +44,7 @@ impl SplineBasis {
     }
 }
 
-/// Greatest number of knot intervals of one flight.
+/// Maximum number of knot intervals of one flight; bounds the memory.
 const MAX_INTERVALS: f64 = 4096.0;
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! Noise estimate from the residuals after removing every significant effect, to first order.
+//! Noise estimate from the residuals after removing all significant effects, to first order.
 
 use flight::batch;
 use identify::NormalBlock;
@@ -10,23 +10,24 @@ use crate::context::{CandidateId, LinearizationPoint, ScoreTestModel};
 use crate::error::DiagnosisError;
 use crate::score_test::{ScoreTests, keep_directions};
 
-/// Score of a direction, in standard deviations, below which it is attributed to noise: removing it would bias the
-/// estimated variance low and distort the correlation.
+/// Minimum score of a direction, in standard deviations, for its contribution to be removed from the residuals.
+/// Removing weaker directions would bias the estimated variance low and distort the autocorrelation.
 const MIN_SCORE: f64 = 4.0;
 
-/// Log p-value below which the states of a candidate are estimated before the noise is.
+/// Maximum log p-value at which the states of a per-flight candidate are estimated before the noise is estimated.
 const MAX_LN_P_OF_STATES: f64 = -14.0;
 
-/// Damping of the elimination, relative to the diagonal of JᵀJ.
+/// Damping added when local parameters are eliminated, relative to the diagonal of JᵀJ.
 const DAMPING: f64 = 1e-12;
 
 impl ScoreTestModel {
-    /// Estimates the noise and marks outliers. The candidates conditioned on are estimated at the linearization
-    /// point; significant contributions of others are removed from the residuals to first order. `noise` weights the
-    /// residuals.
+    /// Estimates the noise of the residuals and marks outliers. The candidates in `conditioned_on` are estimated at
+    /// the linearization point; significant contributions of other candidates are removed from the residuals to first
+    /// order. `noise` is the noise model that weights the residuals.
     ///
     /// # Errors
-    /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated, [`DiagnosisError::UndeterminedInitialState`].
+    /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated; [`DiagnosisError::UndeterminedInitialState`] if
+    /// the samples of a flight do not determine its initial state.
     pub fn estimate_noise(
         &mut self,
         at: LinearizationPoint<'_>,
@@ -55,7 +56,7 @@ impl ScoreTestModel {
         Ok(self.noise_of(&remaining, unknowns, noise.interval))
     }
 
-    /// Candidates conditioned on, together with those whose states are significant.
+    /// The candidates in `conditioned_on`, followed by the per-flight candidates whose states are significant.
     fn with_significant_states(
         &self,
         tests: &ScoreTests,
@@ -72,8 +73,8 @@ impl ScoreTestModel {
         with
     }
 
-    /// Step of a flight's local unknowns for a given step of the global ones, by back-substitution; 0 for states of
-    /// candidates not in `with`.
+    /// Step of a flight's local parameters for a given step of the global parameters, by back-substitution. The step
+    /// is 0 for states of candidates outside `with`.
     fn local_step(
         &self,
         flight: usize,
@@ -96,7 +97,7 @@ impl ScoreTestModel {
         Ok(step)
     }
 
-    /// Residuals of a flight after a step of its unknowns, to first order, m.
+    /// Residuals of a flight after a step of its global and local parameters, to first order, m.
     fn residuals_after_step(
         &self,
         at: LinearizationPoint<'_>,
@@ -122,8 +123,8 @@ impl ScoreTestModel {
         Ok(remaining)
     }
 
-    /// Marks outliers among residuals and estimates the noise of the others, to which `unknowns` unknowns were
-    /// fitted.
+    /// Marks outliers among the residuals and estimates the noise of the inliers; `unknowns` is the number of
+    /// parameters fitted to these residuals.
     fn noise_of(&mut self, residuals: &[Residuals], unknowns: usize, interval: f64) -> NoiseModel {
         let pairs = self.flights.iter().zip(residuals);
         let local: Vec<_> = pairs
@@ -160,14 +161,14 @@ mod tests {
         let misfit = fixture.fit.noise().clone();
         let stall = [fixture.candidate("stall")];
         let mut noise = misfit.clone();
-        // The first fit is weighted by the misfit, the second by what it leaves.
+        // The first fit is weighted by the noise estimate with misfit, the second by the noise estimate without it.
         for _ in 0..2 {
             let from = &fixture.iterate;
             let hypothesis = fixture.model.fit_hypothesis(&stall, from, &noise).unwrap();
             let at = hypothesis.linearization_point();
             noise = fixture.model.estimate_noise(at, &stall, &noise).unwrap();
         }
-        // The dataset was made with 1.5 mm.
+        // The dataset was made with noise of 1.5 mm.
         assert!((noise.overall() / 0.0015 - 1.0).abs() < 0.1, "{noise:?}");
         assert!(misfit.overall() > 1.5 * noise.overall(), "{misfit:?}");
     }

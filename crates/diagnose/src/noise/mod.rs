@@ -1,4 +1,4 @@
-//! Noise of the measured coordinates, and time-dependent loads that the model does not explain.
+//! Noise of the measured coordinates, and time-varying loads that the model does not explain.
 
 mod estimate_noise;
 mod random_walk_loads;

@@ -1,7 +1,8 @@
 //! Unexplained loads over time: a random walk for each flight and load channel, estimated by empirical Bayes.
 //!
 //! A load history is piecewise linear between knots. The variances of its first value and of its increments are
-//! estimated from all flights together by expectation maximisation, so that a channel without evidence stays at 0.
+//! estimated by expectation maximization from all flights together. A channel without evidence of a load remains at
+//! 0.
 
 use flight::batch;
 use identify::{Iterate, Loss, NoiseModel, linearise_with, pseudo_inverse};
@@ -12,38 +13,38 @@ use serde::{Deserialize, Serialize};
 use crate::context::{BasisLoads, LibraryTerms, ScoreTestModel};
 use crate::score_test::{eliminate_locals, keep_directions};
 
-/// Time between knots, s.
+/// Maximum time between knots, s; exceeded only if a flight would need more than [`MAX_KNOTS`] knots.
 const KNOT_INTERVAL: f64 = 0.2;
 
-/// Greatest number of knots of one flight.
+/// Maximum number of knots of one flight.
 const MAX_KNOTS: usize = 9;
 
-/// Greatest number of flights whose load histories are estimated.
+/// Maximum number of flights whose load histories are estimated.
 const MAX_FLIGHTS: usize = 12;
 
-/// Initial standard deviation of a coefficient's first value and of its increments.
+/// Initial standard deviation of the load coefficient's first value and of its increments between knots.
 const INITIAL_SIGMA: f64 = 0.03;
 
-/// Number of expectation-maximisation iterations.
+/// Number of iterations of the expectation maximization.
 const EM_ITERATIONS: usize = 40;
 
-/// Lower bound of the random walk's standard deviations.
+/// Minimum standard deviation of the random walk; prevents division by 0.
 const MIN_SIGMA: f64 = 1e-7;
 
-/// History of one load coefficient over a flight.
+/// Time history of one missing load coefficient in one flight.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LoadHistory {
-    /// File of the flight.
+    /// File name of the flight.
     pub file: String,
-    /// Times of the knots, s.
+    /// Times of the knots, s after the first sample.
     pub t: Vec<f64>,
-    /// Load coefficient at the knots.
+    /// Estimated load coefficient at each knot; 0 where the model explains the flight.
     pub value: Vec<f64>,
-    /// Standard errors of `value`.
+    /// Standard errors of `value`, one for each knot.
     pub std_error: Vec<f64>,
 }
 
-/// Histories of each load channel of the term library, in the library's order; empty without a library.
+/// Load histories by channel of the term library, in the library's order, then by flight; empty without a library.
 pub(crate) fn random_walk_loads(
     model: &ScoreTestModel,
     at: &Iterate,
@@ -81,7 +82,7 @@ pub(crate) fn random_walk_loads(
     histories
 }
 
-/// Standard deviations of the first value and of the increments of one channel's random walk.
+/// Standard deviations of the random walk of one channel: of its first value and of its increments between knots.
 #[derive(Clone, Copy, Debug)]
 struct WalkSigma {
     first: f64,
@@ -95,7 +96,7 @@ impl WalkSigma {
     };
 }
 
-/// Expected sum of squares, and number of terms in it.
+/// Sum of expected squares, and the number of summands.
 #[derive(Clone, Copy, Debug, Default)]
 struct SquareSum {
     squares: f64,
@@ -115,7 +116,7 @@ impl SquareSum {
     }
 }
 
-/// Updates the random walks' standard deviations by one iteration of expectation maximisation.
+/// Updates the random walks' standard deviations by one iteration of expectation maximization.
 fn maximise(sigmas: &mut [WalkSigma], flights: &[FlightLoads]) {
     let mut sums = vec![[SquareSum::default(); 2]; sigmas.len()];
     for flight in flights {
@@ -129,7 +130,7 @@ fn maximise(sigmas: &mut [WalkSigma], flights: &[FlightLoads]) {
     }
 }
 
-/// Normal equations of one flight for the knot values of all channels, channel by channel.
+/// Normal equations of one flight for the load coefficients at the knots, ordered by channel and then by knot.
 struct FlightLoads {
     flight: usize,
     knots: Vec<f64>,
@@ -178,7 +179,8 @@ impl FlightLoads {
         })
     }
 
-    /// Posterior mean and covariance of the values at the knots, given the random walks' standard deviations.
+    /// Posterior mean and covariance of the load coefficients at the knots, given the random walks' standard
+    /// deviations; `None` if the posterior information matrix cannot be inverted.
     fn posterior(&self, sigmas: &[WalkSigma]) -> Option<(DVector<f64>, DMatrix<f64>)> {
         let mut matrix = self.information.clone();
         let knots = self.knots.len();
@@ -197,7 +199,7 @@ impl FlightLoads {
         Some((-(&covariance * &self.gradient), covariance))
     }
 
-    /// Adds the expected squares of the first values and the increments to `sums`.
+    /// Adds the expected squares of the first value and of the increments of each channel to `sums`.
     fn add_expected_squares(
         &self,
         (mean, covariance): (&DVector<f64>, &DMatrix<f64>),
@@ -216,14 +218,14 @@ impl FlightLoads {
     }
 }
 
-/// Evenly spaced knots from 0 to `end`, s.
+/// Evenly spaced knots from 0 to `end`, s; at least 2.
 fn knots(end: f64) -> Vec<f64> {
     let count = ((end / KNOT_INTERVAL).ceil() as usize + 1).clamp(2, MAX_KNOTS);
     let knot = |k: usize| end * k as f64 / (count - 1) as f64;
     (0..count).map(knot).collect()
 }
 
-/// The piecewise linear function that is 1 at one knot and 0 at all others.
+/// Hat function: the piecewise linear function of time that is 1 at the knot with index `knot` and 0 at all others.
 fn hat(knots: &[f64], knot: usize, t: f64) -> f64 {
     let width = knots[1] - knots[0];
     (1.0 - ((t - knots[knot]) / width).abs()).max(0.0)
@@ -247,7 +249,7 @@ mod tests {
 
     #[test]
     fn a_channel_without_evidence_stays_at_zero_and_one_with_it_is_followed() {
-        // Two channels at three knots: the first was seen to rise, of the second nothing was seen but 0.
+        // Two channels at three knots: a rising load is measured in the first channel, a zero load in the second.
         let mut information = DMatrix::identity(6, 6) * 1e6;
         information[(5, 5)] = 1e5;
         let truth = DVector::from_column_slice(&[0.1, 0.2, 0.3, 0.0, 0.0, 0.0]);

@@ -1,4 +1,4 @@
-//! Distance of hypotheses in the information of the flights.
+//! Separation of hypotheses by the information in the flights.
 
 use identify::{Iterate, NormalBlock, eliminate, pseudo_inverse};
 use nalgebra::{DMatrix, DVector};
@@ -6,11 +6,11 @@ use nalgebra::{DMatrix, DVector};
 use crate::context::{ColumnId, ScoreTestModel, select};
 use crate::selection::Hypothesis;
 
-/// Damping of the elimination, relative to the diagonal.
+/// Damping added when local parameters are eliminated, relative to the diagonal of JᵀJ.
 const DAMPING: f64 = 1e-12;
 
-/// Information of the global columns from some flights, local unknowns eliminated; none if a flight does not determine
-/// these.
+/// Information matrix of the global columns from the given normal equations, with the local parameters eliminated;
+/// `None` if a flight does not determine its local parameters.
 pub(super) fn information(model: &ScoreTestModel, blocks: &[NormalBlock]) -> Option<DMatrix<f64>> {
     let size = model.global_columns();
     let mut sum = DMatrix::zeros(size, size);
@@ -21,15 +21,15 @@ pub(super) fn information(model: &ScoreTestModel, blocks: &[NormalBlock]) -> Opt
     Some(sum)
 }
 
-/// Departures of a fitted hypothesis from the null values, from which separations are computed.
+/// A fitted hypothesis, given by the departures of its coefficients from the null values.
 pub(super) struct Alternative {
     columns: Vec<ColumnId>,
-    /// Departure of each column's unknown from its null value.
+    /// Fitted minus null value of the coefficient of each column.
     departures: Vec<f64>,
 }
 
 impl Alternative {
-    /// Departures of a fitted hypothesis.
+    /// Takes the departures of the hypothesis' coefficients from its fitted iterate.
     pub fn new(model: &ScoreTestModel, hypothesis: &Hypothesis) -> Self {
         let effects = hypothesis.effects.iter();
         let columns: Vec<ColumnId> = effects
@@ -51,8 +51,9 @@ fn departures(model: &ScoreTestModel, columns: &[ColumnId], at: &Iterate) -> Vec
     columns.iter().map(departure).collect()
 }
 
-/// The least distance of two hypotheses, in standard deviations: each is taken for true in turn, and the other fitted to what it
-/// predicts. `nuisance` are the columns of the model under test. 0 if no two hypotheses differ in a column.
+/// Smallest separation of two hypotheses, in standard deviations. For each ordered pair, one hypothesis is assumed
+/// true and the other is fitted to its predictions; the separation is the root of the remaining χ². `nuisance` are
+/// the columns of the model under test. Returns 0 if no pair of hypotheses differs in a column.
 pub(super) fn separation(
     nuisance: &[ColumnId],
     hypotheses: &[Alternative],
@@ -92,10 +93,10 @@ mod tests {
             departures: vec![2.0],
         };
         let both = [alternative(0), alternative(1)];
-        // Orthogonal columns: the other explains nothing.
+        // Orthogonal columns: the other hypothesis explains nothing.
         let found = separation(&[], &both, &(DMatrix::identity(2, 2) * 9.0));
         assert!((found - 6.0).abs() < 1e-9, "{found}");
-        // Correlated by 0.8: 1 − R² = 0.36.
+        // Correlation 0.8: 1 − R² = 0.36.
         let correlated = DMatrix::from_row_slice(2, 2, &[9.0, 7.2, 7.2, 9.0]);
         let found = separation(&[], &both, &correlated);
         assert!((found - 6.0 * 0.6).abs() < 1e-9, "{found}");

@@ -1,4 +1,4 @@
-//! Discrimination design: the next throw, after which the remaining hypotheses differ most.
+//! Discrimination (T-optimal) design: the next throw that would best distinguish the remaining hypotheses.
 
 mod information;
 mod next_throw;

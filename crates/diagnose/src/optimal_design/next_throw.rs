@@ -1,4 +1,4 @@
-//! The throw that would best tell hypotheses apart.
+//! The throw that would best distinguish the accepted hypotheses.
 
 use flight::batch;
 use identify::{
@@ -15,47 +15,48 @@ use crate::context::{ScoreTestModel, ThrowRanges};
 use crate::error::DiagnosisError;
 use crate::selection::Search;
 
-/// Number of simulated candidate throws.
+/// Number of simulated throws among which the best is chosen.
 const THROWS: usize = 96;
 
-/// Seed of the random throws.
+/// Seed of the random releases.
 const SEED: u64 = 1;
 
-/// Separation of two hypotheses, in standard deviations, at which they are told apart.
+/// Minimum separation, in standard deviations, at which two hypotheses count as distinguished.
 const SUFFICIENT_SEPARATION: f64 = 3.0;
 
-/// Least ratio of the separation after a throw to that in the present flights, below which an insufficient throw is
-/// not proposed.
+/// Minimum ratio of the separation after a throw to the present separation, for a throw whose separation is below
+/// [`SUFFICIENT_SEPARATION`] to be proposed.
 const MIN_IMPROVEMENT: f64 = 1.3;
 
-/// Vector input of models of point masses: their angular velocity, rad/s.
+/// Name of the vector input for the angular velocity, rad/s, in models of point masses.
 const ANGULAR_VELOCITY: &str = "omega";
 
-/// A release that would tell hypotheses apart.
+/// Release of the proposed next throw, which would best distinguish the accepted hypotheses.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct NextThrow {
-    /// Description of the throw in one sentence.
+    /// Sentence that describes the throw, or states that no throw helps.
     pub says: String,
-    /// Speed, m/s.
+    /// Speed of release, m/s.
     pub speed: f64,
-    /// Launch angle of the velocity above the horizontal, rad.
+    /// Launch angle: angle of the velocity above the horizontal, rad.
     #[serde(rename = "climb")]
     pub launch: f64,
-    /// Angle of attack, nose up, rad.
+    /// Nose angle: angle of attack at release, positive nose up, rad.
     pub nose: f64,
-    /// Tilt of the disc about the velocity, rad.
+    /// Hyzer angle: tilt of the disc about the velocity, rad.
     pub hyzer: f64,
-    /// Spin about the axis, rad/s; negative for a right-handed backhand.
+    /// Spin rate about the axis of symmetry, rad/s; negative for a right-handed backhand.
     pub spin: f64,
-    /// Heading in the horizontal plane from the x axis, rad.
+    /// Heading of the velocity in the horizontal plane, measured from the x axis, rad.
     pub heading: f64,
     /// Expected separation of the two closest hypotheses after the throw, in standard deviations.
     pub separation: f64,
-    /// Separation of the two closest hypotheses in the present flights, in standard deviations.
+    /// Separation of the two closest hypotheses by the present flights, in standard deviations.
     pub separation_now: f64,
 }
 
-/// The throw after which the two closest of the accepted hypotheses would differ most; none if fewer than two are accepted.
+/// Proposes the simulated throw after which the two closest accepted hypotheses would be separated most; `None` if
+/// fewer than two hypotheses are accepted, or no throw can be simulated.
 ///
 /// # Errors
 /// [`DiagnosisError::Fit`] if a measured flight cannot be integrated.
@@ -94,8 +95,8 @@ pub(crate) fn next_throw(
     Ok(best.map(|(after, release)| NextThrow::new(release, after, now)))
 }
 
-/// Normal equations of a flight that starts with a release and is observed like a measured one, at these unknowns; none if
-/// the model cannot start so.
+/// Normal equations of a simulated flight with the given release, observed like the measured flight `like` and
+/// linearized at the unknowns `at`; `None` if the model cannot start with this release or cannot be integrated.
 fn simulated(
     problem: &FitProblem,
     (like, release): (&Observations, &Release),

@@ -1,4 +1,4 @@
-//! Releases drawn from the ranges of the options.
+//! Random releases for simulated throws.
 
 use identify::RigidMotion;
 use nalgebra::{UnitQuaternion, Vector3};
@@ -6,25 +6,25 @@ use rand::{Rng, RngExt};
 
 use crate::context::ThrowRanges;
 
-/// Release of a simulated throw.
+/// Release of a simulated throw: speed, angles and spin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Release {
-    /// Speed, m/s.
+    /// Speed of release, m/s.
     pub speed: f64,
-    /// Launch angle of the velocity above the horizontal, rad.
+    /// Launch angle: angle of the velocity above the horizontal, rad.
     pub launch: f64,
-    /// Angle of attack, rad.
+    /// Nose angle: angle of attack at release, positive nose up, rad.
     pub nose: f64,
-    /// Tilt about the velocity (hyzer angle), rad.
+    /// Hyzer angle: tilt of the body about the velocity, rad.
     pub hyzer: f64,
-    /// Spin about the axis of symmetry, rad/s.
+    /// Spin rate about the axis of symmetry, rad/s, with sign.
     pub spin: f64,
-    /// Heading of the velocity in the horizontal plane from the x axis, rad.
+    /// Heading of the velocity in the horizontal plane, measured from the x axis, rad.
     pub heading: f64,
 }
 
 impl Release {
-    /// Draws a release, uniformly within its ranges.
+    /// Draws a random release, uniformly distributed within the ranges.
     pub fn draw(ranges: &ThrowRanges, random: &mut impl Rng) -> Self {
         let mut uniform = |(low, high): (f64, f64)| low + (high - low) * random.random::<f64>();
         let headings = ranges.headings as f64;
@@ -38,7 +38,8 @@ impl Release {
         }
     }
 
-    /// Motion of the body at the release; a point mass has no attitude.
+    /// Position, velocity, attitude and angular velocity of the body at the release; attitude and angular velocity
+    /// are `None` for a point mass.
     pub fn motion(&self, height: f64, has_attitude: bool) -> RigidMotion {
         let about = UnitQuaternion::from_axis_angle;
         let path =
@@ -53,7 +54,7 @@ impl Release {
         }
     }
 
-    /// Angular velocity in inertial components, rad/s, about the third body axis.
+    /// Angular velocity vector, rad/s: the spin about the third body axis, in inertial components.
     fn angular_velocity(&self, attitude: UnitQuaternion<f64>) -> Vector3<f64> {
         attitude * Vector3::new(0.0, 0.0, self.spin)
     }
@@ -78,7 +79,7 @@ mod tests {
             let velocity = motion.velocity;
             assert!((velocity.norm() - release.speed).abs() < 1e-9);
             assert!((velocity.z - release.speed * release.launch.sin()).abs() < 1e-9);
-            // The angle of attack is that of the velocity in the body's frame.
+            // The angle of attack is the angle of the velocity in the body frame.
             let in_body = motion.attitude.unwrap().inverse() * velocity;
             let attack = (-in_body.z).atan2(in_body.x);
             assert!((attack - release.nose).abs() < 1e-9, "{attack} {release:?}");

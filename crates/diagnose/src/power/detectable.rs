@@ -1,50 +1,54 @@
-//! Minimum detectable effects, and effects that are not identifiable.
+//! Minimum detectable effects, and effects that these flights cannot identify.
 
 use serde::{Deserialize, Serialize};
 
 use crate::context::{CandidateId, CandidateParameter, ColumnId, ScoreTestModel};
 use crate::score_test::{ScoreTests, ln_p_to_z};
 
-/// A column whose squared norm falls to this share when the initial states are eliminated is confounded with them.
+/// Maximum fraction of a column's squared norm that remains after eliminating the initial states, for the column to
+/// count as confounded with the initial states.
 const MAX_LOCAL_TOLERANCE: f64 = 1e-9;
 
-/// Standard normal quantile of the power 0.9: exceeded with a probability of one in ten.
+/// Standard normal quantile of the power 0.9.
 const Z_OF_POWER: f64 = 1.281_551_565_544_6;
 
-/// Least share, relative to the greatest, of a nuisance parameter that is named as confounding.
+/// Minimum projection share of a nuisance parameter, relative to the largest share, for the parameter to be named as
+/// confounding.
 const MIN_SHARE: f64 = 0.25;
 
-/// Greatest number of confounding parameters named.
+/// Maximum number of confounding parameters named for one effect.
 const MAX_NAMED: usize = 8;
 
-/// An effect is not identifiable if its minimum detectable size exceeds this fraction of the width of its bounds.
+/// Maximum ratio of an effect's minimum detectable size to the width of its bounds; above it, the effect counts as
+/// not identifiable.
 const MAX_FRACTION_OF_BOUNDS: f64 = 0.5;
 
-/// An effect that the flights cannot tell from the model's own parameters.
+/// An effect that the flights cannot distinguish from the parameters of the model under test.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct NotIdentifiable {
-    /// Name of the effect.
+    /// Name of the effect, as in reports.
     pub name: String,
-    /// Confounding coefficients, or `initial states`; empty if the effect has no influence on these flights.
+    /// Names of the confounding coefficients, or `initial states`; empty if the effect does not influence these
+    /// flights.
     #[serde(rename = "absorbed_by")]
     pub confounded_with: Vec<String>,
 }
 
-/// The smallest size of an effect that is detected with a probability of 0.9.
+/// Minimum detectable effect: the smallest size of a coefficient that is detected with probability 0.9.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MinDetectableEffect {
-    /// Name of the effect.
+    /// Name of the effect, as in reports.
     pub name: String,
     /// Name of the effect's coefficient.
     pub coefficient: String,
-    /// Departure from the null value, SI.
+    /// Smallest detectable departure from the null value, SI.
     pub value: f64,
-    /// Unit of the coefficient.
+    /// Unit of the coefficient, as text.
     pub unit: String,
 }
 
-/// The effects that are not identifiable, and the minimum detectable sizes of the others, if a log p-value below `detect` is
-/// significant.
+/// Lists the candidates that are not identifiable, and the minimum detectable sizes of the coefficients of all
+/// others. A test is significant if its log p-value is below `detect`.
 pub(crate) fn detectable(
     model: &ScoreTestModel,
     tests: &ScoreTests,
@@ -81,7 +85,8 @@ pub(crate) fn detectable(
     (hidden, detectable)
 }
 
-/// The minimum detectable departure of a coefficient, SI; none if that is not small against its bounds.
+/// Minimum detectable departure of a coefficient from its null value, SI; `None` if it is not finite or not small
+/// compared with the coefficient's bounds.
 fn detectable_size<Id>(
     tests: &ScoreTests,
     parameter: &CandidateParameter<Id>,
@@ -96,7 +101,8 @@ fn detectable_size<Id>(
     (size.is_finite() && size < MAX_FRACTION_OF_BOUNDS * width).then_some(size)
 }
 
-/// Names of the parameters that explain the columns of a candidate, the greatest share first.
+/// Names of the parameters on which the columns of a candidate project, largest share first; `initial states` alone
+/// if these explain a column entirely.
 fn confounded_with(model: &ScoreTestModel, tests: &ScoreTests, id: CandidateId) -> Vec<String> {
     let own = model.columns_of(id);
     let mut shares: Vec<(&str, f64)> = Vec::new();
@@ -153,7 +159,7 @@ mod tests {
         let tests = ScoreTests::new(model, &blocks.unwrap(), &[], &fixture.iterate.global).unwrap();
         let detect = -9.0;
         let (hidden, sizes) = detectable(model, &tests, detect);
-        // More air is as greater coefficients.
+        // A higher air density has the same effect as larger coefficients.
         let density = hidden.iter().find(|h| h.name == "air-density").unwrap();
         assert!(
             density
@@ -165,7 +171,7 @@ mod tests {
         let test = tests.candidates[fixture.candidate("stall")]
             .as_ref()
             .unwrap();
-        // An estimate of this size lies at the threshold, and the 0.9 quantile beyond it.
+        // An estimate of this size is 1.28 standard errors above the threshold.
         let z = stall.value / test.one_step[0].std_error;
         assert!((z - ln_p_to_z(detect) - Z_OF_POWER).abs() < 1e-6, "{z}");
     }

@@ -1,4 +1,4 @@
-//! Power of the score tests: which effects these flights cannot identify, and how small an effect they detect.
+//! Power of the score tests: effects that these flights cannot identify, and minimum detectable sizes of the others.
 
 mod detectable;
 

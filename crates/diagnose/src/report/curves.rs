@@ -1,45 +1,46 @@
-//! Coefficient curves: the model's coefficients over the range that the flights covered.
+//! Coefficient curves: the model's coefficients over the range of angle of attack or speed that the flights covered.
 
 use identify::{FlightEvidence, median};
 use model_spec::model::{Model, Shape};
 use serde::{Deserialize, Serialize};
 
-/// Number of intervals of the abscissa in a curve.
+/// Number of equal intervals into which the abscissa of a curve is divided.
 const INTERVALS: usize = 24;
 
-/// Least number of samples in an interval.
+/// Minimum number of samples for an interval to be part of the curve.
 const MIN_SAMPLES: usize = 4;
 
-/// Range of quantiles of the abscissa that is drawn.
+/// Quantiles of the abscissa's samples between which the curve is computed.
 const QUANTILES: (f64, f64) = (0.005, 0.995);
 
-/// Abscissae; the first that a model has is used.
+/// Names of the auxiliary variables that can be the abscissa; the first that the model contains is used.
 const ABSCISSAE: [&str; 2] = ["alpha", "V"];
 
-/// Prefix of the names of coefficients.
+/// Prefix of the names of auxiliary variables that are coefficients.
 const COEFFICIENT_PREFIX: &str = "C_";
 
-/// A coefficient of the model over an abscissa, without and with the extension. Values are medians of the samples within
-/// intervals.
+/// A coefficient of the model over an abscissa, without and with the extension. Each value is the median of the
+/// samples within one interval of the abscissa.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CoefficientCurve {
-    /// The coefficient, such as `C_D`.
+    /// Name of the coefficient, such as `C_D`.
     pub quantity: String,
-    /// The abscissa, such as `alpha`.
+    /// Name of the abscissa, such as `alpha`.
     pub over: String,
-    /// Unit of the abscissa.
+    /// Unit of the abscissa, as text.
     pub unit: String,
-    /// Centres of the intervals.
+    /// Centres of the intervals, in the unit of the abscissa.
     pub x: Vec<f64>,
-    /// Values without the extension.
+    /// Medians of the coefficient without the extension, one for each interval.
     pub before: Vec<f64>,
-    /// Values with the extension.
+    /// Medians of the coefficient with the extension, one for each interval.
     pub after: Vec<f64>,
-    /// Number of samples in each interval.
+    /// Number of samples in each interval, without the extension.
     pub support: Vec<usize>,
 }
 
-/// Every scalar auxiliary variable whose name begins with `C_`, over the angle of attack or the speed.
+/// Computes the curve of every scalar auxiliary variable whose name begins with `C_`, over the angle of attack or, if
+/// the model lacks it, the speed.
 pub(crate) fn curves(
     model: &Model,
     before: &[FlightEvidence],
@@ -76,14 +77,15 @@ pub(crate) fn curves(
         .collect()
 }
 
-/// Medians of one interval.
+/// Medians of a coefficient in one interval of the abscissa, and the number of samples.
 struct Interval {
     before: f64,
     after: f64,
     support: usize,
 }
 
-/// Centres of the intervals with enough samples, and medians there; none if there is no range. Points are (abscissa, value).
+/// Centres and medians of the intervals with enough samples; `None` if the abscissa has no range. Samples are pairs
+/// (abscissa, value), without and with the extension.
 fn medians(
     mut before: Vec<(f64, f64)>,
     mut after: Vec<(f64, f64)>,
@@ -115,14 +117,15 @@ fn medians(
     Some(intervals.unzip())
 }
 
-/// Values of sorted points in the interval [`from`, `from + width`).
+/// Values of the points with abscissa in [`from`, `from + width`); points are pairs (abscissa, value), sorted by
+/// abscissa.
 fn within(points: &[(f64, f64)], from: f64, width: f64) -> Vec<f64> {
     let first = points.partition_point(|p| p.0 < from);
     let last = points.partition_point(|p| p.0 < from + width);
     points[first..last].iter().map(|p| p.1).collect()
 }
 
-/// All finite pairs of two quantities.
+/// Pairs (`over`, `quantity`) at all samples of the flights where both values are finite.
 fn points(quantity: &str, over: &str, flights: &[FlightEvidence]) -> Vec<(f64, f64)> {
     let mut points = Vec::new();
     for flight in flights {

@@ -1,4 +1,4 @@
-//! Last stage: the report of a diagnosis, and its summary in words.
+//! Last stage of a diagnosis: its report, with a summary as text.
 
 mod curves;
 mod narrative;

@@ -1,17 +1,17 @@
-//! Summary of a diagnosis in words.
+//! Summary of a diagnosis as text.
 
 use super::types::{Cause, CauseEffect, Consensus, LoadChannel, Report, Verdict};
 use crate::selection::{StepwiseModel, StepwiseTerm};
 use crate::text::{millimetres, three_figures};
 use crate::validation::{PredictiveGain, Validated};
 
-/// Least bias, in standard errors, of a coefficient named in the summary.
+/// Minimum bias of a coefficient, in standard errors, for the coefficient to be named in the summary.
 const MIN_BIAS: f64 = 3.0;
 
-/// Greatest number of flights named in a sentence.
+/// Maximum number of flights named in a sentence.
 const MAX_NAMES: usize = 16;
 
-/// The paragraph at the beginning of a report.
+/// Summary of the report in one paragraph.
 pub(crate) fn summary(report: &Report) -> String {
     let mut text = answer(report);
     if let Some(consensus) = &report.consensus {
@@ -56,7 +56,8 @@ fn answer(report: &Report) -> String {
     }
 }
 
-/// The effect that the second of two causes has in addition to the first; none if they differ otherwise.
+/// Name of the single effect that the second of two causes contains in addition to those of the first; `None` if the
+/// causes differ in another way.
 fn undecided(causes: &[Cause]) -> Option<String> {
     let [first, second] = causes else {
         return None;
@@ -89,7 +90,7 @@ fn unattributed_answer(report: &Report) -> String {
     }
 }
 
-/// Sentence on the effects on which the flights agree.
+/// Sentences on the agreement between flights, and on the discordant flights.
 fn agreement(consensus: &Consensus) -> String {
     let mut text = format!(
         " {} flights agree on it (sign-flip test, p ≤ {}).",
@@ -158,7 +159,7 @@ fn prediction(gain: &PredictiveGain) -> String {
     text
 }
 
-/// Coefficients that the missing effect had biased.
+/// Sentence on the coefficients that were biased because the effect was missing; empty if none was.
 fn omitted_variable_bias(report: &Report) -> String {
     let biased: Vec<String> = report
         .coefficients
@@ -213,7 +214,7 @@ fn described_effect(effect: &CauseEffect) -> String {
     )
 }
 
-/// Sentence on why an adequate hypothesis is not accepted.
+/// Sentence that explains why an adequate but overflexible hypothesis is not accepted.
 pub(crate) fn refused(validated: &Validated) -> String {
     let names = validated.extension.effects.join(" with ");
     let errors = validated.gain.as_ref().map_or_else(String::new, |gain| {
@@ -231,7 +232,7 @@ pub(crate) fn refused(validated: &Validated) -> String {
     )
 }
 
-/// Sentence on where a lack of fit lies that no candidate effect explains.
+/// Sentences that locate a lack of fit that no candidate effect explains, by load channel and library terms.
 pub(crate) fn unattributed(model: &StepwiseModel, channels: &[LoadChannel]) -> String {
     let selected: Vec<&StepwiseTerm> = model.terms.iter().filter(|term| term.selected).collect();
     let most = channels

@@ -1,4 +1,4 @@
-//! Builds the report from what the stages found.
+//! Builds the report of a diagnosis from the results of its stages.
 
 use std::collections::BTreeMap;
 
@@ -20,7 +20,7 @@ use crate::power::detectable;
 use crate::score_test::{MIN_TOLERANCE, ScoreTest, ln_p_to_z};
 use crate::selection::{Hypothesis, Search, StepwiseModel};
 
-/// The report of a search, before anything is extended.
+/// Builds the report of a search, before the model is extended.
 pub(crate) fn build_report(
     context: Context<'_>,
     (before, residuals): (&Fit, Option<&LackOfFit>),
@@ -81,7 +81,8 @@ pub(crate) fn build_report(
     report
 }
 
-/// The verdict by what is significant at the fit of the model, and by the explanations that are not rejected.
+/// Verdict from whether the fit of the model under test has a significant effect or lack of fit, and from the
+/// accepted explanations.
 fn verdict(is_significant: bool, causes: &[Cause]) -> Verdict {
     let is_negligible = |cause: &Cause| cause.effects.iter().all(|effect| effect.negligible);
     match causes {
@@ -93,7 +94,7 @@ fn verdict(is_significant: bool, causes: &[Cause]) -> Verdict {
     }
 }
 
-/// Adds to a cause what it explains of the misfit that smooth motions could take away.
+/// Sets the fraction of the excess χ² that a cause explains, and the root mean square that remains.
 fn add_share(cause: &mut Cause, residuals: &LackOfFit) {
     let share = cause.chi2_decrease / residuals.excess_chi2.max(f64::MIN_POSITIVE);
     cause.explained = share.clamp(0.0, 1.0);
@@ -133,7 +134,7 @@ fn flight_before(flight: &FlightReport) -> FlightGain {
     }
 }
 
-/// Coefficients of a fit, with their values in the earlier fit `before`.
+/// Coefficients of `fit`, with their values in the earlier fit `before` if given.
 fn coefficients(fit: &Fit, before: Option<&Fit>) -> BTreeMap<String, Coefficient> {
     let each = fit.report.coefficients.iter().map(|(name, c)| {
         let earlier = before.and_then(|before| before.report.coefficients.get(name));
@@ -273,7 +274,8 @@ fn cause(model: &ScoreTestModel, search: &Search<'_>, hypothesis: &Hypothesis) -
     }
 }
 
-/// The section on a lack of fit that no candidate explains. `histories` are those of each load of the library.
+/// Section of the report on a lack of fit that no candidate explains. `histories` are the load histories by channel
+/// of the term library.
 pub(crate) fn unattributed_report(
     model: &ScoreTestModel,
     search: &Search<'_>,
@@ -317,8 +319,8 @@ fn load_channels(
     channels.collect()
 }
 
-/// Adds the fit of the extended model. `chi2_decrease` is that of effects which the diagnosis wrote; they become a cause if there
-/// is no other.
+/// Adds the fit of the extended model. If the report has no cause yet, the effects generated from library terms
+/// become a cause; `chi2_decrease` is their decrease of χ².
 pub(crate) fn add_extension(
     report: &mut Report,
     (extension, chi2_decrease): (&ExtendedModel, f64),
@@ -341,7 +343,7 @@ pub(crate) fn add_extension(
     }
 }
 
-/// Effects of an extension with their estimates from its fit.
+/// Effects of an extension, with estimates of their coefficients from the fit of the extended model.
 fn extension_effects(extension: &ExtendedModel, after: &Fit) -> Vec<CauseEffect> {
     let effects = extension.model.effects.iter();
     let added = effects.filter(|effect| extension.effects.contains(&effect.name));
@@ -370,8 +372,9 @@ fn extension_effects(extension: &ExtendedModel, after: &Fit) -> Vec<CauseEffect>
     effects.collect()
 }
 
-/// Replaces standard errors by cluster-robust ones where those are greater, and estimates of the first cause by those of the
-/// extended fit: if a cause does not explain all, what remains is correlated within a flight.
+/// Replaces standard errors by cluster-robust ones if these are larger, and the estimates of the first cause by those
+/// of the extended fit. This is needed if a cause does not explain everything: the remaining misfit is correlated
+/// within a flight.
 pub(crate) fn use_clustered_errors(report: &mut Report, after: &Fit) {
     let fitted = |name: &str| {
         let found = after.report.coefficients.get(name)?;
@@ -393,7 +396,7 @@ pub(crate) fn use_clustered_errors(report: &mut Report, after: &Fit) {
     }
 }
 
-/// Adds a note on the held-out flights, by index, to which the extension is not applied.
+/// Adds a note on the held-out flights to which the extension is not applied; `flights` are their indices.
 pub(crate) fn note_not_applied(report: &mut Report, flights: &[usize]) {
     if flights.is_empty() {
         return;
@@ -413,7 +416,7 @@ pub(crate) fn note_not_applied(report: &mut Report, flights: &[usize]) {
     report.notes.push(note);
 }
 
-/// Adds a note if a fit did not converge.
+/// Adds a note and marks the report as not converged if `fit` did not converge; `what` names the fitted model.
 pub(crate) fn note_convergence(report: &mut Report, fit: &Fit, what: &str) {
     let iterations = &fit.report.iterations;
     if !iterations.converged {
@@ -432,8 +435,8 @@ mod tests {
     use crate::selection::Search;
     use crate::test_support::mystery;
 
-    /// A report on flights of which the first has no sample, from a fit that did not converge, and the significance of
-    /// what was found before and after the threshold changed.
+    /// Report on flights of which the first has no samples, from a fit that did not converge, and whether the result
+    /// was significant before and after the threshold changed.
     fn report_of_faulty_fit() -> (Report, [bool; 2]) {
         let mut dataset = mystery(4);
         dataset.flights[0]

@@ -1,4 +1,4 @@
-//! The test of the residuals in the report, and its words.
+//! The lack-of-fit test in the report, and its description as text.
 
 use super::types::{Report, Unattributed, Verdict};
 use crate::context::display_name;
@@ -6,10 +6,11 @@ use crate::extension::ExtendedModel;
 use crate::lack_of_fit::{LackOfFit, SmoothMisfit};
 use crate::text::{millimetres, three_figures};
 
-/// Greatest number of departures in a sentence.
+/// Maximum number of deviations described in a sentence.
 const MAX_DEPARTURES: usize = 3;
 
-/// Replaces the test of the residuals by that of the extended model.
+/// Replaces the lack-of-fit test in the report by that of the extended model, and updates the fraction that the first
+/// cause explains.
 pub(crate) fn add_residuals(report: &mut Report, residuals: Option<LackOfFit>) {
     if let (Some(before), Some(after)) = (&report.lack_of_fit, &residuals)
         && let Some(first) = report.causes.first_mut()
@@ -21,7 +22,8 @@ pub(crate) fn add_residuals(report: &mut Report, residuals: Option<LackOfFit>) {
     report.lack_of_fit = residuals.or(report.lack_of_fit.take());
 }
 
-/// Drops the departures where the test passes, and says where and when the residuals are no noise where it fails.
+/// Removes the list of deviations if the lack-of-fit test passes. Otherwise adds a description of the largest
+/// deviations to the report.
 pub(crate) fn describe_departures(report: &mut Report) {
     let alpha = report.threshold.alpha;
     let Some(found) = &mut report.lack_of_fit else {
@@ -78,13 +80,13 @@ fn departure(found: &SmoothMisfit) -> String {
     format!("{file}, {coordinate} by {sign}{size} at {from_s:.2} to {to_s:.2} s")
 }
 
-/// Names of effects, as in reports.
+/// Names of effects as in reports, joined by "with".
 pub(crate) fn display_names(effects: &[String]) -> String {
     let names: Vec<String> = effects.iter().map(|name| display_name(name)).collect();
     names.join(" with ")
 }
 
-/// Adds a note that the extension predicts worse.
+/// Adds a note that the extension is not offered because it predicts worse.
 pub(crate) fn note_not_offered(report: &mut Report, extension: &ExtendedModel) {
     let names = display_names(&extension.effects);
     report.notes.push(format!(
@@ -92,7 +94,7 @@ pub(crate) fn note_not_offered(report: &mut Report, extension: &ExtendedModel) {
     ));
 }
 
-/// Says that the search was not completed.
+/// Marks the report as incomplete and adds a note with the reason.
 pub(crate) fn note_incomplete(report: &mut Report, is_out_of_time: bool) {
     report.complete = false;
     let why = match is_out_of_time {

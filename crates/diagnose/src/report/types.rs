@@ -1,4 +1,4 @@
-//! `report.json` of a diagnosis.
+//! Types of the file `report.json` of a diagnosis.
 
 use std::collections::BTreeMap;
 
@@ -14,299 +14,310 @@ use crate::power::{MinDetectableEffect, NotIdentifiable};
 use crate::selection::StepwiseTerm;
 use crate::validation::PredictiveGain;
 
-/// `report.json` of a diagnosis, schema `hyzer.diagnosis/1`.
+/// Contents of the file `report.json` of a diagnosis, schema `hyzer.diagnosis/1`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Report {
-    /// Schema identifier, `hyzer.diagnosis/1`.
+    /// Identifier of the schema: `hyzer.diagnosis/1`.
     pub schema: String,
-    /// Name of the dataset.
+    /// Name of the dataset of measured flights.
     pub dataset: String,
-    /// Name of the model.
+    /// Name of the model under test.
     pub model: String,
-    /// Effects that were switched on in the model under test.
+    /// Names of the effects that were switched on in the model under test.
     pub effects: Vec<String>,
-    /// Verdict of the diagnosis.
+    /// Outcome of the diagnosis.
     pub verdict: Verdict,
-    /// Summary in one paragraph.
+    /// Summary of the result, one paragraph of text.
     pub summary: String,
-    /// Model confidence set: every explanation that the data do not reject, the best first.
+    /// Model confidence set: every explanation that the data do not reject, the best fit first.
     pub causes: Vec<Cause>,
-    /// Noise of the measured coordinates.
+    /// Estimated noise of the measured coordinates.
     pub noise: NoiseSummary,
-    /// Out-of-sample gain of the extension; none if nothing is extended or no flight can be predicted.
+    /// Out-of-sample error reduction of the extension; `None` if the model is not extended or no flight can be
+    /// predicted.
     pub gain: Option<PredictiveGain>,
-    /// Coefficients of the extended model, or of the model if nothing is extended.
+    /// Coefficients by name: those of the extended model, or of the model under test if it is not extended.
     pub coefficients: BTreeMap<String, Coefficient>,
     /// Candidate effects that these flights cannot identify.
     pub undetectable: Vec<NotIdentifiable>,
-    /// Minimum detectable effects, power 0.9.
+    /// Minimum detectable sizes of the identifiable candidates' coefficients, for power 0.9.
     pub smallest_detectable: Vec<MinDetectableEffect>,
-    /// The throw that would best discriminate between the accepted explanations.
+    /// Throw that would best distinguish the accepted explanations; `None` if fewer than two are accepted.
     pub next_throw: Option<NextThrow>,
-    /// File of the extended model, in the folder of the report.
+    /// File name of the extended model, in the folder of the report; `None` if the model is not extended.
     pub extended_model: Option<String>,
-    /// Computing time by stage, s; `total` is the sum.
+    /// Computing time by stage, s: time from the start of the diagnosis to the end of the stage; `total` is that of
+    /// the whole diagnosis.
     pub seconds: BTreeMap<String, f64>,
-    /// Score test of each candidate effect, the least p-value first.
+    /// Score test of each candidate effect, smallest p-value first.
     pub candidates: Vec<CandidateTest>,
-    /// Threshold of significance.
+    /// Significance threshold of the score tests.
     pub threshold: Threshold,
-    /// Correlations of the candidates' effective scores.
+    /// Correlations between the effective scores of the candidates' coefficients.
     #[serde(rename = "alike")]
     pub score_correlations: ScoreCorrelations,
-    /// Mistakes in the data of the flights, in the dataset's order.
+    /// Detected errors in the data of the flights, in the order of the dataset.
     #[serde(default)]
     pub data_faults: Vec<DataFault>,
-    /// Residuals of each flight, without and with the extension.
+    /// Residuals of each flight without and with the extension, in the order of the dataset.
     pub flights: Vec<FlightGain>,
-    /// Coefficients of the model over angle of attack or speed, without and with the extension.
+    /// Coefficients of the model over angle of attack or speed, without and with the extension; empty if the model is
+    /// not extended.
     pub curves: Vec<CoefficientCurve>,
-    /// Lack of fit that no candidate effect explains.
+    /// Lack of fit that no candidate effect explains; `None` if there is none.
     #[serde(rename = "outside")]
     pub unattributed: Option<Unattributed>,
-    /// Agreement of the flights, where the causes do not explain all.
+    /// Agreement between flights, if the causes do not explain the entire misfit of every flight; otherwise `None`.
     #[serde(rename = "agreement")]
     pub consensus: Option<Consensus>,
-    /// Test of the residuals of the answer; none if they are too few to tell noise from motion. A verdict
-    /// [`Verdict::None`] needs it to pass.
+    /// Lack-of-fit test of the residuals of the final model; `None` if the residuals are too few to separate noise
+    /// from smooth motion. The verdict [`Verdict::None`] requires that this test is absent or not significant.
     #[serde(default)]
     pub lack_of_fit: Option<LackOfFit>,
-    /// Verification of the extended model.
+    /// Results of verifying the extended model; `None` if it was not verified.
     pub verified: Option<Verified>,
     /// Whether every fit converged.
     #[serde(default = "converged_by_default")]
     pub converged: bool,
-    /// Whether the search was completed; otherwise this is the best answer until its time or its steps were used up.
+    /// Whether the search was completed. If false, the report contains the best result before the time or the steps
+    /// were used up.
     #[serde(default = "converged_by_default")]
     pub complete: bool,
     /// Messages on limitations of the result.
     pub notes: Vec<String>,
 }
 
-/// Reports written before `converged` and `complete` were added do not say that something failed to converge.
+/// Default of `converged` and `complete` for reports written before these fields existed.
 fn converged_by_default() -> bool {
     true
 }
 
-/// Answer of a diagnosis.
+/// Outcome of a diagnosis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
-    /// No model error is detected, and the residuals are noise.
+    /// No error of the model is detected: no candidate effect is significant, and the residuals are noise.
     None,
-    /// One explanation.
+    /// Exactly one explanation is accepted.
     Named,
-    /// Several explanations that these flights cannot tell apart.
+    /// Several explanations are accepted, and these flights cannot distinguish them.
     Ambiguous,
-    /// Lack of fit that no candidate effect explains.
+    /// There is a significant lack of fit, and no candidate effect explains it.
     #[serde(rename = "outside")]
     Unattributed,
-    /// A significant but negligible effect: all its estimates are below the smallest effect of interest.
+    /// Every accepted explanation is significant but negligible: all estimates are below the smallest effect size of
+    /// interest.
     #[serde(rename = "immaterial")]
     Negligible,
 }
 
-/// One explanation: an effect, or several together.
+/// One explanation of the misfit: a single effect, or several effects together.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Cause {
-    /// Effects of the explanation.
+    /// The effects that the model lacks according to this explanation.
     pub effects: Vec<CauseEffect>,
-    /// Decrease of the weighted sum of squares, χ².
+    /// Decrease of the weighted sum of squares, χ², when the effects are included.
     #[serde(rename = "gain")]
     pub chi2_decrease: f64,
-    /// Share of the weighted misfit that any smooth motion could take away, 0 … 1.
+    /// Fraction of the excess χ² (misfit beyond noise that a smooth motion could remove) that this cause explains, 0
+    /// … 1.
     #[serde(default)]
     pub explained: f64,
-    /// Root mean square that is left beyond the noise, m.
+    /// Root mean square of the residuals in excess of the noise that remains with this cause, m.
     #[serde(default)]
     pub remaining_m: f64,
-    /// The strongest remaining candidate effect, given this explanation.
+    /// The most significant other candidate once the effects of this cause are included; `None` if no other candidate
+    /// can be tested.
     #[serde(rename = "rival")]
     pub strongest_remaining: Option<RemainingEffect>,
 }
 
-/// The strongest remaining candidate effect.
+/// The most significant candidate effect that a cause does not include.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RemainingEffect {
-    /// Name of the effect.
+    /// Name of the effect, as in reports.
     pub name: String,
-    /// p-value of the effect's score test.
+    /// p-value of the effect's score test with the cause included.
     pub p: f64,
 }
 
-/// An effect of an explanation.
+/// One effect of a cause, with the estimates of its coefficients.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CauseEffect {
-    /// Name of a candidate effect, or of the effect that was written.
+    /// Name of the candidate effect, or of the effect generated from library terms.
     pub name: String,
-    /// Description of the effect.
+    /// Description of the effect; for candidates, according to the sign of the estimate.
     pub doc: String,
     /// Site of the effect: the load or equation that it changes.
     pub site: String,
-    /// Variables on which the effect depends.
+    /// Names of the variables on which the effect depends.
     pub variables: Vec<String>,
-    /// Estimates of the effect's coefficients; for a state, the RMS over flights.
+    /// Estimates of the effect's coefficients by name; for a state, the root mean square over the flights.
     pub estimates: BTreeMap<String, Estimate>,
-    /// Score statistic of the effect given the model under test, χ².
+    /// Score statistic of the effect, χ², with only the model under test included.
     pub statistic: f64,
-    /// Whether all estimates are below the smallest effect of interest.
+    /// Whether every estimate is below the smallest effect size of interest.
     #[serde(rename = "immaterial")]
     pub negligible: bool,
 }
 
-/// An estimate with its standard error.
+/// Estimate of a coefficient, with its standard error.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Estimate {
-    /// Value, SI.
+    /// Estimated value, SI.
     pub value: f64,
-    /// Standard error, SI.
+    /// Standard error of the estimate, SI.
     pub std_error: f64,
-    /// Unit.
+    /// SI unit of the value, as text.
     pub unit: String,
-    /// Smallest effect size of interest, SI.
+    /// Smallest effect size of interest, SI: smaller departures from the null value are negligible. `None` if not
+    /// declared.
     #[serde(rename = "negligible")]
     pub smallest_of_interest: Option<f64>,
 }
 
-/// Noise of the measured coordinates.
+/// Estimated noise of the measured coordinates, over all flights.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct NoiseSummary {
-    /// Standard deviation of one coordinate, m.
+    /// Standard deviation of the noise of one coordinate, m.
     pub sigma_m: f64,
-    /// Lag-1 autocorrelation.
+    /// Lag-1 autocorrelation of the noise, averaged over the axes.
     pub ar1: f64,
-    /// Fraction of the points that are outliers.
+    /// Fraction of the measured points that are outliers, 0 … 1.
     pub outlier_fraction: f64,
 }
 
-/// A coefficient of the extended model.
+/// Fitted coefficient of the model, without and with the extension.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Coefficient {
-    /// Value, SI.
+    /// Fitted value, SI; with the extension if the model is extended.
     pub value: f64,
-    /// Standard error, SI.
+    /// Standard error of the value, SI.
     pub std_error: f64,
-    /// Unit.
+    /// SI unit of the coefficient, as text.
     pub unit: String,
-    /// Value without the extension, SI; none if the extension adds the coefficient.
+    /// Fitted value without the extension, SI; `None` if the model is not extended or the extension adds the
+    /// coefficient.
     pub before: Option<f64>,
 }
 
-/// Score test of a candidate effect.
+/// Result of the score test of one candidate effect.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CandidateTest {
-    /// Name of the effect.
+    /// Name of the effect, as in reports.
     pub name: String,
     /// Description of the effect.
     pub doc: String,
     /// Site of the effect: the load or equation that it changes.
     pub site: String,
-    /// Score statistic, χ² of `dof` under the null hypothesis.
+    /// Score statistic; distributed as χ² with `dof` degrees of freedom under the null hypothesis.
     pub statistic: f64,
-    /// Degrees of freedom.
+    /// Number of degrees of freedom of the test.
     #[serde(rename = "freedom")]
     pub dof: usize,
     /// Natural logarithm of the p-value.
     pub ln_p: f64,
-    /// Equivalent z: the two-sided normal quantile of the p-value.
+    /// Equivalent z of the p-value: its two-sided standard normal quantile.
     #[serde(rename = "sigmas")]
     pub z: f64,
-    /// Whether the p-value is below the threshold.
+    /// Whether the p-value is below the familywise threshold.
     pub significant: bool,
-    /// Tolerance 1 − R²: fraction of the effect's squared sensitivity that no other parameter explains.
+    /// Tolerance 1 − R²: fraction of the effect's squared sensitivity that the nuisance parameters do not explain.
     #[serde(rename = "visible")]
     pub tolerance: f64,
-    /// One-step estimates of the effect's coefficients, the other effects being absent.
+    /// One-step estimates of the effect's coefficients by name, with all other candidates at their null value.
     #[serde(rename = "expected")]
     pub one_step: BTreeMap<String, Estimate>,
 }
 
-/// Threshold of significance.
+/// Significance threshold of the score tests, corrected for multiple testing.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Threshold {
-    /// Familywise probability of a false alarm.
+    /// Familywise probability of a false alarm, if the model is correct.
     #[serde(rename = "false_alarms")]
     pub alpha: f64,
-    /// Greatest significant log p-value of a single test.
+    /// Natural logarithm of the p-value below which a single test is significant.
     pub ln_p: f64,
-    /// Greatest significant p-value of a single test, as an equivalent z.
+    /// Equivalent z above which a single test is significant.
     #[serde(rename = "sigmas")]
     pub z: f64,
 }
 
-/// Correlations of the effective scores of the candidates' coefficients.
+/// Correlation matrix of the effective scores of the candidates' coefficients.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ScoreCorrelations {
-    /// The coefficients.
+    /// Names of the coefficients, in the order of the rows and columns.
     pub names: Vec<String>,
-    /// Correlations, row by row.
+    /// Correlations, −1 … 1, as rows of the matrix.
     pub matrix: Vec<Vec<f64>>,
 }
 
-/// A flight without and with the extension.
+/// Residuals of one flight without and with the extension.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FlightGain {
     /// File name of the flight.
     pub file: String,
-    /// Role of the flight in the dataset.
+    /// Role of the flight declared in the dataset: fitted or held out.
     pub role: Role,
-    /// Use of the flight: `fitted`, `held-out` or `excluded`.
+    /// Use of the flight: `fitted`, `held-out` or `excluded`; `None` in older reports.
     #[serde(default)]
     pub outcome: Option<String>,
-    /// Reason for the exclusion.
+    /// Reason why the flight was excluded; `None` if it was used.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reason: Option<String>,
-    /// RMS residual of one coordinate without the extension, m; none if the flight was excluded.
+    /// Root mean square residual of one coordinate without the extension, m; `None` if the flight was excluded.
     pub rms_before_m: Option<f64>,
-    /// RMS residual of one coordinate with the extension, m; `None` if the flight was excluded or the model is not
-    /// extended.
+    /// Root mean square residual of one coordinate with the extension, m; `None` if the flight was excluded or the
+    /// model is not extended.
     pub rms_after_m: Option<f64>,
 }
 
-/// Lack of fit that no candidate effect explains.
+/// Lack of fit that no candidate effect explains, located by load channel and library terms.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Unattributed {
-    /// Description of where the lack of fit lies.
+    /// Sentences that state where the lack of fit is located.
     pub says: String,
-    /// Loads that the model lacks, channel by channel.
+    /// Missing loads, by load channel.
     pub channels: Vec<LoadChannel>,
-    /// Library terms, the most significant first.
+    /// Tested terms of the term library, most significant first.
     pub terms: Vec<StepwiseTerm>,
 }
 
-/// Agreement of the flights on causes that do not explain all; what remains differs from flight to flight.
+/// Agreement of the flights on causes that do not explain the entire misfit; the remaining misfit differs from flight
+/// to flight.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Consensus {
     /// Number of fitted flights that agree.
     pub flights: usize,
-    /// Fraction of the flights' excess χ² that the first cause explains; `None` if the cause explains all.
+    /// Fraction of the flights' excess χ² that the first cause explains; `None` if the concordant flights are
+    /// explained entirely.
     #[serde(rename = "part")]
     pub explained: Option<f64>,
-    /// p-value of the agreement, familywise over all candidates and terms.
+    /// p-value of the sign-flip test, familywise over all candidates and library terms.
     #[serde(rename = "chance")]
     pub p_value: f64,
-    /// Files of the discordant fitted flights, which are left out of everything else in the report.
+    /// File names of the discordant fitted flights, which are excluded from all other results of the report.
     #[serde(rename = "contradicting")]
     pub discordant: Vec<String>,
 }
 
-/// The load of one channel that the model lacks.
+/// Missing load of one load channel, as estimated from the residuals.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LoadChannel {
     /// Site of the load: lift, drag, side, roll, pitch or spin.
     pub site: String,
-    /// Fraction of the χ² of all terms that this channel's terms alone explain.
+    /// Ratio of the χ² decrease by the terms of this channel alone to the decrease by all library terms, 0 … 1.
     #[serde(rename = "explains")]
     pub explained: f64,
-    /// History of the load coefficient in each flight.
+    /// Time history of the load coefficient in each flight.
     pub histories: Vec<LoadHistory>,
 }
 
-/// Verification of the extended model.
+/// Result of verifying the extended model.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Verified {
-    /// Whether no check refutes the extended model.
+    /// Whether no check refuted the extended model.
     pub holds: bool,
-    /// Name and result of each check.
+    /// Name and result of each check, as text.
     pub checks: Vec<(String, String)>,
 }

@@ -1,4 +1,4 @@
-//! Elimination of each flight's local unknowns from its normal equations.
+//! Elimination of each flight's local parameters from its normal equations.
 
 use identify::{LocalId, NormalBlock, eliminate};
 use model_spec::index::IndexVec;
@@ -7,31 +7,34 @@ use nalgebra::{DMatrix, DVector};
 use crate::context::{CandidateId, DirectionId, ScoreTestModel, select, select_vector};
 use crate::error::DiagnosisError;
 
-/// Normal equations of the global columns, local unknowns eliminated.
+/// Normal equations of the global columns, with the local parameters eliminated.
 #[derive(Clone, Debug)]
 pub(crate) struct GlobalEquations {
-    /// Hessian of half the sum of squares.
+    /// Gauss–Newton Hessian of half the weighted sum of squares.
     pub matrix: DMatrix<f64>,
-    /// Gradient of half the sum of squares.
+    /// Gradient of half the weighted sum of squares.
     pub gradient: DVector<f64>,
 }
 
-/// Normal equations of the global columns, the states of one more candidate eliminated too.
+/// Normal equations of the global columns in which the states of one tested per-flight candidate are eliminated as
+/// well.
 #[derive(Clone, Debug)]
 pub(super) struct PerFlightCandidate {
     pub equations: GlobalEquations,
-    /// Decrease of the sum of squares by the candidate's states alone.
+    /// Decrease of the sum of squares by fitting the candidate's states, global parameters fixed.
     pub decrease: f64,
-    /// Number of states that the flights determine.
+    /// Number of the candidate's states that the flights determine.
     pub dof: usize,
 }
 
-/// Normal equations of the global columns over all flights.
+/// Normal equations of the global columns, summed over all flights.
 #[derive(Clone, Debug)]
 pub(super) struct LocalElimination {
-    /// The states of candidates that are not conditioned on are at their null value.
+    /// Equations under the null hypothesis: states of candidates that are not conditioned on are fixed at their null
+    /// values.
     pub null: GlobalEquations,
-    /// For each candidate with states that is not conditioned on: with its states estimated.
+    /// For each per-flight candidate that is tested: equations in which its states are estimated; `None` for all
+    /// other candidates.
     pub candidates: IndexVec<CandidateId, Option<PerFlightCandidate>>,
 }
 
@@ -43,7 +46,7 @@ impl GlobalEquations {
         }
     }
 
-    /// Adds the priors of the global parameters, at these values of them.
+    /// Adds the Gaussian priors of the global parameters, linearized at the parameter values `values`.
     pub fn with_priors(&self, model: &ScoreTestModel, values: &DVector<f64>) -> Self {
         let mut sum = self.clone();
         for (i, global) in model.problem.globals.iter().enumerate() {
@@ -57,10 +60,10 @@ impl GlobalEquations {
 }
 
 impl LocalElimination {
-    /// Eliminates the local unknowns of every flight, and the states of candidates that are conditioned on.
+    /// Eliminates the local parameters of every flight, including the states of the candidates in `conditioned_on`.
     ///
     /// # Errors
-    /// [`DiagnosisError::UndeterminedInitialState`].
+    /// [`DiagnosisError::UndeterminedInitialState`] if the samples of a flight do not determine its initial state.
     pub fn new(
         model: &ScoreTestModel,
         blocks: &[NormalBlock],
@@ -93,7 +96,8 @@ impl LocalElimination {
         conditioned_on: &[CandidateId],
     ) -> Result<(), DiagnosisError> {
         let (null, local) = model.local_partition(flight, conditioned_on);
-        // The states at their null value count among the global columns, before them, while the others are eliminated.
+        // States at their null value are placed before the global columns while the other local parameters are
+        // eliminated.
         let promoted = promote_directions(block, &local, &null);
         let reduced = eliminate_locals(model, flight, &promoted)?;
         let (first, size) = (null.len(), self.null.gradient.len());
@@ -116,7 +120,8 @@ impl LocalElimination {
 }
 
 impl PerFlightCandidate {
-    /// Adds one flight, where `states` are the rows of the candidate's states and the global columns begin at `first`.
+    /// Adds one flight. `states` are the rows of the candidate's states in `reduced`, and `first` is the index of the
+    /// first global column.
     fn add(&mut self, reduced: &GlobalEquations, states: &[DirectionId], first: usize) {
         let size = self.equations.gradient.len();
         let globals: Vec<DirectionId> = (first..first + size).map(DirectionId::new).collect();
@@ -146,10 +151,10 @@ impl PerFlightCandidate {
     }
 }
 
-/// Schur complement of one flight's normal equations, all local unknowns eliminated.
+/// Schur complement of one flight's normal equations, with all local parameters eliminated.
 ///
 /// # Errors
-/// [`DiagnosisError::UndeterminedInitialState`].
+/// [`DiagnosisError::UndeterminedInitialState`] if the samples of the flight do not determine its initial state.
 pub(crate) fn eliminate_locals(
     model: &ScoreTestModel,
     flight: usize,
@@ -166,12 +171,14 @@ pub(crate) fn eliminate_locals(
     })
 }
 
-/// The normal equations with only these local directions; all others stay at their null value.
+/// Restricts the normal equations to the local directions in `local`; the unknowns of all other directions remain
+/// fixed.
 pub(crate) fn keep_directions(block: &NormalBlock, local: &[DirectionId]) -> NormalBlock {
     promote_directions(block, local, &[])
 }
 
-/// The normal equations of the directions `local`, with the directions `promoted` put before the global columns.
+/// Restricts the normal equations to the local directions in `local`, and moves the directions in `promoted` in front
+/// of the global columns.
 fn promote_directions(
     block: &NormalBlock,
     local: &[DirectionId],

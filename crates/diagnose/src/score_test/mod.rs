@@ -1,4 +1,4 @@
-//! Score (Lagrange multiplier) tests of all candidates and library terms, without a refit.
+//! Score (Lagrange multiplier) tests of all candidate effects and library terms, without a refit.
 
 mod local_elimination;
 mod null_distribution;

@@ -1,4 +1,4 @@
-//! Distribution of score statistics under the null hypothesis.
+//! Distribution of the score statistics and of the smallest p-value under the null hypothesis.
 
 use nalgebra::{DMatrix, SymmetricEigen};
 use rand::SeedableRng;
@@ -6,11 +6,11 @@ use rand_chacha::ChaCha12Rng;
 use rand_distr::{Distribution, StandardNormal};
 use statrs::function::gamma::ln_gamma;
 
-/// Greatest number of terms of a series or a continued fraction.
+/// Maximum number of terms of the series and the continued fraction of the incomplete gamma function.
 const MAX_TERMS: usize = 500;
 
-/// Log survival function of the χ² distribution: ln P(χ²(dof) > statistic). As a logarithm, because strong effects have
-/// p-values below the range of `f64`.
+/// Log survival function of the χ² distribution: ln P(χ²(dof) > statistic). The logarithm is used because strong
+/// effects have p-values below the range of `f64`.
 pub(crate) fn chi2_ln_sf(statistic: f64, dof: usize) -> f64 {
     let (a, x) = (dof as f64 / 2.0, statistic / 2.0);
     if dof == 0 || x <= 0.0 {
@@ -23,7 +23,7 @@ pub(crate) fn chi2_ln_sf(statistic: f64, dof: usize) -> f64 {
     (front + upper_fraction(a, x).ln()).min(0.0)
 }
 
-/// Regularized lower incomplete gamma function by its series; `front` is ln(xᵃ e⁻ˣ / Γ(a)).
+/// Regularized lower incomplete gamma function P(a, x) by its power series; `front` is ln(xᵃ e⁻ˣ / Γ(a)).
 fn lower_series(a: f64, x: f64, front: f64) -> f64 {
     let (mut term, mut sum) = (1.0 / a, 1.0 / a);
     for n in 1..MAX_TERMS {
@@ -36,7 +36,7 @@ fn lower_series(a: f64, x: f64, front: f64) -> f64 {
     (front + sum.ln()).exp()
 }
 
-/// The continued fraction of the upper incomplete gamma function, by Lentz's method.
+/// Continued fraction of the upper incomplete gamma function, by Lentz's method; multiplied by xᵃ e⁻ˣ it is Γ(a, x).
 fn upper_fraction(a: f64, x: f64) -> f64 {
     let tiny = 1e-300;
     let away_from_0 = |value: f64| if value.abs() < tiny { tiny } else { value };
@@ -57,7 +57,7 @@ fn upper_fraction(a: f64, x: f64) -> f64 {
     fraction
 }
 
-/// Equivalent z of a log p-value: the two-sided normal quantile.
+/// Equivalent z of a p-value: the two-sided standard normal quantile of exp(`ln_p`).
 pub(crate) fn ln_p_to_z(ln_p: f64) -> f64 {
     let (mut low, mut high) = (0.0_f64, 1e4_f64);
     for _ in 0..100 {
@@ -71,18 +71,20 @@ pub(crate) fn ln_p_to_z(ln_p: f64) -> f64 {
     (low + high) / 2.0
 }
 
-/// Number of Monte Carlo draws of the least p-value.
+/// Number of Monte Carlo draws of the smallest p-value.
 const DRAWS: usize = 2000;
 
-/// Level at which the distribution of the least p-value is simulated; smaller levels are extrapolated from there.
+/// Familywise level at which the quantile of the smallest p-value is simulated; thresholds at other levels are
+/// extrapolated from it.
 const SIMULATED_LEVEL: f64 = 0.05;
 
-/// Familywise min-P thresholds: for each of `levels` the log p-value that the least of all tests falls below with that
-/// probability under the null hypothesis (Westfall and Young 1993).
+/// Familywise min-P thresholds: for each of `levels`, the log p-value below which the smallest p-value of all tests
+/// falls with this probability under the null hypothesis (Westfall and Young 1993).
 ///
-/// `whitenings` are the tests: each maps scores of the given covariance to independent standard normal numbers, whose
-/// squares it adds. `independent` more tests of one degree of freedom are independent of all others. Levels below 5 % are
-/// extrapolated in proportion, as for independent tests.
+/// Each of `whitenings` is one test: a matrix that maps scores with the given covariance to independent standard
+/// normal variables, whose sum of squares is the statistic. There are `independent` additional tests of one degree of
+/// freedom, independent of all others. Thresholds at levels other than 5 % are extrapolated in proportion to the
+/// level, as for independent tests.
 pub(crate) fn minp_thresholds(
     covariance: &DMatrix<f64>,
     whitenings: &[DMatrix<f64>],
@@ -109,7 +111,7 @@ pub(crate) fn minp_thresholds(
     levels.iter().map(threshold).collect()
 }
 
-/// The rows of all whitenings, one below the other.
+/// Stacks the rows of all whitening matrices into one matrix.
 fn stacked(whitenings: &[DMatrix<f64>], columns: usize) -> DMatrix<f64> {
     let mut all = DMatrix::zeros(whitenings.iter().map(DMatrix::nrows).sum(), columns);
     let mut row = 0;
@@ -120,7 +122,7 @@ fn stacked(whitenings: &[DMatrix<f64>], columns: usize) -> DMatrix<f64> {
     all
 }
 
-/// A matrix R with R Rᵀ equal to a covariance.
+/// Matrix square root R of a covariance matrix, with R Rᵀ equal to the covariance.
 fn square_root(covariance: &DMatrix<f64>) -> DMatrix<f64> {
     if covariance.nrows() == 0 {
         return covariance.clone();
@@ -133,9 +135,10 @@ fn square_root(covariance: &DMatrix<f64>) -> DMatrix<f64> {
     root
 }
 
-/// The least log p-value of tests with these degrees of freedom, whose whitened scores follow each other in `normal`.
+/// Smallest log p-value of tests with degrees of freedom `dofs`; `normal` contains the whitened scores of the tests
+/// one after the other.
 fn least_ln_p(dofs: &[usize], normal: &[f64]) -> f64 {
-    // Among tests of equal degrees of freedom the greatest statistic has the least p-value.
+    // Among tests with equal degrees of freedom, the largest statistic has the smallest p-value.
     let mut greatest: Vec<f64> = vec![0.0; 1 + dofs.iter().copied().max().unwrap_or(0)];
     let mut first = 0;
     for &dof in dofs {
@@ -168,7 +171,7 @@ mod tests {
                 );
             }
         }
-        // By its asymptotic form, exp(-x/2) sqrt(2/(pi x)).
+        // Compared with the asymptotic form exp(-x/2) sqrt(2/(pi x)).
         let far = chi2_ln_sf(1e6, 1);
         let expected = -5e5 + 0.5 * (2.0 / (std::f64::consts::PI * 1e6)).ln();
         assert!((far - expected).abs() < 1e-5, "{far} {expected}");
@@ -185,7 +188,7 @@ mod tests {
         let independent = minp_thresholds(&DMatrix::identity(10, 10), &ten, 0, &[0.05], 2)[0];
         let expected = 1.0 - 0.95_f64.powf(0.1);
         assert!((independent.exp() / expected - 1.0).abs() < 0.3);
-        // Ten perfectly correlated tests are as one.
+        // Ten perfectly correlated tests are equivalent to one.
         let same = DMatrix::from_element(10, 10, 1.0);
         let same = minp_thresholds(&same, &ten, 0, &[0.05], 3)[0];
         assert!((same.exp() / 0.05 - 1.0).abs() < 0.3);

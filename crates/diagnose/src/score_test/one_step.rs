@@ -1,12 +1,13 @@
-//! One-step estimates of all significant directions at once.
+//! One-step estimate of all significant directions at once.
 
 use nalgebra::{DVector, SymmetricEigen};
 
 use super::score_tests::{MIN_TOLERANCE, ScoreTests};
 
 impl ScoreTests {
-    /// The step of all columns along the principal directions of the tested ones whose score exceeds `limit` standard
-    /// deviations, the nuisance parameters following; and the number of these directions.
+    /// Gauss–Newton step of all global columns along the principal directions of the tested columns whose score
+    /// exceeds `limit` standard deviations, with the nuisance parameters re-estimated. Also returns the number of
+    /// these directions.
     pub fn one_step_along_significant(&self, limit: f64) -> (DVector<f64>, usize) {
         let tested = &self.partition.tested;
         let mut along = DVector::zeros(tested.len());

@@ -1,32 +1,34 @@
-//! Linear algebra of score tests: nuisance parameters projected out of the tested columns.
+//! Linear algebra of score tests: projection of the nuisance parameters out of the tested columns.
 
 use identify::pseudo_inverse;
 use nalgebra::{DMatrix, DVector};
 
 use crate::context::{Partition, select, select_vector};
 
-/// 1/√value; 1 where the value is 0.
+/// Returns 1/√value, or 1 if the value is 0 or negative.
 pub(super) fn inverse_sqrt(value: f64) -> f64 {
     let root = value.max(0.0).sqrt();
     if root > 1e-150 { 1.0 / root } else { 1.0 }
 }
 
-/// Score and information of the tested columns, the nuisance parameters being estimated.
+/// Score and information of the tested columns after the nuisance parameters are projected out.
 #[derive(Clone, Debug)]
 pub(super) struct EffectiveScore {
-    /// Information of the tested columns: the Schur complement H_tt − H_tn H_nn⁻¹ H_nt, each column scaled.
+    /// Effective information of the tested columns: the Schur complement H_tt − H_tn H_nn⁻¹ H_nt, with rows and
+    /// columns scaled.
     pub information: DMatrix<f64>,
-    /// Effective score −(g_t − H_tn H_nn⁻¹ g_n), each entry scaled.
+    /// Effective score −(g_t − H_tn H_nn⁻¹ g_n), with each entry scaled.
     pub score: DVector<f64>,
-    /// Projection coefficients H_nn⁻¹ H_nt: nuisance rows, tested columns.
+    /// Projection coefficients H_nn⁻¹ H_nt: one row for each nuisance column, one scaled column for each tested
+    /// column.
     pub nuisance_projection: DMatrix<f64>,
-    /// Step −H_nn⁻¹ g_n of the nuisance parameters alone.
+    /// Step −H_nn⁻¹ g_n of the nuisance parameters with the tested parameters fixed.
     pub nuisance_step: DVector<f64>,
 }
 
 impl EffectiveScore {
-    /// From the Hessian `h` and the gradient `g` of half the sum of squares; tested columns are multiplied by `scale`.
-    /// None if the information of the nuisance parameters cannot be inverted.
+    /// Computes the effective score from the Hessian `h` and the gradient `g` of half the sum of squares; tested
+    /// columns are multiplied by `scale`. `None` if the information of the nuisance parameters cannot be inverted.
     pub fn new(
         (h, g): (&DMatrix<f64>, &DVector<f64>),
         partition: &Partition,
@@ -79,7 +81,7 @@ mod tests {
         let partition = Partition::new(vec![ColumnId::new(1), ColumnId::new(3)], 4);
         let scale = [0.5, 1e-3];
         let found = EffectiveScore::new((&h, &g), &partition, &scale).unwrap();
-        // The inverse of the information is the block of the whole inverse.
+        // The inverse of the effective information is the tested block of the full inverse.
         let whole = h.clone().try_inverse().unwrap();
         let information = found.information.clone().try_inverse().unwrap();
         for (i, a) in [0, 2].into_iter().enumerate() {
@@ -88,7 +90,7 @@ mod tests {
                 assert!((information[(i, j)] / expected - 1.0).abs() < 1e-6);
             }
         }
-        // So the one-step estimate is that of the whole Newton step.
+        // The one-step estimate therefore equals the tested part of the full Newton step.
         let newton = -(&whole * &g);
         let step = information * &found.score;
         for (i, a) in [0, 2].into_iter().enumerate() {

@@ -1,4 +1,4 @@
-//! Score tests of all candidates and terms at one linearization point.
+//! Score tests of all candidate effects and library terms at one linearization point.
 
 use identify::{NormalBlock, pseudo_inverse};
 use model_spec::index::{Idx, IndexVec};
@@ -12,79 +12,83 @@ use crate::context::{
 };
 use crate::error::DiagnosisError;
 
-/// Tolerance below which a direction is not tested; integration errors dominate there.
+/// Minimum tolerance 1 − R² of a tested direction; below it, integration errors dominate and the direction is not
+/// tested.
 pub(crate) const MIN_TOLERANCE: f64 = 1e-8;
 
-/// Seed of the simulated null distribution.
+/// Seed of the simulated null distribution from which thresholds are computed.
 const THRESHOLD_SEED: u64 = 1;
 
-/// Score tests given that the model under test and the candidates conditioned on are estimated.
+/// Score tests of candidates and terms. The parameters of the model under test and of the candidates conditioned on
+/// are nuisance parameters.
 #[derive(Clone, Debug)]
 pub(crate) struct ScoreTests {
-    /// Test of each candidate; none for those conditioned on.
+    /// Test of each candidate; `None` if the candidate is conditioned on.
     pub candidates: IndexVec<CandidateId, Option<ScoreTest>>,
-    /// Test of each term, if the normal equations have their columns.
+    /// Test of each library term; empty if the normal equations have no columns for terms.
     pub terms: IndexVec<TermId, ScoreTest>,
-    /// Nuisance and tested columns.
+    /// Partition of the global columns into nuisance and tested columns.
     pub partition: Partition,
-    /// Information of the tested columns, each scaled to unit diagonal before the nuisance parameters are eliminated.
+    /// Effective information of the tested columns, scaled by `scale`. Each column has unit diagonal before the
+    /// nuisance parameters are projected out.
     pub information: DMatrix<f64>,
-    /// Effective scores of the tested columns, scaled like `information`.
+    /// Effective scores of the tested columns, scaled by `scale`.
     pub score: DVector<f64>,
-    /// Scale factor of each tested column.
+    /// Factor by which each tested column is multiplied.
     pub scale: Vec<f64>,
     /// Projection coefficients of the tested columns on the nuisance columns.
     pub nuisance_projection: DMatrix<f64>,
-    /// Information of the nuisance columns.
+    /// Information matrix of the nuisance parameters.
     pub nuisance_information: DMatrix<f64>,
-    /// Squared norms of each tested column.
+    /// Squared norms of each tested column, before and after the local parameters are eliminated.
     pub norms: Vec<ColumnNorms>,
     pub(super) nuisance_step: DVector<f64>,
-    /// Whitening matrix of each test, by tested columns.
+    /// Whitening matrix of each test with at least one degree of freedom; its columns are the tested columns.
     whitenings: Vec<DMatrix<f64>>,
-    /// Number of tests of states, which share no column.
+    /// Number of tests of per-flight candidates, whose states are not among the tested columns.
     state_tests: usize,
 }
 
-/// Squared norms of a column of the whitened Jacobian.
+/// Squared norms of one column of the whitened Jacobian.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ColumnNorms {
-    /// Squared norm of the column.
+    /// Squared norm of the column, over all flights.
     pub total: f64,
-    /// Squared norm of the column after projection orthogonal to the local columns.
+    /// Squared norm of the column after projection orthogonal to the local columns of each flight.
     pub locals_eliminated: f64,
 }
 
-/// Score test of one candidate or term.
+/// Score test of one candidate effect or library term.
 #[derive(Clone, Debug)]
 pub(crate) struct ScoreTest {
-    /// Score statistic: the decrease of the weighted sum of squares by a refit, to second order. χ² of `dof` under the null
-    /// hypothesis.
+    /// Score statistic: the decrease of the weighted sum of squares that a refit would give, to second order.
+    /// Distributed as χ² with `dof` degrees of freedom under the null hypothesis.
     pub statistic: f64,
-    /// Degrees of freedom: directions with a tolerance above [`MIN_TOLERANCE`].
+    /// Degrees of freedom: number of directions with a tolerance above [`MIN_TOLERANCE`].
     pub dof: usize,
     /// Natural logarithm of the p-value.
     pub ln_p: f64,
-    /// One-step estimates of the coefficients, other candidates at their null value.
+    /// One-step estimates of the coefficients, with all other candidates at their null value; empty for a candidate
+    /// with states.
     pub one_step: Vec<OneStepEstimate>,
-    /// Tolerance 1 − R² of the best determined direction: the share of its squared effect that no nuisance parameter
-    /// explains.
+    /// Tolerance 1 − R² of the best determined direction: the fraction of its squared sensitivity that the nuisance
+    /// parameters do not explain.
     pub tolerance: f64,
 }
 
-/// One-step estimate of a coefficient.
+/// One-step estimate of a coefficient, without a refit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct OneStepEstimate {
-    /// Column of the coefficient.
+    /// Column of the coefficient in the normal equations.
     pub column: ColumnId,
-    /// Value, SI.
+    /// Estimated value, SI.
     pub value: f64,
-    /// Standard error, SI; infinite if the flights do not determine the value.
+    /// Standard error of the value, SI; infinite if the flights do not determine the value.
     pub std_error: f64,
 }
 
 impl ScoreTest {
-    /// Test of a candidate without tested columns.
+    /// Result for a candidate without tested columns.
     const EMPTY: ScoreTest = ScoreTest {
         statistic: 0.0,
         dof: 0,
@@ -95,10 +99,12 @@ impl ScoreTest {
 }
 
 impl ScoreTests {
-    /// Tests at the linearization point of `blocks`, where the global parameters have the values `global`.
+    /// Computes the tests at the linearization point of the normal equations `blocks`; `global` are the values of the
+    /// global parameters at this point.
     ///
     /// # Errors
-    /// [`DiagnosisError::UndeterminedInitialState`], [`DiagnosisError::SingularInformation`].
+    /// [`DiagnosisError::UndeterminedInitialState`] if the samples of a flight do not determine its initial state;
+    /// [`DiagnosisError::SingularInformation`] if the information of the nuisance parameters cannot be inverted.
     pub fn new(
         model: &ScoreTestModel,
         blocks: &[NormalBlock],
@@ -177,7 +183,7 @@ impl ScoreTests {
         })
     }
 
-    /// Joint test of some columns, at these values of the unknowns.
+    /// Joint test of the columns `own`, where the global columns have the values `values`.
     fn test_columns(&mut self, own: &[ColumnId], values: &DVector<f64>) -> ScoreTest {
         let tested = self.partition.tested.iter().enumerate();
         let at: Vec<usize> = tested
@@ -235,8 +241,8 @@ impl ScoreTests {
         test
     }
 
-    /// Familywise thresholds: log p-values below which the least of all tests falls with probabilities `levels` under
-    /// the null hypothesis.
+    /// Familywise thresholds: for each of `levels`, the log p-value below which the smallest p-value of all tests
+    /// falls with this probability under the null hypothesis.
     pub fn thresholds<const N: usize>(&self, levels: [f64; N]) -> [f64; N] {
         let (whitenings, others) = (&self.whitenings, self.state_tests);
         let found = minp_thresholds(
@@ -249,18 +255,19 @@ impl ScoreTests {
         std::array::from_fn(|index| found[index])
     }
 
-    /// The term with the least p-value.
+    /// The library term with the smallest p-value, and its test; `None` if no term can be tested.
     pub fn strongest_term(&self) -> Option<(TermId, &ScoreTest)> {
         least_p(self.terms.iter_enumerated())
     }
 
-    /// The candidate with the least p-value.
+    /// The candidate with the smallest p-value, and its test; `None` if no candidate can be tested.
     pub fn strongest_candidate(&self) -> Option<(CandidateId, &ScoreTest)> {
         let each = self.candidates.iter_enumerated();
         least_p(each.filter_map(|(id, test)| Some((id, test.as_ref()?))))
     }
 
-    /// Decrease of the weighted sum of squares by all tested columns for which `wanted` holds, to second order.
+    /// Decrease of the weighted sum of squares by jointly fitting all tested columns for which `wanted` is true, to
+    /// second order.
     pub fn joint_statistic(&self, wanted: impl Fn(ColumnId) -> bool) -> f64 {
         let tested = self.partition.tested.iter().enumerate();
         let at = tested.filter(|(_, column)| wanted(**column));
@@ -270,7 +277,7 @@ impl ScoreTests {
         inverse.map_or(0.0, |inverse| score.dot(&(inverse * &score)))
     }
 
-    /// Correlations of the effective scores of the tested columns, −1 … 1.
+    /// Correlation matrix of the effective scores of the tested columns, with entries −1 … 1.
     pub fn score_correlations(&self) -> DMatrix<f64> {
         let root = self
             .information
@@ -286,7 +293,8 @@ impl ScoreTests {
         })
     }
 
-    /// Standard errors of nuisance columns, those of the unknowns of a hypothesis among them.
+    /// Function that returns the standard error of a nuisance column's parameter, SI; 0 for other columns. Nuisance
+    /// parameters include the unknowns of a hypothesis that is conditioned on.
     pub fn nuisance_std_errors(&self) -> impl Fn(ColumnId) -> f64 {
         let covariance = pseudo_inverse(&self.nuisance_information);
         move |column| {
@@ -299,8 +307,8 @@ impl ScoreTests {
 }
 
 impl PerFlightCandidate {
-    /// The test of a candidate's states, where the nuisance parameters decrease the sum of squares by `nuisance_decrease` more
-    /// than under the null hypothesis.
+    /// Test of the candidate's states. `nuisance_decrease` is the decrease of the sum of squares by the nuisance
+    /// parameters with the states estimated, minus the decrease with the states at their null values.
     fn test(&self, nuisance_decrease: f64) -> ScoreTest {
         let statistic = (self.decrease + nuisance_decrease).max(0.0);
         ScoreTest {
@@ -313,14 +321,14 @@ impl PerFlightCandidate {
     }
 }
 
-/// Decrease of the sum of squares by fitting some columns, to second order.
+/// Decrease of the sum of squares by fitting the given columns, to second order.
 fn decrease(equations: &GlobalEquations, columns: &[ColumnId]) -> f64 {
     let gradient = select_vector(&equations.gradient, columns);
     let matrix = select(&equations.matrix, columns, columns);
     pseudo_inverse(&matrix).map_or(0.0, |inverse| gradient.dot(&(inverse * &gradient)))
 }
 
-/// The test with the least p-value among those with at least one degree of freedom.
+/// The test with the smallest p-value among those with at least one degree of freedom; `None` if there is none.
 fn least_p<'s, I: Idx>(
     tests: impl Iterator<Item = (I, &'s ScoreTest)>,
 ) -> Option<(I, &'s ScoreTest)> {

@@ -1,18 +1,18 @@
-//! Selection among adequate hypotheses by the Bayesian information criterion.
+//! Selection among adequate hypotheses by the Bayesian information criterion (BIC).
 
 use super::hypothesis::Hypothesis;
 use super::stepwise_terms::StepwiseModel;
 use crate::context::ScoreTestModel;
 
-/// Greatest BIC difference from the least BIC at which a hypothesis is retained.
+/// Maximum difference of a hypothesis' BIC from the smallest BIC at which the hypothesis is retained.
 const MAX_BIC_DIFFERENCE: f64 = 12.0;
 
-/// BIC difference in favour of library terms up to which hypotheses are still preferred.
+/// Maximum BIC advantage of library terms at which the hypotheses are still preferred.
 const TERM_BIC_MARGIN: f64 = 1.0;
 
-/// The hypotheses whose BIC is near the least, in order; none if adequate stepwise terms have a smaller one. With several effects
-/// at once, or values for each flight, nearly any data can be explained. Hypotheses of at most `free` unknowns are kept
-/// whatever their BIC.
+/// Retains the hypotheses whose BIC is near the smallest, in their order; none if adequate library terms have a
+/// smaller BIC. Several effects together, or one value for each flight, can fit almost any data, so their unknowns
+/// must be penalized. Hypotheses of at most `free` unknowns are retained regardless of their BIC.
 pub(crate) fn select_by_bic(
     model: &ScoreTestModel,
     hypotheses: Vec<Hypothesis>,
@@ -35,7 +35,8 @@ pub(crate) fn select_by_bic(
     each.filter(|(_, keep)| *keep).map(|(h, _)| h).collect()
 }
 
-/// Flags of the models, each (BIC, unknowns), that are retained in comparison with library terms of BIC `of_terms`.
+/// For each hypothesis, given by (BIC, number of unknowns), whether it is retained in comparison with library terms
+/// of BIC `of_terms`.
 fn near_least(scored: &[(f64, usize)], of_terms: f64, free: usize) -> Vec<bool> {
     let least = scored.iter().map(|s| s.0).fold(f64::INFINITY, f64::min);
     if of_terms < least - TERM_BIC_MARGIN {
@@ -55,9 +56,9 @@ mod tests {
         let scored = [(100.0, 1), (111.0, 2), (113.0, 3), (500.0, 1)];
         let none = f64::INFINITY;
         assert_eq!(near_least(&scored, none, 0), [true, true, false, false]);
-        // Few unknowns cost nothing.
+        // Hypotheses with few unknowns are exempt.
         assert_eq!(near_least(&scored, none, 1), [true, true, false, true]);
-        // Terms replace the hypotheses only if they are better by a margin.
+        // Terms replace the hypotheses only if they are better by the margin.
         assert_eq!(near_least(&scored, 99.5, 0), [true, true, false, false]);
         assert_eq!(near_least(&scored, 98.0, 6), [false; 4]);
         assert!(near_least(&[], 1.0, 0).is_empty());

@@ -1,4 +1,4 @@
-//! A hypothesis: one or several candidate effects that the model lacks.
+//! A hypothesis: one or several candidate effects that the model lacks, fitted together.
 
 use identify::{FitProblem, Iterate, NoiseModel};
 
@@ -7,28 +7,28 @@ use crate::context::{CandidateId, LinearizationPoint, Refitted, ScoreTestModel, 
 use crate::error::DiagnosisError;
 use crate::score_test::ScoreTests;
 
-/// Number of effects above which a hypothesis counts as overflexible.
+/// Maximum number of effects of a hypothesis that does not count as overflexible.
 const MAX_EFFECTS_UNVALIDATED: usize = 2;
 
-/// One or several candidates, fitted with the model under test.
+/// One or several candidate effects, fitted together with the model under test.
 pub(crate) struct Hypothesis {
-    /// Candidate effects of the hypothesis.
+    /// The candidate effects of the hypothesis.
     pub effects: Vec<CandidateId>,
-    /// Estimation problem in which these candidates are free.
+    /// Estimation problem in which the candidates of this hypothesis are estimated.
     pub problem: FitProblem,
-    /// The fitted values of all unknowns.
+    /// Fitted values of all unknowns of `problem`.
     pub iterate: Iterate,
-    /// Weighted sum of squares at the fitted values.
+    /// Weighted sum of squares of the residuals at the fitted values.
     pub squares: f64,
-    /// Score tests of the other candidates, given this hypothesis.
+    /// Score tests of all other candidates, with the effects of this hypothesis as nuisance parameters.
     pub tests: ScoreTests,
-    /// Whether the refit ended before its greatest number of steps.
+    /// Whether the refit ended before its maximum number of steps.
     pub is_finished: bool,
     cache: TrajectoryCache,
 }
 
 impl Hypothesis {
-    /// Linearization point at the fitted values.
+    /// Linearization point of the normal equations at the fitted values.
     pub fn linearization_point(&self) -> LinearizationPoint<'_> {
         LinearizationPoint {
             problem: &self.problem,
@@ -37,14 +37,15 @@ impl Hypothesis {
         }
     }
 
-    /// The strongest remaining candidate, and its log p-value.
+    /// The candidate with the smallest p-value once this hypothesis is included, and its log p-value; `None` if no
+    /// candidate can be tested.
     pub fn strongest_remaining(&self) -> Option<(CandidateId, f64)> {
         let strongest = self.tests.strongest_candidate();
         strongest.map(|(id, test)| (id, test.ln_p))
     }
 
-    /// Whether it could explain nearly any data: a value for each flight, or many effects at once. It is accepted only if it
-    /// improves predictions out of sample.
+    /// Whether the hypothesis can fit almost any data: it has a value for each flight, or many effects. Such a
+    /// hypothesis is accepted only if it improves out-of-sample predictions.
     pub fn is_overflexible(&self, model: &ScoreTestModel) -> bool {
         let mut effects = self.effects.iter();
         self.effects.len() > MAX_EFFECTS_UNVALIDATED
@@ -53,7 +54,8 @@ impl Hypothesis {
 }
 
 impl ScoreTestModel {
-    /// Fits candidates with the model under test; `None` if the fit fails.
+    /// Fits the candidates `effects` together with the model under test, starting at `from`; `None` if the fit or the
+    /// score tests fail.
     pub fn fit_hypothesis(
         &self,
         effects: &[CandidateId],
@@ -63,7 +65,7 @@ impl ScoreTestModel {
         self.fit_hypothesis_cached(effects, from, noise, TrajectoryCache::Disabled)
     }
 
-    /// Fits candidates with the model under test and caches the trajectories; `None` if the fit fails.
+    /// Like [`fit_hypothesis`](Self::fit_hypothesis), but stores the trajectories at the fitted values in `cache`.
     pub fn fit_hypothesis_cached(
         &self,
         effects: &[CandidateId],
@@ -105,7 +107,8 @@ impl ScoreTestModel {
         })
     }
 
-    /// Score tests of all other candidates and of the library's terms, given a hypothesis.
+    /// Score tests of all other candidates and of the library terms, with the effects of the hypothesis as nuisance
+    /// parameters.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated.
@@ -119,7 +122,8 @@ impl ScoreTestModel {
         ScoreTests::new(self, &blocks, &hypothesis.effects, &at.iterate.global)
     }
 
-    /// Whether a hypothesis is adequate: given it, no candidate and no library term is significant.
+    /// Whether a hypothesis is adequate: no candidate and no library term remains significant once the effects of the
+    /// hypothesis are included.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated.

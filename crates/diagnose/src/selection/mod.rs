@@ -1,4 +1,5 @@
-//! Specification search: hypotheses that leave nothing significant, by forward selection and backward elimination.
+//! Specification search by forward selection and backward elimination: hypotheses after which no significant effect
+//! remains.
 
 mod bic;
 mod hypothesis;

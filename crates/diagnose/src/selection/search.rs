@@ -1,4 +1,4 @@
-//! The search over hypotheses: single effects first, then one effect more as long as none is adequate.
+//! Search over hypotheses: first single effects, then hypotheses with one more effect as long as none is adequate.
 
 use identify::{Iterate, NoiseModel, fit};
 
@@ -8,45 +8,49 @@ use crate::context::{CandidateId, Context, LinearizationPoint, ScoreTestModel, T
 use crate::error::{DiagnosisError, if_possible};
 use crate::score_test::{ScoreTest, ScoreTests};
 
-/// Margin of the expected sum of squares above the best, χ², within which hypotheses are refitted.
+/// Margin in χ² of the expected sum of squares over the best; hypotheses within the margin are refitted.
 const CHI2_MARGIN: f64 = 30.0;
 
-/// Margin of the expected sum of squares as a fraction of the best statistic, which allows for linearization error.
+/// Additional margin of the expected sum of squares, as a fraction of the best statistic; allows for linearization
+/// error.
 const CHI2_MARGIN_RELATIVE: f64 = 0.25;
 
-/// Greatest number of refits for each number of effects.
+/// Maximum number of refits for each number of effects.
 const MAX_REFITS: usize = 6;
 
-/// Greatest number of effects in one hypothesis.
+/// Maximum number of effects in one hypothesis.
 pub(crate) const MAX_EFFECTS: usize = 3;
 
-/// Difference below which noise estimates count as equal: relative standard deviation, and correlation.
+/// Maximum difference at which two noise estimates count as equal: relative for standard deviations, absolute for
+/// autocorrelations.
 const NOISE_TOLERANCE: f64 = 0.05;
 
-/// Greatest number of rejected hypotheses to which effects are added.
+/// Maximum number of rejected hypotheses that are extended by a further effect.
 const MAX_PARENTS: usize = 3;
 
-/// Familywise p-value of a remaining candidate below which the flights do not decide whether it is missing too.
+/// Familywise p-value below which a remaining candidate is also reported: the flights do not decide whether the model
+/// lacks it too.
 const ALPHA_UNDECIDED: f64 = 0.05;
 
-/// State of the search.
+/// State of the search over hypotheses.
 pub(crate) struct Search<'a> {
     context: Context<'a>,
-    /// Noise model by which residuals are weighted.
+    /// Noise model with which residuals are weighted.
     pub noise: NoiseModel,
-    /// Score tests at the fit of the model under test.
+    /// Score tests of all candidates and terms at the fit of the model under test.
     pub tests: ScoreTests,
-    /// Weighted sum of squares at the fit of the model under test.
+    /// Weighted sum of squares of the residuals at the fit of the model under test.
     pub squares: f64,
-    /// Familywise thresholds of log p-values.
+    /// Familywise thresholds of log p-values, for detection and rejection.
     pub thresholds: Thresholds,
-    /// Model confidence set: hypotheses that are not rejected, the best fit first.
+    /// Model confidence set: hypotheses that are not rejected, best fit first.
     pub accepted: Vec<Hypothesis>,
-    /// The rejected hypotheses of the last round, the best fit first, if none was accepted.
+    /// Rejected hypotheses of the last round in which none was accepted, best fit first.
     pub rejected: Vec<Hypothesis>,
 }
 
-/// Score tests at a linearization point, with limits of their p-values and the weighted sum of squares.
+/// Score tests at a linearization point, with familywise thresholds of their p-values and the weighted sum of
+/// squares.
 pub(crate) struct TestsAtPoint {
     pub tests: ScoreTests,
     pub thresholds: Thresholds,
@@ -54,7 +58,7 @@ pub(crate) struct TestsAtPoint {
 }
 
 impl ScoreTestModel {
-    /// Score tests of all candidates and terms, none conditioned on.
+    /// Score tests of all candidates and library terms, conditioned on no candidate.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated.
@@ -77,7 +81,8 @@ impl ScoreTestModel {
 }
 
 impl<'a> Search<'a> {
-    /// Estimates the noise, tests all candidates at the fit of the model, and fits the strongest of them one by one.
+    /// Estimates the noise, tests all candidates at the fit of the model under test, and fits the strongest
+    /// candidates one by one.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated, or the caller cancelled.
@@ -92,10 +97,10 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// Like [`Search::new`], with a given noise.
+    /// Like [`Search::new`], but weights the residuals with the given noise model instead of estimating it.
     ///
     /// # Errors
-    /// Those of [`Search::new`].
+    /// The errors of [`Search::new`].
     pub fn with_noise(
         model: &mut ScoreTestModel,
         base: &Iterate,
@@ -139,7 +144,7 @@ impl<'a> Search<'a> {
         Ok(search)
     }
 
-    /// Whether a candidate or a term is significant at the fit of the model under test.
+    /// Whether a candidate or a library term is significant at the fit of the model under test.
     pub fn is_significant(&self) -> bool {
         let ln_p = |test: Option<&ScoreTest>| test.map_or(0.0, |test| test.ln_p);
         let candidate = self.tests.strongest_candidate().map(|(_, test)| test);
@@ -147,13 +152,15 @@ impl<'a> Search<'a> {
         ln_p(candidate).min(ln_p(term)) < self.thresholds.detect
     }
 
-    /// Whether a sum of squares that linearization expects is near that of a fit, as far as linearization can tell.
+    /// Whether a sum of squares expected from linearization is below the fitted sum of squares, or above it by no
+    /// more than the linearization error.
     pub fn is_near(&self, expected: f64, fitted: f64) -> bool {
         expected < fitted + CHI2_MARGIN + CHI2_MARGIN_RELATIVE * (self.squares - fitted)
     }
 
-    /// Fits the strongest candidates one by one. The noise is estimated again given the first, and everything before it
-    /// repeated if it changes; nothing is left to fit if no candidate is significant then.
+    /// Fits the strongest candidates one by one. The noise is estimated again with the first candidate included; if
+    /// it changes, all tests are repeated with the new noise. Returns no hypothesis if no candidate is significant
+    /// then.
     fn fit_single_effects(
         &mut self,
         model: &mut ScoreTestModel,
@@ -165,7 +172,7 @@ impl<'a> Search<'a> {
             if index > 0 && self.context.is_out_of_time() {
                 break;
             }
-            // The strongest is linearized several times.
+            // The first hypothesis is linearized several times.
             let cache = match index {
                 0 => TrajectoryCache::for_flights(model.flights.len()),
                 _ => TrajectoryCache::Disabled,
@@ -192,8 +199,8 @@ impl<'a> Search<'a> {
         Ok(fitted)
     }
 
-    /// A hypothesis whose refit did not arrive from the fit of the model under test, fitted from the samples; the better of
-    /// the two.
+    /// Fits a hypothesis again from the samples, because its refit did not converge from the fit of the model under
+    /// test. Returns the better of the two fits.
     fn fitted_from_scratch(
         &self,
         model: &ScoreTestModel,
@@ -215,8 +222,8 @@ impl<'a> Search<'a> {
         Ok(again.unwrap_or(hypothesis))
     }
 
-    /// Estimates the noise given a hypothesis and, if it differs, tests all candidates again under it. Returns whether it
-    /// does.
+    /// Estimates the noise with the hypothesis `given` included. If it differs from the present noise, stores it,
+    /// repeats all tests with it, and returns true.
     fn refine_noise(
         &mut self,
         model: &mut ScoreTestModel,
@@ -236,7 +243,8 @@ impl<'a> Search<'a> {
         Ok(true)
     }
 
-    /// Accepts adequate hypotheses; if none is, all are rejected.
+    /// Stores the adequate hypotheses as accepted; if none is adequate, stores all as rejected. Both are sorted by
+    /// the sum of squares.
     fn classify(
         &mut self,
         model: &ScoreTestModel,
@@ -260,8 +268,8 @@ impl<'a> Search<'a> {
         Ok(())
     }
 
-    /// Forward selection: adds one effect to the best rejected hypotheses; then backward elimination. One effect more than
-    /// a hypothesis may have is an exchange: it is accepted only where another becomes unnecessary.
+    /// Forward selection: extends the best rejected hypotheses by one effect, followed by backward elimination. A
+    /// hypothesis with one effect more than [`MAX_EFFECTS`] is accepted only if another effect becomes unnecessary.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated, or the caller cancelled.
@@ -285,7 +293,7 @@ impl<'a> Search<'a> {
             return Ok(());
         }
         self.classify(model, fitted)?;
-        // An accepted hypothesis may have one effect too many, which a better start shows.
+        // Starting from a better fit, one effect of an accepted hypothesis may prove unnecessary.
         while let Some(fewer) = self.prune(model)? {
             self.accepted = fewer;
         }
@@ -293,8 +301,9 @@ impl<'a> Search<'a> {
         Ok(())
     }
 
-    /// Adds to a single accepted hypothesis the one with its strongest remaining candidate, where that is nearly significant
-    /// given the hypothesis: the flights do not decide then whether it is missing too.
+    /// Considers the strongest remaining candidate if exactly one hypothesis is accepted. If the candidate is nearly
+    /// significant, the hypothesis extended by it is also accepted, because the flights do not decide whether the
+    /// model lacks it too.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if the caller cancelled.
@@ -319,8 +328,8 @@ impl<'a> Search<'a> {
         Ok(())
     }
 
-    /// Backward elimination: adequate hypotheses with one effect fewer than the accepted ones; none if every effect is
-    /// needed.
+    /// Backward elimination: adequate hypotheses with one effect fewer than the accepted ones, best fit first; `None`
+    /// if every effect is needed.
     fn prune(&self, model: &ScoreTestModel) -> Result<Option<Vec<Hypothesis>>, DiagnosisError> {
         let mut fewer: Vec<Hypothesis> = Vec::new();
         for hypothesis in self.accepted.iter().filter(|h| h.effects.len() > 1) {
@@ -349,12 +358,12 @@ impl<'a> Search<'a> {
     }
 }
 
-/// Score statistic minus its Akaike penalty.
+/// Score statistic minus the Akaike penalty of 2 for each degree of freedom.
 fn penalized(test: &ScoreTest) -> f64 {
     test.statistic - 2.0 * test.dof as f64
 }
 
-/// Single candidates whose statistic is near the best, the strongest first.
+/// Single candidates whose penalized statistic is near the largest, strongest first.
 fn strongest_singles(tests: &ScoreTests) -> Vec<Vec<CandidateId>> {
     let each = tests.candidates.iter_enumerated();
     let mut decreases: Vec<(CandidateId, f64)> = each
@@ -370,8 +379,8 @@ fn strongest_singles(tests: &ScoreTests) -> Vec<Vec<CandidateId>> {
     near.take(MAX_REFITS).map(|(id, _)| vec![id]).collect()
 }
 
-/// Rejected hypotheses with one effect more, the least expected sum of squares first, and the index of the hypothesis each
-/// extends.
+/// Rejected hypotheses extended by one effect, smallest expected sum of squares first, each with the index of the
+/// extended hypothesis in `rejected`.
 fn strongest_additions(rejected: &[Hypothesis], count: usize) -> Vec<(Vec<CandidateId>, usize)> {
     let mut all: Vec<(Vec<CandidateId>, usize, f64)> = Vec::new();
     for (parent, hypothesis) in rejected.iter().enumerate().take(MAX_PARENTS) {
@@ -410,7 +419,7 @@ mod tests {
     use crate::context::DiagnosisOptions;
     use crate::test_support::{Fixture, fixture, mystery};
 
-    /// A search at the fit of the fixture, as if it had found nothing.
+    /// A search at the fit of the fixture, with no result yet.
     fn searched(with: impl FnOnce(&Fixture, Search<'_>)) {
         let mut fixture = fixture();
         let (dataset, model) = (mystery(3), model_spec::load::load("disc", &[]).unwrap());

@@ -16,68 +16,68 @@ use crate::extension::ExtendedModel;
 use crate::score_test::{ScoreTest, ScoreTests};
 use crate::text::three_figures;
 
-/// Greatest number of selected terms.
+/// Maximum number of terms selected by the stepwise regression.
 pub(crate) const MAX_SELECTED: usize = 4;
 
-/// Greatest number of reported terms besides the selected ones.
+/// Maximum number of terms in the report that are listed for their statistics; selected terms are added to these.
 const MAX_REPORTED: usize = 12;
 
-/// A library term in a report.
+/// Result for one library term in a report.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StepwiseTerm {
-    /// Name of the effect generated from the term.
+    /// Display name of the effect generated from the term.
     pub name: String,
-    /// Site of the term: the load that it changes.
+    /// Site of the term: the load to which it is added.
     pub site: String,
-    /// Formula of the term in the model language.
+    /// Formula of the term's product of variables, in the model language.
     pub formula: String,
-    /// Score statistic, χ² of one degree of freedom.
+    /// Score statistic, χ² with one degree of freedom.
     pub statistic: f64,
     /// One-step estimate of the term's coefficient.
     pub value: f64,
     /// Standard error of `value`.
     pub std_error: f64,
-    /// Whether the term was selected into the extended model.
+    /// Whether the term is part of the extended model.
     #[serde(rename = "taken")]
     pub selected: bool,
 }
 
-/// The model with terms selected one by one.
+/// The model under test with library terms selected one by one.
 pub(crate) struct StepwiseModel {
-    /// Identifiers of candidate effects also in the model.
+    /// Identifiers of the candidate effects that are included in the model in addition to the terms.
     pub effects: Vec<String>,
-    /// Number of unknowns of those candidate effects, over all flights.
+    /// Number of unknowns that the candidate effects add, over all flights.
     effect_unknowns: usize,
     /// The selected terms, in the order of their selection.
     selected: Vec<TermId>,
-    /// The terms with the greatest statistics, and the selected ones.
+    /// Reported terms: those with the largest statistics, and the selected ones.
     pub terms: Vec<StepwiseTerm>,
-    /// All terms as tested without any of them.
+    /// Tests of all terms before any term is selected.
     first: IndexVec<TermId, StepwiseTerm>,
-    /// The extended models with the first term, the first two, …, and their fits.
+    /// The extended models with the first term, the first two terms, and so on, with their fits.
     pub fitted: Vec<FittedTerms>,
-    /// Weighted sum of squares under the search's noise model.
+    /// Weighted sum of squares of the model with the selected terms, under the noise model of the search.
     pub squares: f64,
-    /// Whether nothing is significant given the terms.
+    /// Whether no candidate and no further term is significant with the selected terms included.
     pub is_adequate: bool,
-    /// Whether a term is significant without any other.
+    /// Whether any term is significant before a term is selected.
     pub has_significant_term: bool,
-    /// The next term and its statistic; none if no term is left to try.
+    /// The next term to select, and its statistic; `None` if no further term is to be tried.
     next: Option<(TermId, f64)>,
 }
 
-/// The model with some terms.
+/// The model extended by some terms, with its fit.
 pub(crate) struct FittedTerms {
     /// The extended model.
     pub extension: ExtendedModel,
-    /// Its fit.
+    /// Fit of the extended model.
     pub fit: Fit,
-    /// Weighted sum of squares under the search's noise model.
+    /// Weighted sum of squares of the fit, under the noise model of the search.
     pub squares: f64,
 }
 
 impl StepwiseModel {
-    /// Keeps the first `count` terms; the others are reported as not selected.
+    /// Keeps only the first `count` selected terms; the removed terms are reported as not selected.
     pub fn keep_first(&mut self, count: usize, terms: &LibraryTerms) {
         if count >= self.selected.len() {
             return;
@@ -94,12 +94,12 @@ impl StepwiseModel {
         self.is_adequate = false;
     }
 
-    /// Number of unknowns added to the model under test, over all flights.
+    /// Number of unknowns that terms and candidate effects add to the model under test, over all flights.
     pub fn unknowns(&self) -> usize {
         self.selected.len() + self.effect_unknowns
     }
 
-    /// The better of two models: an adequate one, otherwise the one with the smaller sum of squares.
+    /// Returns the better of two models: an adequate model, otherwise the model with the smaller sum of squares.
     pub fn better(one: Option<Self>, other: Option<Self>) -> Option<Self> {
         let rank = |model: &Self| (!model.is_adequate, model.squares);
         match (one, other) {
@@ -109,7 +109,7 @@ impl StepwiseModel {
     }
 }
 
-/// Score tests given the terms selected so far.
+/// An extended model with its fit, and the score tests at this fit.
 struct Step {
     extension: ExtendedModel,
     fit: Fit,
@@ -118,8 +118,8 @@ struct Step {
 }
 
 impl StepwiseModel {
-    /// The model under test without any term yet; with the effects of a rejected hypothesis if one is given. None if the
-    /// model can have no library.
+    /// Starts the regression without a selected term. The effects of the rejected hypothesis `beside`, if given, are
+    /// included in the model. `None` if no term library is compatible with the model.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if the caller cancelled.
@@ -159,7 +159,7 @@ impl StepwiseModel {
         }))
     }
 
-    /// Starts, and selects up to [`MAX_SELECTED`] terms.
+    /// Starts the regression as [`start`](Self::start), and selects up to [`MAX_SELECTED`] terms.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if the caller cancelled.
@@ -177,9 +177,9 @@ impl StepwiseModel {
         Ok(found)
     }
 
-    /// Selects terms one by one, each the strongest remaining, and fits the model again with each, until it has `most`
-    /// terms, is adequate, no term is left that decreases the sum of squares, or the terms left do not promise to explain as
-    /// much as an accepted hypothesis. `before` is the fit of the model under test.
+    /// Selects the strongest remaining term and fits the model again, repeatedly. Stops if `most` terms are selected,
+    /// the model is adequate, no term decreases the sum of squares, or the remaining terms cannot be expected to
+    /// explain as much as an accepted hypothesis. `before` is the fit of the model under test.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if the caller cancelled.
@@ -194,7 +194,8 @@ impl StepwiseModel {
         let reject = search.thresholds.reject;
         while let Some((term, statistic)) = self.next.filter(|_| self.selected.len() < most) {
             context.check_cancelled()?;
-            // As many terms as may follow, each as strong as the next, would have to explain what an accepted hypothesis does.
+            // The remaining terms, each assumed as strong as the next, must be able to explain as much as the
+            // accepted hypothesis.
             let following = (most - self.selected.len()) as f64;
             let promised = self.squares - following * statistic;
             let accepted = search.accepted.first();
@@ -208,7 +209,7 @@ impl StepwiseModel {
             selected.push(term);
             let before = self.fitted.last().map_or(before, |last| &last.fit);
             let step = fit_terms(context, model, search, before, (self, &selected));
-            // A term that does not decrease the sum of squares is none.
+            // A term that does not decrease the sum of squares is not selected.
             let step = if_possible(step)?.flatten();
             let Some(step) = step.filter(|step| step.squares <= self.squares) else {
                 self.next = None;
@@ -243,14 +244,15 @@ impl StepwiseModel {
         }
     }
 
-    /// Sum of squares that the next term is expected to leave; none if there is none.
+    /// Sum of squares expected after selecting the next term; `None` if there is no next term.
     pub fn expected_squares(&self) -> Option<f64> {
         self.next.map(|(_, statistic)| self.squares - statistic)
     }
 }
 
-/// Writes effects for the selected terms, fits the model with them and tests everything else; none if that model cannot be
-/// composed or fitted. The fit starts at the one `before`, and from the samples only where that does not arrive.
+/// Generates effects for the selected terms, fits the model extended by them, and computes the score tests at the
+/// fit. `None` if the model cannot be composed or the fit has other flights. The fit starts at `before`; if it does
+/// not converge, the model is also fitted from the samples.
 fn fit_terms(
     context: Context<'_>,
     model: &ScoreTestModel,
@@ -286,7 +288,7 @@ fn fit_terms(
     Ok(both.min_by(|a, b| a.squares.total_cmp(&b.squares)))
 }
 
-/// Tests everything else at the fit of an extended model; none if the fit has other flights.
+/// Score tests at the fit of an extended model; `None` if the fit used other flights than `model`.
 fn step(
     context: Context<'_>,
     model: &ScoreTestModel,
@@ -318,20 +320,20 @@ fn step(
     }))
 }
 
-/// The strongest term with its statistic, if it is significant and not selected yet.
+/// The strongest term and its statistic; `None` if the term is not significant or already selected.
 fn next_term(tests: &ScoreTests, reject: f64, selected: &[TermId]) -> Option<(TermId, f64)> {
     let (term, test) = tests.strongest_term()?;
     (test.ln_p < reject && !selected.contains(&term)).then_some((term, test.statistic))
 }
 
-/// All terms, as tested.
+/// Results of all terms, from their score tests.
 fn reported(terms: &LibraryTerms, tests: &ScoreTests) -> IndexVec<TermId, StepwiseTerm> {
     let each = tests.terms.iter_enumerated();
     each.map(|(id, test)| StepwiseTerm::new(terms, id, test))
         .collect()
 }
 
-/// The terms with the greatest statistics, the greatest first.
+/// The terms with the largest statistics, in descending order; at most [`MAX_REPORTED`].
 fn strongest_terms(terms: &LibraryTerms, tests: &ScoreTests) -> Vec<StepwiseTerm> {
     let each = tests.terms.iter_enumerated();
     let mut order: Vec<(TermId, &ScoreTest)> = each.filter(|(_, test)| test.dof > 0).collect();
@@ -357,7 +359,7 @@ impl StepwiseTerm {
     }
 }
 
-/// Doc comment of the effect that is written for a term.
+/// Doc comment of the effect generated for a term, with the statistic and estimate of the term.
 fn evidence(dataset: &str, flights: usize, term: Option<&StepwiseTerm>) -> String {
     let test = term.map_or_else(String::new, |term| {
         format!(

@@ -1,6 +1,6 @@
-//! Significance thresholds of the search.
+//! Significance thresholds of the specification search.
 
-/// Limits of log p-values, familywise over all tests.
+/// Thresholds of log p-values, familywise over all tests.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Thresholds {
     /// Log p-value below which a model error is detected.

@@ -8,14 +8,14 @@ use model_spec::model::Model;
 use super::discordant_beginning::ApplyTo;
 use super::predictive_gain::{PredictiveGain, errors, summarize};
 
-/// Number of folds of the cross-validation.
+/// Number of folds of the cross-validation: each half of the flights is predicted by a fit of the other half.
 const FOLDS: usize = 2;
 
-/// The gain of the second model over the first, each fold of the flights being predicted by a fit of the others; none if there
-/// are fewer than two flights. A fold that cannot be fitted is left out.
+/// Out-of-sample gain of the second model over the first by cross-validation: each fold of the flights is predicted
+/// by a fit of the other folds. A fold that cannot be fitted is skipped. `None` if there are fewer than two flights,
+/// or no flight can be predicted.
 ///
-/// # Errors
-/// [`FitError::Interrupted`].
+/// [`FitError::Interrupted`] if the caller cancelled.
 pub(crate) fn cross_validate(
     models: [&Model; 2],
     dataset: &Dataset,
@@ -55,7 +55,8 @@ pub(crate) fn cross_validate(
     Ok(summarize(all, noise_floor_m, false))
 }
 
-/// The dataset with every [`FOLDS`]th flight from `fold` on held out and all others fitted.
+/// Copy of the dataset in which every [`FOLDS`]th flight, from index `fold` on, is held out and all others are
+/// fitted.
 fn with_fold_held_out(dataset: &Dataset, fold: usize) -> Dataset {
     let mut split = dataset.clone();
     for (index, flight) in split.flights.iter_mut().enumerate() {

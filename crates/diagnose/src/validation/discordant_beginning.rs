@@ -1,12 +1,13 @@
-//! Held-out flights whose beginning contradicts an extension.
+//! Held-out flights whose conditioning segment, the first 30 % of the samples, contradicts an extension.
 
 use identify::dataset::Role;
 use identify::{CONDITIONING_FRACTION, Fit};
 
-/// Increase of a flight's weighted sum of squares, χ², above which an extension contradicts the flight's beginning.
+/// Maximum increase of the weighted sum of squares, χ², of a flight's conditioning segment by an extension; a larger
+/// increase contradicts the extension.
 const MAX_CHI2_INCREASE: f64 = 10.0;
 
-/// The held-out flights to which an extension is applied.
+/// Rule that selects the held-out flights to which an extension is applied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ApplyTo {
     /// The extension is applied to all held-out flights.
@@ -16,7 +17,8 @@ pub(crate) enum ApplyTo {
 }
 
 impl ApplyTo {
-    /// Held-out flights, by index in the dataset, to which the extension of `after` is not applied.
+    /// Dataset indices of the held-out flights to which the extension is not applied. `before` and `after` are the
+    /// fits without and with the extension.
     pub fn exceptions(self, before: &Fit, after: &Fit) -> Vec<usize> {
         match self {
             ApplyTo::AllFlights => Vec::new(),
@@ -25,7 +27,7 @@ impl ApplyTo {
     }
 }
 
-/// Squared residuals of the conditioning segment of a flight, along each axis, and the number of points.
+/// Sums of squared residuals in the conditioning segment of a flight, along each axis, and the number of points.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct SegmentSquares {
     squares: [f64; 3],
@@ -72,8 +74,8 @@ fn contradicted(before: &Fit, after: &Fit) -> Vec<usize> {
     worse(&segments.collect::<Vec<_>>())
 }
 
-/// Flights, each with its squares without and with the extension, whose squares grow by more than noise. The variance of the
-/// noise is that of the better of both.
+/// Indices of the flights whose weighted sum of squares increases significantly with the extension. Each flight has
+/// its sums of squares without and with the extension; the noise variance is estimated from the smaller of the two.
 fn worse(segments: &[(usize, SegmentSquares, SegmentSquares)]) -> Vec<usize> {
     let mut noise = SegmentSquares::default();
     for (_, before, after) in segments {
@@ -104,7 +106,7 @@ mod tests {
             squares: [value; 3],
             points: 100,
         };
-        // Noise of variance 1: the squares of 100 points are about 100 along each axis.
+        // Noise of variance 1: the sum of squares of 100 points is about 100 along each axis.
         let segments = [
             (3, squares(400.0), squares(100.0)),
             (5, squares(100.0), squares(102.0)),

@@ -1,4 +1,4 @@
-//! Out-of-sample validation: what an extension gains on flights that were not fitted.
+//! Out-of-sample validation: error reduction by an extension on flights that were not fitted.
 
 mod cross_validation;
 mod discordant_beginning;

@@ -1,7 +1,7 @@
 //! Validation of overflexible hypotheses.
 //!
-//! Values for each flight, and many effects at once, fit misfits of any origin. A hypothesis that is true also improves the
-//! prediction of flights that were not fitted.
+//! A hypothesis with one value for each flight, or with many effects, can fit misfits of any origin. If it is true,
+//! it also improves the prediction of flights that were not fitted.
 
 use identify::{Fit, fit};
 
@@ -13,9 +13,9 @@ use crate::error::DiagnosisError;
 use crate::extension::ExtendedModel;
 use crate::selection::Hypothesis;
 
-/// The model with a hypothesis, with its out-of-sample gain.
+/// The model extended by a hypothesis, with its fit and out-of-sample gain.
 pub(crate) struct Validated {
-    /// The model with the hypothesis.
+    /// The model extended by the effects of the hypothesis.
     pub extension: ExtendedModel,
     /// Fit of the extended model.
     pub fit: Fit,
@@ -24,10 +24,10 @@ pub(crate) struct Validated {
 }
 
 impl Validated {
-    /// Fits the model with a hypothesis and measures its gain.
+    /// Fits the model extended by a hypothesis and measures its out-of-sample gain.
     ///
     /// # Errors
-    /// [`DiagnosisError`] if the effects cannot be applied together, or the flights cannot be fitted.
+    /// [`DiagnosisError`] if the effects cannot be combined, the flights cannot be fitted, or the caller cancelled.
     pub fn new(
         context: Context<'_>,
         model: &ScoreTestModel,
@@ -52,7 +52,7 @@ impl Validated {
         })
     }
 
-    /// Whether the hypothesis improves predictions, or no flight can tell.
+    /// Whether the hypothesis improves predictions. True if no flight can be predicted.
     pub fn is_accepted(&self) -> bool {
         self.gain
             .as_ref()
@@ -61,10 +61,10 @@ impl Validated {
 }
 
 impl Hypothesis {
-    /// The model with the effects of a hypothesis.
+    /// Extends the model under test by the effects of the hypothesis.
     ///
     /// # Errors
-    /// [`DiagnosisError::Load`] if they cannot be applied together.
+    /// [`DiagnosisError::Load`] if the effects cannot be combined.
     pub fn extension(
         &self,
         context: Context<'_>,

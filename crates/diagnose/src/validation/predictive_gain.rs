@@ -1,93 +1,97 @@
-//! Out-of-sample error reduction.
+//! Out-of-sample error reduction by an extension.
 
 use identify::dataset::Role;
 use identify::{Fit, FitReport, median};
 use serde::{Deserialize, Serialize};
 
-/// Prediction errors on held-out flights, whose initial state is fitted on their first 30 %, without and with an
-/// extension. Flights that neither follows are set apart, and counted in none of the figures.
+/// Prediction errors on held-out flights without and with an extension. The initial state of a held-out flight is
+/// fitted on the first 30 % of its samples. Flights that neither model predicts are set apart and not included in any
+/// statistic.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PredictiveGain {
-    /// RMS error without the extension, m.
+    /// RMS prediction error of one coordinate over all flights without the extension, m.
     pub held_out_rms_before_m: f64,
-    /// RMS error with the extension, m.
+    /// RMS prediction error of one coordinate over all flights with the extension, m.
     pub held_out_rms_after_m: f64,
-    /// Standard error of the difference, by the jackknife over flights, m.
+    /// Jackknife standard error, over flights, of the difference of the two RMS errors, m; NaN for a single flight.
     pub standard_error_m: f64,
-    /// Standard deviation of the noise of one coordinate, m: the least error possible.
+    /// Standard deviation of the noise of one coordinate, m: the smallest possible prediction error.
     pub noise_floor_m: f64,
     /// Number of predicted flights.
     pub flights: usize,
-    /// Number of flights among them to which the extension is not applied, because it contradicts their beginning.
+    /// Number of predicted flights to which the extension is not applied, because it contradicts their first samples.
     #[serde(default)]
     pub without: usize,
-    /// Whether the dataset declares the held-out flights; otherwise every flight is predicted by a fit of the others.
+    /// Whether the held-out flights are declared in the dataset. If false, every flight is predicted by a fit of
+    /// other flights (2-fold cross-validation).
     pub held_out_by_dataset: bool,
-    /// Number of flights that the extension predicts better.
+    /// Number of flights with a smaller RMS prediction error with the extension than without it.
     #[serde(default)]
     pub improved: usize,
-    /// Number of flights that the extension predicts worse.
+    /// Number of flights with a larger RMS prediction error with the extension than without it.
     #[serde(default)]
     pub worsened: usize,
-    /// Median over flights of the RMS error without the extension, m.
+    /// Median over flights of the RMS prediction error without the extension, m.
     #[serde(default)]
     pub median_before_m: f64,
-    /// Median over flights of the RMS error with the extension, m.
+    /// Median over flights of the RMS prediction error with the extension, m.
     #[serde(default)]
     pub median_after_m: f64,
-    /// Sign test: probability that at least so many of the flights improve by chance.
+    /// p-value of the sign test: probability that at least `improved` flights improve by chance.
     #[serde(default)]
     pub p_sign: f64,
-    /// Files of the flights that are predicted neither with nor without the extension.
+    /// File names of the flights that are set apart because neither model predicts them.
     #[serde(default)]
     pub set_apart: Vec<String>,
 }
 
 impl PredictiveGain {
-    /// Decrease of the RMS error, m.
+    /// RMS error without the extension minus RMS error with it, m.
     pub fn error_reduction_m(&self) -> f64 {
         self.held_out_rms_before_m - self.held_out_rms_after_m
     }
 
-    /// Whether the decrease exceeds its standard error.
+    /// Whether the error reduction exceeds its standard error.
     pub(crate) fn is_improvement(&self) -> bool {
         self.error_reduction_m() > self.standard_error_m
     }
 
-    /// Whether the extension predicts worse by more than the standard error.
+    /// Whether the RMS error increases by more than the standard error.
     pub(crate) fn is_worse(&self) -> bool {
         self.error_reduction_m() < -self.standard_error_m
     }
 
-    /// Whether both predict the same in all flights.
+    /// Whether the predictions without and with the extension are equal in all flights, up to [`SAME_ERROR`].
     pub(crate) fn changes_nothing(&self) -> bool {
         let same = SAME_ERROR * self.noise_floor_m;
         self.error_reduction_m().abs() < same && self.standard_error_m < same
     }
 }
 
-/// Difference of errors, over the noise, below which two models predict the same.
+/// Difference of RMS errors, as a fraction of the noise, below which two models count as making the same predictions.
 const SAME_ERROR: f64 = 1e-3;
 
-/// Ratio of a flight's least error to the median over flights from which no model follows it.
+/// A flight is set apart if its smaller RMS error exceeds this multiple of the median over flights (or of the noise,
+/// if that is larger).
 const SET_APART: f64 = 6.0;
 
-/// Least number of flights of which some may be set apart.
+/// Minimum number of flights for any to be set apart.
 const MIN_FLIGHTS: usize = 4;
 
-/// Errors of one flight.
+/// Prediction errors of one flight, without and with the extension.
 #[derive(Clone, Debug)]
 pub(super) struct FlightErrors {
-    /// File of the flight.
+    /// File name of the flight.
     file: String,
     /// Mean squared error without the extension, m².
     before: f64,
-    /// Mean squared error with the extension, or without it where the extension is not applied, m².
+    /// Mean squared error with the extension, m²; without it if the extension is not applied to the flight.
     after: f64,
     is_applied: bool,
 }
 
-/// The gain on the held-out flights of two fits; none if there are none. `noise_floor_m` is the noise of one coordinate, m.
+/// Out-of-sample error reduction between two fits, on the held-out flights of the dataset; `None` if no held-out
+/// flight is predicted. `noise_floor_m` is the noise of one coordinate, m.
 pub fn held_out_gain(
     before: &FitReport,
     after: &FitReport,
@@ -96,8 +100,8 @@ pub fn held_out_gain(
     summarize(errors(before, after, &[]), noise_floor_m, true)
 }
 
-/// Gain on the held-out flights of two fits; the extension is not applied to flights in `not_applied` (dataset
-/// indices).
+/// Out-of-sample error reduction between two fits, on the held-out flights of the dataset. The extension is not
+/// applied to the flights in `not_applied` (dataset indices). `None` if no held-out flight is predicted.
 pub(crate) fn gain_of_fits(
     before: &Fit,
     after: &Fit,
@@ -108,7 +112,7 @@ pub(crate) fn gain_of_fits(
     summarize(errors, noise_floor_m, true)
 }
 
-/// Errors of the held-out flights that both fits predict.
+/// Prediction errors of the held-out flights that both fits predict.
 pub(super) fn errors(
     before: &FitReport,
     after: &FitReport,
@@ -136,7 +140,8 @@ pub(super) fn errors(
         .collect()
 }
 
-/// RMS errors over flights with the jackknife standard error of their difference, and the paired comparison of flights.
+/// Summarizes the prediction errors: RMS errors over flights, jackknife standard error of their difference, and
+/// paired comparison of the flights. `None` without flights.
 pub(super) fn summarize(
     flights: Vec<FlightErrors>,
     noise_floor_m: f64,
@@ -180,8 +185,8 @@ pub(super) fn summarize(
     })
 }
 
-/// Flights that neither model follows, and the others: their lesser error is far above that of most flights and above the
-/// noise. A quarter of the flights at most.
+/// Splits the flights into those set apart and all others. A flight is set apart if its smaller error is far above
+/// the median of the flights and above the noise. If more than a quarter of the flights are, none is set apart.
 fn without_set_apart(
     flights: Vec<FlightErrors>,
     noise_floor_m: f64,
@@ -199,7 +204,7 @@ fn without_set_apart(
     flights.into_iter().partition(is_apart)
 }
 
-/// Probability of at least `improved` heads in `count` throws of a fair coin.
+/// Probability of at least `improved` heads in `count` tosses of a fair coin.
 fn sign_test(improved: usize, count: usize) -> f64 {
     let mut probability = 0.0;
     let mut ln_binomial = 0.0;
@@ -220,7 +225,8 @@ mod tests {
 
     #[test]
     fn the_jackknife_error_is_that_of_the_mean_for_small_differences() {
-        // Differences of 1 to 4 mm about their mean of 2.5 mm: 1.29 mm / √4, as all errors before are equal.
+        // Deviations of 1 to 4 mm from their mean of 2.5 mm: 1.29 mm / √4, as all errors without the extension are
+        // equal.
         let flights: Vec<FlightErrors> = [1e-3, 2e-3, 3e-3, 4e-3]
             .iter()
             .map(|d| FlightErrors {
@@ -242,7 +248,7 @@ mod tests {
 
     #[test]
     fn a_flight_that_no_model_follows_is_set_apart() {
-        // 16 of 19 flights improve, and the track of one more is a metre off.
+        // 16 of 19 flights improve, and the track of one more flight is off by a metre.
         let flight = |k: usize, before: f64, after: f64| FlightErrors {
             file: format!("f{k}.csv"),
             before: before * before,
@@ -264,7 +270,7 @@ mod tests {
             "{}",
             found.p_sign
         );
-        // Two metres off of four flights are not the exception.
+        // If two of four flights are off by metres, they are not exceptions.
         let half = vec![
             flight(0, 0.1, 0.1),
             flight(1, 0.1, 0.1),

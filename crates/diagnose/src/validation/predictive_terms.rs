@@ -1,4 +1,4 @@
-//! Library terms that earn their place: each further one predicts flights better that were not fitted.
+//! Number of library terms that improve out-of-sample predictions.
 
 use identify::Fit;
 use model_spec::model::Model;
@@ -10,8 +10,9 @@ use crate::context::Context;
 use crate::error::{DiagnosisError, if_possible};
 use crate::selection::{FittedTerms, StepwiseModel};
 
-/// Number of terms to keep, in the order of their selection: the first, and those after it up to the first that does not
-/// improve predictions by more than the standard error. `noise_floor_m` in m.
+/// Number of selected terms to keep, in the order of selection: the first term, and each following term until one
+/// does not improve out-of-sample predictions by more than the standard error. `noise_floor_m` is the noise of one
+/// coordinate, m.
 ///
 /// # Errors
 /// [`DiagnosisError::Fit`] if the caller cancelled.

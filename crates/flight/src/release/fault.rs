@@ -1,4 +1,4 @@
-//! Faults of a release file, with their locations.
+//! Faults in a release file, with their locations.
 
 use std::fmt;
 
@@ -7,11 +7,11 @@ use std::fmt;
 pub struct ReleaseError {
     /// Name of the release file.
     pub file: String,
-    /// The faults, in order of location; at least one.
+    /// Faults in order of location; at least one.
     pub faults: Vec<Fault>,
 }
 
-/// Single fault of a release file.
+/// A single fault in a release file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
     /// Line and column, from 1, in characters; `None` for a fault of the whole file.
@@ -39,7 +39,7 @@ impl fmt::Display for ReleaseError {
 
 impl std::error::Error for ReleaseError {}
 
-/// Line and column (from 1, in characters) of a byte offset in a text.
+/// Converts a byte offset in a text to line and column (from 1, in characters).
 pub(super) fn location(text: &str, byte: usize) -> (usize, usize) {
     let before = &text.as_bytes()[..byte.min(text.len())];
     let line_start = before
@@ -55,8 +55,8 @@ pub(super) fn location(text: &str, byte: usize) -> (usize, usize) {
     (line, column)
 }
 
-/// End of an error message on an unknown name: `; did you mean "…"?` if a valid name is similar, else the list of all
-/// valid names.
+/// End of an error message on an unknown name: `; did you mean "…"?` if a valid name is similar, otherwise the list of
+/// all valid names.
 pub fn suggestion<'a>(found: &str, names: impl Iterator<Item = &'a str> + Clone) -> String {
     let near = names
         .clone()

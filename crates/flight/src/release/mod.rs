@@ -16,33 +16,33 @@ pub(crate) use read::read_text;
 pub use read::{Reader, Value, read, read_file, read_file_in_wind, read_in_wind};
 pub(crate) use values::number_of;
 
-/// Initial conditions, parameters and end of a flight.
+/// Initial conditions, parameters, wind and end of a flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Release {
     /// Name or path of the model, as written in the release file.
     pub model: String,
     /// Condition that ends the flight.
     pub stop: Stop,
-    /// Values of parameters in place of the model's defaults, SI.
+    /// Values (SI) of parameters that replace the model's defaults, by name.
     pub parameters: Vec<(String, f64)>,
-    /// Values of coefficients in place of the model's defaults, SI.
+    /// Values (SI) of coefficients that replace the model's defaults, by name.
     pub coefficients: Vec<(String, f64)>,
     /// Name and initial value (SI) of every state, in the model's order.
     pub initial: Vec<(String, f64)>,
-    /// Constant velocity of the air in the inertial frame, m/s.
+    /// Constant wind: velocity of the air in the inertial frame, m/s.
     pub wind: [f64; 3],
-    /// Wind by height and gusts; the release is flown with the model that [`WindField::compose`] gives.
+    /// Wind by height and gusts, if stated; such a release is flown with the model that [`WindField::compose`] returns.
     pub wind_field: Option<WindField>,
-    /// Known values (SI) of other inputs of the model, by name.
+    /// Values (SI) of the model's known inputs other than the wind, by name.
     pub known: Vec<(String, [f64; 3])>,
 }
 
 /// Condition that ends a flight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stop {
-    /// After a duration since release, s.
+    /// The flight ends after this duration since release, s.
     Duration(f64),
-    /// When the height state `z` falls to 0.
+    /// The flight ends when the height state `z` falls to 0.
     Ground,
 }
 
@@ -72,8 +72,8 @@ impl Release {
         self
     }
 
-    /// Values of constants in the order of `defaults` (name and default value), overridden by the parameters,
-    /// coefficients and wind of the release.
+    /// Values of constants in the order of `defaults` (name and default value); the defaults are overridden by the
+    /// parameters, coefficients and wind of the release.
     pub fn constants<'a>(&self, defaults: impl IntoIterator<Item = (&'a str, f64)>) -> Vec<f64> {
         let of_wind = self.wind_field.as_ref().map(WindField::parameters);
         let of_wind = of_wind.unwrap_or_default();
@@ -88,7 +88,7 @@ impl Release {
     }
 }
 
-/// Names of a model that its release files may use.
+/// Names defined by a model that its release files may use.
 #[derive(Clone, Debug, Default)]
 pub struct Vocabulary {
     /// Parameters (known constants) of the body and its environment.
@@ -97,27 +97,28 @@ pub struct Vocabulary {
     pub coefficients: Vec<Name>,
     /// Names of the states, in the model's order.
     pub states: Vec<String>,
-    /// States that a release may omit: (state index, default value in SI).
+    /// States that a release file may omit, as pairs of state index and default value (SI).
     pub optional: Vec<(usize, f64)>,
-    /// Names of the inputs: vectors known for each flight, such as the wind.
+    /// Names of the inputs: vectors that are known for each flight, such as the wind.
     pub inputs: Vec<String>,
-    /// Indices of four states each that form a unit quaternion.
+    /// State indices of each unit quaternion.
     pub quaternions: Vec<[usize; 4]>,
-    /// The model, from whose body the states of a throw follow; without it a release has no `[throw]`.
+    /// The model, from whose body the states of a throw are derived; without it a release file must not contain
+    /// `[throw]`.
     pub model: Option<Arc<Model>>,
 }
 
 /// Name of a parameter or coefficient, with its bounds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Name {
-    /// Name of the constant in the model.
+    /// Name of the parameter or coefficient in the model.
     pub name: String,
-    /// Minimum and maximum value, SI; `None` where the model sets none.
+    /// Minimum and maximum value, SI; `None` if the model declares no bounds.
     pub bounds: Option<(f64, f64)>,
 }
 
 impl Vocabulary {
-    /// Vocabulary of the model in a wind; the error says why the model cannot have that wind.
+    /// Vocabulary of the model composed with a wind; the error message states why the model cannot fly in that wind.
     fn in_wind(&self, field: &WindField) -> Result<Vocabulary, String> {
         let model = self.model.as_ref();
         let model =
@@ -129,7 +130,7 @@ impl Vocabulary {
         Ok(Vocabulary::of(&model))
     }
 
-    /// Vocabulary of a model: all names that its release files may use.
+    /// Collects the names of a model that its release files may use.
     pub fn of(model: &Model) -> Vocabulary {
         let names = |of: &[Parameter]| {
             of.iter()
@@ -155,8 +156,8 @@ impl Vocabulary {
     }
 }
 
-/// (name, TOML text) of the built-in releases: two flights of Hubbard & Hummel (2000), a backhand, a discus throw and
-/// a table-tennis serve.
+/// Names and TOML texts of the built-in releases: two flights of Hubbard & Hummel (2000), a backhand, a discus throw
+/// and a table-tennis serve.
 pub const BUILT_IN: [(&str, &str); 5] = [
     ("fssh3", include_str!("../../releases/fssh3.toml")),
     ("bffl8", include_str!("../../releases/bffl8.toml")),
@@ -165,7 +166,7 @@ pub const BUILT_IN: [(&str, &str); 5] = [
     ("serve", include_str!("../../releases/serve.toml")),
 ];
 
-/// TOML text of a built-in release by name; `None` if there is none.
+/// TOML text of the built-in release of this name; `None` if there is none.
 pub fn built_in(name: &str) -> Option<&'static str> {
     BUILT_IN
         .iter()

@@ -11,10 +11,10 @@ use toml::de::{DeTable, DeValue};
 /// Maximum size of a release file, bytes.
 const MAX_FILE_BYTES: u64 = 1 << 20;
 
-/// Reads a release file; see [`read`].
+/// Reads and parses a release file; see [`read`].
 ///
 /// # Errors
-/// [`ReleaseError`], also for a file that cannot be read or is larger than 1 MiB.
+/// [`ReleaseError`] with all faults of the file, also if it cannot be read or is larger than 1 MiB.
 pub fn read_file(
     path: &Path,
     vocabulary: impl FnOnce(&str) -> Result<Vocabulary, String>,
@@ -22,10 +22,10 @@ pub fn read_file(
     read_text(path, |file, text| read(file, text, vocabulary))
 }
 
-/// Reads a file that may state winds by height and gusts, as [`read_in_wind`] reads its text.
+/// Reads and parses a release file that may state winds by height and gusts; see [`read_in_wind`].
 ///
 /// # Errors
-/// As [`read_file`].
+/// [`ReleaseError`] as for [`read_file`].
 pub fn read_file_in_wind(
     path: &Path,
     vocabulary: impl FnOnce(&str) -> Result<Vocabulary, String>,
@@ -33,7 +33,7 @@ pub fn read_file_in_wind(
     read_text(path, |file, text| read_in_wind(file, text, &[], vocabulary))
 }
 
-/// Reads the text of a small file, given to `read` with its name.
+/// Reads a text file of bounded size and passes its name and text to `read`.
 pub(crate) fn read_text<V>(
     path: &Path,
     read: impl FnOnce(&str, &str) -> Result<V, ReleaseError>,
@@ -68,9 +68,9 @@ pub(crate) fn read_text<V>(
 
 /// Parses the text of a release file (TOML).
 ///
-/// `file` is the file name in error messages. `vocabulary` returns the names that a model defines, given the model's
-/// name or path; its error becomes a fault at the location of that name. Winds by height and gusts, which change the model,
-/// are refused: [`read_in_wind`] reads them.
+/// `file` is the file name in error messages. `vocabulary` returns the names defined by a model, given the model's name
+/// or path; an error of `vocabulary` becomes a fault at the location of that name. Winds by height and gusts, which
+/// change the model, are rejected; [`read_in_wind`] accepts them.
 ///
 /// # Errors
 /// [`ReleaseError`] with all faults of the file.
@@ -85,11 +85,11 @@ pub fn read(
     reader.finish(file, release)
 }
 
-/// As [`read`], of a file that may state winds by height and gusts, and has further keys of its own, which are not read here.
-/// Returns the names of the model in that wind too: the release is to be flown with [`Vocabulary::model`].
+/// Like [`read`], but accepts winds by height and gusts, and further top-level keys `own_keys`, which are not read
+/// here. Also returns the vocabulary of the model in that wind; the release must be flown with [`Vocabulary::model`].
 ///
 /// # Errors
-/// As [`read`].
+/// [`ReleaseError`] with all faults of the file.
 pub fn read_in_wind(
     file: &str,
     text: &str,
@@ -101,17 +101,17 @@ pub fn read_in_wind(
     reader.finish(file, release)
 }
 
-/// Reader of a TOML text that collects all of its faults, with their locations.
+/// Reader of a TOML text that collects all faults in it, with their locations.
 pub struct Reader<'t> {
     text: &'t str,
     faults: Vec<Fault>,
 }
 
-/// Value in a TOML text, with its place.
+/// Value in a TOML text, with its location.
 pub type Value<'t> = Spanned<DeValue<'t>>;
 
 impl<'t> Reader<'t> {
-    /// Reader of a text, without faults so far.
+    /// Creates a reader of a text, without recorded faults.
     pub fn new(text: &'t str) -> Reader<'t> {
         Reader {
             text,
@@ -119,10 +119,10 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// The value, if no fault was found in the text; `file` is its name in messages.
+    /// Returns the value if no fault was recorded; `file` is the name of the text in error messages.
     ///
     /// # Errors
-    /// [`ReleaseError`] with the faults in order of location; also where there is no value.
+    /// [`ReleaseError`] with the faults in order of location if there are any, or if `value` is `None`.
     pub fn finish<V>(mut self, file: &str, value: Option<V>) -> Result<V, ReleaseError> {
         self.faults.sort_by_key(|fault| fault.location);
         match value {
@@ -134,7 +134,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Records a fault at a place in the text.
+    /// Records a fault at a byte range of the text.
     pub fn fault(&mut self, span: Range<usize>, message: impl Into<String>) {
         self.faults.push(Fault {
             location: Some(location(self.text, span.start)),
@@ -142,12 +142,12 @@ impl<'t> Reader<'t> {
         });
     }
 
-    /// Number of faults found so far.
+    /// Number of faults recorded so far.
     pub(super) fn faults_count(&self) -> usize {
         self.faults.len()
     }
 
-    /// Records a fault of the whole text.
+    /// Records a fault that concerns the whole text.
     pub fn missing(&mut self, message: impl Into<String>) {
         self.faults.push(Fault {
             location: None,
@@ -155,7 +155,7 @@ impl<'t> Reader<'t> {
         });
     }
 
-    /// Parses the text as TOML; a syntax error is recorded as a fault.
+    /// Parses the text as TOML; for a syntax error records a fault and returns `None`.
     pub(crate) fn document(&mut self) -> Option<Spanned<DeTable<'t>>> {
         match DeTable::parse(self.text) {
             Ok(document) => Some(document),
@@ -267,7 +267,7 @@ impl<'t> Reader<'t> {
         Some((release, vocabulary))
     }
 
-    /// Records a fault for each parameter of the wind that `[parameters]` states too.
+    /// Records a fault for each entry of `[parameters]` whose value the wind determines.
     fn stated_twice(&mut self, document: &DeTable<'t>, field: &WindField) {
         let of_wind = field.parameters();
         for (name, span, _) in self.table(document, "parameters") {
@@ -315,7 +315,8 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Entries of a table of the document; empty if the table is absent.
+    /// Entries of a table of the document, as key, span of the key and value; empty if the table is absent or has the
+    /// wrong type.
     pub fn table<'d>(
         &mut self,
         document: &'d DeTable<'t>,
@@ -334,7 +335,7 @@ impl<'t> Reader<'t> {
             .collect()
     }
 
-    /// Records a fault for each key of a table that is not among `names`; `context` follows it in the message, as in
+    /// Records a fault for each key of a table that is not in `names`; `context` follows the key in the message, as in
     /// `" in [throw]"`.
     pub fn known_keys<'n>(
         &mut self,
@@ -356,8 +357,8 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Values of the table `key`, either `parameters` or `coefficients`; `others` are the valid names of the other
-    /// table.
+    /// Names and values in the table `key`, either `parameters` or `coefficients`; `names` are the names valid in this
+    /// table, `others` those valid in the other one.
     fn constants(
         &mut self,
         document: &DeTable<'t>,

@@ -11,7 +11,8 @@ use super::{Release, Vocabulary};
 use crate::throw::{FIELDS, Throw, ThrowError, ThrownModel};
 
 impl<'t> Reader<'t> {
-    /// Reads `[throw]`, which stands in place of `[initial]`, and gives the release the initial states that have its motion.
+    /// Parses `[throw]`, which replaces `[initial]`, and sets the initial states of the release to those with the
+    /// throw's motion.
     pub(super) fn throw(
         &mut self,
         document: &DeTable<'t>,
@@ -37,7 +38,7 @@ impl<'t> Reader<'t> {
             } else if let Some(number) = self.number(value, name) {
                 places.insert(name, value.span());
                 throw.set(name, number);
-                // Ranges are checked one by one, so that all faults are named.
+                // Ranges are checked one by one, so that all faults are reported.
                 let mut alone = Throw::at_speed(1.0);
                 alone.set(name, number);
                 if let Err(fault @ ThrowError::Range { .. }) = alone.check() {
@@ -65,7 +66,7 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// Name and value of every state of the model with the motion of a throw.
+/// Name and value of every state of the model for the motion of a throw.
 fn initial(
     throw: &Throw,
     vocabulary: &Vocabulary,

@@ -4,13 +4,13 @@ use super::Name;
 use super::read::{Reader, Value};
 use toml::de::DeValue;
 
-/// Names of the parameters that must be positive, common to all models.
+/// Names of the parameters that must be positive in every model.
 const POSITIVE_PARAMETERS: [&str; 6] = ["m", "I_a", "I_d", "d", "A", "radius"];
-/// Names of the parameters that must not be negative, common to all models.
+/// Names of the parameters that must not be negative in any model.
 const NON_NEGATIVE_PARAMETERS: [&str; 2] = ["rho", "g"];
 
 impl<'t> Reader<'t> {
-    /// Parses three finite numbers; records a fault and returns `None` for anything else.
+    /// Parses an array of three finite numbers; records a fault and returns `None` for anything else.
     pub fn vector(&mut self, value: &Value<'t>, name: &str) -> Option<[f64; 3]> {
         let items: Vec<&Value<'t>> = value
             .get_ref()
@@ -43,7 +43,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Records the fault of a value of the wrong type; `expected` describes valid ones.
+    /// Records a fault for a value of the wrong type; `expected` describes the valid values.
     pub fn wrong_type(&mut self, value: &Value<'t>, name: &str, expected: &str) {
         let found = match value.get_ref() {
             DeValue::String(text) if text.len() <= 40 => format!("the text {text:?}"),
@@ -60,13 +60,13 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// The number that a value is, finite or not; `None` for another type.
+/// Converts a TOML value to a number, finite or not; `None` if it is not numeric.
 pub(crate) fn number_of(value: &Value<'_>) -> Option<f64> {
     match value.get_ref() {
         DeValue::Float(float) => float.as_str().parse::<f64>().ok(),
         DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
             .map(|i| i as f64)
-            // Integers beyond 64 bits.
+            // Integers of more than 64 bits.
             .or_else(|_| integer.as_str().parse())
             .ok(),
         _ => None,
@@ -74,7 +74,7 @@ pub(crate) fn number_of(value: &Value<'_>) -> Option<f64> {
 }
 
 impl Name {
-    /// Description of the valid values if `value` is invalid; `None` if it is valid.
+    /// Returns a description of the valid values of this constant if `value` is invalid; `None` if it is valid.
     pub fn expected_instead_of(&self, value: f64) -> Option<String> {
         let named = |names: &[&str]| names.contains(&&*self.name);
         match self.bounds {

@@ -1,24 +1,26 @@
-//! Derivatives of the motion at release by the numbers of a throw, and of the states that have this motion.
+//! Derivatives of the motion at release by the fields of a throw, and of the states that have this motion.
 //!
-//! The state s has the motion of the throw θ: M(s) = W(θ), hence ∂M/∂s · ds/dθ = ∂W/∂θ. The right side is written out below;
-//! ∂M/∂s is a central difference of sixth order of the compiled motion, whose error is that of rounding.
+//! The state s with the motion of the throw θ satisfies M(s) = W(θ), hence ∂M/∂s · ds/dθ = ∂W/∂θ. The right-hand side
+//! is written out below; ∂M/∂s is a sixth-order central difference of the compiled motion, whose error is dominated by
+//! rounding.
 
 use nalgebra::{DMatrix, DVector, Vector3};
 
 use super::motion::{BoundMotion, Motion};
 use super::{FIELDS, RPM, Throw};
 
-/// Step of the difference formula, rad or the unit of a state: the motion is linear in speeds and rates and a polynomial of sines and
-/// cosines in angles.
+/// Step of the difference formula, rad or the unit of a state. A coarse step suffices, since the motion is linear in
+/// speeds and rates and polynomial in sines and cosines of angles.
 const STEP: f64 = 0.01;
-/// Weights of the differences over 1, 2 and 3 steps.
+/// Weights of the central differences over 1, 2 and 3 steps.
 const WEIGHTS: [f64; 3] = [45.0 / 60.0, -9.0 / 60.0, 1.0 / 60.0];
-/// Ratio of singular values below which a direction of the state does not move the body, as the length of a quaternion.
+/// Ratio of a singular value to the greatest one below which a direction of the state, such as the length of a
+/// quaternion, does not move the body.
 const RANK_TOLERANCE: f64 = 1e-9;
 
 impl BoundMotion<'_> {
-    /// Jacobian of the motion by the states. Rows: position, velocity, and for a body with attitude its three axes and its
-    /// angular velocity, three components each in the inertial frame.
+    /// Jacobian of the motion by the states. Rows: position and velocity, and for a body with attitude also its three
+    /// axes and its angular velocity; each has three components in the inertial frame.
     pub fn jacobian(&self, state: &[f64]) -> DMatrix<f64> {
         let rows = stacked(&self.motion(state)).len();
         let mut jacobian = DMatrix::zeros(rows, state.len());
@@ -40,11 +42,12 @@ impl BoundMotion<'_> {
         jacobian
     }
 
-    /// Derivatives of the state by the numbers of the throw that it has: states × [`FIELDS`], in the unit of each state per
-    /// unit of each number. Columns of numbers that a body without attitude does not have are 0.
+    /// Derivatives of a state by the fields of the throw whose motion it has: one row per state, one column per entry
+    /// of [`FIELDS`], in the unit of the state per unit of the field. Columns of fields that a body without attitude
+    /// lacks are 0.
     pub fn state_by_throw(&self, throw: &Throw, state: &[f64]) -> DMatrix<f64> {
         let motion = self.motion(state);
-        // Rates in body axes for one rad/s of spin, and their derivative by the wobble, 1/rad.
+        // Angular velocity in body axes for a spin of 1 rad/s, and its derivative by the wobble, 1/rad.
         let turning = motion.turning.as_ref();
         let unit = turning.map(|_| self.rates_of_spin(throw, state));
         let course = throw.course();
@@ -93,7 +96,8 @@ impl BoundMotion<'_> {
         self.states_moved(state, &wanted)
     }
 
-    /// Least changes of the state that change the motion as the columns say (rows as of [`jacobian`](Self::jacobian)).
+    /// Minimum-norm changes of the state that cause the changes of the motion in the columns of `wanted` (rows as in
+    /// [`jacobian`](Self::jacobian)).
     pub fn states_moved(&self, state: &[f64], wanted: &DMatrix<f64>) -> DMatrix<f64> {
         let mut jacobian = self.jacobian(state);
         let mut wanted = wanted.clone();
@@ -101,7 +105,7 @@ impl BoundMotion<'_> {
             jacobian.column_mut(*added).fill(0.0);
         }
         if self.model.is_revolution {
-            // The first two axes are not the body's own.
+            // The first two axes are not fixed in the body.
             for row in 6..12 {
                 jacobian.row_mut(row).fill(0.0);
                 wanted.row_mut(row).fill(0.0);
@@ -113,8 +117,8 @@ impl BoundMotion<'_> {
             .unwrap_or_else(|_| DMatrix::zeros(state.len(), wanted.ncols()))
     }
 
-    /// Angular velocity in body axes for a spin of 1 rad/s about the third, with the wobble of the throw, and its derivative by
-    /// the wobble, 1/rad.
+    /// Angular velocity in body axes for a spin of 1 rad/s about the third axis and the wobble of the throw, and its
+    /// derivative by the wobble, 1/rad.
     fn rates_of_spin(&self, throw: &Throw, state: &[f64]) -> (Vector3<f64>, Vector3<f64>) {
         let axes = throw.attitude();
         let wobble = throw.wobble.unwrap_or(0.0).to_radians();
@@ -132,7 +136,7 @@ impl BoundMotion<'_> {
     }
 }
 
-/// Change of a motion.
+/// Change of a motion: position, velocity, body axes and angular velocity.
 #[derive(Default)]
 struct Change {
     position: Vector3<f64>,
@@ -152,7 +156,7 @@ impl Change {
     }
 }
 
-/// Components of a motion, in the order of the rows of [`BoundMotion::jacobian`].
+/// Stacks the components of a motion in the order of the rows of [`BoundMotion::jacobian`].
 fn stacked(motion: &Motion) -> DVector<f64> {
     let change = Change {
         position: motion.position,

@@ -1,4 +1,4 @@
-//! The state with a given motion: damped Gauss–Newton on the differences of the motion.
+//! Search for the state with a given motion: damped Gauss–Newton method on the differences between the motions.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -6,19 +6,19 @@ use nalgebra::{DMatrix, DVector};
 
 use super::motion::{BoundMotion, Motion};
 
-/// Norm of the differences below which two motions are the same.
+/// Norm of the differences below which two motions count as equal.
 const SAME: f64 = 1e-9;
-/// Greatest number of steps from one start.
+/// Maximum number of Gauss–Newton steps from one starting state.
 const MAX_STEPS: usize = 100;
-/// Greatest number of starts that are tried.
+/// Maximum number of starting states from which the search is run.
 const MAX_STARTS: usize = 16;
-/// Greatest number of starts that are compared.
+/// Maximum number of starting states that are generated and compared.
 const MAX_COMPARED: usize = 4096;
-/// Half the step of the central differences for the Jacobian.
+/// Offset to either side in the central differences for the Jacobian.
 const DIFFERENCE_STEP: f64 = 1e-5;
 
-/// State within the model's limits at which the body has the motion, searched from `near` or else from its default states at
-/// quarter turns of its frames; `None` if there is none.
+/// State within the model's limits at which the body has the motion `wanted`. The search starts at `near` or, without
+/// it, at the default state with its frames at quarter turns. `None` if no such state is found.
 pub fn state(bound: &BoundMotion<'_>, wanted: &Motion, near: Option<&[f64]>) -> Option<Vec<f64>> {
     let mut starts = match near {
         Some(state) => vec![state.to_vec()],
@@ -34,7 +34,7 @@ pub fn state(bound: &BoundMotion<'_>, wanted: &Motion, near: Option<&[f64]>) -> 
     })
 }
 
-/// Default states at quarter turns of each frame.
+/// Starting states: the default state with each of its frames at quarter turns.
 fn starts(bound: &BoundMotion<'_>) -> Vec<Vec<f64>> {
     let half = 0.5_f64;
     let root = half.sqrt();
@@ -77,7 +77,8 @@ fn starts(bound: &BoundMotion<'_>) -> Vec<Vec<f64>> {
     all
 }
 
-/// Damped Gauss–Newton from one start; `None` where the motion is not finite.
+/// Runs the damped Gauss–Newton method from one starting state and returns the last state; `None` if the motion is not
+/// finite.
 fn descend(bound: &BoundMotion<'_>, wanted: &Motion, start: Vec<f64>) -> Option<Vec<f64>> {
     let free: Vec<usize> = (0..start.len())
         .filter(|state| !bound.model.added.contains(state))
@@ -138,7 +139,8 @@ fn descend(bound: &BoundMotion<'_>, wanted: &Motion, start: Vec<f64>) -> Option<
     Some(state)
 }
 
-/// Angles of frames within half a turn of 0, quaternions of length 1 with a scalar part that is not negative.
+/// Normalises a state: angles of frames to within half a turn of 0, quaternions to length 1 and a non-negative scalar
+/// part.
 fn tidy(bound: &BoundMotion<'_>, state: &mut [f64]) {
     for angle in &bound.model.angles {
         state[*angle] -= TAU * (state[*angle] / TAU).round();

@@ -1,9 +1,10 @@
-//! Throws: the motion of a body at release as speed, angles and spin, and the states of a model that have this motion.
+//! Throws: the motion of a body at release, given by speed, angles and spin, and the states of a model that have this
+//! motion.
 //!
-//! The angles are those of launch monitors. The velocity gives `heading` (over the ground, from +x to the left) and `launch`
-//! (above the horizontal). The body's axis d3 (the third of the frame that is fixed in it) starts normal to the velocity,
-//! in the vertical plane; `hyzer` turns it about the velocity, positive to the left, and `nose` then about the body's left
-//! axis, positive nose-up. Without wind, `nose` is the angle of attack.
+//! The angles are those that launch monitors report. The velocity determines `heading` (over the ground, from +x to the
+//! left) and `launch` (above the horizontal). The body axis d3 (third axis of the body-fixed frame) is initially normal
+//! to the velocity, in the vertical plane; `hyzer` rotates it about the velocity, positive to the left, and `nose` then
+//! rotates it about the body's left axis, positive nose-up. Without wind, `nose` is the angle of attack.
 
 mod gradient;
 mod inverse;
@@ -20,10 +21,10 @@ use motion::MotionModel;
 pub use motion::{Motion, Turning, speed_and_spin};
 pub use near::NearThrows;
 
-/// rad/s per rpm.
+/// Angular velocity of 1 rpm, rad/s.
 const RPM: f64 = PI / 30.0;
 
-/// Motion of a body at release.
+/// Motion of a body at release, by the quantities that launch monitors report.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Throw {
     /// Speed of the mass centre over the ground, m/s.
@@ -34,20 +35,21 @@ pub struct Throw {
     pub launch: f64,
     /// Height of the mass centre, m.
     pub height: f64,
-    /// Angle of attack against the velocity over the ground, positive nose-up, deg. As the next three fields, `None`
-    /// where it is not stated: 0, and all that a body without attitude can have.
+    /// Angle of attack relative to the velocity over the ground, positive nose-up, deg. `None` if not stated, which
+    /// counts as 0; a body without attitude must not state it. The same holds for `hyzer`, `spin` and `wobble`.
     pub nose: Option<f64>,
-    /// Tilt of the body about the velocity, positive when the left edge, seen from behind, is the lower one, deg.
+    /// Tilt of the body about the velocity, deg; positive if the left edge, seen from behind, is the lower one. `None`
+    /// counts as 0.
     pub hyzer: Option<f64>,
-    /// Spin about the body's axis, positive clockwise seen from above, rpm.
+    /// Spin about the body axis d3, positive clockwise as seen from above, rpm. `None` counts as 0.
     pub spin: Option<f64>,
     /// Angle between the body's axis and its angular momentum, deg: for a body of revolution without moments, half the
     /// opening angle of the cone that the axis describes. At release the cone's axis is ahead of the body's axis,
-    /// towards the nose.
+    /// towards the nose. `None` counts as 0.
     pub wobble: Option<f64>,
 }
 
-/// Name, unit, least and greatest value of each number of a throw.
+/// Name, unit, minimum and maximum value of each field of a throw.
 pub const FIELDS: [(&str, &str, f64, f64); 8] = [
     ("speed", "m/s", 0.0, 150.0),
     ("heading", "deg", -360.0, 360.0),
@@ -62,33 +64,33 @@ pub const FIELDS: [(&str, &str, f64, f64); 8] = [
 /// Reason why no state of a model has the motion of a throw.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ThrowError {
-    /// A number outside its range.
+    /// A field of the throw has a value outside its range.
     #[error("{name} is {value}; expected {expected}")]
     Range {
-        /// Name of the number.
+        /// Name of the field.
         name: &'static str,
         /// Value that was found.
         value: f64,
-        /// Valid values, in words.
+        /// Description of the valid values.
         expected: String,
     },
-    /// An angle or spin for a body without attitude.
+    /// An angle, a spin or a wobble is stated for a body without attitude.
     #[error(
         "found {name}, but the model {model} is a point mass, which has no attitude; expected speed, heading, launch and \
          height alone"
     )]
     NoAttitude {
-        /// Name of the number.
+        /// Name of the stated field.
         name: &'static str,
         /// Name of the model.
         model: String,
     },
-    /// A wobble without spin has no cone.
+    /// A wobble is stated without a spin, so that the axis describes no cone.
     #[error(
         "found wobble without spin; expected a spin other than 0, about which the axis can turn"
     )]
     NoSpin,
-    /// The model does not say what its states mean.
+    /// The model declares neither a body nor a claim of one, so that the meaning of its states is unknown.
     #[error(
         "the model {model} has neither a body nor a claim of one, so that its states cannot be found from a throw; expected \
          [initial] with every state"
@@ -97,7 +99,7 @@ pub enum ThrowError {
         /// Name of the model.
         model: String,
     },
-    /// No state within the domain of validity has the motion.
+    /// No state within the model's domain of validity has the motion.
     #[error(
         "no state of the model {model} within its limits has this motion; expected a throw that it can have, as by another \
          nose or hyzer"
@@ -109,7 +111,7 @@ pub enum ThrowError {
 }
 
 impl ThrowError {
-    /// Name of the number at fault, if it is one.
+    /// Name of the field that causes the error; `None` if the error is not caused by a single field.
     pub fn field(&self) -> Option<&'static str> {
         match self {
             ThrowError::Range { name, .. } | ThrowError::NoAttitude { name, .. } => Some(name),
@@ -120,10 +122,10 @@ impl ThrowError {
 }
 
 impl Throw {
-    /// Height of a throw that states none, m.
+    /// Height of a throw for which none is stated, m.
     pub const DEFAULT_HEIGHT: f64 = 1.0;
 
-    /// Horizontal throw along +x at a speed (m/s), from the default height, without a stated attitude.
+    /// Horizontal throw along +x at a speed (m/s), from the default height, without a stated attitude or spin.
     pub fn at_speed(speed: f64) -> Throw {
         Throw {
             speed,
@@ -137,7 +139,7 @@ impl Throw {
         }
     }
 
-    /// The number of this name, in the unit of [`FIELDS`]; `None` where it is not stated or the name is unknown.
+    /// Value of the field of this name, in the unit of [`FIELDS`]; `None` if it is not stated or the name is unknown.
     pub fn field(&self, name: &str) -> Option<f64> {
         match name {
             "speed" => Some(self.speed),
@@ -152,7 +154,7 @@ impl Throw {
         }
     }
 
-    /// Sets the number of this name, in the unit of [`FIELDS`]; an unknown name is ignored.
+    /// Sets the field of this name, in the unit of [`FIELDS`]; an unknown name is ignored.
     pub fn set(&mut self, name: &str, value: f64) {
         match name {
             "speed" => self.speed = value,
@@ -167,10 +169,10 @@ impl Throw {
         }
     }
 
-    /// Checks every number against its range in [`FIELDS`]; the speed is above 0.
+    /// Checks that every field is in its range in [`FIELDS`], that the speed is above 0, and that a wobble has a spin.
     ///
     /// # Errors
-    /// [`ThrowError::Range`] for the first number outside its range; [`ThrowError::NoSpin`].
+    /// [`ThrowError::Range`] for the first field outside its range; [`ThrowError::NoSpin`] for a wobble without spin.
     pub fn check(&self) -> Result<(), ThrowError> {
         for (name, unit, least, greatest) in FIELDS {
             let Some(value) = self.field(name) else {
@@ -196,13 +198,13 @@ impl Throw {
         Ok(())
     }
 
-    /// Rotation to the inertial frame from that of the velocity: along it, to its left, upwards.
+    /// Rotation to the inertial frame from the axes of the velocity: along the velocity, to its left, upwards.
     fn course(&self) -> Rotation3<f64> {
         Rotation3::from_axis_angle(&Vector3::z_axis(), self.heading.to_radians())
             * Rotation3::from_axis_angle(&Vector3::y_axis(), -self.launch.to_radians())
     }
 
-    /// Attitude: rotation to the inertial frame from the body's axes, forward, left and up.
+    /// Attitude of the body: rotation to the inertial frame from the body axes forward, left and up.
     fn attitude(&self) -> Rotation3<f64> {
         let angle = |of: Option<f64>| -of.unwrap_or(0.0).to_radians();
         self.course()
@@ -211,17 +213,17 @@ impl Throw {
     }
 }
 
-/// Model of a body, prepared to find the states of throws, and the throws of states.
+/// Model of a body, prepared for the conversion of throws to states and of states to throws.
 pub struct ThrownModel {
     motion: MotionModel,
     name: String,
 }
 
 impl ThrownModel {
-    /// Prepares a model.
+    /// Prepares a model for the conversion between throws and states.
     ///
     /// # Errors
-    /// [`ThrowError::NoBody`] for a model that has neither a body nor a claim.
+    /// [`ThrowError::NoBody`] if the model declares neither a body nor a claim of one.
     pub fn new(model: &Model) -> Result<ThrownModel, ThrowError> {
         let name = model.name.clone();
         match MotionModel::new(model) {
@@ -235,17 +237,17 @@ impl ThrownModel {
         self.motion.has_attitude()
     }
 
-    /// Parameters of a release, in the order of the model's layout.
+    /// Parameter vector of a release, in the order of the model's layout.
     pub fn release_parameters(&self, release: &Release) -> Vec<f64> {
         self.motion.release_parameters(release)
     }
 
-    /// State of the model with the motion of a throw from above the point `ground` (x, y), m. The body's first axis is
-    /// forward. `parameters` are in the order of the model's layout; states that the motion does not determine have
-    /// their default values.
+    /// Computes the state of the model that has the motion of a throw from above the point `ground` (x, y), m. The
+    /// body's first axis points forward. `parameters` are in the order of the model's layout; states that the motion
+    /// does not determine have their default values.
     ///
     /// # Errors
-    /// [`ThrowError`]
+    /// [`ThrowError`] if the throw is invalid, it states an attitude that the body lacks, or no state has its motion.
     pub fn state(
         &self,
         throw: &Throw,
@@ -255,11 +257,11 @@ impl ThrownModel {
         self.search(throw, ground, parameters, None)
     }
 
-    /// As [`state`](Self::state), searched from the state of a similar throw first: of several states with this motion the one
-    /// near it, and found sooner.
+    /// Like [`state`](Self::state), but the search starts at `near`, the state of a similar throw. This is faster, and
+    /// of several states with the motion it finds the one near `near`.
     ///
     /// # Errors
-    /// [`ThrowError`]
+    /// [`ThrowError`] as for [`state`](Self::state).
     pub fn state_near(
         &self,
         throw: &Throw,
@@ -319,25 +321,26 @@ impl ThrownModel {
         find(&wanted, Some(&state))
     }
 
-    /// Derivatives of the state of a throw by its numbers: states × [`FIELDS`], in the unit of each state per unit of each
-    /// number. Columns of numbers that a body without attitude does not have are 0.
+    /// Derivatives of the state of a throw by the fields of the throw: one row per state, one column per entry of
+    /// [`FIELDS`], in the unit of the state per unit of the field. Columns of fields that a body without attitude lacks
+    /// are 0.
     pub fn state_by_throw(&self, throw: &Throw, state: &[f64], parameters: &[f64]) -> DMatrix<f64> {
         self.motion.bind(parameters).state_by_throw(throw, state)
     }
 
-    /// Motion of the body at a state.
+    /// Motion of the body at a state; `parameters` are in the order of the model's layout.
     pub fn motion(&self, state: &[f64], parameters: &[f64]) -> Motion {
         self.motion.bind(parameters).motion(state)
     }
 
-    /// Jacobian of the motion by the states. Rows: position, velocity, and for a body with attitude its three axes and its
-    /// angular velocity, three components each in the inertial frame.
+    /// Jacobian of the motion by the states. Rows: position and velocity, and for a body with attitude also its three
+    /// axes and its angular velocity; each has three components in the inertial frame.
     pub fn motion_jacobian(&self, state: &[f64], parameters: &[f64]) -> DMatrix<f64> {
         self.motion.bind(parameters).jacobian(state)
     }
 
-    /// Least changes of the state that change the motion as the columns say, whose rows are those of
-    /// [`motion_jacobian`](Self::motion_jacobian).
+    /// Minimum-norm changes of the state that cause the changes of the motion in the columns of `wanted`, whose rows
+    /// are those of [`motion_jacobian`](Self::motion_jacobian).
     pub fn states_moved(
         &self,
         state: &[f64],
@@ -352,10 +355,10 @@ impl ThrownModel {
         self.motion.bind(parameters).inertia(state)
     }
 
-    /// State that has a motion, searched near a state where one is given.
+    /// State that has a given motion; the search starts at `near` if it is given.
     ///
     /// # Errors
-    /// [`ThrowError::NoState`]
+    /// [`ThrowError::NoState`] if no state within the model's limits has the motion.
     pub fn state_of(
         &self,
         motion: &Motion,
@@ -375,7 +378,7 @@ impl ThrownModel {
         [position.x, position.y]
     }
 
-    /// The throw whose motion a state has.
+    /// Converts a state to the throw whose motion it has.
     pub fn throw(&self, state: &[f64], parameters: &[f64]) -> Throw {
         let bound = self.motion.bind(parameters);
         let Motion {

@@ -1,5 +1,5 @@
-//! The motion of the body that a model describes, as a function of the state: compiled from the body that it declares, or
-//! from the claim of one.
+//! Motion of the body that a model describes, as a function of the state; compiled from the body that the model
+//! declares, or from its claim of one.
 
 use codegen::compile::Selection;
 use model_spec::model::{
@@ -26,37 +26,38 @@ pub struct Motion {
 /// Attitude and angular velocity of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Turning {
-    /// Axes of the body as columns; of a claimed body of revolution only the third is its own.
+    /// Axes of the body as columns, in the inertial frame; of a claimed body of revolution only the third is fixed in
+    /// the body.
     pub axes: Matrix3<f64>,
-    /// Angular velocity, rad/s.
+    /// Angular velocity in the inertial frame, rad/s.
     pub rates: Vector3<f64>,
 }
 
-/// Compiled motion of a model's body.
+/// Compiled motion of a model's body as a function of state and parameters.
 pub struct MotionModel {
     pub(super) compiled: CompiledModel,
     has_attitude: bool,
     pub(super) is_revolution: bool,
-    /// States that the motion does not determine.
+    /// Indices of the states that the motion does not determine.
     pub(super) added: Vec<usize>,
-    /// States that are angles of frames.
+    /// Indices of the states that are angles of frames.
     pub(super) angles: Vec<usize>,
-    /// States of each quaternion, scalar part first.
+    /// State indices of each quaternion, scalar part first.
     pub(super) quaternions: Vec<[usize; 4]>,
 }
 
-/// Number of vectors of the motion of a body with attitude: position, velocity, axes, angular velocity, rows of the inertia
-/// tensor, axes of its frame.
+/// Number of vectors that describe the motion of a body with attitude: position, velocity, three axes, angular
+/// velocity, three rows of the inertia tensor, three axes of the tensor's frame.
 pub(super) const VECTORS: usize = 12;
-/// Number of vectors of the motion of a point mass.
+/// Number of vectors that describe the motion of a point mass: position and velocity.
 pub(super) const POINT_VECTORS: usize = 2;
 
 impl MotionModel {
-    /// Compiles the motion; `None` for a model that has neither a body nor a claim.
+    /// Compiles the motion of a model's body; `None` if the model has neither a body nor a claim of one.
     pub fn new(model: &Model) -> Option<MotionModel> {
         let (vectors, is_revolution) = vectors(model)?;
         let mut own = model.clone();
-        // The motion at an instant depends on no load and no observation.
+        // The motion at an instant depends on neither loads nor the observation.
         own.forces.clear();
         own.moments.clear();
         own.observation = None;
@@ -91,12 +92,12 @@ impl MotionModel {
         self.has_attitude
     }
 
-    /// Parameters of a release, in the order of the model's layout.
+    /// Parameter vector of a release, in the order of the model's layout.
     pub fn release_parameters(&self, release: &Release) -> Vec<f64> {
         self.compiled.release_parameters(release)
     }
 
-    /// Motion with values of the parameters, in the order of the model's layout.
+    /// Binds the motion to parameter values, in the order of the model's layout.
     pub fn bind(&self, parameters: &[f64]) -> BoundMotion<'_> {
         BoundMotion {
             model: self,
@@ -105,8 +106,9 @@ impl MotionModel {
     }
 }
 
-/// A model whose observation is the speed of the mass centre over the ground (m/s), the spin as in a
-/// [`Throw`](super::Throw) (rpm) and 0; the spin of a point mass is 0. `None` for a model that has neither a body nor a claim.
+/// Copy of the model whose observation has three components: the speed of the mass centre over the ground (m/s), the
+/// spin as in a [`Throw`](super::Throw) (rpm; 0 for a point mass), and 0. `None` if the model has neither a body nor a
+/// claim of one.
 pub fn speed_and_spin(model: &Model) -> Option<Model> {
     let (vectors, _) = vectors(model)?;
     let scalar = |kind| Expr {
@@ -141,24 +143,24 @@ pub fn speed_and_spin(model: &Model) -> Option<Model> {
     Some(own)
 }
 
-/// Motion of a model's body for values of its parameters.
+/// Motion of a model's body with bound parameter values.
 pub struct BoundMotion<'m> {
     pub(super) model: &'m MotionModel,
     bound: BoundModel<'m>,
 }
 
 impl BoundMotion<'_> {
-    /// Default states of the model.
+    /// Default state vector of the model.
     pub fn default_state(&self) -> Vec<f64> {
         self.model.compiled.layout().default_states()
     }
 
-    /// Whether a state is within the model's limits.
+    /// Whether a state is within the model's limits of validity.
     pub fn is_within_limits(&self, state: &[f64]) -> bool {
         self.bound.observer().is_within_limits(0.0, state)
     }
 
-    /// Motion at a state.
+    /// Motion of the body at a state.
     pub fn motion(&self, state: &[f64]) -> Motion {
         let vectors = self.vectors(state);
         Motion {
@@ -180,7 +182,8 @@ impl BoundMotion<'_> {
         Some(e1 * r1.transpose() + e2 * r2.transpose() + e3 * r3.transpose())
     }
 
-    /// Differences of the motion at a state from a wanted one, each of the order of 1 at most for a motion unlike it.
+    /// Differences between the motion at a state and the motion `wanted`; velocities and rates are divided by their
+    /// wanted magnitudes (at least 1 m/s and 1 rad/s).
     pub fn differences(&self, state: &[f64], wanted: &Motion) -> Vec<f64> {
         let found = self.motion(state);
         let speed = wanted.velocity.norm().max(1.0);
@@ -197,7 +200,7 @@ impl BoundMotion<'_> {
         all.iter().flat_map(|v| [v.x, v.y, v.z]).collect()
     }
 
-    /// The vectors that were compiled, the last of the auxiliary variables.
+    /// The compiled vectors of the motion at a state, which are the last auxiliary variables.
     fn vectors(&self, state: &[f64]) -> Vec<Vector3<f64>> {
         let count = if self.model.has_attitude {
             VECTORS
@@ -210,8 +213,8 @@ impl BoundMotion<'_> {
     }
 }
 
-/// Expressions of the motion in the inertial frame, in the order of [`VECTORS`], and whether the body is one of revolution
-/// that no frame turns with.
+/// Expressions of the motion in the inertial frame, in the order of [`VECTORS`], and whether the body is a claimed body
+/// of revolution, with which no frame rotates. `None` if the model has neither a body nor a claim of one.
 fn vectors(model: &Model) -> Option<(Vec<Expr>, bool)> {
     let vector = |kind, frame, unit| Expr {
         kind,
@@ -261,7 +264,7 @@ fn vectors(model: &Model) -> Option<(Vec<Expr>, bool)> {
     };
     let (axes, is_revolution) = match rotation.attitude {
         ClaimedAttitude::Frame(frame) => ([1, 2, 3].map(|k| axis(frame, k)), false),
-        // The axis of revolution as the third, the others in turn.
+        // The axis of revolution is the third axis; the other two follow cyclically.
         ClaimedAttitude::Axis(frame, third) => {
             let others = [third % 3 + 1, (third + 1) % 3 + 1, third];
             (others.map(|k| axis(frame, k)), true)

@@ -1,5 +1,5 @@
-//! States of many throws of one model, each found from that of a throw near it: Newton's method on the attitude, whose
-//! result the other states follow from by a linear system. What does not fit this is left to the general search.
+//! States of many throws of one model, each found from the state of a nearby throw: Newton's method for the attitude,
+//! then a linear system for the other states. Throws for which this fails are left to the general search.
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
@@ -7,23 +7,23 @@ use super::motion::{MotionModel, POINT_VECTORS, VECTORS};
 use super::{RPM, Throw, ThrowError, ThrownModel};
 use crate::functions::{EvaluationPoint, Workspace};
 
-/// Greatest number of unknowns: of a body, six of its motion and as many of its place and attitude, or one more.
+/// Maximum number of unknowns: for a body, six for its velocities, and six or seven for its position and attitude.
 const UNKNOWNS: usize = 13;
-/// Greatest number of steps of Newton's method.
+/// Maximum number of steps of Newton's method.
 const MAX_STEPS: usize = 20;
-/// Greatest angle of a turn that Newton's method is to find at once, rad.
+/// Maximum angle of a rotation that Newton's method is to find at once, rad; greater rotations are split.
 const WIDEST_TURN: f64 = 0.5;
-/// Half the step of the central differences by the attitude.
+/// Offset to either side in the central differences by the attitude.
 const DIFFERENCE_STEP: f64 = 1e-5;
-/// Greatest difference of two motions that are the same.
+/// Maximum difference, relative to the scale of the motion, between two motions that count as equal.
 const SAME: f64 = 1e-9;
 
-/// Finds the states of throws near a known one.
+/// Finds the states of throws that are near a known throw.
 pub struct NearThrows<'m> {
     thrown: &'m ThrownModel,
     /// State of the known throw.
     near: Vec<f64>,
-    /// States of the attitude, and those that the motion is linear in.
+    /// Indices of the attitude states (`attitude`), and of the states in which the motion is linear (`linear`).
     attitude: Vec<usize>,
     linear: Vec<usize>,
     parameters: Vec<f64>,
@@ -33,12 +33,12 @@ pub struct NearThrows<'m> {
     workspace: Workspace,
 }
 
-/// Motion at a state: position, velocity, axes, rates.
+/// Vectors that describe the motion at a state, in the order of [`VECTORS`].
 #[derive(Clone, Copy)]
 struct Vectors([Vector3<f64>; VECTORS]);
 
 impl<'m> NearThrows<'m> {
-    /// Newton's method starts at `near`, the state of a known throw.
+    /// Prepares the search for throws near a known one; Newton's method starts at `near`, the state of the known throw.
     pub fn new(thrown: &'m ThrownModel, near: &[f64]) -> NearThrows<'m> {
         let motion = &thrown.motion;
         let mut attitude = motion.angles.clone();
@@ -50,7 +50,7 @@ impl<'m> NearThrows<'m> {
             near: near.to_vec(),
             linear: (0..near.len()).filter(is_linear).collect(),
             attitude,
-            // Like none, so that the first are prepared.
+            // NaN equals no value, so that the first parameters are prepared.
             parameters: vec![f64::NAN],
             prepared: vec![0.0; functions.prepared_len()],
             quantities: vec![0.0; motion.compiled.layout.quantities.len()],
@@ -59,11 +59,11 @@ impl<'m> NearThrows<'m> {
         }
     }
 
-    /// Writes the state with the motion of a throw from above the point `ground` (x, y), m, to `state`; as
+    /// Writes the state with the motion of a throw from above the point `ground` (x, y), m, to `state`; see
     /// [`ThrownModel::state`].
     ///
     /// # Errors
-    /// [`ThrowError`]
+    /// [`ThrowError`] as for [`ThrownModel::state`].
     pub fn state(
         &mut self,
         throw: &Throw,
@@ -84,7 +84,8 @@ impl<'m> NearThrows<'m> {
         Ok(())
     }
 
-    /// Newton's method; `None` where it does not lead to the motion.
+    /// Finds the state by Newton's method and writes it to `state`; `None` if the method does not apply to the model or
+    /// does not converge to the motion.
     fn find(&mut self, throw: &Throw, ground: [f64; 2], state: &mut [f64]) -> Option<()> {
         let motion = &self.thrown.motion;
         let turns = motion.has_attitude();
@@ -104,7 +105,7 @@ impl<'m> NearThrows<'m> {
         state.copy_from_slice(&self.near);
         let axes = throw.attitude().into_inner();
         if turns {
-            // In parts of a wide turn, for Newton's method finds near attitudes alone.
+            // A wide rotation is split, since Newton's method finds only nearby attitudes.
             let now = axes_of(&self.vectors(state));
             let turn = Rotation3::from_matrix_unchecked(axes * now.transpose()).scaled_axis();
             let parts = (turn.norm() / WIDEST_TURN).ceil().max(1.0);
@@ -155,7 +156,8 @@ impl<'m> NearThrows<'m> {
         (is_there && is_turned && self.is_within_limits(state)).then_some(())
     }
 
-    /// Turns the body to the axes, by Newton's method with a trace of damping.
+    /// Changes the attitude states so that the body has the given axes, by Newton's method with slight damping; `None`
+    /// if the equations are singular.
     fn turn(&mut self, axes: &Matrix3<f64>, state: &mut [f64]) -> Option<()> {
         let n = self.attitude.len();
         for _ in 0..MAX_STEPS {
@@ -248,7 +250,7 @@ fn axes_of(at: &Vectors) -> Matrix3<f64> {
     Matrix3::from_columns(&at.0[2..5])
 }
 
-/// Angular velocity of a throw with given axes.
+/// Angular velocity of a throw whose body has the given axes; `None` if the inertia tensor is singular.
 fn rates(throw: &Throw, axes: &Matrix3<f64>, at: &Vectors) -> Option<Vector3<f64>> {
     let spin = -throw.spin.unwrap_or(0.0) * RPM;
     let wobble = throw.wobble.unwrap_or(0.0).to_radians();
@@ -263,8 +265,8 @@ fn rates(throw: &Throw, axes: &Matrix3<f64>, at: &Vectors) -> Option<Vector3<f64
     Some(along * (spin / along.dot(&axis)))
 }
 
-/// Solution of `n` linear equations, whose right-hand sides are the last column, by elimination with pivots; `None` where
-/// they are singular.
+/// Solves `n` linear equations, whose right-hand sides are in the last column, by Gaussian elimination with pivoting;
+/// `None` if they are singular.
 fn solve(system: &mut [[f64; UNKNOWNS + 1]; UNKNOWNS], n: usize) -> Option<[f64; UNKNOWNS]> {
     for k in 0..n {
         let rows = k..n;

@@ -1,4 +1,5 @@
-//! A model in a wind: the effects of `model-spec/winds`, with what depends on the data, applied to the model's syntax tree.
+//! Composition of a model with a wind: effects of `model-spec/winds`, extended by statements from the data, are applied
+//! to the syntax tree of the model.
 
 use std::collections::HashMap;
 
@@ -15,12 +16,12 @@ use super::{GustStrength, Gusts, Profile, WindField, table};
 const TWENTY_FEET: f64 = 6.096;
 
 impl WindField {
-    /// The model in this wind: its parameters follow those of the model, with defaults at which they do nothing;
-    /// [`parameters`](WindField::parameters) has their values.
+    /// Composes the model with this wind. The parameters of the wind follow those of the model; with their default
+    /// values the wind has no effect, and [`parameters`](WindField::parameters) returns their actual values.
     ///
     /// # Errors
-    /// [`LoadError::Faults`] for a model that has neither a velocity of the air `air` nor a velocity through it `air_velocity`, no
-    /// body whose height is known, or quantities of the same names.
+    /// [`LoadError::Faults`] if the model defines neither a velocity of the air `air` nor a velocity through it
+    /// `air_velocity`, has no body whose height is known, or already uses names that the wind defines.
     pub fn compose(&self, model: &Model) -> Result<Model, LoadError> {
         let mut tree = ModelTree::of(model);
         let profile = self.profile.as_ref().map(profile).transpose()?;
@@ -52,14 +53,14 @@ impl WindField {
     }
 }
 
-/// The effect of `model-spec/winds` of this name.
+/// Effect of this name from `model-spec/winds`.
 fn law(name: &str) -> Result<EffectTree, LoadError> {
     let found = WINDS.iter().find(|(own, _)| *own == name);
     let text = found.map_or("", |(_, text)| *text);
     EffectTree::parse(&format!("{name}.hyz"), text)
 }
 
-/// The effect of this name with further statements.
+/// Effect of this name, extended by further statements.
 fn extended(name: &str, parts: Vec<EffectPart>) -> Result<EffectTree, LoadError> {
     let mut tree = law(name)?.tree().clone();
     tree.parts.extend(parts);
@@ -74,14 +75,14 @@ fn profile(profile: &Profile) -> Result<EffectTree, LoadError> {
     }
 }
 
-/// The mean wind as an expression of the height.
+/// Mean wind as an expression of the height: the constant input plus the profile.
 struct MeanWind<'a> {
     has_input: bool,
     profile: Option<&'a EffectTree>,
 }
 
 impl MeanWind<'_> {
-    /// The mean wind at a height.
+    /// Expression of the mean wind at a height.
     fn at(&self, height: &Expr) -> Expr {
         let input = || call("in_inertial", vec![name("wind")]);
         let of_profile = self.profile.map(|profile| {
@@ -104,7 +105,7 @@ impl MeanWind<'_> {
     }
 }
 
-/// Puts definitions in the place of their names, those in them included; they are in no circle.
+/// Replaces names by their definitions, recursively; the definitions must not be cyclic.
 fn insert(e: &mut Expr, lets: &HashMap<&str, &Expr>) {
     while let ExprKind::Name(own) = &e.kind
         && let Some(value) = lets.get(own.as_str())
@@ -114,7 +115,7 @@ fn insert(e: &mut Expr, lets: &HashMap<&str, &Expr>) {
     e.children_mut(&mut |child| insert(child, lets));
 }
 
-/// Effects that define `gust_velocity`.
+/// Effects that together define `gust_velocity`: the strength of the gusts and their sinusoids.
 fn gust_effects(gusts: &Gusts, mean: &MeanWind<'_>) -> Result<[EffectTree; 2], LoadError> {
     let strength = match gusts.strength {
         GustStrength::LowAltitude => {

@@ -1,26 +1,27 @@
-//! Sinusoids of Dryden's spectra: wavenumbers, amplitudes and phases.
+//! Sinusoids that approximate the Dryden spectra: wavenumbers, amplitudes and phases.
 
 use std::f64::consts::{PI, TAU};
 
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// Number of sinusoids of each component of the gusts.
+/// Number of sinusoids per component of the gusts.
 pub const GUST_TERMS: usize = 24;
 
-/// Lower edge of the second band and upper edge of the last one, as products of wavenumber and length.
+/// Lower edge of the second band and upper edge of the last band, as products of wavenumber and length scale.
 const BAND: (f64, f64) = (0.1, 20.0);
 
-/// Components of the gusts: along the flight, across it, upwards.
+/// Components of the gusts: u along the flight, v across it, w upwards.
 pub(super) const COMPONENTS: [&str; 3] = ["u", "v", "w"];
 
-/// Wavenumbers times the length L, and amplitudes of the sinusoids of a component with variance 1; component 0 is u, along the
-/// flight, 1 and 2 are v and w, across it.
+/// Sinusoids of a gust component with variance 1, as pairs of wavenumber (times the length scale L) and amplitude;
+/// component 0 is u, along the flight, 1 and 2 are v and w, across it.
 ///
-/// One-sided spectra over the wavenumber Ω, with x = LΩ (MIL-F-8785C): u (2L/π)/(1 + x²); v and w (L/π) (1 + 3x²)/(1 + x²)². The first
-/// band is 0 to 0.1/L, the others are of equal ratio up to 20/L. Each band has one sinusoid, at the median of the band's variance,
-/// with the variance of the band; all are scaled by 1.016 (u) and 1.025 (v, w), so that the part beyond 20/L, 3 % and 5 % of the
-/// variance, is not lost.
+/// One-sided spectra over the wavenumber Ω, with x = LΩ (MIL-F-8785C): u (2L/π)/(1 + x²); v and w (L/π) (1 + 3x²)/(1 +
+/// x²)². The first band is 0 to 0.1/L; the edges of the other bands have equal ratios, up to 20/L. Each band is
+/// represented by one sinusoid at the median of the band's variance, with the variance of the band. All sinusoids are
+/// scaled by 1.016 (u) and 1.025 (v, w), so that the part of the spectrum above 20/L, 3 % and 5 % of the variance, is
+/// not lost.
 pub fn gust_spectrum(component: usize) -> [(f64, f64); GUST_TERMS] {
     let part = match component {
         0 => part_along,
@@ -40,17 +41,17 @@ pub fn gust_spectrum(component: usize) -> [(f64, f64); GUST_TERMS] {
     })
 }
 
-/// Part of the variance of u below x = LΩ.
+/// Fraction of the variance of u at wavenumbers below x = LΩ.
 fn part_along(x: f64) -> f64 {
     2.0 / PI * x.atan()
 }
 
-/// Part of the variance of v and w below x = LΩ.
+/// Fraction of the variance of v and w at wavenumbers below x = LΩ.
 fn part_across(x: f64) -> f64 {
     (2.0 * x.atan() - x / (1.0 + x * x)) / PI
 }
 
-/// Where an increasing function has a value, by bisection.
+/// Argument between `low` and `high` at which the increasing function `of` has a value, by bisection.
 fn between(of: fn(f64) -> f64, value: f64, mut low: f64, mut high: f64) -> f64 {
     for _ in 0..60 {
         let middle = (low + high) / 2.0;
@@ -62,8 +63,8 @@ fn between(of: fn(f64) -> f64, value: f64, mut low: f64, mut high: f64) -> f64 {
     (low + high) / 2.0
 }
 
-/// Names and values (rad, uniform from 0 to 2π) of the phases of a flight's gusts, from the seed and the number of the flight
-/// alone.
+/// Names and values (rad, uniform from 0 to 2π) of the phases of a flight's gusts; they depend only on the seed and the
+/// index of the flight.
 pub fn gust_phases(seed: u64, flight: u64) -> Vec<(String, f64)> {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     random.set_stream(flight);
@@ -77,7 +78,7 @@ pub fn gust_phases(seed: u64, flight: u64) -> Vec<(String, f64)> {
         .collect()
 }
 
-/// Name of the parameter that is the phase of a sinusoid, counted from 1.
+/// Name of the parameter for the phase of a sinusoid; `term` counts from 1.
 pub(super) fn phase_name(component: &str, term: usize) -> String {
     format!("gust_phase_{component}_{term}")
 }

@@ -1,7 +1,7 @@
-//! Winds that change with height, and gusts: what a release states of them, and how they join a model.
+//! Winds that change with height, and gusts: their description in a release, and their composition with a model.
 //!
-//! The laws are effects of `model-spec/winds`; a table in height and the sinusoids of gusts are added to them as nodes of the syntax
-//! tree, so that a model in a wind is compiled, differentiated and flown as any other.
+//! The laws are effects of `model-spec/winds`; a table in height and the sinusoids of gusts are added to them as nodes
+//! of the syntax tree, so that a model in a wind is compiled, differentiated and flown like any other.
 
 mod compose;
 mod dryden;
@@ -13,36 +13,38 @@ mod text;
 pub use dryden::{GUST_TERMS, gust_phases, gust_spectrum};
 pub use read::{StatedWind, read_wind_file};
 
-/// Wind that a release states beside the constant one: a mean wind by height, gusts, or both.
+/// Wind that a release states in addition to a constant wind: a mean wind by height, gusts, or both.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WindField {
-    /// Mean wind by height.
+    /// Mean wind as a function of the height, if stated.
     pub profile: Option<Profile>,
-    /// Gusts about the mean wind.
+    /// Gusts added to the mean wind, if stated.
     pub gusts: Option<Gusts>,
 }
 
-/// Mean wind as a function of the height above the ground. Below the ground it is that at the ground.
+/// Mean wind as a function of the height above the ground; below the ground the wind at the ground applies.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Profile {
-    /// Logarithmic law: U ln(1 + (z/z₀)²)/ln(1 + (h/z₀)²), which is U ln(z/z₀)/ln(h/z₀) well above z₀ and 0 at the ground.
+    /// Logarithmic law for the speed at height z, with U and h from `at`: U ln(1 + (z/z₀)²)/ln(1 + (h/z₀)²), which is U
+    /// ln(z/z₀)/ln(h/z₀) well above z₀ and 0 at the ground.
     Log {
         /// Speed and direction at the reference height.
         at: ReferenceWind,
         /// Roughness length z₀, m.
         roughness: f64,
     },
-    /// Power law: U ((z² + ε²)/(h² + ε²))^(n/2) with ε = 5 cm, which is U (z/h)ⁿ well above ε.
+    /// Power law for the speed at height z, with U and h from `at`: U ((z² + ε²)/(h² + ε²))^(n/2) with ε = 5 cm, which
+    /// is U (z/h)ⁿ well above ε.
     Power {
         /// Speed and direction at the reference height.
         at: ReferenceWind,
         /// Exponent n.
         exponent: f64,
     },
-    /// Velocities at heights, joined by monotone cubics with a continuous derivative; constant below the first height and above
-    /// the last one.
+    /// Velocities at given heights, interpolated by monotone cubics with a continuous derivative; constant below the
+    /// first height and above the last one.
     Table {
-        /// Height above the ground (m, increasing) and the components of the velocity there, m/s.
+        /// Rows of height above the ground (m, increasing) and the three components of the wind velocity, m/s.
         rows: Vec<[f64; 4]>,
     },
 }
@@ -52,48 +54,48 @@ pub enum Profile {
 pub struct ReferenceWind {
     /// Speed U, m/s.
     pub speed: f64,
-    /// Direction that it blows to, from +x to the left (towards +y), deg.
+    /// Direction towards which the wind blows, from +x to the left (towards +y), deg.
     pub direction: f64,
     /// Reference height h above the ground, m.
     pub height: f64,
 }
 
-/// Gusts with the spectra of Dryden, frozen in the air that the mean wind carries along. The components are u along the
-/// direction of flight, v across it to the left, w upwards.
+/// Gusts with Dryden spectra, frozen in the air that the mean wind carries along. Components: u along the direction of
+/// flight, v across it to the left, w upwards.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gusts {
-    /// Seed of the phases.
+    /// Seed of the random phases.
     pub seed: u64,
-    /// Number of the flight that has these gusts: each number has phases of its own.
+    /// Index of the flight that has these gusts; each index has its own phases.
     pub flight: u64,
     /// Horizontal direction of flight along which the gusts vary, from +x to the left, deg.
     pub heading: f64,
-    /// Factor of all gusts.
+    /// Factor by which all gusts are multiplied.
     pub intensity: f64,
-    /// Height above the ground at which the mean wind carries the gusts, m; also that of intensities and lengths of
-    /// [`GustStrength::LowAltitude`].
+    /// Height above the ground at which the mean wind carries the gusts, m; [`GustStrength::LowAltitude`] also derives
+    /// intensities and length scales from it.
     pub height: f64,
-    /// How strong and how long they are.
+    /// Source of the standard deviations and length scales of the gusts.
     pub strength: GustStrength,
 }
 
-/// Standard deviations and lengths of gusts.
+/// Standard deviations and length scales of gusts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum GustStrength {
-    /// From the mean wind at 20 ft and the height: the low-altitude model of MIL-F-8785C.
+    /// Derived from the mean wind at 20 ft and the height, by the low-altitude model of MIL-F-8785C.
     LowAltitude,
-    /// By their numbers, for u, v and w.
+    /// Stated values for the components u, v and w.
     Stated {
-        /// Standard deviations, m/s.
+        /// Standard deviations of u, v and w, m/s.
         sd: [f64; 3],
-        /// Lengths, m.
+        /// Length scales of u, v and w, m.
         length: [f64; 3],
     },
 }
 
 impl WindField {
-    /// Values of the parameters by which the wind joins a model, in the units of these parameters: SI, directions in
-    /// degrees.
+    /// Names and values of the parameters that the wind adds to a model, in the units of these parameters: SI, with
+    /// directions in degrees.
     pub fn parameters(&self) -> Vec<(String, f64)> {
         let mut values: Vec<(&str, f64)> = Vec::new();
         let mut reference = |at: &ReferenceWind| {
@@ -137,7 +139,7 @@ impl WindField {
         values
     }
 
-    /// Sets the parameter of this name; whether the wind has one.
+    /// Sets the parameter of this name; returns false if the wind has no such parameter.
     pub fn set(&mut self, name: &str, value: f64) -> bool {
         let at = match &mut self.profile {
             Some(Profile::Log { at, roughness }) => {
@@ -174,7 +176,7 @@ impl WindField {
 }
 
 impl Gusts {
-    /// The number that a parameter of this name has.
+    /// Mutable reference to the value of the parameter of this name; `None` if the gusts have no such parameter.
     fn number(&mut self, name: &str) -> Option<&mut f64> {
         match name {
             "gust_intensity" => return Some(&mut self.intensity),

@@ -1,4 +1,4 @@
-//! Nodes of the syntax tree.
+//! Constructors of nodes of the syntax tree.
 
 use model_spec::diagnostic::Span;
 use model_spec::syntax::ast::{
@@ -13,7 +13,7 @@ fn expr(kind: ExprKind) -> Expr {
     }
 }
 
-/// A name as it stands in the tree.
+/// Identifier node with the given text.
 pub(super) fn identifier(text: &str) -> Name {
     Name {
         text: text.to_owned(),
@@ -21,12 +21,12 @@ pub(super) fn identifier(text: &str) -> Name {
     }
 }
 
-/// A quantity by its name.
+/// Expression that refers to a quantity by its name.
 pub(super) fn name(text: &str) -> Expr {
     expr(ExprKind::Name(text.to_owned()))
 }
 
-/// A finite number with its unit as powers of symbols; none for a pure number.
+/// Literal of a finite number; `unit` lists powers of unit symbols and is empty for a pure number.
 pub(super) fn number(value: f64, unit: &[(&str, i32)]) -> Expr {
     let magnitude = expr(ExprKind::Number(quantity(value.abs(), unit)));
     match value.is_sign_negative() {
@@ -60,29 +60,29 @@ fn unit(powers: &[(&str, i32)]) -> UnitExpr {
     }
 }
 
-/// Binary operation of two expressions.
+/// Expression of a binary operation on two operands.
 pub(super) fn binary(op: BinaryOp, a: Expr, b: Expr) -> Expr {
     expr(ExprKind::Binary(op, Box::new(a), Box::new(b)))
 }
 
-/// Function of its arguments.
+/// Expression of a call of a function with its arguments.
 pub(super) fn call(function: &str, arguments: Vec<Expr>) -> Expr {
     expr(ExprKind::Call(identifier(function), arguments))
 }
 
-/// Vector by its components in the inertial frame.
+/// Expression of a vector from its components in the inertial frame.
 pub(super) fn inertial_vector(components: [Expr; 3]) -> Expr {
     let frame = identifier("inertial");
     expr(ExprKind::Components(Box::new(components), frame))
 }
 
-/// Sum of expressions; `None` without any.
+/// Expression of the sum of terms; `None` if there are none.
 pub(super) fn sum(terms: impl IntoIterator<Item = Expr>) -> Option<Expr> {
     let terms = terms.into_iter();
     terms.reduce(|a, b| binary(BinaryOp::Add, a, b))
 }
 
-/// Statement of an effect that names a quantity.
+/// Statement of an effect that defines a named quantity.
 pub(super) fn add_let(text: &str, value: Expr) -> EffectPart {
     let binding = Let {
         name: identifier(text),
@@ -92,7 +92,7 @@ pub(super) fn add_let(text: &str, value: Expr) -> EffectPart {
     added(ItemKind::Let(binding), String::new())
 }
 
-/// Statement of an effect that declares a parameter without a unit, 0 by default.
+/// Statement of an effect that declares a dimensionless parameter with the default value 0.
 pub(super) fn add_parameter(text: &str, doc: &str) -> EffectPart {
     let parameter = Parameter {
         class: ParameterClass::Param,
@@ -103,8 +103,8 @@ pub(super) fn add_parameter(text: &str, doc: &str) -> EffectPart {
     added(ItemKind::Parameter(parameter), doc.to_owned())
 }
 
-/// Statement of an effect that declares a table of speeds (m/s) over heights (m), monotone between its knots and constant
-/// beyond them.
+/// Statement of an effect that declares a table of speeds (m/s) over heights (m), monotone between its knots and
+/// constant outside them.
 pub(super) fn add_table(text: &str, knots: Vec<(f64, f64)>) -> EffectPart {
     let knots = knots.into_iter();
     let table = Table {

@@ -7,11 +7,11 @@ use toml::de::DeTable;
 use super::{GustStrength, Gusts, Profile, ReferenceWind, WindField};
 use crate::release::{Reader, ReleaseError, Value, number_of};
 
-/// Greatest number of rows of a table of wind.
+/// Maximum number of rows of a wind table.
 const MAX_ROWS: usize = 500;
-/// Greatest component of a stated wind, m/s.
+/// Maximum absolute value of a component in a wind table, m/s.
 const MAX_SPEED: f64 = 200.0;
-/// 10 ft, the least height of the low-altitude model of gusts, m.
+/// Default height of gusts, m: 10 ft, the minimum height of the low-altitude gust model.
 const GUST_HEIGHT: f64 = 3.048;
 /// Keys of `[wind]`; those after the first three belong to a profile.
 const KEYS: [&str; 9] = [
@@ -37,14 +37,14 @@ const GUST_KEYS: [&str; 8] = [
     "length",
 ];
 
-/// Wind of a release: the constant one in the inertial frame, m/s, and what changes with height or gusts.
+/// Wind of a release: the constant wind in the inertial frame, m/s, and the wind by height and gusts, if stated.
 pub type StatedWind = ([f64; 3], Option<WindField>);
 
-/// Reads the wind of a TOML file with a table `[wind]`; its other tables are not read, so that the wind of a release is
-/// another's.
+/// Reads the wind from the table `[wind]` of a TOML file; other tables are ignored, so that one release can be flown in
+/// the wind of another.
 ///
 /// # Errors
-/// [`ReleaseError`] with all faults of the table; also for a file that cannot be read or has none.
+/// [`ReleaseError`] with all faults of the table, also if the file cannot be read or has no such table.
 pub fn read_wind_file(path: &Path) -> Result<StatedWind, ReleaseError> {
     crate::release::read_text(path, |file, text| {
         let mut reader = Reader::new(text);
@@ -64,7 +64,7 @@ pub fn read_wind_file(path: &Path) -> Result<StatedWind, ReleaseError> {
 }
 
 impl<'t> Reader<'t> {
-    /// Reads `[wind]`. Faults are recorded; where there are any, the result is of no use.
+    /// Parses `[wind]` and records its faults; after a fault the result must not be used.
     pub(crate) fn wind(&mut self, document: &DeTable<'t>) -> StatedWind {
         let none = ([0.0; 3], None);
         let Some(value) = document.get("wind") else {
@@ -86,7 +86,7 @@ impl<'t> Reader<'t> {
         }
         let gusts = table.get("gusts").and_then(|value| {
             let heading = document.get("throw").and_then(|throw| {
-                // Its faults are those of [throw].
+                // Faults of this value are reported with [throw].
                 number_of(throw.get_ref().as_table()?.get("heading")?)
             });
             self.gusts(value, heading.unwrap_or(0.0))
@@ -312,7 +312,8 @@ impl<'t> Reader<'t> {
         Some(number)
     }
 
-    /// A whole number from 0 that a number of 64 bits holds exactly.
+    /// Parses a non-negative integer that `f64` represents exactly; records a fault and returns `None` for anything
+    /// else.
     fn count(&mut self, value: &Value<'t>, name: &str) -> Option<u64> {
         const GREATEST: f64 = 9_007_199_254_740_992.0;
         let number = self.number(value, name)?;

@@ -1,14 +1,15 @@
-//! A table of wind in height as tables of the language: monotone cubics between the heights, constant beyond the ends.
+//! A wind table in height as tables of the model language: monotone cubics between the heights, constant outside them.
 
 use model_spec::diagnostic::Span;
 use model_spec::syntax::ast::{EffectPart, Expr, ExprKind};
 
 use super::nodes::{add_let, add_table, call, inertial_vector, name};
 
-/// Tables of the three components.
+/// Names of the tables for the three components of the wind.
 const COMPONENTS: [&str; 3] = ["wind_table_1", "wind_table_2", "wind_table_3"];
 
-/// Statements that define `wind_height` and `wind_of_profile` by a table of heights (increasing) and velocities.
+/// Statements that define `wind_height` and `wind_of_profile` by a table of heights (m, increasing) and velocities
+/// (m/s).
 pub(super) fn statements(rows: &[[f64; 4]]) -> Vec<EffectPart> {
     let height = Expr {
         kind: ExprKind::Part(Box::new(name("position")), 3),
@@ -25,7 +26,8 @@ pub(super) fn statements(rows: &[[f64; 4]]) -> Vec<EffectPart> {
     parts
 }
 
-/// The knots of a table of the language, which has at least three: between two there is their mean.
+/// Knots for a table of the model language, which requires at least three: if there are two, their mean is inserted
+/// between them.
 fn knots_of(mut knots: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     if let [(low, first), (high, last)] = knots[..] {
         knots.insert(1, (0.5 * (low + high), 0.5 * (first + last)));

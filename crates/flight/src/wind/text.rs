@@ -1,11 +1,12 @@
-//! A wind as the table `[wind]` of a release file.
+//! Formatting of a wind as the table `[wind]` of a release file.
 
 use std::fmt::Write;
 
 use super::{GustStrength, Profile, ReferenceWind, WindField};
 
 impl WindField {
-    /// The tables `[wind]` and `[wind.gusts]` in TOML; `constant` is the constant wind, m/s, written where there is no profile.
+    /// Formats the wind as the TOML tables `[wind]` and `[wind.gusts]`; `constant` is the constant wind, m/s, and is
+    /// written only if there is no profile.
     pub fn to_toml(&self, constant: [f64; 3]) -> String {
         let mut text = "[wind]\n".to_owned();
         let reference = |text: &mut String, law: &str, at: &ReferenceWind| {

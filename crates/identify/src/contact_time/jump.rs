@@ -1,4 +1,4 @@
-//! Free motion compared with free motion whose velocities jump at one time.
+//! Likelihood-ratio test of free motion against free motion whose velocities jump at one time.
 //!
 //! A. S. Willsky and H. L. Jones, "A generalized likelihood ratio approach to the detection and estimation of jumps in
 //! linear systems", IEEE Transactions on Automatic Control 21 (1976).
@@ -10,33 +10,35 @@ use super::rows::{Point, Row};
 use super::trajectory::{Trajectory, over_noise};
 use crate::noise::NoiseModel;
 
-/// Greatest number of samples after a contact that show it.
+/// Maximum number of samples after a contact that are used to detect it.
 const AFTER: usize = 40;
-/// Standard deviation of a displacement of the markers by the contact itself, in units of the noise.
+/// Prior standard deviation of the displacement of the markers at the time of contact, in units of the noise.
 const SLACK: f64 = 0.3;
 
-/// Free motion compared with motion whose velocities jump before a sample.
+/// Result of the comparison of free motion with motion whose velocities jump before a sample.
 #[derive(Clone, Debug)]
 pub struct Comparison {
-    /// Decrease of the sum of whitened squares by the jump.
+    /// Decrease of the whitened sum of squares by the jump.
     pub gain: f64,
-    /// Change of the initial state to that of the motion after the jump.
+    /// Difference between the initial state of the motion after the jump and that of the motion before it.
     pub change: DVector<f64>,
 }
 
-/// Comparisons of free motion with motion that jumps before one of the samples at which contacts are tried.
+/// Comparisons of free motion with motion that jumps, for each sample before which a contact is tried.
 pub struct Jumps {
-    /// The first of these samples.
+    /// Index of the first sample before which a contact is tried.
     tried: usize,
-    /// For each of them, the change of the initial state that free motion before it has.
+    /// For each sample before which a contact is tried, the change of the initial state fitted to the samples before
+    /// it.
     before: Vec<DVector<f64>>,
-    /// For each of them, comparisons by the samples up to itself and up to each later one.
+    /// For each sample before which a contact is tried, comparisons that use the samples up to itself, and up to each
+    /// later sample.
     comparisons: Vec<Vec<Comparison>>,
 }
 
 impl Jumps {
-    /// Compares free motion with jumps before each sample from `trajectory.tried` on. `None` if the samples before do not
-    /// determine free motion.
+    /// Compares free motion with a jump before each sample from `trajectory.tried` on. `None` if the preceding samples
+    /// do not determine the free motion.
     pub fn new(trajectory: &Trajectory, rows: &[Vec<Point>], noise: &NoiseModel) -> Option<Self> {
         let (dimension, tried) = (trajectory.dimension, trajectory.tried);
         let end = trajectory.first + rows.len();
@@ -83,13 +85,15 @@ impl Jumps {
         })
     }
 
-    /// The jump that explains the samples up to `last` best, and the first sample after it.
+    /// Jump with the greatest decrease of the sum of squares over the samples up to `last`, with the index of the first
+    /// sample after the jump.
     pub fn best(&self, last: usize) -> Option<(usize, &Comparison)> {
         self.until(last)
             .max_by(|a, b| a.1.gain.total_cmp(&b.1.gain))
     }
 
-    /// The earliest jump that explains this much of the samples up to `last`.
+    /// Earliest jump that decreases the sum of squares over the samples up to `last` by at least `gain`, with the index
+    /// of the first sample after it; `None` if there is no such jump.
     pub fn earliest(&self, last: usize, gain: f64) -> Option<(usize, &Comparison)> {
         self.until(last).find(|(_, found)| found.gain >= gain)
     }
@@ -99,13 +103,14 @@ impl Jumps {
         each.filter_map(move |(contact, by)| Some((contact, by.get(last - contact)?)))
     }
 
-    /// Change of the initial state that the samples before `contact` show.
+    /// Change of the initial state that is fitted to the samples before `contact`.
     pub fn before(&self, contact: usize) -> &DVector<f64> {
         &self.before[contact - self.tried]
     }
 }
 
-/// Derivatives of a residual after a jump before sample `contact`, by the initial state and by its change.
+/// Derivatives of a residual after a jump before sample `contact`: by the initial state, then by the change of the
+/// initial state.
 fn after(point: &Point, row: &Row, contact: usize) -> DVector<f64> {
     let is_first = point.previous.is_none_or(|previous| previous < contact);
     let by_change = match is_first {

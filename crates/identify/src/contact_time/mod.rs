@@ -1,10 +1,11 @@
-//! When a flight first touches something, by a fitted model: from that time on its samples leave the fitted free flight as
-//! after a jump of the velocity and the angular velocity, and of nothing that the markers show at once.
+//! Time of the first contact of a flight, detected with a fitted model. From the contact on, the samples deviate from
+//! the fitted free flight as after a jump of the velocity and angular velocity, without an immediate displacement of
+//! the markers.
 //!
-//! Free flights whose initial state differs a little from that of the fit are linear in that difference. Motion after a
-//! contact is another free flight, which meets the one before it: at the time of contact the difference between both
-//! displaces no marker. That holds for any model, whatever its states are. A generalised likelihood ratio compares free
-//! flight with a flight that jumps, sample by sample.
+//! Free flights whose initial states are near that of the fit depend linearly on the difference of the initial states.
+//! Motion after a contact is another free flight that meets the one before it: at the time of contact, the difference
+//! between both flights displaces no marker. This condition holds for any model, independent of its states. A
+//! generalised likelihood ratio compares free flight with a flight that jumps, for each sample.
 
 mod jump;
 mod outliers;
@@ -25,37 +26,43 @@ use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 
-/// Number of samples before those at which contacts are tried that show the free flight.
+/// Number of samples before the first sample at which a jump is tried; the free flight is determined from them.
 const BEFORE: usize = 24;
-/// Number of samples before those at which a contact is sought that show the usual decrease by a jump.
+/// Number of samples before the searched range at which jumps are also tried, to estimate by how much a jump usually
+/// decreases the sum of squares in free flight.
 const USUAL: usize = 8;
-/// Greatest number of samples by which a contact may come before those at which it is sought.
+/// Maximum number of samples by which a contact may precede the range of samples that is searched.
 const LATE: usize = 2;
-/// Least decrease of the whitened sum of squares by a jump that is a contact. Noise exceeds it at one sample in 10⁹.
+/// Minimum decrease of the whitened sum of squares by a velocity jump that is considered a contact. Noise exceeds it at
+/// one sample in 10⁹.
 const MIN_GAIN: f64 = 60.0;
-/// Least ratio of this decrease to the greatest one before the contact: departures by a wrong model grow smoothly.
+/// Minimum ratio of the decrease of the sum of squares by a contact to the largest decrease by a jump tried before it;
+/// deviations due to a wrong model grow smoothly.
 const MIN_GROWTH: f64 = 4.0;
-/// Decrease by which a contact may explain less than the likeliest, χ² of one degree of freedom at 90 %, to be taken if it is
-/// earlier: a sample too many is worse than one too few.
+/// Maximum difference between the decreases of the sum of squares by the best jump and by an earlier one for the
+/// earlier jump to be used: the 90 % quantile of χ² with one degree of freedom. An extra sample after the contact is
+/// worse than a missing one before it.
 const UNDECIDED: f64 = 2.71;
-/// Number of further samples that confirm a contact, and least ratio by which they increase the decrease: an outlier ends.
+/// Number of further samples that must confirm a contact, and minimum ratio by which the decrease of the sum of squares
+/// must grow with them; the effect of an outlier does not grow.
 const CONFIRMING: (usize, f64) = (2, 1.2);
-/// Least increase of the decrease by one sample that is an outlier, if it is not confirmed.
+/// Increase of the gain of a jump (decrease of the sum of squares) by one additional sample, above which that sample is
+/// an outlier unless later samples confirm a contact.
 const OUTLIER: f64 = 26.0;
-/// Greatest number of points that are left out as outliers.
+/// Maximum number of marker positions that are excluded as outliers.
 const MOST_OUTLIERS: usize = 12;
 
-/// A contact.
+/// A contact with the ground or another object.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Onset {
-    /// Number of the first sample after it.
+    /// Index of the first sample after the contact.
     pub sample: usize,
-    /// Jump of the markers' mean velocity, m/s.
+    /// Jump of the mean velocity of the markers, m/s.
     pub jump: Vector3<f64>,
 }
 
-/// The first contact before one of the samples `tried`, by the flight that a fit predicts; `None` without one, and where the
-/// trajectory cannot be computed.
+/// Finds the first contact before one of the samples `tried`, relative to the flight predicted from the fitted
+/// `unknowns`. `None` if no contact is found or the trajectory cannot be computed.
 pub fn contact_time(
     problem: &FitProblem,
     observations: &Observations,
@@ -80,7 +87,7 @@ pub fn contact_time(
         match departure(&jumps, tried.clone(), is_seen)? {
             Departure::Contact(sample, found) => {
                 let jump = jump_of_velocity(&trajectory, &observations, sample, found);
-                // What grows earlier was fitted: it is the misfit of a wrong model.
+                // A deviation that grows earlier was part of the fit: it is the misfit of a wrong model.
                 return (sample + LATE >= sought).then_some(Onset { sample, jump });
             }
             Departure::Outlier(sample) => {
@@ -94,15 +101,15 @@ pub fn contact_time(
     None
 }
 
-/// What free motion does not explain.
+/// A deviation of the samples from free motion.
 enum Departure<'a> {
-    /// A jump, with the first sample after it.
+    /// A velocity jump; contains the index of the first sample after it.
     Contact(usize, &'a Comparison),
-    /// A single sample.
+    /// An outlier in a single sample; contains the sample index.
     Outlier(usize),
 }
 
-/// The first departure from free motion.
+/// First deviation from free motion; `None` if there is none. `is_seen` returns whether a sample has measured markers.
 fn departure(
     jumps: &Jumps,
     tried: Range<usize>,
@@ -132,7 +139,7 @@ fn departure(
     None
 }
 
-/// Jump of the markers' mean velocity, m/s.
+/// Jump of the mean velocity of the markers before `sample`, m/s.
 fn jump_of_velocity(
     trajectory: &Trajectory,
     observations: &Observations,

@@ -1,4 +1,4 @@
-//! Points that are left out: they agree neither with free motion nor with a contact.
+//! Outlier detection: marks marker positions that agree neither with free motion nor with a contact.
 
 use super::quadratic::Quadratic;
 use super::rows::whitened;
@@ -6,12 +6,13 @@ use super::trajectory::Trajectory;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 
-/// Squared whitened residual of a point above which it is left out: one in 100 000 points of noise exceeds it.
+/// Squared whitened residual of a marker position above which it is an outlier; noise exceeds it with probability 10⁻⁵.
 const LIMIT: f64 = 26.0;
-/// Greatest difference of a distance between two markers from that of the body, in standard deviations of a coordinate.
+/// Maximum deviation of the distance between two markers from that on the body, in standard deviations of a coordinate.
 const DISTANCE: f64 = 6.0;
 
-/// Leaves out the points most of whose distances from the other markers of a sample are not those of the body.
+/// Marks as outliers the marker positions for which most distances from the other markers of the sample differ from
+/// those on the body.
 pub fn leave_out_displaced(
     observations: &mut Observations,
     trajectory: &Trajectory,
@@ -42,7 +43,8 @@ pub fn leave_out_displaced(
     }
 }
 
-/// Leaves out, one by one, the points before the samples at which contacts are tried that free motion does not explain.
+/// Marks as outliers the marker positions that free motion does not explain, one by one and at most `most`. Only
+/// samples before those at which contacts are tried are examined.
 pub fn leave_out_before(
     observations: &mut Observations,
     trajectory: &Trajectory,

@@ -1,21 +1,21 @@
-//! A sum of squares as a quadratic function of its unknowns.
+//! A sum of squared linear residuals as a quadratic function of the unknowns.
 
 use nalgebra::{DMatrix, DVector};
 
-/// Relative increase of the diagonal of normal equations, for directions that the samples do not show.
+/// Relative increase of the diagonal of the normal matrix, for directions that the samples do not determine.
 const RIDGE: f64 = 1e-9;
 
-/// A sum of squares.
+/// A sum of squared residuals that are linear in the unknowns.
 #[derive(Clone, Debug)]
 pub struct Quadratic {
-    /// Its normal matrix, of which the lower triangle counts.
+    /// Normal matrix JᵀJ; only its lower triangle is used.
     normal: DMatrix<f64>,
     right: DVector<f64>,
     constant: f64,
 }
 
 impl Quadratic {
-    /// The sum without any squares.
+    /// Creates an empty sum.
     pub fn zeros(unknowns: usize) -> Self {
         Self {
             normal: DMatrix::zeros(unknowns, unknowns),
@@ -24,14 +24,14 @@ impl Quadratic {
         }
     }
 
-    /// Adds the square of a residual with its derivatives.
+    /// Adds the square of a residual, given with its derivatives by the unknowns.
     pub fn add(&mut self, derivatives: &DVector<f64>, residual: f64) {
         self.normal.syger(1.0, derivatives, derivatives, 1.0);
         self.right.axpy(residual, derivatives, 1.0);
         self.constant += residual * residual;
     }
 
-    /// The same sum with further unknowns, which change nothing.
+    /// Copy of the sum with `further` additional unknowns on which it does not depend.
     pub fn extended(&self, further: usize) -> Self {
         let few = self.right.len();
         let mut extended = Self::zeros(few + further);
@@ -42,7 +42,8 @@ impl Quadratic {
         extended
     }
 
-    /// The same sum with the squares of linear functions of its last unknowns.
+    /// Copy of the sum with additional squares of linear functions of its last unknowns, the rows of a matrix; `None`
+    /// if the matrix has more columns than there are unknowns.
     pub fn with_last(&self, rows: &DMatrix<f64>) -> Option<Self> {
         let count = rows.ncols();
         let first = self.right.len().checked_sub(count)?;
@@ -52,7 +53,7 @@ impl Quadratic {
         Some(held)
     }
 
-    /// Its least value, and the unknowns there; `None` if the normal equations are singular.
+    /// Minimum of the sum, and the unknowns at the minimum; `None` if the normal equations are singular.
     pub fn least(&self) -> Option<(f64, DVector<f64>)> {
         let diagonal = self.normal.diagonal();
         let scale = diagonal.map(|entry| entry.max(f64::MIN_POSITIVE).sqrt().recip());

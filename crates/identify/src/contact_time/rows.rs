@@ -1,4 +1,4 @@
-//! Whitened residuals of a flight about its fitted trajectory, with their derivatives by the initial state.
+//! Whitened residuals of a flight about its fitted trajectory, with derivatives by the initial state.
 
 use nalgebra::DVector;
 
@@ -7,35 +7,35 @@ use super::trajectory::{Predicted, Trajectory};
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 
-/// Residuals of one marker in one sample.
+/// Whitened residuals of one marker in one sample.
 pub struct Point {
     /// Index of the marker.
     pub marker: usize,
-    /// The sample before in which the marker is measured; `None` for the first.
+    /// Index of the preceding sample in which the marker is measured; `None` for the first one.
     pub previous: Option<usize>,
-    /// Residual of each coordinate.
+    /// Whitened residual of each coordinate, with its derivatives.
     pub rows: [Row; 3],
 }
 
-/// Residual of one coordinate.
+/// Whitened residual of one coordinate.
 pub struct Row {
-    /// Whitened residual, predicted − measured.
+    /// Whitened residual, predicted − measured, in standard deviations.
     pub residual: f64,
-    /// Its derivatives by the initial state.
+    /// Derivatives of the residual by the initial state.
     pub derivatives: DVector<f64>,
-    /// Its derivatives without what the sample before contributes.
+    /// Derivatives of the residual without the contribution of the preceding sample.
     pub fresh: DVector<f64>,
 }
 
 impl Point {
-    /// Squared residual after a change of the initial state.
+    /// Squared residual, summed over the coordinates, after a change of the initial state.
     pub fn square(&self, change: &DVector<f64>) -> f64 {
         let each = self.rows.iter();
         each.map(|row| (row.residual + row.derivatives.dot(change)).powi(2))
             .sum()
     }
 
-    /// Adds its squares to those of free motion.
+    /// Adds the squared residuals to the sum of squares of free motion.
     pub fn add_to(&self, sum: &mut Quadratic) {
         for row in &self.rows {
             sum.add(&row.derivatives, row.residual);
@@ -43,7 +43,7 @@ impl Point {
     }
 }
 
-/// Residuals of the points that are no outliers, by sample.
+/// Whitened residuals of all marker positions that are not outliers, by sample.
 pub fn whitened(
     observations: &Observations,
     trajectory: &Trajectory,
@@ -70,7 +70,8 @@ pub fn whitened(
     each.collect()
 }
 
-/// The row of a marker's coordinate in a sample, given the sample before in which it is measured.
+/// Whitened residual of a marker's coordinate in the sample `now`; `before` is the preceding sample in which the marker
+/// is measured.
 fn row(
     observations: &Observations,
     (marker, axis): (usize, usize),

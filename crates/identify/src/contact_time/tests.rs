@@ -1,4 +1,4 @@
-//! Contacts of a disc and of a ball, as their models predict the flights before.
+//! Contacts of a disc and of a ball, detected with the model that simulates the flights.
 
 use ::flight::release::{Vocabulary, built_in, read};
 use nalgebra::Vector3;
@@ -12,10 +12,10 @@ use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::synthesize::{Corruption, Plan, flights};
 
-/// The number of samples that show the flight before contacts are sought.
+/// Number of samples to which the flight is fitted before contacts are searched.
 const SHOWN: usize = 30;
 
-/// Contacts that are found in flights of a model, of which each is changed, by the model with its true values.
+/// Contacts found in simulated flights, each modified by `change`, with the true parameter values of the model.
 fn contacts(
     (model, release): (&str, &str),
     noise: Corruption,
@@ -57,7 +57,7 @@ fn contacts(
     each.collect()
 }
 
-/// Correlated noise with outliers and hidden markers.
+/// Correlated noise with outliers and missing markers.
 const HARD: Corruption = Corruption {
     sigma: 0.0015,
     ar1: 0.6,
@@ -79,7 +79,7 @@ fn a_contact_is_timed_within_two_samples() {
                     found.sample.abs_diff(35 + index) <= 2 && (found.jump - push).norm() < 0.6
                 })
             });
-            // Outliers and hidden markers may spoil one.
+            // Outliers and missing markers may spoil one flight.
             assert!(in_time.count() >= 11, "{case:?}: {found:?}");
         }
     }
@@ -101,7 +101,7 @@ fn a_smooth_departure_is_no_contact() {
         let mut flight = flight.clone();
         for (time, row) in flight.times.iter().zip(&mut flight.positions) {
             for point in row.iter_mut().flatten() {
-                // A force that the model lacks, of a fifth of the weight.
+                // A force of a fifth of the weight that the model does not contain.
                 point[2] += 0.5 * 2.0 * time * time;
             }
         }

@@ -1,4 +1,4 @@
-//! The fitted trajectory of a flight in some samples and between them, with its derivatives by the initial state.
+//! Fitted trajectory of a flight at and between samples, with derivatives by the initial state.
 
 use std::ops::Range;
 
@@ -10,46 +10,46 @@ use crate::predict::each_residual;
 use crate::problem::FitProblem;
 use crate::state_manifold::StateManifold;
 
-/// Parts of an interval between samples at which a contact is tried.
+/// Fractions of the interval between two samples at which a contact is tried.
 const PARTS: [f64; 4] = [0.125, 0.375, 0.625, 0.875];
 
-/// Predicted positions of the markers of a flight.
+/// Predicted marker positions of a flight, with derivatives by the initial state.
 pub struct Trajectory {
     /// Number of directions of the initial state.
     pub dimension: usize,
-    /// The first sample.
+    /// Index of the first evaluated sample.
     pub first: usize,
-    /// The first sample before which contacts are tried.
+    /// Index of the first sample before which contacts are tried.
     pub tried: usize,
-    /// Markers in each sample.
+    /// Predicted markers, by sample from `first` on.
     pub samples: Vec<Vec<Predicted>>,
-    /// Markers at times before each sample from `tried` on.
+    /// Predicted markers at several times before each sample from `tried` on, by sample and time.
     pub contacts: Vec<Vec<Vec<Predicted>>>,
 }
 
-/// One marker at one time.
+/// Predicted position of one marker at one time.
 #[derive(Clone, Debug)]
 pub struct Predicted {
-    /// Predicted position, m.
+    /// Predicted position in the inertial frame, m.
     pub position: [f64; 3],
-    /// Derivatives of each coordinate by the initial state.
+    /// Derivatives of each coordinate by the directions of the initial state.
     pub derivatives: [DVector<f64>; 3],
 }
 
-/// What a time at which the trajectory is evaluated is.
+/// Kind of a time at which the trajectory is evaluated.
 #[derive(Clone, Copy)]
 enum Place {
     Start,
     Sample,
-    /// Before the sample of this number, counted from `tried`.
+    /// Before a sample, given by its index counted from `tried`.
     Before(usize),
 }
 
 impl Trajectory {
-    /// The trajectory in samples `seen`, and at times before those of them from `tried` on.
+    /// Computes the trajectory at the samples `seen`, and at several times before each of them from `tried` on.
     ///
     /// # Errors
-    /// [`FlightError::Integration`] if it cannot be computed that far.
+    /// [`FlightError::Integration`] if the trajectory cannot be computed.
     pub fn new(
         problem: &FitProblem,
         observations: &Observations,
@@ -117,7 +117,7 @@ impl Trajectory {
         Ok(trajectory)
     }
 
-    /// Derivatives of the markers' mean position in a sample by the initial state.
+    /// Derivatives of the mean position of the markers in a sample by the initial state.
     pub fn centre(&self, sample: usize) -> Matrix3xX<f64> {
         let markers = &self.samples[sample - self.first];
         Matrix3xX::from_fn(self.dimension, |axis, column| {
@@ -129,7 +129,8 @@ impl Trajectory {
     }
 }
 
-/// Derivatives of the coordinates of markers, each over its standard deviation, m.
+/// Derivatives of the coordinates of all markers by the initial state, divided by the standard deviations `sigma` (m)
+/// along the axes.
 pub fn over_noise(markers: &[Predicted], sigma: [f64; 3]) -> DMatrix<f64> {
     let dimension = markers[0].derivatives[0].len();
     DMatrix::from_fn(3 * markers.len(), dimension, |row, column| {

@@ -1,7 +1,7 @@
-//! Marker positions of a C3D file (motion capture), for the markers that a dataset declares.
+//! Reader of marker positions from a C3D file (motion capture), for the markers that a dataset declares.
 //!
-//! Labels that the dataset does not declare are ignored. A file that contradicts itself is refused; an import reads
-//! more of those, and says how.
+//! Labels that the dataset does not declare are ignored. A file that contradicts itself is refused; `hyzer import`
+//! reads more of such files and reports how it interpreted them.
 
 use std::path::Path;
 
@@ -16,7 +16,7 @@ pub(super) fn parse(file: &Path, bytes: &[u8], markers: &[&str]) -> Result<Table
     table(bytes, markers).map_err(|(found, expected)| InputError::of_file(file, found, expected))
 }
 
-/// What was found and what was expected, in words.
+/// Texts of an error: what was found, and what was expected.
 type Words = (String, String);
 
 fn words(wrong: Wrong) -> Words {
@@ -61,7 +61,8 @@ fn table(bytes: &[u8], markers: &[&str]) -> Result<Table, Words> {
     Ok(table)
 }
 
-/// Index of a marker among the points of a frame, by its label.
+/// Index, among the points of a frame, of the point with the marker's label. An error if no point or several points
+/// have this label.
 fn place(recording: &Recording<'_>, marker: &str) -> Result<usize, Words> {
     let labels = recording.labels();
     let mut found =

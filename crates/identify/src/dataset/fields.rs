@@ -1,4 +1,5 @@
-//! Typed access to TOML values with source locations; a value of another type is an error that says what was found.
+//! Typed access to TOML values with source locations; a value of the wrong type is an error that states what was
+//! found.
 
 use std::ops::Range;
 use std::path::Path;
@@ -12,7 +13,7 @@ use crate::input_error::{InputError, line_and_column};
 /// A TOML value with its byte range in the text.
 pub(super) type Value<'t> = Spanned<DeValue<'t>>;
 
-/// File and text of a TOML document, for error locations.
+/// Path and text of a TOML document, used for the locations of errors.
 pub(super) struct Fields<'a> {
     pub file: &'a Path,
     pub text: &'a str,
@@ -41,7 +42,8 @@ impl Fields<'_> {
         self.fault(value.span(), format!("{key} = {found}"), expected)
     }
 
-    /// Returns an error for a key not in `known`; `of` names the table in the message, as in ` in [noise]`.
+    /// Returns an error if the table has a key not in `known`; `of` names the table in the message, for example
+    /// ` in [noise]`.
     pub fn keys(&self, table: &DeTable<'_>, of: &str, known: &[&str]) -> Result<(), InputError> {
         for key in table.keys() {
             let name = key.get_ref();
@@ -62,7 +64,7 @@ impl Fields<'_> {
         }
     }
 
-    /// `true` or `false`.
+    /// Reads a boolean.
     pub fn truth(&self, value: &Value<'_>, key: &str) -> Result<bool, InputError> {
         match value.get_ref() {
             DeValue::Boolean(truth) => Ok(*truth),
@@ -70,13 +72,13 @@ impl Fields<'_> {
         }
     }
 
-    /// A finite number; integers are accepted.
+    /// Reads a finite number; integers are accepted.
     pub fn number(&self, value: &Value<'_>, key: &str) -> Result<f64, InputError> {
         let number = match value.get_ref() {
             DeValue::Float(float) => float.as_str().parse::<f64>().ok(),
             DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
                 .map(|integer| integer as f64)
-                // Beyond 64 bits.
+                // Integers outside the range of 64 bits.
                 .or_else(|_| integer.as_str().parse())
                 .ok(),
             _ => None,
@@ -101,7 +103,7 @@ impl Fields<'_> {
         Err(self.wrong_kind(value, key, "three numbers, as in [0.0, 0.0, 0.0]"))
     }
 
-    /// The table under a key; `None` if the key is absent.
+    /// The table under a key; `None` if the key is absent, an error if its value is no table.
     pub fn table<'d, 't>(
         &self,
         document: &'d DeTable<'t>,

@@ -1,16 +1,16 @@
-//! Reading of a dataset's files as bytes or text: ordinary files of bounded size only.
+//! Reads a dataset's files as bytes or text; only regular files of bounded size are accepted.
 
 use std::path::Path;
 
 use crate::input_error::{InputError, line_and_column, utf8};
 
-/// Reads an ordinary file of at most `largest` bytes; `what` describes the expected file in the error message.
+/// Reads a regular file of at most `largest` bytes; `what` describes the expected file in the error message.
 pub(super) fn bytes(file: &Path, largest: u64, what: &str) -> Result<Vec<u8>, InputError> {
     takes::file::bytes(file, largest, what)
         .map_err(|error| InputError::of_file(file, error.found, error.expected))
 }
 
-/// Decodes the bytes of a file as UTF-8, without the byte-order mark.
+/// Decodes the content of a file as UTF-8 and drops a byte-order mark. An error for UTF-16 or a NUL byte.
 pub(super) fn text<'a>(file: &Path, bytes: &'a [u8]) -> Result<&'a str, InputError> {
     if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
         return Err(InputError::at(

@@ -1,4 +1,4 @@
-//! Header of a flight's table: column indices of the time and the marker coordinates.
+//! Header of a flight's table: column indices of the time, the marker coordinates and the sensor channels.
 
 use std::collections::BTreeMap;
 
@@ -9,12 +9,12 @@ use super::sensor::Sensor;
 use super::words::{listed, meant, shown};
 use crate::input_error::InputError;
 
-/// Column indices of each marker's coordinates.
+/// Column indices of a flight's table.
 pub(super) struct Header {
     pub width: usize,
     pub time: usize,
     pub columns: Vec<[usize; 3]>,
-    /// Columns of each channel of the sensors.
+    /// Column indices of each channel of the sensors; the channels of all sensors follow one another.
     pub channels: Vec<Vec<usize>>,
 }
 
@@ -104,7 +104,7 @@ fn empty_channels(sensors: &[Sensor]) -> Vec<Vec<usize>> {
     all.map(|endings| vec![usize::MAX; endings.len()]).collect()
 }
 
-/// Channel and part of each column of the sensors, by its name.
+/// Maps the name of each sensor column to the index of its channel and the position within the channel.
 fn names_of_sensors(sensors: &[Sensor]) -> BTreeMap<String, (usize, usize)> {
     let all = sensors.iter().flat_map(|sensor| {
         let channels = sensor.kind.channels().iter();

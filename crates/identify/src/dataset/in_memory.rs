@@ -7,7 +7,7 @@ use super::{Dataset, assemble, manifest, manifest_text, table, table_text};
 use crate::input_error::InputError;
 
 impl Dataset {
-    /// Runs all checks of dataset files on this dataset: names, units (a position in millimetres), increasing times,
+    /// Runs all checks of dataset files on this dataset, such as valid names, plausible units, increasing times and
     /// finite values.
     ///
     /// # Errors

@@ -1,4 +1,4 @@
-//! Records of a table with their locations.
+//! Reads the records of a table together with their source locations.
 
 use std::path::Path;
 
@@ -7,7 +7,7 @@ use csv::StringRecord;
 use super::place::Places;
 use crate::input_error::InputError;
 
-/// Reader of a table's records; remembers where the last one starts.
+/// Reader of a table's records, which keeps the byte offset of the current record.
 pub(super) struct Lines<'a> {
     pub(super) file: &'a Path,
     pub(super) places: Places<'a>,
@@ -16,7 +16,7 @@ pub(super) struct Lines<'a> {
 }
 
 impl Lines<'_> {
-    /// Reads the next record that is neither blank nor a comment; false at the end of the text.
+    /// Reads the next record that is neither blank nor a comment; returns `false` at the end of the text.
     pub(super) fn next(
         &mut self,
         reader: &mut csv::Reader<&[u8]>,
@@ -34,7 +34,7 @@ impl Lines<'_> {
                 self.quotes_are_closed(reader.position().byte() as usize, record)?;
             }
             let first = record.get(0).unwrap_or_default().trim();
-            // The reader itself skips empty lines, and comments that begin a line.
+            // The CSV reader itself skips empty lines, and comments at the beginning of a line.
             let blank = record.len() == 1 && first.is_empty();
             if !blank && !first.starts_with('#') {
                 return Ok(true);
@@ -42,7 +42,7 @@ impl Lines<'_> {
         }
     }
 
-    /// Refuses a record with an unclosed quote, which would otherwise extend over the rows below.
+    /// Returns an error for a record with an unclosed quote, which would otherwise extend over the following rows.
     fn quotes_are_closed(&self, end: usize, record: &StringRecord) -> Result<(), InputError> {
         let text = self.places.text;
         let raw = &text[self.places.record(self.start).min(end)..end.min(text.len())];
@@ -56,7 +56,7 @@ impl Lines<'_> {
         }
     }
 
-    /// Error at the cell `index` of the current record.
+    /// Error located at cell number `index`, from 0, of the current record.
     pub fn fault(
         &self,
         index: usize,

@@ -1,4 +1,4 @@
-//! Parser of `dataset.toml`: model, known parameters, markers, noise and flights of a dataset.
+//! Parser of `dataset.toml`: model, known parameters, markers, sensors, noise and flights of a dataset.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -13,15 +13,15 @@ use super::words::{meant, shown};
 use super::{KnownValue, Marker, Role, Sensor, file, names};
 use crate::input_error::{InputError, line_and_column};
 
-/// Greatest size of `dataset.toml`, bytes.
+/// Maximum size of `dataset.toml`, bytes.
 const LARGEST: u64 = 4 << 20;
-/// Greatest number of markers of a dataset.
+/// Maximum number of markers, and of sensors, of a dataset.
 pub(super) const MOST_MARKERS: usize = 1000;
-/// Greatest absolute coordinate of a marker in the body frame, m; greater values suggest millimetres.
+/// Maximum absolute coordinate of a marker in the body frame, m; larger values suggest millimetres.
 const FARTHEST: f64 = 10.0;
 /// Distance below which two markers count as identical, m.
 const NEAREST: f64 = 1e-6;
-/// Greatest standard deviation of a measured coordinate, m; greater values suggest millimetres.
+/// Maximum standard deviation of a measured coordinate, m; larger values suggest millimetres.
 const NOISIEST: f64 = 1.0;
 
 /// The checked contents of `dataset.toml`.
@@ -58,7 +58,8 @@ pub(super) fn parse(file: &Path, text: &str) -> Result<Manifest, InputError> {
 }
 
 fn syntax(file: &Path, text: &str, error: &toml::de::Error) -> InputError {
-    // The reader's own words say "…, expected …"; they are taken apart so that the sentence has one of each.
+    // The TOML parser's message has the form "…, expected …"; it is split so that the final message states each part
+    // once.
     let message = error.message().trim().replace('\n', " ");
     let (found, expected) = message
         .split_once(", expected ")
@@ -127,7 +128,7 @@ impl Checker<'_> {
         Ok(model)
     }
 
-    /// A known parameter's value, checked by the rules for the parameters of a release.
+    /// Reads the value of a known constant, checked by the rules for the parameters of a release.
     fn constant(&self, name: &str, value: &Value<'_>) -> Result<f64, InputError> {
         let number = self.0.number(value, name)?;
         let rule = flight::release::Name {
@@ -143,7 +144,7 @@ impl Checker<'_> {
         }
     }
 
-    /// A required value of the table at the byte range `span`.
+    /// The value under a required key of the table at the byte range `span`; an error if the key is absent.
     pub(super) fn needed<'d, 't>(
         &self,
         (span, table): &(Range<usize>, &'d DeTable<'t>),
@@ -211,7 +212,8 @@ impl Checker<'_> {
         Ok(markers)
     }
 
-    /// Standard errors of the origin of the markers' positions, of `[template]`.
+    /// Reads `origin_error` of `[template]`: standard errors of the origin of the markers' positions, m; `None` if
+    /// absent.
     fn origin_error(&self, document: &DeTable<'_>) -> Result<Option<[f64; 3]>, InputError> {
         let Some(template) = self.0.table(document, "template")? else {
             return Ok(None);
@@ -229,7 +231,7 @@ impl Checker<'_> {
         Err(self.0.fault(value.span(), found, expected))
     }
 
-    /// A marker without a position.
+    /// Record of a marker without a position, located at `value`.
     pub(super) fn unplaced(&self, marker: usize, value: &Value<'_>) -> Unplaced {
         Unplaced {
             marker,
@@ -237,7 +239,8 @@ impl Checker<'_> {
         }
     }
 
-    /// A place on the body, m, of a `what`; `None` where it is unknown.
+    /// Reads a position on the body, m; `None` for the text "unknown". `what` names the object in messages, a marker
+    /// or a sensor.
     pub(super) fn position(
         &self,
         value: &Value<'_>,

@@ -1,4 +1,4 @@
-//! `[[sensors]]` of `dataset.toml`.
+//! Parser of the `[[sensors]]` entries of `dataset.toml`.
 
 use toml::de::DeTable;
 
@@ -8,13 +8,14 @@ use super::words::{listed, meant, shown};
 use super::{Marker, Sensor, SensorKind, names};
 use crate::input_error::InputError;
 
-/// Name of the kind that is a marker.
+/// Value of `kind` for a sensor that is a marker.
 const MARKER: &str = "marker";
 
 const KEYS: [&str; 5] = ["name", "kind", "position", "sigma", "sigma_angle"];
 
 impl Checker<'_> {
-    /// The sensors; those that are markers join `markers`, with their standard deviation as that of the dataset.
+    /// Reads the sensors. Entries of kind "marker" are added to `markers`, and their standard deviation becomes the
+    /// dataset's `sigma`.
     pub(super) fn sensors(
         &self,
         document: &DeTable<'_>,
@@ -91,7 +92,7 @@ impl Checker<'_> {
         Ok(sensors)
     }
 
-    /// What a sensor measures; `None` for a marker.
+    /// Reads the kind of a sensor; `None` for a marker.
     fn kind(
         &self,
         entry: &(std::ops::Range<usize>, &DeTable<'_>),
@@ -119,7 +120,8 @@ impl Checker<'_> {
         }
     }
 
-    /// A standard deviation of a sensor.
+    /// Reads an optional standard deviation of a sensor; `None` if the key is absent, an error if the value is not
+    /// positive.
     fn deviation(&self, table: &DeTable<'_>, key: &str) -> Result<Option<f64>, InputError> {
         let Some(value) = table.get(key) else {
             return Ok(None);

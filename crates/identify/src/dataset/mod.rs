@@ -1,6 +1,6 @@
 //! A dataset: a folder with `dataset.toml` and, for each flight, one table or C3D file.
 //!
-//! Reading gives the complete dataset or an error with its location. Whether the dataset can be fitted is checked
+//! Reading returns the complete dataset or an error with its location. Whether the dataset can be fitted is checked
 //! later by the fit: a flight of one sample, or a dataset whose flights are all held out, is a valid dataset.
 
 mod c3d;
@@ -31,7 +31,7 @@ pub use write::{manifest_text, table_text, write, write_commented, write_with};
 
 use crate::input_error::InputError;
 
-/// Greatest size of a table or C3D file, bytes.
+/// Maximum size of a table or C3D file, bytes.
 const LARGEST: u64 = 1 << 30;
 
 /// Measured flights of one body.
@@ -39,16 +39,17 @@ const LARGEST: u64 = 1 << 30;
 pub struct Dataset {
     /// Name or path of the model, as in `dataset.toml`.
     pub model: String,
-    /// Known constants that override the model's defaults, SI.
+    /// Known constants of the body or its environment, by name, that replace the model's defaults, SI.
     pub parameters: BTreeMap<String, f64>,
     /// Markers that were tracked.
     pub markers: Vec<Marker>,
-    /// Other sensors.
+    /// Sensors other than markers.
     pub sensors: Vec<Sensor>,
-    /// Whether the direction of the vertical in the axes of the positions is unknown; otherwise their z is up.
+    /// Whether the direction of the vertical relative to the axes of the positions is unknown; otherwise the z axis
+    /// points up.
     pub unknown_vertical: bool,
-    /// Standard errors of the origin of the markers' positions, the mass centre, along the axes of the body, m: it is then
-    /// estimated with the rest. `None` if it is known.
+    /// Standard errors, along the body axes, of the origin of the markers' positions (the mass centre), m; the origin
+    /// is then estimated in the fit. `None` if the origin is known exactly.
     pub origin_error: Option<[f64; 3]>,
     /// Standard deviation of one coordinate of a measured position, m; `None` if unknown.
     pub sigma: Option<f64>,
@@ -59,7 +60,7 @@ pub struct Dataset {
 /// A tracked point of the body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Marker {
-    /// Name of the marker, which begins the names of its columns (`m1` in `m1_x`).
+    /// Name of the marker; the names of its columns begin with it (`m1` in `m1_x`).
     pub name: String,
     /// Position of the marker in the model's marker frame, usually the body frame, m.
     pub position: [f64; 3],
@@ -69,14 +70,14 @@ pub struct Marker {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Role {
-    /// Coefficients are estimated from this flight.
+    /// Coefficients are estimated from the flight.
     #[default]
     Fit,
     /// The flight is excluded from the estimation and used to test predictions.
     HeldOut,
 }
 
-/// A value known for one flight by other means, such as a measured wind; identified by its name in the model.
+/// A value of one flight known by other means, such as a measured wind; identified by its name in the model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum KnownValue {
     /// Value of a parameter, or of a state at the first sample, SI.
@@ -88,23 +89,23 @@ pub enum KnownValue {
 /// One measured flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flight {
-    /// File name of the flight inside the dataset's folder.
+    /// File name of the flight, relative to the dataset's folder.
     pub file: String,
     /// Whether the flight is fitted or held out.
     pub role: Role,
-    /// Other known values of this flight, by their names in the model.
+    /// Values of this flight known by other means, by their names in the model.
     pub known: BTreeMap<String, KnownValue>,
     /// Times of the samples, s, increasing.
     pub times: Vec<f64>,
-    /// `positions[sample][marker]`, m, in the inertial frame; `None` where the marker was not seen.
+    /// `positions[sample][marker]`, m, in the inertial frame; `None` if the marker was not seen.
     pub positions: Vec<Vec<Option<[f64; 3]>>>,
-    /// `readings[sample][channel]` of the sensors, whose channels follow one another; `None` where there is none. Empty
-    /// without sensors.
+    /// `readings[sample][channel]` of the sensors, the channels of all sensors following one another; `None` for a
+    /// missing reading. Empty without sensors.
     pub readings: Vec<Vec<Option<Reading>>>,
 }
 
 impl Flight {
-    /// Number of measured coordinates: three for each measured position of a marker and each reading of a sensor.
+    /// Number of measured values: three for each measured position of a marker and for each reading of a sensor.
     pub fn measurements(&self) -> usize {
         let positions = self.positions.iter().flatten().flatten().count();
         let readings = self.readings.iter().flatten().flatten().count();
@@ -155,7 +156,7 @@ pub fn load(folder: &Path) -> Result<Dataset, InputError> {
     })
 }
 
-/// Combines the manifest with the samples of each flight, which `samples` reads.
+/// Combines the manifest with the samples of each flight, which the function `samples` reads.
 fn assemble(
     manifest: manifest::Manifest,
     mut samples: impl FnMut(

@@ -2,10 +2,10 @@
 
 use std::path::{Component, Path};
 
-/// Longest marker name, bytes; file paths may be eight times as long.
+/// Maximum length of a marker name, bytes; file paths may be eight times as long.
 const LONGEST: usize = 255;
 
-/// Checks a marker's name: what is expected instead if the name is invalid, otherwise `None`.
+/// Checks a marker's name. Returns a text of what is expected if the name is invalid, otherwise `None`.
 pub(super) fn wrong_with_marker(name: &str) -> Option<&'static str> {
     let separates =
         |c: char| c.is_whitespace() || c.is_control() || [',', ';', '"', '#'].contains(&c);
@@ -18,14 +18,15 @@ pub(super) fn wrong_with_marker(name: &str) -> Option<&'static str> {
     }
 }
 
-/// Checks a flight's file name: what is expected instead if it is invalid or outside the folder, otherwise `None`.
+/// Checks a flight's file name. Returns a text of what is expected if the name is invalid or outside the folder,
+/// otherwise `None`.
 pub(super) fn wrong_with_file(file: &str) -> Option<&'static str> {
     let parts = || Path::new(file).components();
     let inside = parts().all(|part| matches!(part, Component::Normal(_)));
-    // One file has one name, or a second flight of it would not be seen: no `a//b`, no `a/./b`.
+    // Each file must have only one spelling, so that a duplicate entry is noticed: no `a//b`, no `a/./b`.
     let names: Option<Vec<&str>> = parts().map(|part| part.as_os_str().to_str()).collect();
     let plain = names.is_some_and(|names| names.join("/") == file);
-    // A backslash separates folders on some systems and is a letter on others.
+    // A backslash separates folders on some systems and is an ordinary character on others.
     let odd = |c: char| c.is_control() || c == '\\';
     if file.is_empty() || !inside {
         Some("a file inside the dataset's folder")

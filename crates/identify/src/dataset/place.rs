@@ -7,8 +7,7 @@ pub(super) struct Places<'a> {
 }
 
 impl Places<'_> {
-    /// Byte offset where the next record begins, at or after `from`; skips empty lines and comments, as the table
-    /// reader does.
+    /// Byte offset of the next record, at or after `from`; skips empty lines and comments, as the table reader does.
     pub fn record(&self, from: usize) -> usize {
         let mut start = from.min(self.text.len());
         loop {
@@ -23,7 +22,8 @@ impl Places<'_> {
         }
     }
 
-    /// Line and column, from 1, of the cell `index` of the record that begins at or after the byte offset `from`.
+    /// Line and column, from 1, of cell number `index` (from 0) of the record that begins at or after the byte offset
+    /// `from`.
     pub fn cell(&self, from: usize, index: usize) -> (usize, usize) {
         let start = self.record(from);
         let (mut line, mut column) = place(&self.text[..start]);
@@ -38,7 +38,7 @@ impl Places<'_> {
                 quoted = !quoted;
                 at_start = false;
             } else if c == '"' && before == '"' {
-                // A doubled quote within quotes.
+                // A doubled quote inside quotes.
                 quoted = true;
             } else if !quoted && c == self.separator {
                 left -= 1;
@@ -60,7 +60,7 @@ impl Places<'_> {
     }
 }
 
-/// Line and column, from 1, of the end of the text `before`; its lines end with LF, CR LF or CR.
+/// Line and column, from 1, of the end of the text `before`, whose lines end with LF, CR LF or CR.
 fn place(before: &str) -> (usize, usize) {
     let bytes = before.as_bytes();
     let ends = |i: &usize| match bytes[*i] {

@@ -1,5 +1,5 @@
-//! How the tables of a dataset are written: the section `[recording]` of `dataset.toml`. The reader converts to m, s and
-//! right-handed axes with z up.
+//! Units and axes of a dataset's tables, from the section `[recording]` of `dataset.toml`. The reader converts the
+//! tables to m, s and right-handed axes with z up.
 
 use std::ops::Range;
 
@@ -14,21 +14,21 @@ use crate::input_error::InputError;
 const LENGTHS: [&str; 5] = ["m", "cm", "mm", "in", "ft"];
 const TIMES: [&str; 2] = ["s", "ms"];
 const UPS: [&str; 7] = ["+z", "-z", "+y", "-y", "+x", "-x", UNKNOWN];
-/// Value of `up` where the vertical is not known.
+/// Value of the key `up` for an unknown vertical.
 const UNKNOWN: &str = "unknown";
 
-/// The axis that is up by default, and the third axis where the vertical is not known.
+/// The +z axis: the default upward axis, and the third axis of the dataset if the vertical is unknown.
 const UP_Z: Axis = Axis {
     index: 2,
     negative: false,
 };
 
-/// The vertical of the tables.
+/// Direction of the vertical relative to the axes of the tables.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Up {
-    /// An axis of the tables.
+    /// The vertical is this axis of the tables.
     Axis(Axis),
-    /// To be estimated.
+    /// The vertical is unknown and is estimated in the fit.
     Unknown,
 }
 
@@ -53,7 +53,7 @@ impl Default for Recording {
 }
 
 impl Recording {
-    /// Reads the section `[recording]`; what it does not state has its default.
+    /// Reads the section `[recording]`; keys that are absent have their default values.
     pub fn read(
         fields: &Fields<'_>,
         document: &DeTable<'_>,
@@ -105,7 +105,7 @@ impl Recording {
     }
 }
 
-/// The text of a key that is one of several, with its place; `None` if the key is absent.
+/// Reads a text that must be one of `choices`, with its byte range; `None` if the key is absent.
 fn choice(
     fields: &Fields<'_>,
     table: &DeTable<'_>,

@@ -1,4 +1,4 @@
-//! Plausibility checks of a flight's samples, for tables and C3D files alike.
+//! Plausibility checks of a flight's samples, for tables and C3D files.
 
 use std::fmt::Display;
 use std::path::Path;
@@ -7,28 +7,28 @@ use super::{Flight, Marker};
 use crate::input_error::InputError;
 use crate::statistics::median;
 
-/// Greatest absolute coordinate of a marker, m.
+/// Maximum absolute coordinate of a measured marker position, m.
 const FARTHEST: f64 = 1e4;
-/// Longest flight, s: the longest duration of a simulated release.
+/// Maximum duration of a flight, s; equal to that of a simulated release.
 const LONGEST: f64 = flight::release::Release::MAX_DURATION;
-/// Greatest speed of a marker over half of a flight, m/s.
+/// Maximum median speed of a marker over half of a flight, m/s; larger values suggest millimetres.
 const FASTEST: f64 = 1e3;
-/// Factor by which the measured distance of two markers may exceed the declared one; beyond this factor and beyond
-/// `WIDEST`, the coordinates are not in metres.
+/// Maximum ratio of the measured to the declared distance of two markers. If a distance exceeds both this ratio and
+/// `WIDEST`, m, the coordinates are not in metres.
 const STRETCHED: f64 = 30.0;
 const WIDEST: f64 = 1.0;
-/// Limit of samples × markers in one flight, which bounds the memory used.
+/// Maximum number of samples times markers in one flight, which bounds the memory used.
 const MOST: usize = 1 << 23;
 
-/// What was found and what was expected, in words.
+/// Texts of an error: what was found, and what was expected.
 type Wrong = (String, String);
 
-/// Greatest number of samples of a flight with this number of markers.
+/// Maximum number of samples of a flight with this number of markers and sensor channels.
 pub(super) fn most(markers: usize) -> usize {
     MOST / markers.max(1)
 }
 
-/// Checks a sample time, s, against the first and the previous sample times.
+/// Checks a sample time, s, against the first and the previous sample times of the flight.
 pub(super) fn time(first: Option<&f64>, before: Option<&f64>, time: f64) -> Result<(), Wrong> {
     let (Some(&first), Some(&before)) = (first, before) else {
         return Ok(());
@@ -44,7 +44,7 @@ pub(super) fn time(first: Option<&f64>, before: Option<&f64>, time: f64) -> Resu
     Ok(())
 }
 
-/// Checks one coordinate of a marker, m; `name` is the column's name.
+/// Checks one coordinate of a marker, m; `name` is the column's name in the message.
 pub(super) fn coordinate(name: &dyn Display, value: f64) -> Result<(), Wrong> {
     if value.abs() <= FARTHEST {
         return Ok(());
@@ -53,7 +53,7 @@ pub(super) fn coordinate(name: &dyn Display, value: f64) -> Result<(), Wrong> {
     Err((format!("{name} = {value}"), expected))
 }
 
-/// Checks a complete flight: at least one measured point, coordinates in metres, times in seconds.
+/// Checks a complete flight: at least one measured value, coordinates in metres, times in seconds.
 pub(super) fn whole(file: &Path, flight: &Flight, markers: &[Marker]) -> Result<(), InputError> {
     let wrong = |found: String, expected: &str| Err(InputError::of_file(file, found, expected));
     if flight.measurements() == 0 {
@@ -85,7 +85,8 @@ pub(super) fn whole(file: &Path, flight: &Flight, markers: &[Marker]) -> Result<
     Ok(())
 }
 
-/// Median measured distance of the first two markers and their declared distance, m.
+/// Median measured distance and declared distance of the first two markers, m; `None` if these are never seen
+/// together.
 fn apart(flight: &Flight, markers: &[Marker]) -> Option<(f64, f64)> {
     let [first, second, ..] = markers else {
         return None;
@@ -97,7 +98,8 @@ fn apart(flight: &Flight, markers: &[Marker]) -> Option<(f64, f64)> {
     (!measured.is_empty()).then(|| (median(&mut measured), declared))
 }
 
-/// Median speed of the first marker, m/s, over pairs of samples half a flight apart; robust to a single outlier.
+/// Median speed of the first marker, m/s, over pairs of samples half a flight apart, which is robust to outliers;
+/// `None` for a flight that is too short.
 fn speed(flight: &Flight) -> Option<f64> {
     let half = flight.times.len() / 2;
     if half < 2 {

@@ -1,43 +1,44 @@
-//! Sensors of a dataset other than markers, and the channels that their readings have.
+//! Sensors of a dataset other than markers, and the channels of their readings.
 
 use model_spec::compose::Instrument;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-/// Distance from a pose's origin of the points that stand for it where a motion is found by points, m.
+/// Offset, m, of the virtual marker points that represent a pose sensor in computations based on points.
 const REACH: f64 = 0.1;
 
-/// What a sensor measures.
+/// Kind of quantity that a sensor measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SensorKind {
-    /// Position and attitude of the body, such as from a tag or a rigid body of a motion-capture system.
+    /// Position and attitude of the body, for example from a fiducial tag or a rigid body of a motion-capture system.
     Pose,
-    /// A quantity of the model.
+    /// A quantity that the model computes, such as an angular velocity.
     Instrument(Instrument),
 }
 
 /// A sensor whose readings are columns of the tables.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensor {
-    /// Name of the sensor, which begins the names of its columns.
+    /// Name of the sensor; the names of its columns begin with it.
     pub name: String,
-    /// What it measures.
+    /// Kind of quantity that the sensor measures.
     pub kind: SensorKind,
-    /// Where it sits, in the frame that markers are fixed in, m.
+    /// Position of the sensor on the body, in the frame of the marker positions, m.
     pub position: [f64; 3],
-    /// Whether that is not known, and estimated with the rest.
+    /// Whether the position is unknown and is estimated in the fit.
     pub position_is_unknown: bool,
-    /// Standard deviation of one component in its unit (m, rad/s, m/s², m/s); `None` if unknown.
+    /// Standard deviation of one component of a reading, in the unit of the component (m, rad/s, m/s², m/s); `None`
+    /// if unknown.
     pub sigma: Option<f64>,
-    /// Of a pose: standard deviation of the attitude about one axis, rad; `None` if unknown.
+    /// For a pose sensor: standard deviation of the attitude about one axis, rad; `None` if unknown.
     pub sigma_angle: Option<f64>,
 }
 
-/// One reading of a channel: up to four numbers, the unused ones 0. A position, a vector in the body's axes, a speed, or the
-/// quaternion of an attitude (body to inertial, scalar part first).
+/// One reading of a channel: up to four values, unused ones 0. It is a position, a vector in body axes, a speed, or
+/// the quaternion of an attitude (body to inertial, scalar part first).
 pub type Reading = [f64; 4];
 
 impl Sensor {
-    /// A sensor whose noise is not stated, at a place on the body, m.
+    /// Creates a sensor of unknown noise at a position on the body, m.
     pub fn new(name: &str, kind: SensorKind, position: [f64; 3]) -> Self {
         Self {
             name: name.to_owned(),
@@ -51,7 +52,8 @@ impl Sensor {
 }
 
 impl SensorKind {
-    /// All kinds, with their names in `dataset.toml`; markers have a name of their own.
+    /// All kinds with their names in `dataset.toml`. The kind `marker` is not included, because such an entry becomes
+    /// a marker.
     pub const ALL: [(Self, &'static str); 4] = [
         (Self::Pose, "pose"),
         (Self::Instrument(Instrument::Gyroscope), "gyroscope"),
@@ -59,7 +61,7 @@ impl SensorKind {
         (Self::Instrument(Instrument::Speed), "speed"),
     ];
 
-    /// Name in `dataset.toml`.
+    /// Name of the kind in `dataset.toml`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Pose => "pose",
@@ -67,7 +69,7 @@ impl SensorKind {
         }
     }
 
-    /// Unit of a reading's components; of a pose, that of its position.
+    /// Unit of a reading's components; for a pose, the unit of its position.
     pub fn unit(self) -> &'static str {
         match self {
             Self::Pose => "m",
@@ -77,7 +79,8 @@ impl SensorKind {
         }
     }
 
-    /// Endings of the columns of each channel; the whole name is that of a sensor with an empty ending.
+    /// For each channel, the suffixes of its column names, which follow the sensor's name; an empty suffix means that
+    /// the column has the sensor's name.
     pub fn channels(self) -> &'static [&'static [&'static str]] {
         const VECTOR: &[&str] = &["_x", "_y", "_z"];
         const ATTITUDE: &[&str] = &["_qw", "_qx", "_qy", "_qz"];
@@ -89,12 +92,12 @@ impl SensorKind {
     }
 }
 
-/// Attitude of a reading.
+/// Rotation from body to inertial components that a quaternion reading states.
 pub(crate) fn attitude([w, x, y, z]: Reading) -> UnitQuaternion<f64> {
     UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z))
 }
 
-/// Points of the body that stand for a pose sensor at `position`, in the frame of the markers, m.
+/// Three virtual marker points that represent a pose sensor at `position`, in the frame of the marker positions, m.
 pub(crate) fn points_on_body(position: [f64; 3]) -> [[f64; 3]; 3] {
     let [x, y, z] = position;
     [
@@ -104,7 +107,8 @@ pub(crate) fn points_on_body(position: [f64; 3]) -> [[f64; 3]; 3] {
     ]
 }
 
-/// Where these points are, m, by the readings of the pose's two channels.
+/// Inertial positions, m, of the virtual marker points of a pose sensor, from the readings of its position and
+/// attitude channels; `None` if a reading is missing.
 pub(crate) fn points_seen(readings: &[Option<Reading>]) -> [Option<[f64; 3]>; 3] {
     let (Some(place), Some(turn)) = (readings[0], readings[1]) else {
         return [None; 3];

@@ -101,7 +101,7 @@ fn row(
                     .map_err(|(found, expected)| lines.fault(index, found, expected))?;
             }
         }
-        // A marker with a coordinate missing was not seen: two coordinates alone are no point.
+        // A marker with a missing coordinate counts as not seen: two coordinates do not define a point.
         positions.push(match point {
             [Some(x), Some(y), Some(z)] => Some([x, y, z]),
             _ => None,
@@ -124,10 +124,11 @@ fn row(
     Ok(())
 }
 
-/// Greatest deviation of a quaternion's norm from 1.
+/// Maximum deviation of the norm of a measured quaternion from 1.
 const MAX_NORM_ERROR: f64 = 0.02;
 
-/// Reading of a channel from its cells; `None` if one is empty.
+/// Reads one channel of a sensor from the cells in `columns`; `None` if a cell is empty, an error for a quaternion
+/// that is not normalized.
 fn reading(
     lines: &Lines<'_>,
     columns: &[usize],

@@ -1,4 +1,4 @@
-//! Positions on the body that a dataset does not state: the flights tell them.
+//! Estimates, from the flights, positions on the body that a dataset does not state.
 
 use nalgebra::Vector3;
 use takes::{FreeFlight, estimate_template};
@@ -14,7 +14,7 @@ use crate::statistics::median;
 pub(super) struct Unplaced {
     /// Index of the marker.
     pub marker: usize,
-    /// Its place in the file, as an error without words.
+    /// Location of the marker's entry in the file, as an error whose texts are still empty.
     pub place: InputError,
 }
 
@@ -28,14 +28,14 @@ impl Unplaced {
     }
 }
 
-/// What a marker without a position needs.
+/// Requirement for locating a marker without a position: the expectation stated in the error message.
 const NEEDED: &str = "at least three markers with positions that are not on a line, or none";
 
-/// Places markers and poses on the body. Returns standard errors of the mass centre, m, where all markers are placed by the
-/// free flights alone.
+/// Estimates the unknown positions of markers and pose sensors and writes them into `markers` and `sensors`. If all
+/// positions of markers are unknown, returns the standard errors of the mass centre, m; otherwise `None`.
 ///
 /// # Errors
-/// [`InputError`] if the flights do not tell where they are, at the first of them.
+/// [`InputError`], located at the first marker concerned, if the flights do not determine the positions.
 pub(super) fn place(
     markers: &mut [Marker],
     (unplaced, vertical_is_known): (&[Unplaced], bool),
@@ -58,7 +58,7 @@ pub(super) fn place(
     Ok(origin_error)
 }
 
-/// Places all markers by the free flights.
+/// Estimates the positions of all markers from the free flights. Returns the standard errors of the mass centre, m.
 fn place_all(
     markers: &mut [Marker],
     first: &Unplaced,
@@ -83,7 +83,7 @@ fn place_all(
     Ok(template.origin_error())
 }
 
-/// Places some markers among the others.
+/// Estimates the positions of some markers from those of the others.
 fn place_some(
     markers: &mut [Marker],
     unplaced: &[Unplaced],
@@ -123,7 +123,8 @@ fn place_some(
     Ok(())
 }
 
-/// Places poses among markers that fix an attitude; where there are none, the fit estimates where they are.
+/// Estimates the unknown positions of pose sensors if the markers determine an attitude; otherwise the fit estimates
+/// them.
 fn place_poses(markers: &[Marker], sensors: &mut [Sensor], flights: &[Flight]) {
     let known: Vec<[f64; 3]> = markers.iter().map(|marker| marker.position).collect();
     let mut channel = 0;
@@ -149,7 +150,7 @@ fn place_poses(markers: &[Marker], sensors: &mut [Sensor], flights: &[Flight]) {
     }
 }
 
-/// Median of each coordinate; `None` without any.
+/// Median of each coordinate; `None` if `places` is empty.
 fn middle(places: Vec<Vector3<f64>>) -> Option<[f64; 3]> {
     (!places.is_empty()).then(|| {
         [0, 1, 2].map(|axis| median(&mut places.iter().map(|at| at[axis]).collect::<Vec<f64>>()))

@@ -1,10 +1,11 @@
-//! The change of a table to right-handed axes with z up, where what is up is known.
+//! Conversion of a table to right-handed axes with z up, if the vertical is known.
 
 use super::recording::Recording;
 use super::sensor::{Reading, Sensor, SensorKind};
 use super::table::Table;
 
-/// A table along right-handed axes with z up; its times and the positions of its markers are in s and m already.
+/// Converts a table to right-handed axes with z up. Times and marker positions must already be in s and m; positions
+/// of poses are converted to m.
 pub(super) fn upright(recording: &Recording, mut table: Table, sensors: &[Sensor]) -> Table {
     let up = recording.third_axis();
     let turned = |position: [f64; 3]| up.upright(recording.left_handed, position);

@@ -1,9 +1,10 @@
-//! Formatting for error messages: external texts and long lists as `takes` shows them, and similar names suggested.
+//! Formatting for error messages: quoting of external texts and shortening of long lists as in the crate `takes`, and
+//! suggestions of similar names.
 
 use model_spec::nearest_name;
 pub(super) use takes::words::{listed, shown};
 
-/// Suggestion ` (did you mean …?)` if one of the names is similar to `wrong`; otherwise empty.
+/// Suggestion ` (did you mean …?)` if one of the names is similar to `wrong`; otherwise an empty text.
 pub(super) fn meant<'a>(wrong: &str, names: impl IntoIterator<Item = &'a str>) -> String {
     match nearest_name(wrong, names.into_iter()) {
         Some(name) => format!(" (did you mean {name}?)"),

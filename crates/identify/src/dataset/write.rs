@@ -1,4 +1,4 @@
-//! Writing of a dataset as a folder: atomically, and only if reading the folder gives an equal dataset.
+//! Writes a dataset as a folder: atomically, and only if reading the folder gives an equal dataset.
 
 use std::fmt::Write as _;
 use std::io;
@@ -13,25 +13,26 @@ use super::{Dataset, Flight, KnownValue, Marker, Role, Sensor, assemble, manifes
 /// content.
 ///
 /// # Errors
-/// If reading would not give an equal dataset (a C3D file among its flights, a marker without a name, …), if the
-/// folder has other content, or on an I/O error.
+/// If reading the files would not give an equal dataset (for example because a flight is a C3D file or a marker has
+/// no name), if the folder has other content, or on an I/O error.
 pub fn write(folder: &Path, dataset: &Dataset) -> io::Result<()> {
     write_with(folder, dataset, &[])
 }
 
-/// Writes a dataset as [`write`](fn@write) does, with additional files (name, text), which the reader of datasets
-/// ignores.
+/// Writes a dataset as [`write`](fn@write) does, together with additional files `beside` (name, text), which the
+/// reader of datasets ignores.
 ///
 /// # Errors
-/// Those of [`write`](fn@write).
+/// Those of [`write`](fn@write), or if two files have the same name.
 pub fn write_with(folder: &Path, dataset: &Dataset, beside: &[(&str, String)]) -> io::Result<()> {
     write_commented(folder, dataset, beside, &[])
 }
 
-/// Writes a dataset as [`write_with`] does, with a comment line above the position of each marker, in their order.
+/// Writes a dataset as [`write_with`] does, with a comment line above the position of each marker; `comments` are in
+/// the order of the markers.
 ///
 /// # Errors
-/// Those of [`write`](fn@write).
+/// Those of [`write_with`].
 pub fn write_commented(
     folder: &Path,
     dataset: &Dataset,
@@ -72,7 +73,7 @@ fn invalid(why: String) -> io::Error {
     io::Error::new(io::ErrorKind::InvalidInput, why)
 }
 
-/// Content of the target folder before writing.
+/// Content of the target folder before writing: nothing, exactly the files to be written, or other files.
 enum Holds {
     Nothing,
     This,
@@ -126,7 +127,7 @@ fn place(folder: &Path, files: &[(String, String)]) -> io::Result<()> {
     ));
     std::fs::create_dir(&part)?;
     let written = fill(&part, files).and_then(|()| {
-        // An empty folder gives way; one that has been filled meanwhile does not.
+        // An empty folder is removed; a folder that has been filled in the meantime is an error.
         match std::fs::remove_dir(folder) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
             _ => {}
@@ -134,7 +135,7 @@ fn place(folder: &Path, files: &[(String, String)]) -> io::Result<()> {
         std::fs::rename(&part, folder)
     });
     if written.is_err() {
-        // What went wrong first is what counts.
+        // An error here is ignored in favour of the first error.
         let _ = std::fs::remove_dir_all(&part);
     }
     written
@@ -242,7 +243,7 @@ pub fn manifest_text(dataset: &Dataset) -> String {
     text
 }
 
-/// Text of a flight's table; each number has enough digits to be read back exactly.
+/// Text of a flight's table; each value has enough digits to be read back exactly.
 pub fn table_text(flight: &Flight, markers: &[Marker], sensors: &[Sensor]) -> String {
     let mut text = "t".to_owned();
     for marker in markers {
@@ -280,7 +281,7 @@ pub fn table_text(flight: &Flight, markers: &[Marker], sensors: &[Sensor]) -> St
     text
 }
 
-/// A manifest with a comment above the position of each marker.
+/// The text of a manifest with a comment line inserted above the position of each marker.
 fn commented(text: &str, comments: &[String]) -> String {
     let mut comments = comments.iter();
     let mut made = String::new();

@@ -1,4 +1,4 @@
-//! The bootstrap over flights: refits to flights drawn with replacement.
+//! The bootstrap over flights: refits to samples of flights drawn with replacement.
 
 use nalgebra::DVector;
 use rand::{RngExt, SeedableRng};
@@ -12,18 +12,19 @@ use crate::options::FitOptions;
 use crate::predict::Loss;
 
 impl Fit {
-    /// Refits to as many flights as were fitted, drawn from them with replacement by the seed and the number of the refit
-    /// alone. The refit starts at the estimates of this fit and keeps its noise model and outliers. Its estimates are the
-    /// global parameters in the order of [`FitProblem::globals`], SI; `None` where it does not converge, as where the drawn
-    /// flights do not determine a parameter.
+    /// Refits the model to a bootstrap sample: as many flights as were fitted, drawn from them with replacement. The
+    /// sample depends only on `seed` and on `number`, the index of the refit. The refit starts at the estimates of this
+    /// fit and uses its noise model and outliers. Returns the estimated global parameters in the order of
+    /// [`FitProblem::globals`], SI; `None` if the refit does not converge, for example because the drawn flights do not
+    /// determine a parameter.
     ///
-    /// The scatter of the estimates over many refits is their error where flights differ by more than the noise of their
+    /// The scatter of the estimates over many refits is their error if flights differ by more than the noise of their
     /// samples (Efron & Tibshirani, An introduction to the bootstrap, 1993, chapter 6).
     ///
     /// [`FitProblem::globals`]: crate::FitProblem::globals
     ///
     /// # Errors
-    /// [`FitError::Interrupted`].
+    /// [`FitError::Interrupted`] if the work is cancelled.
     pub fn bootstrap(
         &self,
         seed: u64,

@@ -1,4 +1,4 @@
-//! Scales of channels other than markers, by the noise of their samples.
+//! Scales of channels other than markers, from the noise of their samples.
 
 use nalgebra::{UnitQuaternion, Vector3};
 
@@ -8,18 +8,18 @@ use crate::path_noise::path_noise;
 use crate::problem::FitProblem;
 use crate::statistics::{median, robust_sigma};
 
-/// Least noise of a channel relative to the median magnitude of its values: rounding in tables.
+/// Minimum noise of a channel relative to the median magnitude of its values, for the rounding of values in tables.
 const MIN_RELATIVE_NOISE: f64 = 1e-6;
 
-/// Sets the scale of each channel other than markers, so that its noise is that of a marker's coordinate. `problem.sigma0` is
-/// set before.
+/// Sets the scale of each channel other than markers so that its scaled noise equals `problem.sigma0`, the noise of a
+/// marker coordinate, which must be set before.
 pub fn set_scales<'o>(
     problem: &mut FitProblem,
     flights: impl Iterator<Item = &'o Observations> + Clone,
 ) {
     for channel in 0..problem.channels.len() {
         let own = &problem.channels[channel];
-        // Without markers `sigma0` is the noise of the poses' positions.
+        // Without markers, `sigma0` is the noise of the positions of the pose sensors.
         if problem.is_scored(channel) && own.is_position() {
             continue;
         }
@@ -37,7 +37,8 @@ pub fn set_scales<'o>(
     }
 }
 
-/// Noise of a channel in one flight by a smoother, in the unit of the channel.
+/// Noise of a channel in one flight, estimated by a smoother, in the unit of the channel; `None` for fewer than four
+/// values.
 fn noise(flight: &Observations, channel: usize, is_attitude: bool) -> Option<f64> {
     let samples = flight.times.iter().enumerate();
     let values = samples.filter_map(|(sample, time)| {
@@ -57,7 +58,8 @@ fn noise(flight: &Observations, channel: usize, is_attitude: bool) -> Option<f64
     Some(noise.max(least))
 }
 
-/// Noise of an attitude about one axis, rad: of each against the middle of its neighbours.
+/// Noise of an attitude about one axis, rad, estimated from the rotation between each attitude and the interpolation of
+/// its neighbours.
 fn attitude_noise(values: &[(f64, Vector3<f64>)]) -> f64 {
     let turn = |value: &Vector3<f64>| UnitQuaternion::from_scaled_axis(*value);
     let mut sizes = Vec::new();

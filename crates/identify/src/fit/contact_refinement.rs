@@ -1,8 +1,10 @@
-//! Contacts are timed again by the fitted model, before the noise is estimated and all flights are fitted to the end.
+//! Refines the times of contacts with the fitted model, before the noise is estimated and all flights are fitted to
+//! their ends.
 //!
-//! The first search, before the fit, knows poses alone: it is late at weak contacts, and where markers are hidden. The model
-//! predicts how the body would have flown on. Flights whose ends were found before are searched near them; others only
-//! where they stand out from the flights that the fit predicts, so that flights that touch nothing cost nothing.
+//! The first search for contacts, before the fit, uses poses alone: it is late for weak contacts and if markers are
+//! hidden. The fitted model predicts how the body would have continued its free flight. A flight whose end was found
+//! before is searched near that end. Other flights are searched only if their residuals are larger than those of the
+//! flights that the fit predicts, so that flights without contacts cost nothing.
 
 use flight::batch;
 use nalgebra::DVector;
@@ -26,33 +28,36 @@ use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 
-/// Numbers of samples before and after the end of a flight, as found without the model, at which the contact is sought.
+/// Numbers of samples before and after the end of a flight, as found without the model, between which its contact is
+/// searched.
 const NEAR: (usize, usize) = (12, 14);
-/// Number of samples that are searched twice, as the last of one search and the first of the next.
+/// Number of samples that two successive searches for a contact have in common.
 const OVERLAP: usize = 8;
-/// Least ratio of the vertical component to the magnitude of the jump at a contact with the ground.
+/// Minimum ratio of the vertical component to the magnitude of the velocity jump at a contact with the ground.
 const MIN_UPWARD_PART: f64 = 0.3;
-/// Ratio of a flight's residual scale to the median above which a contact is sought all along the flight.
+/// Ratio of a flight's residual scale to the median scale, above which the whole flight is searched for a contact.
 const STANDS_OUT: f64 = 1.2;
-/// Standard errors of the scale by which such a flight must also exceed the median.
+/// Number of standard errors by which a flight's residual scale must also exceed the median for the whole flight to be
+/// searched.
 const SURELY: f64 = 4.0;
-/// Ratio and standard errors in a fit of the other flights alone, above which a contact is sought.
+/// Ratio to the median residual scale, and excess over it in standard errors, above which a contact is searched, in a
+/// fit of the other flights alone.
 const SUSPICIOUS: (f64, f64) = (1.05, 3.0);
-/// Ratio of the median residual scale to the noise up to which the model predicts flights well enough to show a touch that
-/// poses did not.
+/// Maximum ratio of the median residual scale to the noise at which the model predicts flights well enough to reveal
+/// contacts that the poses do not show.
 const FLYING_RATIO: f64 = 1.3;
 
-/// A flight that ends elsewhere than it did.
+/// A flight whose end was moved, with its initial state.
 struct Moved {
     observations: Observations,
     local: DVector<f64>,
 }
 
-/// Moves the ends of flights to their contacts. Takes the residuals at the state, which were fitted with the present ends,
-/// and returns those at the new state.
+/// Moves the ends of flights to their contacts. `cache` contains the residuals at `state`, which was fitted with the
+/// present ends. Returns the residuals at the new state.
 ///
 /// # Errors
-/// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`].
+/// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
 pub fn refine_contacts(
     problem: &FitProblem,
     dataset: &Dataset,
@@ -64,14 +69,14 @@ pub fn refine_contacts(
         return Ok(cache);
     }
     let usual = |cache: &ResidualCache| cache.median_scale().max(problem.sigma0);
-    // Flights that touched something bend all others to them, and seem to be noise.
+    // Flights with contacts bias the global parameters and inflate the noise estimate.
     let others = fitted_without(problem, state, &cache, usual(&cache), options)?;
     let (others, of_others) = match &others {
         Some((others, cache)) => (others, cache),
         None => (&*state, &cache),
     };
     let usual = usual(of_others);
-    // What a wrong model leaves looks like a touch in places.
+    // The residuals of a wrong model resemble contacts in places.
     let flies = of_others.median_scale() <= FLYING_RATIO * problem.sigma0;
     let stands_out = |id: FlightId| {
         let place = others.ids.iter().position(|other| *other == id);
@@ -144,8 +149,8 @@ pub fn refine_contacts(
     exclude_failed(state, residuals, options)
 }
 
-/// The flights that do not stand out from the `usual` residual scale, m, fitted by themselves, with their residuals; `None` where
-/// these are all, or fewer than half of all.
+/// Fits the flights whose residual scale is not far above `usual`, m, without the other flights, and returns them with
+/// their residuals. `None` if these are all flights or fewer than half of them.
 fn fitted_without(
     problem: &FitProblem,
     state: &State,
@@ -168,18 +173,18 @@ fn fitted_without(
     Ok(Some((others, residuals)))
 }
 
-/// What the search for contacts needs of the present fit.
+/// Data of the present fit that the search for contacts uses.
 struct Search<'a> {
     problem: &'a FitProblem,
     global: &'a DVector<f64>,
     noise: &'a NoiseModel,
-    /// Usual residual scale of a flight, m.
+    /// Reference residual scale of a flight, m.
     usual: f64,
     options: &'a FitOptions<'a>,
 }
 
 impl Search<'_> {
-    /// A fitted flight with its end at the contact; `None` if there is none, or it ends there.
+    /// Moves the end of a fitted flight to its contact; `None` if the flight has no contact or already ends there.
     fn moved(
         &self,
         flight: &Flight,
@@ -206,7 +211,8 @@ impl Search<'_> {
         is_contact.then_some(moved)
     }
 
-    /// A flight without an end, if the model predicts all of it: what seemed a contact was none.
+    /// Restores a flight to its whole length if the model predicts all of it, since the contact found before was none;
+    /// `None` otherwise.
     fn whole(&self, whole: Observations, local: &DVector<f64>) -> Option<Moved> {
         let samples = whole.times.len();
         let local = self.fitted(&whole, samples, local)?;
@@ -218,7 +224,8 @@ impl Search<'_> {
         })
     }
 
-    /// A flight that no fit predicts to its end, with its end at the contact, if it flies as the others do up to there.
+    /// Ends a flight, which no fit predicts to its end, at its contact. `None` if no contact is found or if its
+    /// residuals up to there are larger than those of the other flights.
     fn like_the_others(&self, flight: &Flight) -> Option<Moved> {
         let whole = Observations::new(self.problem, flight).ok()?;
         let guesses = refined_guesses(self.problem, &whole, self.global, self.options).ok()?;
@@ -231,7 +238,7 @@ impl Search<'_> {
         self.is_like_the_others(&moved).then_some(moved)
     }
 
-    /// Whether a flight flies as the others do up to its end.
+    /// Whether the residuals of a flight up to its end are similar to those of the other flights.
     fn is_like_the_others(&self, moved: &Moved) -> bool {
         let (observations, unknowns) = (&moved.observations, (self.global, &moved.local));
         let samples = observations.times.len();
@@ -239,7 +246,8 @@ impl Search<'_> {
         scale.is_some_and(|scale| scale <= LIKE_RATIO * self.usual)
     }
 
-    /// The first contact between two samples, with the initial state of the flight before.
+    /// Finds the first contact between the samples `from` and `to`, and the initial state fitted to the flight before
+    /// it.
     fn contact(
         &self,
         whole: &Observations,
@@ -249,16 +257,17 @@ impl Search<'_> {
         let to = to.min(whole.times.len());
         let mut samples = from;
         while samples < to && !self.options.is_past_deadline() {
-            // Few samples need not determine all of the initial state.
+            // Few samples may not determine all components of the initial state.
             local = self.fitted(whole, samples, &local).unwrap_or(local);
-            // A prediction over a longer time than the samples show is not linear in the initial state.
+            // A prediction far beyond the fitted samples is not linear in the initial state.
             let until = to.min(2 * samples);
             let unknowns = (self.global, &local);
             let found = contact_time(self.problem, whole, unknowns, self.noise, samples..until);
             if let Some(onset) = found {
                 return Some((onset, local));
             }
-            // A contact just before the end of the search shows too late for it, and was fitted in the next one.
+            // A contact just before the end of one search is detected in the next one, whose fit still includes the
+            // samples after it.
             samples = match until < to {
                 true => until.saturating_sub(OVERLAP).max(samples + 1),
                 false => to,
@@ -267,7 +276,7 @@ impl Search<'_> {
         None
     }
 
-    /// A flight that ends at a contact.
+    /// Truncates a flight at a contact and fits its initial state; `None` if the remaining samples do not determine it.
     fn ended(&self, mut whole: Observations, onset: &Onset, local: DVector<f64>) -> Option<Moved> {
         let (sample, jump) = (onset.sample, onset.jump);
         let time = whole.origin + whole.times[sample];
@@ -285,7 +294,7 @@ impl Search<'_> {
         })
     }
 
-    /// Initial state fitted to the first samples; `None` if they do not determine it.
+    /// Initial state fitted to the first `samples` samples; `None` if they do not determine it.
     fn fitted(
         &self,
         whole: &Observations,
@@ -299,7 +308,7 @@ impl Search<'_> {
     }
 }
 
-/// Whether a contact pushes the body upwards, as the ground does.
+/// Whether the velocity jump of a contact is upward, as at the ground.
 fn is_upward(onset: &Onset) -> bool {
     onset.jump.z > MIN_UPWARD_PART * onset.jump.norm()
 }
@@ -314,7 +323,7 @@ pub(crate) mod tests {
     use crate::options::FitOptions;
     use crate::synthesize::{Plan, flights};
 
-    /// A flight whose velocity jumps, m/s, at a sample, which may be between two samples.
+    /// Copy of a flight whose velocity jumps by `push`, m/s, at `sample`. The sample index may be fractional.
     pub fn pushed(flight: &Flight, sample: f64, push: Vector3<f64>) -> Flight {
         let interval = flight.times[1] - flight.times[0];
         let mut flight = flight.clone();
@@ -327,7 +336,7 @@ pub(crate) mod tests {
         flight
     }
 
-    /// Numbers of samples that a fit to flights of a disc uses, of which the first is pushed.
+    /// Numbers of samples used by a fit to flights of a disc, the first of which has a velocity jump.
     fn used(push: Vector3<f64>) -> Vec<usize> {
         let model = model_spec::load::load("disc", &[]).unwrap();
         let release = read("backhand", built_in("backhand").unwrap(), |_| {

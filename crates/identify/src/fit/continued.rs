@@ -1,4 +1,4 @@
-//! A start at the estimates of an earlier fit of the same flights.
+//! Starts a fit at the estimates of an earlier fit of the same flights.
 
 use nalgebra::DVector;
 
@@ -12,8 +12,9 @@ use crate::observations::{Observations, median_interval};
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 
-/// State and residuals at the estimates of an earlier fit, with its flights, truncations, outliers and initial estimate of
-/// the noise; `None` if a flight is missing there, has other states, or cannot be flown from them.
+/// State and residuals at the estimates of an earlier fit, with its flights, truncations, outliers and initial noise
+/// estimate. `None` if the earlier fit lacks a flight, if its states differ, or if a flight cannot be integrated from
+/// its estimates.
 pub fn continued(
     problem: &mut FitProblem,
     dataset: &Dataset,

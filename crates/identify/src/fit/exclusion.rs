@@ -1,4 +1,4 @@
-//! Least squares over the flights of a state, from which flights that cannot be predicted are excluded.
+//! Least squares over the flights of a state; flights that cannot be predicted are excluded.
 
 use super::FitError;
 use super::output_error::OutputError;
@@ -10,11 +10,12 @@ use crate::options::FitOptions;
 use crate::predict::Loss;
 use crate::problem::FitProblem;
 
-/// Minimises the sum of squares over the flights of a state, which [`State::take`] then takes over. Flights that
-/// cannot be predicted from their values in the state are excluded first. `configure` changes the sum of squares.
+/// Minimises the sum of squares over the flights of a state, and returns the solution, which the caller applies with
+/// [`State::take`]. Flights that cannot be predicted from their values in the state are excluded first. `configure` may
+/// change the objective, and `previous` is the predicted reduction of the last step of a preceding iteration.
 ///
 /// # Errors
-/// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`].
+/// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
 pub fn solve_flights(
     problem: &FitProblem,
     state: &mut State,
@@ -39,10 +40,10 @@ pub fn solve_flights(
     }
 }
 
-/// Excludes the flights whose trajectories could not be computed.
+/// Excludes the flights whose trajectories could not be computed, from `state` and from the residuals `cache`.
 ///
 /// # Errors
-/// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`].
+/// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
 pub fn exclude_failed(
     state: &mut State,
     mut cache: ResidualCache,

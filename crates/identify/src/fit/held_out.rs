@@ -21,21 +21,21 @@ use crate::predict::{Loss, Residuals, residuals};
 use crate::problem::FitProblem;
 use crate::report::{FlightOutcome, FlightReport};
 
-/// Fraction of a held-out flight's samples to which its initial state is fitted.
+/// Fraction of the samples of a held-out flight to which its initial state is fitted; the rest is predicted.
 pub const CONDITIONING_FRACTION: f64 = 0.3;
 
-/// A held-out flight with its report.
+/// Report of a held-out flight, with its observations and initial state if it was predicted.
 pub struct HeldOut {
-    /// Report of the flight.
+    /// Report of the held-out flight.
     pub report: FlightReport,
     /// Observations and estimated initial state; `None` if the flight is excluded.
     pub fitted: Option<FittedFlight>,
 }
 
-/// Fits and predicts held-out flights.
+/// Fits the initial states of held-out flights to their conditioning segments, and predicts the rest.
 ///
 /// # Errors
-/// [`FitError::Interrupted`].
+/// [`FitError::Interrupted`] if the work is cancelled.
 pub fn held_out(
     problem: &FitProblem,
     dataset: &Dataset,
@@ -85,7 +85,7 @@ fn predict(
     let (_, guess) = best.ok_or(FlightError::NoMatchingState)?;
     let (_, local) = fit_initial_state(problem, &segment, samples, global, guess.state, options)?;
     mark_outliers(problem, &mut observations, global, &local)?;
-    // Autocorrelation of few residuals may be model error: white noise then misleads least.
+    // Autocorrelation of few residuals may be model error; white noise is the safest assumption.
     let white = noise.uncorrelated();
     let loss = Loss::Whitened(&white);
     let (local, solution) = solve_local(
@@ -121,8 +121,8 @@ fn predict(
     Ok(HeldOut { report, fitted })
 }
 
-/// Root mean square residual of one coordinate from sample `first` on, outliers excluded, m; `None` without
-/// residuals.
+/// Root mean square residual of one coordinate from sample `first` to the last one, outliers excluded, m; `None` if
+/// there are no residuals.
 fn rms_from(
     problem: &FitProblem,
     observations: &Observations,
@@ -144,6 +144,7 @@ fn rms_from(
 }
 
 /// Marks outliers by their local-linear residuals, so that a smooth prediction error is not mistaken for outliers.
+/// Returns an error if the trajectory cannot be computed.
 fn mark_outliers(
     problem: &FitProblem,
     observations: &mut Observations,

@@ -1,4 +1,5 @@
-//! From initial guesses to the neighbourhood of the solution: robust losses of shrinking scale over a growing horizon.
+//! Horizon continuation: leads from initial guesses to the neighbourhood of the solution by robust losses of decreasing
+//! scale over an increasing time horizon.
 
 use super::FitError;
 use super::exclusion::solve_flights;
@@ -12,41 +13,43 @@ use crate::options::FitOptions;
 use crate::predict::Loss;
 use crate::problem::FitProblem;
 
-/// Length of the first horizon, s.
+/// Length of the first time horizon, s.
 const FIRST_HORIZON: f64 = 0.4;
 
-/// Ratio of each horizon to the previous one.
+/// Ratio of the length of each horizon to that of the previous one.
 const HORIZON_GROWTH: f64 = 2.5;
 
-/// Ratio of the longest flight to a horizon below which whole flights are fitted at once.
+/// Ratio of the longest flight to a horizon, below which whole flights are fitted instead of that horizon.
 const MIN_REMAINING_GROWTH: f64 = 1.2;
 
-/// Number of steps over a horizon above which its samples may be distorted by the measurement.
+/// Number of least-squares steps over a horizon, above which a distortion of its samples by the measurement is
+/// suspected.
 const MANY_STEPS: usize = 15;
 
-/// Greatest number of starts from samples without that distortion: each knows it better.
+/// Maximum number of restarts from samples corrected for the distortion; each restart starts with a better estimate of
+/// it.
 const MAX_STARTS: usize = 3;
 
-/// Residual scale, relative to `sigma0`, below which the fit over a short horizon is sufficient and the horizon
-/// grows.
+/// Residual scale, in units of `sigma0`, below which the fit over a short horizon is sufficient and the horizon grows.
 const HORIZON_SCALE: f64 = 5.0;
 
-/// Median residual scale, relative to `sigma0`, up to which residuals count as noise.
+/// Maximum median residual scale, in units of `sigma0`, at which residuals are considered noise.
 const MAX_MEDIAN_NOISE: f64 = 1.1;
 
-/// Residual scale of one flight, relative to `sigma0`, up to which its residuals count as noise.
+/// Maximum residual scale of a single flight, in units of `sigma0`, at which its residuals are considered noise.
 const MAX_FLIGHT_NOISE: f64 = 2.0;
 
-/// Ratio of the median residual scale after a step to that before, above which the step is rejected.
+/// Ratio of the median residual scale after a step to the scale before it, above which the step is rejected.
 const MAX_GROWTH: f64 = 1.1;
 
-/// Fits all flights over a horizon that grows to their whole length: far from the solution, long flights have minima
-/// that short ones do not have.
+/// Fits all flights over a time horizon that grows to their whole length. Far from the solution, long flights have
+/// local minima that short ones do not have.
 ///
-/// A flight that cannot be flown so far from the present unknowns is used as far as it can be flown.
+/// A flight that cannot be integrated to the horizon from the present unknowns is used up to a limit before its
+/// failure.
 ///
 /// # Errors
-/// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`].
+/// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
 pub fn continue_horizon(
     problem: &FitProblem,
     state: &mut State,
@@ -73,8 +76,9 @@ pub fn continue_horizon(
     anneal_scale(problem, state, options)
 }
 
-/// Fits the first samples of all flights. If that takes many steps, a measurement that distorts the samples is the likely
-/// reason: then it is fitted again from samples without the distortion found so far, and the better fit is taken.
+/// Fits the first samples of all flights, up to `horizon`, s. If the fit takes many steps, the probable reason is that
+/// the measurement distorts the samples: the fit is then repeated from samples corrected for the distortion estimated
+/// so far, and the better of both fits is used.
 fn fit_undistorted(
     problem: &FitProblem,
     state: &mut State,
@@ -113,8 +117,8 @@ fn fit_undistorted(
     Ok(())
 }
 
-/// Tries one step over whole flights; returns the residuals after the step if they are at noise level, otherwise
-/// `None`.
+/// Tries one step over whole flights. Returns the residuals after the step if they are at noise level; `None`
+/// otherwise.
 fn step_to_noise(
     problem: &FitProblem,
     state: &mut State,
@@ -132,16 +136,16 @@ fn step_to_noise(
     Ok(stepped.map(|step| step.cache).filter(is_noise))
 }
 
-/// A step accepted because its residuals did not grow, without derivatives.
+/// An accepted step after which only residuals were computed, no derivatives.
 pub struct AcceptedStep {
     /// Residuals after the step.
     pub cache: ResidualCache,
-    /// Predicted reduction of the sum of squares by the step.
+    /// Predicted reduction of the sum of squares by the step; `None` if the solver gives none.
     pub predicted_reduction: Option<f64>,
 }
 
-/// One step of all unknowns, judged only by the residuals after it, which cost far less than derivatives. `None` if
-/// the residuals became greater or a flight cannot be predicted; the state is then unchanged.
+/// Performs one step of all unknowns and accepts it according to the residuals after it, which cost far less than
+/// derivatives. `None` if the residuals grew or a flight cannot be predicted; the state is then unchanged.
 pub fn unevaluated_step(
     problem: &FitProblem,
     state: &mut State,
@@ -170,9 +174,9 @@ pub fn unevaluated_step(
     Ok(None)
 }
 
-/// Fits the first samples of all flights until the residuals are small enough for a longer horizon. Parameters
-/// without a prior get a weak one, since short horizons do not determine all parameters. `spread` is the residual scale of
-/// all flights, m, which sets that of the loss.
+/// Fits the first samples of all flights, up to `horizon`, s, until the residuals are small enough for a longer
+/// horizon. Parameters without a prior get a weak one, because short horizons do not determine all parameters. `spread`
+/// computes the residual scale of all flights, m, which is used as the scale of the loss.
 pub fn fit_horizon(
     problem: &FitProblem,
     state: &mut State,
@@ -211,11 +215,11 @@ pub fn fit_horizon(
     Ok(())
 }
 
-/// Fits whole flights by a robust loss whose scale shrinks to that of the residuals; returns the residuals of the
-/// fit, in which some flights may not have been computed.
+/// Fits whole flights with a robust loss whose scale decreases to that of the residuals. Returns the residuals of the
+/// fit, which may be missing for flights that cannot be integrated.
 ///
 /// # Errors
-/// Those of [`continue_horizon`].
+/// The errors of [`continue_horizon`].
 pub fn anneal_scale(
     problem: &FitProblem,
     state: &mut State,

@@ -1,4 +1,4 @@
-//! Observations and initial guesses of the flights, one by one, and which flights are excluded.
+//! Observations and initial guesses of single flights, and exclusion of unusable flights.
 
 use flight::batch;
 use nalgebra::DVector;
@@ -19,52 +19,56 @@ use crate::problem::FitProblem;
 use crate::statistics::median;
 use crate::vertical;
 
-/// Length of the first segment of a flight, on which its initial guess is refined, s.
+/// Length of the first segment of a flight, to which its initial guess is fitted, s.
 const FIRST_SEGMENT: f64 = 0.15;
 
-/// Least number of samples in the first segment of a flight.
+/// Minimum number of samples in the first segment of a flight.
 const MIN_FIRST_SAMPLES: usize = 12;
 
-/// Least initial estimate of the noise of one coordinate, m, at the level of rounding in tables.
+/// Minimum initial estimate of the noise of one coordinate, m, at the level of rounding in tables.
 const MIN_SIGMA0: f64 = 1e-7;
 
-/// Ratio of the noise floor of the paths to the noise by the rigidity of the markers below which the latter is no noise:
-/// the markers are not where they are said to be, or not seen when they are said to be. Correlated noise is above it.
+/// Ratio of the noise floor of the paths to the noise estimated from the rigidity of the markers, below which the
+/// latter is not noise: the marker positions or the sampling times are wrong. For correlated noise, the ratio is
+/// higher.
 const MAX_FLOOR_RATIO: f64 = 0.2;
 
-/// Root mean square of the axes' standard deviations.
+/// Root mean square of the standard deviations along the three axes.
 pub fn overall(sigma: [f64; 3]) -> f64 {
     (sigma.iter().map(|sigma| sigma * sigma).sum::<f64>() / 3.0).sqrt()
 }
 
 /// Flights that can be fitted, with their initial guesses.
 pub struct InitialGuesses {
-    /// The usable flights, each with its best initial guess, and the excluded ones.
+    /// Usable flights, each with its best initial guess, and excluded flights.
     pub state: State,
-    /// All initial guesses of each flight: several where the sampling interval is too long to determine the spin.
+    /// All initial guesses of each flight. There are several if the sampling interval is too long to determine the
+    /// spin.
     pub alternatives: Vec<Vec<InitialGuess>>,
 }
 
-/// Observations of the usable flights, and the excluded flights.
+/// Observations of the usable flights, excluded flights, and noise estimates.
 pub struct ObservedFlights {
     /// Flights that can be fitted, each with its observations.
     pub usable: Vec<(FlightId, Observations)>,
-    /// Flights that cannot be used.
+    /// Flights that cannot be used, with the reasons.
     pub excluded: Vec<ExcludedFlight>,
-    /// Initial estimate of the noise of one coordinate, m; `None` if the samples do not determine it.
+    /// Initial estimate of the noise of one coordinate, m, from deviations from rigidity; `None` if the samples do not
+    /// determine it.
     pub sigma0: Option<f64>,
-    /// Noise of one coordinate along each axis by a smoother, m; `None` if the samples do not determine it.
+    /// Noise floor: noise of one coordinate along each axis estimated by a smoother, m; `None` if the samples do not
+    /// determine it.
     pub noise_floor: Option<[f64; 3]>,
 }
 
-/// Number of samples in the first segment of a flight.
+/// Number of samples in the first segment of a flight, to which its initial guess is fitted.
 pub fn first_segment(observations: &Observations) -> usize {
     let samples = observations.samples_until(FIRST_SEGMENT);
     samples.max(MIN_FIRST_SAMPLES).min(observations.times.len())
 }
 
-/// Extracts the observations of the given flights and estimates their noise. `contacts` are those of the dataset's flights, as
-/// far as they were looked for.
+/// Extracts the observations of the given flights and estimates their noise. `contacts` contains the contacts of the
+/// flights of the dataset, as far as they were searched for.
 pub fn observe(
     problem: &FitProblem,
     dataset: &Dataset,
@@ -117,10 +121,10 @@ fn exclude(dataset: &Dataset, flight: FlightId, reason: FlightError) -> Excluded
     }
 }
 
-/// Finds initial guesses of the flights.
+/// Determines initial guesses of the flights, with the global parameters at the model's values.
 ///
 /// # Errors
-/// [`FitError::NoUsableFlight`] if no flight has one; [`FitError::Interrupted`].
+/// [`FitError::NoUsableFlight`] if no flight has an initial guess; [`FitError::Interrupted`] if the work is cancelled.
 pub fn initial_guesses(
     problem: &FitProblem,
     dataset: &Dataset,
@@ -167,32 +171,35 @@ pub fn initial_guesses(
     })
 }
 
-/// Note for the report of a flight whose spin is not the slowest that its samples allow.
+/// Note for the report of a flight whose spin is not the slowest one compatible with its samples, with the number of
+/// additional turns between samples.
 pub fn spin_note(turns: i32) -> String {
     format!(
         "between samples it makes whole turns ({turns:+}) beyond what neighbouring samples show"
     )
 }
 
-/// Observations of a flight, truncated at a contact.
+/// Observations of a flight, truncated at its first contact.
 ///
 /// # Errors
-/// As [`Observations::new`]; [`FlightError::TooFewCoordinates`].
+/// The errors of [`Observations::new`]; [`FlightError::TooFewCoordinates`] if the samples do not determine the initial
+/// state.
 pub fn observations(problem: &FitProblem, flight: &Flight) -> Result<Observations, FlightError> {
     Ok(observations_and_poses(problem, flight, None)?.0)
 }
 
-/// Observations of a flight, truncated at a contact, with the pose in each sample of a body that has an attitude.
+/// Observations of a flight, truncated at its first contact, with the pose in each sample if the body has an attitude.
 ///
 /// # Errors
-/// Those of [`Observations::new`]; [`FlightError::TooFewCoordinates`].
+/// The errors of [`Observations::new`]; [`FlightError::TooFewCoordinates`] if the samples do not determine the initial
+/// state.
 fn observations_and_poses(
     problem: &FitProblem,
     flight: &Flight,
     sought: SoughtContact,
 ) -> Result<(Observations, Vec<Option<Pose>>), FlightError> {
     let mut observations = Observations::new(problem, flight)?;
-    // What a touch of the ground does is not known where the vertical is not.
+    // The effect of a contact with the ground is not known if the vertical is not known.
     let sought = sought.or(vertical::is_in(&problem.model).then_some(None));
     let unseen = flight
         .times
@@ -212,8 +219,8 @@ fn observations_and_poses(
     Ok((observations, poses))
 }
 
-/// Initial guesses refined by a fit to the first segment with the global parameters fixed, each with its sum of squares;
-/// the guess of slowest spin first. After the deadline they are not refined.
+/// Returns initial guesses refined by a fit to the first segment with fixed global parameters, each with its sum of
+/// squares; the guess with the slowest spin is first. After the deadline, guesses are returned without refinement.
 ///
 /// # Errors
 /// [`FlightError`] if no guess can be found or refined.

@@ -1,18 +1,19 @@
-//! Distances between markers, which a rigid body keeps whatever moves it: measured ones that differ from the predicted ones show
-//! that a marker is not where the dataset or the model has it.
+//! Distances between the markers of a rigid body, which are constant. If a measured distance differs from the predicted
+//! one, a marker is not at the position that the dataset or the model gives.
 
 use super::residual_cache::ResidualCache;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 use crate::report::MarkerDistance;
 
-/// Difference, in standard errors, above which it is significant.
+/// Difference between measured and predicted distance, in standard errors, above which it is significant.
 const MIN_SIGNIFICANCE: f64 = 5.0;
 
-/// Difference, as a ratio to the noise of a coordinate, above which it matters.
+/// Difference between measured and predicted distance, in units of the noise of a coordinate, above which it is
+/// reported.
 const MIN_NOISE_RATIO: f64 = 1.0;
 
-/// Differences of one distance in one flight.
+/// Sums over the samples of one flight of the differences of one marker distance.
 #[derive(Clone, Copy, Debug, Default)]
 struct Sum {
     count: f64,
@@ -28,8 +29,8 @@ impl Sum {
     }
 }
 
-/// Pairs of markers whose mean measured distance differs from the predicted one, significantly and by more than `noise`, the
-/// standard deviation of a coordinate, m.
+/// Finds pairs of markers whose mean measured distance differs significantly from the predicted one, by more than
+/// `noise`, the standard deviation of a coordinate, m. Returns an empty vector for a point mass.
 pub fn wrong_distances(
     problem: &FitProblem,
     flights: &[Observations],
@@ -68,7 +69,8 @@ pub fn wrong_distances(
     each.collect()
 }
 
-/// Measured less predicted distances of one flight.
+/// Sums of (measured − predicted) distances of two markers in one flight, m. `residuals` are predicted − measured
+/// positions.
 fn differences(
     observations: &Observations,
     residuals: [&Vec<Option<[f64; 3]>>; 2],
@@ -84,7 +86,7 @@ fn differences(
             let predicted = [0, 1, 2].map(|axis| apart[axis] + rb[axis] - ra[axis]);
             let norm = |v: [f64; 3]| v.map(|x| x * x).iter().sum::<f64>().sqrt();
             let (apart, predicted) = (norm(apart), norm(predicted));
-            // Noise across the line between two points increases their distance.
+            // Noise perpendicular to the line between two points increases their distance.
             let by_noise = 2.0 * noise * noise / predicted;
             if by_noise.is_finite() {
                 sum.add(apart - predicted - by_noise);
@@ -94,7 +96,8 @@ fn differences(
     sum
 }
 
-/// Mean over all flights with its standard error, the greater of those of independent samples and of independent flights.
+/// Mean difference over all flights with its standard error: the greater one of the errors for independent samples and
+/// for independent flights. `None` for fewer than two samples.
 fn mean(flights: &[Sum]) -> Option<(f64, f64)> {
     let total = |of: fn(&Sum) -> f64| flights.iter().map(of).sum::<f64>();
     let count = total(|sum| sum.count);

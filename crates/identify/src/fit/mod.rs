@@ -1,8 +1,9 @@
-//! Output-error fit of one set of global parameters to all flights, with the initial state of each flight.
+//! Output-error fit of the global parameters to all flights, together with the initial state of each flight.
 //!
-//! Stages: initial guesses, horizon continuation for each possible alias of the spin, other starts where it may have ended in a
-//! wrong minimum, multistart of flights in a wrong minimum, contacts with the ground timed by the fitted model, and
-//! reweighting, which estimates the noise (scale and lag-1 correlation along each axis, outliers) together with the unknowns.
+//! Stages: initial guesses; horizon continuation for each possible alias of the spin; restarts if this may have ended
+//! in a wrong minimum; multistart of single flights in a wrong minimum; refinement of ground contacts with the fitted
+//! model; and reweighting, which estimates the noise (scale and lag-1 correlation along each axis, outliers) together
+//! with the unknowns.
 
 mod bootstrap;
 mod channel_scales;
@@ -55,18 +56,18 @@ pub use held_out::CONDITIONING_FRACTION;
 #[cfg(test)]
 pub(crate) use one_flight::fit_initial_state;
 
-/// Result of a fit.
+/// Result of a fit: report, estimates, noise model, and the flights with their initial states.
 pub struct Fit {
-    /// The report: estimates, uncertainties, residual diagnostics.
+    /// Report with estimates, uncertainties and residual diagnostics.
     pub report: FitReport,
     problem: FitProblem,
-    /// Fitted flights by [`FlightId`]; `None` for excluded flights.
+    /// Fitted and held-out flights, indexed by [`FlightId`]; `None` for excluded flights.
     flights: Vec<Option<FittedFlight>>,
     global: DVector<f64>,
     noise: NoiseModel,
-    /// Noise of one coordinate along each axis by a smoother, m.
+    /// Noise floor: noise of one coordinate along each axis estimated by a smoother, m; `None` if not determined.
     noise_floor: Option<[f64; 3]>,
-    /// Flights of the fit that it left out.
+    /// Flights that the fit excluded.
     excluded: Vec<ExcludedFlight>,
 }
 
@@ -78,20 +79,22 @@ struct FittedFlight {
     state: DVector<f64>,
 }
 
-/// Fits a model to the flights of a dataset that leaves nothing open, as [`fit`](fn@crate::fit) does.
+/// Fits a model to the flights of a dataset without unknown positions, origin or vertical, as [`fit`](fn@crate::fit)
+/// does.
 ///
 /// # Errors
-/// Those of [`fit`](fn@crate::fit).
+/// The errors of [`fit`](fn@crate::fit).
 pub fn fit(model: &Model, dataset: &Dataset, options: &FitOptions<'_>) -> Result<Fit, FitError> {
     fit_after(model, dataset, options, None)
 }
 
-/// Fits a model as [`fit`](fn@crate::fit) does, starting at the estimates of an earlier fit of the same dataset: parameters of the same name
-/// start at their estimates, all others at the model's values, each flight at its initial state. Much faster where the
-/// models are alike. Where the earlier fit cannot be continued, as the states are others, the fit starts from the samples.
+/// Fits a model as [`fit`](fn@crate::fit) does, but starts at the estimates of an earlier fit of the same dataset.
+/// Parameters of the same name start at their estimates, other parameters at the model's values, and each flight at its
+/// initial state. This is much faster if the models are similar. If the earlier fit cannot be continued, for example
+/// because the states differ, the fit starts from the samples.
 ///
 /// # Errors
-/// Those of [`fit`](fn@crate::fit).
+/// The errors of [`fit`](fn@crate::fit).
 pub fn refit(
     model: &Model,
     dataset: &Dataset,
@@ -136,7 +139,7 @@ fn fit_after(
         return Err(FitError::FaultyData(data_faults));
     }
     problem.tolerance = tolerance::whitened(model, fitted.len());
-    // Times that seem to be in another unit may be loads that the model has.
+    // Times that seem to have another unit may be the effect of loads that the model contains.
     let (doubtful, faulty): (Vec<_>, Vec<_>) = faulty.into_iter().partition(|excluded| {
         taking_back::may_come_back(excluded)
             && dataset.flights[excluded.flight.index()].role == Role::Fit
@@ -237,7 +240,8 @@ fn fit_after(
     })
 }
 
-/// Residuals near the minimum, or as near as the stages before the noise is known lead.
+/// Performs the stages before the noise is estimated. Returns the state and its residuals, at the minimum or as near to
+/// it as these stages lead.
 fn from_guesses(
     problem: &FitProblem,
     dataset: &Dataset,
@@ -263,7 +267,7 @@ fn flights_of(dataset: &Dataset, role: Role) -> Vec<FlightId> {
     of_role.map(|(index, _)| FlightId::new(index)).collect()
 }
 
-/// Reports and fits of all flights, in the dataset's order.
+/// Reports and fits of all flights, in the order of the dataset.
 struct FlightTable {
     reports: Vec<Option<FlightReport>>,
     fitted: Vec<Option<FittedFlight>>,
@@ -300,18 +304,19 @@ impl Fit {
         &self.global
     }
 
-    /// The noise by which residuals were weighted.
+    /// Noise model by which residuals were weighted.
     pub fn noise(&self) -> &NoiseModel {
         &self.noise
     }
 
-    /// Observations and initial state of a flight; `None` if the flight is excluded.
+    /// Observations and estimated initial state of a flight; `None` if the flight is excluded.
     pub fn flight(&self, flight: FlightId) -> Option<(&Observations, &DVector<f64>)> {
         let fitted = self.flights.get(flight.index())?.as_ref()?;
         Some((&fitted.observations, &fitted.state))
     }
 
-    /// Measured and predicted values of a flight; `None` if the flight is excluded.
+    /// Measured and predicted values of a flight, for figures; `None` if the flight is excluded or cannot be
+    /// integrated.
     pub fn evidence(&self, flight: FlightId) -> Option<FlightEvidence> {
         let (observations, local) = self.flight(flight)?;
         let unknowns = (&self.global, local);
@@ -319,7 +324,7 @@ impl Fit {
     }
 }
 
-/// Converts a least-squares error over these flights to a fit error.
+/// Converts a least-squares error over the given flights to a fit error.
 fn solve_error(error: SolveError, flights: &[impl Borrow<Observations>]) -> FitError {
     let (flight, reason) = match error {
         SolveError::Start(failures) => match failures.into_iter().next() {

@@ -1,9 +1,9 @@
-//! A start from anywhere: the global parameters are fitted to short arcs of all flights, each with an initial state of
-//! its own, and the arcs are joined until they are whole flights (multiple shooting).
+//! Multiple shooting, a method that converges from poor initial values: the global parameters are fitted to short arcs
+//! of all flights, each with its own initial state, and the arcs are joined until they are whole flights.
 //!
-//! Over a short arc the motion depends on the parameters almost as its accelerations do, which is nearly linear; arcs
-//! of all parts of the flights show every regime at once, and a flight that cannot be flown whole from the present
-//! parameters can still be flown in arcs.
+//! Over a short arc, the motion depends on the parameters almost as its accelerations do, which is nearly linear. Arcs
+//! from all parts of the flights cover all flow regimes, and a flight that cannot be integrated as a whole at the
+//! present parameters can still be integrated in arcs.
 
 use flight::batch;
 use nalgebra::DVector;
@@ -20,30 +20,32 @@ use crate::options::FitOptions;
 use crate::predict::{Loss, linearise};
 use crate::problem::FitProblem;
 
-/// Length of the shortest arcs, s.
+/// Length of the first and shortest arcs, s.
 const ARC: f64 = 0.14;
 
-/// Least number of samples of an arc.
+/// Minimum number of samples of an arc.
 const MIN_ARC_SAMPLES: usize = 12;
 
-/// Number of neighbouring arcs that are joined to one.
+/// Number of consecutive arcs that are joined to one.
 const JOINED: usize = 3;
 
-/// Distance from a bound at which a parameter starts that would start at it, in typical magnitudes.
+/// Distance from its bounds at which a parameter starts if the model's value is nearer to a bound, in units of its
+/// typical magnitude.
 const OFF_BOUND: f64 = 0.1;
 
-/// Change of the sum of squares by a change of a parameter by its typical magnitude below which it has no effect.
+/// Change of the sum of squares below which a parameter has no effect, for a change of the parameter by its typical
+/// magnitude.
 const HIDDEN: f64 = 1e-6;
 
-/// Greatest number of parameters without an effect from whose other values a fit is tried.
+/// Maximum number of parameters without effect for which other initial values are tried.
 const MAX_HIDDEN: usize = 2;
 
-/// Fits all flights again by multiple shooting where the present fit may have ended in a wrong minimum: its residuals
-/// are above the noise, a flight cannot be flown, or a parameter went to a bound. Takes the residuals at the state and
-/// returns those at the new state, which is the present one unless the new one is better.
+/// Fits all flights again by multiple shooting if the present fit may have ended in a wrong minimum: its residuals are
+/// above the noise, a flight cannot be integrated, or a parameter is at a bound. `cache` contains the residuals at the
+/// present state. The state is replaced if the new fit is better. Returns the residuals at the final state.
 ///
 /// # Errors
-/// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`].
+/// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
 pub fn shoot_again(
     problem: &FitProblem,
     state: &mut State,
@@ -64,8 +66,8 @@ pub fn shoot_again(
     Ok(cache)
 }
 
-/// Fits by multiple shooting from the values of the model, but for the `changed` global parameters; takes the new fit if
-/// it is better.
+/// Fits by multiple shooting from the model's values of the global parameters, except for those in `changed`, given as
+/// (index, value). Replaces the state if the new fit is better, and returns the residuals at the final state.
 fn shoot_from(
     problem: &FitProblem,
     state: &mut State,
@@ -86,8 +88,9 @@ fn shoot_from(
     Ok(cache)
 }
 
-/// Global parameters without an effect at the present values of the others, as an angle by which a coefficient of 0 is
-/// multiplied, each with a value between its bounds to start from, twice. None while every parameter has an effect.
+/// Global parameters without an effect at the present values of the others, such as an angle that appears only
+/// multiplied by a coefficient equal to 0. Returns two entries (index, initial value) for each, with values between its
+/// bounds; empty if every parameter has an effect.
 fn hidden(problem: &FitProblem, state: &State) -> Vec<(usize, f64)> {
     let loss = Loss::Huber(problem.sigma0);
     let mut effect = vec![0.0; problem.globals.len()];
@@ -110,7 +113,7 @@ fn hidden(problem: &FitProblem, state: &State) -> Vec<(usize, f64)> {
     hidden.take(MAX_HIDDEN).flatten().collect()
 }
 
-/// Fits arcs of growing length and then whole flights; `None` if too few arcs can be fitted.
+/// Fits arcs of increasing length and then whole flights; `None` if too few arcs can be fitted.
 fn shoot(
     problem: &FitProblem,
     state: &mut State,
@@ -130,7 +133,7 @@ fn shoot(
         return Ok(None);
     };
     loop {
-        // The arcs that show a regime of their own are few: a loss by the median would take them for outliers.
+        // Only few arcs may cover a flow regime; a loss with the median scale would treat them as outliers.
         let spread = ResidualCache::rms_scale;
         if let Err(error) = fit_horizon(problem, &mut arcs, f64::INFINITY, spread, options) {
             return match error {
@@ -154,7 +157,7 @@ fn shoot(
     anneal_scale(problem, state, options).map(Some)
 }
 
-/// All flights cut into arcs, each with its initial guess; `None` if no arc has one.
+/// Divides all flights into arcs, each with its initial guess; `None` if no arc has an initial guess.
 fn arcs(
     problem: &FitProblem,
     state: &State,
@@ -196,7 +199,7 @@ fn guess(problem: &FitProblem, arc: &Observations) -> Option<DVector<f64>> {
     Some(guesses.into_iter().next()?.state)
 }
 
-/// Joins neighbouring arcs; false if they are whole flights already.
+/// Joins consecutive arcs; returns `false` if all arcs are whole flights already.
 fn join(state: &State, arcs: &mut State) -> bool {
     let before = std::mem::replace(arcs, State::new(arcs.global.clone(), arcs.interval));
     let mut has_joined = false;

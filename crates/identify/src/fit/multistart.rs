@@ -1,4 +1,4 @@
-//! Flights that converged to a wrong minimum are detected and fitted again from other initial guesses.
+//! Multistart: detects flights that converged to a wrong minimum and fits them again from other initial guesses.
 
 use flight::batch;
 use nalgebra::DVector;
@@ -15,21 +15,22 @@ use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::statistics::median;
 
-/// Ratio of a flight's residual scale to the reference scale above which it is fitted again.
+/// Ratio of a flight's residual scale to the reference scale, above which it is fitted again.
 const SUSPECT_RATIO: f64 = 3.0;
 
-/// Ratio of the new residual scale to the old below which the new minimum is accepted.
+/// Maximum ratio of the new residual scale of a flight to the old one for the new minimum to be accepted.
 const ACCEPTED_RATIO: f64 = 0.7;
 
-/// Median residual scale, relative to `sigma0`, above which the model or most initial guesses are wrong; then
-/// `sigma0` is the reference scale instead of the median.
+/// Median residual scale, in units of `sigma0`, above which the model or most initial guesses are wrong. The reference
+/// scale is then `sigma0` instead of the median.
 const MISFIT_RATIO: f64 = 10.0;
 
-/// Refits flights whose residual scale is far above that of the others and of the noise; if that helps, refits all
-/// flights together. Takes the residuals at the state and returns those at the new state.
+/// Refits flights whose residual scale is far above that of the other flights and of the noise. If a refit improves a
+/// flight, all flights are fitted again together. `cache` contains the residuals at the present state. Returns the
+/// residuals at the new state.
 ///
 /// # Errors
-/// Those of [`anneal_scale`].
+/// The errors of [`anneal_scale`].
 pub fn multistart(
     problem: &FitProblem,
     state: &mut State,
@@ -67,7 +68,7 @@ pub fn multistart(
     }
 }
 
-/// Residual scale with which each flight is compared, m.
+/// Reference scale with which the residual scale of each flight is compared, m.
 fn reference_scale(scales: &[f64], sigma0: f64) -> f64 {
     let median = median(&mut scales.to_vec());
     match median > MISFIT_RATIO * sigma0 {
@@ -76,8 +77,8 @@ fn reference_scale(scales: &[f64], sigma0: f64) -> f64 {
     }
 }
 
-/// A better initial state of a flight at the present global parameters, with a note for the report; `None` if no
-/// initial guess leads to a minimum clearly better than residual scale `before`, m.
+/// Better initial state of a flight at the present global parameters, with a note for the report; `None` if no initial
+/// guess leads to a residual scale clearly below `before`, m.
 fn restart(
     problem: &FitProblem,
     state: &State,
@@ -99,8 +100,9 @@ fn restart(
     Some((local, note))
 }
 
-/// Least residual scale of a flight, m, from any initial guess at these global parameters, with the initial state and the
-/// turns of that guess; `None` if no guess leads to the end of the flight.
+/// Minimum residual scale of a flight, m, over fits from all initial guesses at the given global parameters, with the
+/// initial state and the additional turns per sampling interval of that fit. `None` if no guess leads to the end of the
+/// flight.
 pub fn fly_to_the_end(
     problem: &FitProblem,
     global: &DVector<f64>,
@@ -124,7 +126,7 @@ pub fn fly_to_the_end(
     best
 }
 
-/// Fits the initial state of one flight over a horizon that doubles up to its whole length.
+/// Fits the initial state of one flight over a horizon that doubles up to its whole length; `None` if a fit fails.
 fn continue_horizon(
     problem: &FitProblem,
     global: &DVector<f64>,

@@ -1,4 +1,4 @@
-//! Fits of the initial state of one flight at given global parameters.
+//! Fits of the initial state of one flight at fixed global parameters.
 
 use nalgebra::DVector;
 
@@ -11,17 +11,18 @@ use crate::options::FitOptions;
 use crate::predict::Loss;
 use crate::problem::FitProblem;
 
-/// Greatest number of loss scales tried.
+/// Maximum number of scales of the robust loss that are tried in turn.
 pub const MAX_SCALES: usize = 8;
 
-/// Greatest ratio of the next loss scale to the present one at which the scale is still reduced.
+/// Maximum ratio of the next loss scale to the present one at which the scale is still decreased.
 pub const MAX_SHRINKAGE: f64 = 0.7;
 
-/// Fits the initial state of one flight to its first samples with the global parameters fixed. Returns the loss at
-/// scale `sigma0` and the initial state.
+/// Fits the initial state of one flight to its first `samples` samples at fixed global parameters. Returns the minimum
+/// of the robust loss with scale `sigma0`, and the initial state.
 ///
 /// # Errors
-/// [`FlightError::SingularInitialState`]; [`FlightError::Integration`] if the trajectory cannot be computed.
+/// [`FlightError::SingularInitialState`] if the samples do not determine the initial state;
+/// [`FlightError::Integration`] if the trajectory cannot be computed.
 pub fn fit_initial_state(
     problem: &FitProblem,
     observations: &Observations,
@@ -38,7 +39,7 @@ pub fn fit_initial_state(
     for _ in 0..MAX_SCALES {
         let next = residual_scale(problem, observations, (global, &local), samples);
         let next = next.unwrap_or(1.0).max(problem.sigma0);
-        // The last fit has the scale sigma0.
+        // The last fit uses the scale sigma0.
         if next > MAX_SHRINKAGE * scale || MAX_SHRINKAGE * next < problem.sigma0 {
             break;
         }
@@ -52,10 +53,11 @@ pub fn fit_initial_state(
     Ok((solution.squares, local))
 }
 
-/// Fits the initial state of one flight to its first samples under the given loss.
+/// Fits the initial state of one flight to its first `samples` samples under the given loss. Returns the initial state
+/// and the least-squares solution.
 ///
 /// # Errors
-/// Those of [`fit_initial_state`].
+/// The errors of [`fit_initial_state`].
 pub fn solve_local(
     problem: &FitProblem,
     observations: &Observations,

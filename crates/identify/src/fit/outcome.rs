@@ -1,4 +1,4 @@
-//! The report of a fit.
+//! Creates the report of a fit.
 
 use std::collections::BTreeMap;
 
@@ -28,10 +28,10 @@ use crate::uncertainty::{Covariance, ExcitationRange, interval, non_identifiable
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Ratio of a flight's rms residual to the median of all flights above which the report mentions it.
+/// Ratio of a flight's rms residual to the median of all flights, above which the report mentions the flight.
 const MISFIT_RATIO: f64 = 4.0;
 
-/// A solution with its uncertainties and residual statistics.
+/// A least-squares solution with its uncertainties and residual statistics.
 pub struct Outcome<'a> {
     problem: &'a FitProblem,
     state: &'a State,
@@ -58,7 +58,7 @@ impl<'a> Outcome<'a> {
     ///
     /// # Errors
     /// [`FitError::Flight`] if a flight does not determine its initial state or its trajectory cannot be computed;
-    /// [`FitError::Interrupted`].
+    /// [`FitError::Interrupted`] if the work is cancelled.
     pub fn new(
         problem: &'a FitProblem,
         state: &'a State,
@@ -108,7 +108,8 @@ impl<'a> Outcome<'a> {
         })
     }
 
-    /// The report, without its flights.
+    /// Creates the report of the fit. The caller adds the reports of the flights, the data faults, the marker
+    /// distances, the assessment of reliability and the computing times.
     pub fn report(&self) -> FitReport {
         let (problem, globals) = (self.problem, &self.problem.globals);
         let effects = problem.model.effects.iter();
@@ -252,7 +253,7 @@ impl<'a> Outcome<'a> {
         }
     }
 
-    /// Report of one of the fitted flights, by its position in the state.
+    /// Creates the report of a fitted flight, given its index in the state.
     pub fn flight(&self, index: usize) -> FlightReport {
         let observations = &self.state.flights[index];
         let flight = &self.flights[index];
@@ -277,7 +278,7 @@ impl<'a> Outcome<'a> {
     }
 }
 
-/// Profile likelihoods of the parameters named in the options.
+/// Computes the profile likelihoods of the parameters that the options name.
 fn profiles(
     problem: &FitProblem,
     state: &State,
@@ -312,7 +313,7 @@ fn profiles(
 /// Estimated initial state of a flight, by the names of its states.
 type InitialState = BTreeMap<String, Estimate>;
 
-/// Residual statistics and initial state of every flight.
+/// Computes the residual statistics and the initial state, with standard errors, of every flight.
 fn evaluate(
     problem: &FitProblem,
     state: &State,
@@ -336,7 +337,8 @@ fn evaluate(
     each.into_iter().collect()
 }
 
-/// Initial state of a flight with standard errors, from the covariance of the directions of its manifold.
+/// Initial state of a flight with standard errors, by the names of its states. `covariance` is that of the local
+/// parameters, the directions of the state manifold.
 pub fn initial_state_report(
     problem: &FitProblem,
     observations: &Observations,
@@ -358,7 +360,7 @@ pub fn initial_state_report(
     names.iter().enumerate().map(estimate).collect()
 }
 
-/// Report of an excluded flight.
+/// Creates the report of an excluded flight.
 pub fn excluded_report(flight: &Flight, reason: &FlightError) -> FlightReport {
     let reason = reason.to_string();
     FlightReport {

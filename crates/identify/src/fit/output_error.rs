@@ -1,4 +1,4 @@
-//! The output-error sum of squares of some flights, or of their first samples.
+//! The output-error objective: sum of squared residuals over all or the first samples of some flights.
 
 use nalgebra::DVector;
 
@@ -9,33 +9,33 @@ use crate::options::FitOptions;
 use crate::predict::{Loss, linearise};
 use crate::problem::FitProblem;
 
-/// Sum of squared residuals of the predicted marker positions over the first samples of some flights.
+/// Sum of squared residuals (or of their loss) over the first samples of some flights.
 pub struct OutputError<'a> {
-    /// The estimation problem.
+    /// Estimation problem with the model, the channels and the parameters.
     pub problem: &'a FitProblem,
-    /// Observations of the flights.
+    /// Observations of each flight in the sum.
     pub flights: Vec<&'a Observations>,
-    /// Number of samples of each flight that are used.
+    /// Number of samples of each flight that are used, counted from its first sample.
     pub samples: Vec<usize>,
-    /// Loss of the residuals.
+    /// Loss function of the residuals.
     pub loss: Loss<'a>,
-    /// Values of the global parameters if they are fixed.
+    /// Values of the global parameters if they are fixed; `None` if they are estimated.
     pub fixed_global: Option<&'a DVector<f64>>,
-    /// Constraints of the global parameters that are estimated.
+    /// Bounds and priors of the estimated global parameters.
     pub constraints: Vec<Constraint>,
-    /// Number of threads used.
+    /// Number of threads on which the flights are processed.
     pub threads: usize,
-    /// Options, for progress and cancellation.
+    /// Options, used for progress reports, cancellation and deadline.
     pub options: &'a FitOptions<'a>,
 }
 
-/// Number of samples of each flight.
+/// Total number of samples of each flight.
 pub fn all_samples(flights: &[Observations]) -> Vec<usize> {
     flights.iter().map(|flight| flight.times.len()).collect()
 }
 
 impl<'a> OutputError<'a> {
-    /// Sum of squares over all samples of these flights, as a function of global and local parameters.
+    /// Creates the sum of squares over all samples of the given flights, as a function of global and local parameters.
     pub fn of_all(
         problem: &'a FitProblem,
         flights: impl IntoIterator<Item = &'a Observations>,
@@ -56,7 +56,8 @@ impl<'a> OutputError<'a> {
         }
     }
 
-    /// Sum of squares over the first samples of one flight, as a function of its local parameters.
+    /// Creates the sum of squares over the first `samples` samples of one flight, as a function of its local
+    /// parameters.
     pub fn of_local(
         problem: &'a FitProblem,
         observations: &'a Observations,

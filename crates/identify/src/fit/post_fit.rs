@@ -1,4 +1,5 @@
-//! Quantities of one flight after the fit: residual statistics, excitation ranges, and the evidence for figures.
+//! Quantities of one flight after the fit: residual statistics, excitation ranges, and measured and predicted values
+//! for figures.
 
 use nalgebra::DVector;
 
@@ -12,26 +13,26 @@ use crate::report::{FlightEvidence, ResidualPool, SensorEvidence};
 
 /// Residual statistics and excitation ranges of one flight.
 pub struct PostFit {
-    /// Root mean square residual of one coordinate, m.
+    /// Root mean square residual of one coordinate, m, outliers excluded.
     pub rms: f64,
-    /// Number of outliers.
+    /// Number of values excluded as outliers.
     pub outliers: usize,
-    /// Sums over the flight's residuals for the residual diagnostics.
+    /// Sums over the residuals of the flight for the residual diagnostics.
     pub pool: ResidualPool,
-    /// Sums over the residuals of each channel.
+    /// Sums over the residuals of each channel, in the order of the channels.
     pub channels: Vec<ChannelSum>,
-    /// Least and greatest value of each of the model's quantities, followed by those of its states.
+    /// Minimum and maximum of each of the model's quantities, followed by those of its states.
     pub ranges: Vec<(f64, f64)>,
 }
 
-/// Sums over the residuals of one channel, each over the scale of the channel.
+/// Sums over the residuals of one channel, in the unit of the channel (without its scale).
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ChannelSum {
-    /// Sum of squares over all components, outliers excluded.
+    /// Sum of squared residuals over all components, outliers excluded.
     pub squares: f64,
-    /// Number of values, outliers excluded.
+    /// Number of measured values, outliers excluded.
     pub count: usize,
-    /// Number of outliers.
+    /// Number of measured values excluded as outliers.
     pub outliers: usize,
 }
 
@@ -55,18 +56,18 @@ fn channel_sums(problem: &FitProblem, observations: &Observations, path: &Path) 
     sums.collect()
 }
 
-/// Number of samples at which quantities are evaluated.
+/// Number of samples of a flight at which the model's quantities are evaluated.
 const EVALUATED_SAMPLES: usize = 12;
 
 /// Empty range: (∞, −∞).
 pub const EMPTY_RANGE: (f64, f64) = (f64::INFINITY, f64::NEG_INFINITY);
 
-/// Smallest range that contains both ranges.
+/// Smallest range (minimum, maximum) that contains both ranges.
 pub fn joined(one: (f64, f64), other: (f64, f64)) -> (f64, f64) {
     (one.0.min(other.0), one.1.max(other.1))
 }
 
-/// Evaluates a flight on its trajectory.
+/// Computes residual statistics and excitation ranges of a flight from its trajectory `path`.
 pub fn post_fit(
     problem: &FitProblem,
     observations: &Observations,
@@ -109,7 +110,7 @@ pub fn post_fit(
     }
 }
 
-/// Measured and predicted values of a flight; `None` if its trajectory cannot be computed.
+/// Measured and predicted values of a flight, for figures; `None` if its trajectory cannot be computed.
 pub fn evidence(
     problem: &FitProblem,
     observations: &Observations,
@@ -163,7 +164,7 @@ pub fn evidence(
     };
     let states = trajectory.chunks(observations.manifold.states());
     for (sample, (&time, state)) in observations.times.iter().zip(states).enumerate() {
-        // The residual from 0 is the prediction; the scale of a position may differ from 1.
+        // The residual of a measured value 0 is the predicted value times the scale of the channel.
         let mut position = |channel: usize| {
             let scale = problem.channels[channel].scale;
             observers
@@ -187,7 +188,7 @@ pub fn evidence(
     Some(evidence)
 }
 
-/// Measured values and outliers of a channel.
+/// Measured values and outlier flags of a channel, in a `SensorEvidence` whose other fields have default values.
 fn sensor_evidence(observations: &Observations, channel: usize) -> SensorEvidence {
     let samples = 0..observations.times.len();
     let place = |sample: usize| sample * observations.channels + channel;

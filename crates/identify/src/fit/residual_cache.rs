@@ -1,4 +1,4 @@
-//! Trajectories and residuals of all flights at an iterate, computed once for all stages that use them.
+//! Cache of the trajectories and residuals of all flights at one iterate, computed once for all stages that use them.
 
 use flight::batch;
 use nalgebra::DVector;
@@ -16,25 +16,25 @@ use crate::statistics::{median, robust_sigma};
 /// Trajectories and residuals of all flights at one iterate.
 pub struct ResidualCache(Vec<CachedFlight>);
 
-/// Standard error of a robust scale of one normal value, over the scale: that of n is 1/√n of it.
+/// Standard error of the robust scale of n normal values is this factor times scale/√n.
 const SCALE_ERROR: f64 = 1.17;
 
 struct CachedFlight {
     path: Result<Path, FlightError>,
-    /// Robust standard deviation of the flight's residuals, m; `None` without residuals.
+    /// Robust standard deviation of the flight's residuals, m; `None` if there are no residuals.
     scale: Option<f64>,
 }
 
 /// Trajectory and residuals of one flight.
 pub struct Path {
-    /// Model states at the first samples, sample by sample.
+    /// Model states at the first samples, concatenated sample by sample.
     pub states: Vec<f64>,
-    /// Residuals at those samples, predicted − measured, m.
+    /// Residuals at the samples of `states`, predicted − measured, m.
     pub residuals: Residuals,
 }
 
 impl ResidualCache {
-    /// Integrates the first samples of all flights.
+    /// Integrates each flight over its first `samples` samples and computes the residuals.
     pub fn new(
         problem: &FitProblem,
         state: &State,
@@ -62,13 +62,14 @@ impl ResidualCache {
         }))
     }
 
-    /// Robust standard deviation of each flight's residuals, m; none if it cannot be integrated or has no residuals.
+    /// Robust standard deviation of each flight's residuals, m; `None` if the flight cannot be integrated or has no
+    /// residuals.
     pub fn scales(&self) -> Vec<Option<f64>> {
         self.0.iter().map(|flight| flight.scale).collect()
     }
 
-    /// Whether a flight's scale is above `usual`, m, by this ratio, and by more than chance: this many standard errors. True where
-    /// there is no scale.
+    /// Whether a flight's residual scale exceeds `usual`, m, by more than the factor `ratio` and also by more than
+    /// `errors` standard errors. `true` if the flight has no scale.
     pub fn stands_out(&self, flight: usize, usual: f64, ratio: f64, errors: f64) -> bool {
         let CachedFlight { path, scale } = &self.0[flight];
         let (Some(scale), Ok(path)) = (scale, path) else {
@@ -79,20 +80,20 @@ impl ResidualCache {
         *scale > usual * ratio.max(by_chance)
     }
 
-    /// Median of the flights' scales, m; 0 without any.
+    /// Median of the residual scales of the flights, m; 0 if no flight has a scale.
     pub fn median_scale(&self) -> f64 {
         let scales = self.0.iter().filter_map(|flight| flight.scale);
         median(&mut scales.collect::<Vec<f64>>())
     }
 
-    /// Root mean square of the flights' scales, m; 0 without any.
+    /// Root mean square of the residual scales of the flights, m; 0 if no flight has a scale.
     pub fn rms_scale(&self) -> f64 {
         let scales: Vec<f64> = self.0.iter().filter_map(|flight| flight.scale).collect();
         let squares: f64 = scales.iter().map(|scale| scale * scale).sum();
         (squares / scales.len().max(1) as f64).sqrt()
     }
 
-    /// Flights whose trajectories could not be computed.
+    /// Indices of the flights whose trajectories could not be computed, with the reasons.
     pub fn failures(&self) -> Vec<FailedFlight> {
         let flights = self.0.iter().enumerate();
         flights
@@ -100,7 +101,7 @@ impl ResidualCache {
             .collect()
     }
 
-    /// Removes the flights with these positions.
+    /// Removes the flights of `failures`, given by their indices in the cache.
     pub fn remove(&mut self, failures: &[FailedFlight]) {
         let mut is_kept = vec![true; self.0.len()];
         for (flight, _) in failures {
@@ -109,10 +110,10 @@ impl ResidualCache {
         retain(&mut self.0, &is_kept);
     }
 
-    /// Trajectory of a flight.
+    /// Trajectory and residuals of a flight.
     ///
     /// # Errors
-    /// [`FitError::Flight`] if it cannot be integrated.
+    /// [`FitError::Flight`] if the flight cannot be integrated.
     pub fn path(&self, flights: &[Observations], flight: usize) -> Result<&Path, FitError> {
         let path = self.0[flight].path.as_ref();
         path.map_err(|reason| FitError::Flight {
@@ -122,8 +123,8 @@ impl ResidualCache {
     }
 }
 
-/// Robust standard deviation of one flight's residuals over its first samples, m; none if it cannot be integrated or has
-/// no residuals.
+/// Robust standard deviation of one flight's residuals over its first `samples` samples, m; `None` if the flight cannot
+/// be integrated or has no residuals.
 pub fn residual_scale(
     problem: &FitProblem,
     observations: &Observations,

@@ -1,5 +1,5 @@
-//! Relaxation between noise and unknowns (iterated feasible generalised least squares): the noise is estimated from the
-//! residuals, and the residuals are weighted by the noise.
+//! Alternating estimation of noise and unknowns (iterated feasible generalised least squares): the noise is estimated
+//! from the residuals, and the residuals are weighted by the noise.
 
 use flight::batch;
 
@@ -18,36 +18,37 @@ use crate::predict::Loss;
 use crate::problem::FitProblem;
 use crate::report::FitStatus;
 
-/// Reciprocal of the fraction of points whose outlier marks may still change at convergence: among very many points,
-/// a few always lie at the limit.
+/// Reciprocal of the fraction of values whose outlier flags may still change at convergence. With very many values, a
+/// few are always near the outlier threshold.
 const POINTS_PER_CHANGED_MARK: usize = 10_000;
 
-/// Greatest number of noise estimates.
+/// Maximum number of noise estimates.
 const MAX_ROUNDS: usize = 8;
 
-/// Number of least squares that reach their greatest number of steps after which none is tried again.
+/// Number of least-squares solutions that end by the maximum number of steps, after which reweighting stops without
+/// convergence.
 const MAX_UNFINISHED: usize = 2;
 
-/// Number of least squares of a model far from the samples after which its residuals are not weighted again.
+/// Number of least-squares solutions with residuals far above the noise, after which reweighting stops.
 const MAX_MISFITS: usize = 3;
 
-/// Converged noise estimate and unknowns, or the last iterates without convergence.
+/// Converged noise estimate and unknowns, or the last iterates if the alternation did not converge.
 pub struct Reweighted {
-    /// The noise by which residuals are weighted.
+    /// Noise model by which the residuals are weighted.
     pub noise: NoiseModel,
-    /// The least-squares solution with this noise.
+    /// Least-squares solution with this noise model.
     pub solution: Solution,
     /// Residuals of the solution.
     pub cache: ResidualCache,
-    /// Whether the least squares converged and the noise agrees with the residuals.
+    /// Whether the least squares converged and the noise model agrees with the residuals.
     pub status: FitStatus,
 }
 
-/// Alternates noise estimates and least squares until they agree; starts from the residuals at the state, whose flights
-/// can all be predicted. Flights whose samples do not determine their initial state are excluded.
+/// Alternates noise estimates and least squares until they agree. `cache` contains the residuals at the present state;
+/// all its flights can be predicted. Flights whose samples do not determine their initial state are excluded.
 ///
 /// # Errors
-/// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`].
+/// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
 pub fn reweight(
     problem: &FitProblem,
     state: &mut State,
@@ -62,14 +63,14 @@ pub fn reweight(
             }
             state.exclude(undetermined)?;
         }
-        // Every pass but the last excludes a flight.
+        // Every pass except the last one excludes a flight.
         let samples = all_samples(&state.flights);
         let residuals = ResidualCache::new(problem, state, &samples, options);
         cache = exclude_failed(state, residuals, options)?;
     }
 }
 
-/// Flights whose residuals do not determine their local parameters.
+/// Flights whose residuals do not determine their local parameters, with the reason.
 fn undetermined_flights(solution: &Solution) -> Vec<FailedFlight> {
     let blocks = solution.blocks.iter().enumerate();
     let undetermined = blocks.filter(|(_, block)| !block.determines_local());
@@ -78,7 +79,7 @@ fn undetermined_flights(solution: &Solution) -> Vec<FailedFlight> {
         .collect()
 }
 
-/// Alternates noise estimates and least squares until they agree; `None` if a flight was excluded meanwhile.
+/// Alternates noise estimates and least squares until they agree; `None` if a flight was excluded in the process.
 fn agree(
     problem: &FitProblem,
     state: &mut State,
@@ -100,7 +101,7 @@ fn agree(
         state.rounds = round + 1;
         options.stage_started(&format!("noise, round {}", round + 1), state.flights.len());
         let loss = Loss::Whitened(&noise);
-        // One step improves the estimate of the noise; its residuals suffice for that.
+        // One step improves the noise estimate, which needs only the residuals after the step.
         if round == 0
             && !options.is_past_deadline()
             && let Some(step) = unevaluated_step(problem, state, loss, &cache, options)?
@@ -127,7 +128,7 @@ fn agree(
             return Ok(None);
         }
         state.take(&found);
-        // After a negligible step the residuals, and the noise in them, are the same.
+        // After a negligible step, the residuals and the noise estimate are unchanged.
         if found.iterations == 1 && found.last_step_is_negligible(criteria) {
             return Ok(Some(Reweighted::new(noise, found, cache, true)));
         }
@@ -141,7 +142,7 @@ fn agree(
         if found.stop_reason == StopReason::Deadline || unfinished >= MAX_UNFINISHED {
             return Ok(Some(Reweighted::new(noise, found, cache, false)));
         }
-        // Weights by residuals that are no noise need not agree to the last digit.
+        // Weights of residuals that are not noise need not converge precisely.
         if misfits >= MAX_MISFITS {
             return Ok(Some(Reweighted::new(noise, found, cache, true)));
         }
@@ -161,7 +162,8 @@ impl Reweighted {
     }
 }
 
-/// Marks outliers and estimates the noise of the other points; returns the noise and whether any mark changed.
+/// Marks outliers and estimates the noise of the other values. Returns the noise and whether the outlier flags changed
+/// noticeably.
 pub fn estimate_noise(
     problem: &FitProblem,
     state: &mut State,
@@ -175,7 +177,7 @@ pub fn estimate_noise(
     let marked = batch::each_on(options.threads(), state.flights.len(), |flight| {
         let residuals = &cache.path(&state.flights, flight)?.residuals;
         let observations = &state.flights[flight];
-        // A flight that is noisier than the others is judged by its scale.
+        // The candidates of a flight that is noisier than the others are judged by its own scale.
         let mut outlier = vec![false; observations.measured.len()];
         for (point, local_residual) in &judged[flight].candidates {
             let scale = scales[flight][group_of[point % observations.channels]];
@@ -214,10 +216,10 @@ pub fn estimate_noise(
 
 /// Possible outliers of one flight.
 struct FlightOutliers {
-    /// Scale of its local residuals of each group of channels along each axis, m.
+    /// Scale of the local residuals of the flight, for each group of channels along each axis, m.
     scales: Vec<[f64; 3]>,
-    /// Indices of points that are outliers at these scales, with their local residuals, m. No other point is an outlier
-    /// at a greater scale.
+    /// Indices and local residuals, m, of the values that are outliers for the scales `scales`. At larger scales, no
+    /// other value is an outlier.
     candidates: Vec<(usize, [f64; 3])>,
 }
 

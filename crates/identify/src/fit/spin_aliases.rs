@@ -1,5 +1,5 @@
-//! Aliasing of the spin: where samples are far apart, all flights are fitted with the slowest spin that the samples
-//! allow and with one turn per interval more or less, and the fit of smallest residuals is taken.
+//! Aliasing of the spin. If samples are far apart, all flights are fitted with the slowest spin compatible with the
+//! samples and with one turn per sampling interval more or less; the fit with the smallest residuals is used.
 
 use super::FitError;
 use super::horizon_continuation::continue_horizon;
@@ -11,16 +11,17 @@ use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::statistics::median;
 
-/// Turns per sampling interval added to the slowest spin, most likely first.
+/// Turns per sampling interval that are added to the slowest spin, in order of decreasing probability.
 const ALIASES: [i32; 3] = [0, -1, 1];
 
-/// Ratio of an alias's median residual to that of the best likelier alias below which the alias is accepted.
+/// Maximum ratio of the median residual scale of an alias to that of the best alias tried before, for the alias to be
+/// accepted.
 const ACCEPTED_RATIO: f64 = 0.9;
 
-/// Fits all flights by horizon continuation from each spin alias; returns the fit with the smallest residuals.
+/// Fits all flights by horizon continuation from each spin alias, and returns the fit with the smallest residuals.
 ///
 /// # Errors
-/// Those of [`continue_horizon`], if every alias fails.
+/// The errors of [`continue_horizon`], if it fails for every alias.
 pub fn resolve_spin_aliases(
     problem: &FitProblem,
     mut state: State,
@@ -60,7 +61,7 @@ pub fn resolve_spin_aliases(
     }
 }
 
-/// The state with the initial guesses of an alias, for flights that have one.
+/// Copy of the state with the initial guesses of an alias, for the flights that have such a guess.
 fn with_alias(state: &State, alternatives: &[Vec<InitialGuess>], alias: i32) -> State {
     let mut state = state.clone();
     for (index, guesses) in alternatives.iter().enumerate() {
@@ -74,8 +75,8 @@ fn with_alias(state: &State, alternatives: &[Vec<InitialGuess>], alias: i32) -> 
     state
 }
 
-/// Median of the flights' residual scales, m; a flight that cannot be integrated, or was excluded, counts as infinitely far.
-/// Single flights may be in a wrong minimum still.
+/// Median of the residual scales of the flights, m. A flight that cannot be integrated or was excluded counts as
+/// infinite. The median is used because single flights may still be in a wrong minimum.
 fn median_scale(cache: &ResidualCache, excluded: usize) -> f64 {
     let scales = cache.scales().into_iter();
     let flown = scales.map(|scale| scale.unwrap_or(f64::INFINITY));

@@ -1,4 +1,4 @@
-//! Flights, unknowns and counters that the stages of a fit pass on.
+//! Flights, unknowns and counters that are passed between the stages of a fit.
 
 use nalgebra::DVector;
 
@@ -7,34 +7,34 @@ use crate::ids::FlightId;
 use crate::least_squares::{FailedFlight, Iterate, Solution};
 use crate::observations::Observations;
 
-/// Part of the time to the failure of a trajectory over which the flight is used.
+/// Fraction of the time until the failure of a trajectory that is used for the fit.
 const FLYABLE_PART: f64 = 0.7;
 
-/// Flights that are fitted with the values of all unknowns, and flights that were excluded.
+/// Flights that are fitted, with the values of all unknowns, and excluded flights.
 #[derive(Clone)]
 pub(crate) struct State {
-    /// Index in the dataset of each flight that is fitted.
+    /// Index in the dataset of each fitted flight.
     pub ids: Vec<FlightId>,
-    /// Observations of these flights.
+    /// Observations of each fitted flight.
     pub flights: Vec<Observations>,
-    /// Global parameters.
+    /// Values of the global parameters, SI.
     pub global: DVector<f64>,
-    /// Initial state of each flight.
+    /// Initial state of each fitted flight, SI.
     pub local: Vec<DVector<f64>>,
-    /// Time up to which each flight is used, s from its first sample; infinite unless it cannot be flown further yet.
+    /// Time after the first sample up to which each flight is used, s; infinite if the whole flight can be integrated.
     pub limits: Vec<f64>,
-    /// Flights that cannot be fitted.
+    /// Excluded flights, with the reasons.
     pub excluded: Vec<ExcludedFlight>,
     /// Median time between samples, s.
     pub interval: f64,
-    /// Number of least-squares steps tried so far.
+    /// Number of least-squares steps so far.
     pub steps: usize,
     /// Number of noise estimates so far.
     pub rounds: usize,
 }
 
 impl State {
-    /// State without flights.
+    /// Creates a state without flights, for given global parameters and sampling interval (s).
     pub fn new(global: DVector<f64>, interval: f64) -> Self {
         Self {
             ids: Vec::new(),
@@ -49,7 +49,7 @@ impl State {
         }
     }
 
-    /// Values of all unknowns.
+    /// Values of all unknowns as an iterate of the least squares.
     pub fn iterate(&self) -> Iterate {
         Iterate {
             global: self.global.clone(),
@@ -57,14 +57,14 @@ impl State {
         }
     }
 
-    /// Takes over the iterate and the step count of a solution.
+    /// Sets the unknowns to the iterate of a solution and adds its number of steps.
     pub fn take(&mut self, solution: &Solution) {
         self.global.clone_from(&solution.iterate.global);
         self.local.clone_from(&solution.iterate.local);
         self.steps += solution.iterations;
     }
 
-    /// Adds a flight with its initial state.
+    /// Adds a flight with its initial state, to be used over its whole length.
     pub fn push(&mut self, id: FlightId, observations: Observations, local: DVector<f64>) {
         self.ids.push(id);
         self.flights.push(observations);
@@ -72,7 +72,8 @@ impl State {
         self.limits.push(f64::INFINITY);
     }
 
-    /// Number of samples of each flight up to `horizon`, s, and its own limit.
+    /// Number of samples of each flight up to `horizon`, s after its first sample, or up to its own limit if that is
+    /// earlier.
     pub fn samples_until(&self, horizon: f64) -> Vec<usize> {
         let flights = self.flights.iter().zip(&self.limits);
         flights
@@ -83,8 +84,8 @@ impl State {
             .collect()
     }
 
-    /// Limits each flight of `failures` to the part that can be flown; flights that are limited already and do not fail
-    /// may be flown twice as far from now on.
+    /// Limits each flight of `failures` to the part that can be integrated. For flights that are limited already and do
+    /// not fail, the limit is doubled.
     pub fn limit_to_flyable(&mut self, failures: &[FailedFlight]) {
         for limit in &mut self.limits {
             *limit *= 2.0;
@@ -97,7 +98,7 @@ impl State {
         }
     }
 
-    /// Excludes flights, by their positions in this state. The positions of later flights change.
+    /// Excludes the flights of `failures`, given by their indices in this state. The indices of later flights change.
     ///
     /// # Errors
     /// [`FitError::NoUsableFlight`] if no flight is left.
@@ -125,7 +126,7 @@ impl State {
     }
 }
 
-/// Keeps the values whose flag is set.
+/// Retains the values whose flag is set.
 pub(super) fn retain<T>(values: &mut Vec<T>, is_kept: &[bool]) {
     let mut flags = is_kept.iter();
     values.retain(|_| flags.next().is_none_or(|kept| *kept));

@@ -1,5 +1,5 @@
-//! Flights that were left out on the way are tried again with the parameters that the others gave: far from the solution
-//! a flight may seem unlike the others, or its samples may seem not to determine its initial state.
+//! Tries excluded flights again with the parameters estimated from the others. Far from the solution, a flight may seem
+//! unlike the others, or its samples may seem not to determine its initial state.
 
 use flight::batch;
 use nalgebra::DVector;
@@ -19,17 +19,18 @@ use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::screening::FaultKind;
 
-/// Ratio of a flight's residual scale to that of the others up to which it flies as they do.
+/// Maximum ratio of a flight's residual scale to that of the other flights at which it is considered similar to them.
 pub const LIKE_RATIO: f64 = 3.0;
 
-/// Greatest number of times that flights are taken back: with more flights the parameters are better.
+/// Maximum number of passes over the excluded flights. With more flights, the parameters are better, so that further
+/// flights may return.
 const MAX_PASSES: usize = 2;
 
-/// Takes back the flights that fly as the others do, and fits all again. Takes the present solution, and returns that of
-/// all flights, or the present one if no flight comes back.
+/// Includes excluded flights again if the model predicts them about as well as the others, and fits all flights again.
+/// Returns the new solution, or the present one, `reweighted`, if no flight is included again.
 ///
 /// # Errors
-/// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`].
+/// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
 pub fn take_back(
     problem: &FitProblem,
     dataset: &Dataset,
@@ -73,7 +74,7 @@ pub fn take_back(
         let residuals = anneal_scale(problem, &mut with, options)?;
         let residuals = exclude_failed(&mut with, residuals, options)?;
         let again = reweight(problem, &mut with, residuals, options)?;
-        // A flight that bends all others to it stays out.
+        // A flight that changes the fit of all others remains excluded.
         if with.flights.len() <= state.flights.len()
             || again.noise.overall() > LIKE_RATIO * reweighted.noise.overall()
         {
@@ -84,8 +85,8 @@ pub fn take_back(
     Ok(reweighted)
 }
 
-/// Whether a flight was left out for what the fit made of it, and not for its samples; or for a vertical acceleration unlike
-/// that of the others, which a wrong unit of time gives, and a load that grows as it does in no other flight.
+/// Whether an excluded flight may be included again: it was excluded because of its fit and not because of its samples,
+/// or for a suspected wrong unit of time, which a load that is absent in the other flights can mimic.
 pub fn may_come_back(excluded: &ExcludedFlight) -> bool {
     match &excluded.reason {
         FlightError::UnlikeTheOthers { .. }
@@ -96,8 +97,8 @@ pub fn may_come_back(excluded: &ExcludedFlight) -> bool {
     }
 }
 
-/// Observations and initial state of a flight that these parameters predict about as well as the others, whose residual
-/// scale is `usual`, m.
+/// Observations and initial state of a flight, if its residual scale at the given global parameters is similar to that
+/// of the other flights, `usual`, m; `None` otherwise.
 fn like_the_others(
     problem: &FitProblem,
     flight: &crate::dataset::Flight,
@@ -124,7 +125,8 @@ mod tests {
     use crate::synthesize::{Plan, flights};
     use crate::tolerance;
 
-    /// Number of excluded flights after a flight that flies as the others do was excluded for this reason.
+    /// Number of excluded flights after `take_back`, if a flight similar to the others was excluded for the given
+    /// reason.
     fn excluded_after(reason: FlightError) -> usize {
         let model = model_spec::load::load("ball", &[]).unwrap();
         let release = read("serve", built_in("serve").unwrap(), |_| {

@@ -1,5 +1,6 @@
-//! Initial guesses of a flight from samples that estimated parameters of the measurement distort: markers that are seen
-//! late, a scale, misplaced markers. Poses of such samples show another motion than the body's.
+//! Initial guesses from corrected samples. Estimated parameters of the measurement may distort the samples: markers
+//! that are recorded late, a scale, misplaced markers. The poses of distorted samples show a motion that is not that of
+//! the body.
 
 use flight::batch;
 use nalgebra::DVector;
@@ -15,17 +16,18 @@ use crate::options::FitOptions;
 use crate::predict::states;
 use crate::problem::FitProblem;
 
-/// Number of times that the distortion is computed at the state found without it: it depends on the motion.
+/// Number of iterations in which the distortion is computed from the state estimated without it, as it depends on the
+/// motion.
 const PASSES: usize = 4;
 
-/// Greatest displacement of a marker by the measurement, relative to `sigma0`, that leaves a guess as it is.
+/// Maximum displacement of a marker by the measurement, in units of `sigma0`, that is neglected.
 const NEGLIGIBLE: f64 = 3.0;
 
-/// Initial guesses from the samples as they are, followed by one from the samples without the distortion that these
-/// parameters predict.
+/// Returns the initial guesses from the measured samples, followed by one from the samples corrected for the distortion
+/// that the given parameters predict, if the distortion is not negligible.
 ///
 /// # Errors
-/// Those of [`initial_state::initial_guesses`].
+/// The errors of [`initial_state::initial_guesses`].
 pub fn initial_guesses(
     problem: &FitProblem,
     observations: &Observations,
@@ -37,8 +39,8 @@ pub fn initial_guesses(
     Ok(guesses)
 }
 
-/// The guess from the samples without the distortion that the parameters predict for a flight in this state; `None` if
-/// that is negligible.
+/// Initial guess from samples corrected for the distortion that the parameters predict for a flight with the initial
+/// state `local`; `None` if the distortion is negligible.
 fn undistorted_guess(
     problem: &FitProblem,
     observations: &Observations,
@@ -60,8 +62,9 @@ fn undistorted_guess(
     found
 }
 
-/// A start of all flights with the present parameters of the measurement, the model's other ones, and initial states from
-/// undistorted samples; `None` if the measurement does not distort the samples.
+/// Initial values of all unknowns for another fit: the present values of the measurement parameters, the model's values
+/// of the other parameters, and initial states from corrected samples. `None` if the measurement does not distort the
+/// samples.
 pub fn start(problem: &FitProblem, state: &State, options: &FitOptions<'_>) -> Option<State> {
     let values = problem.globals.iter().map(|global| global.model_value);
     let mut global = DVector::from_iterator(problem.globals.len(), values);
@@ -99,8 +102,8 @@ pub fn start(problem: &FitProblem, state: &State, options: &FitOptions<'_>) -> O
     Some(started)
 }
 
-/// The samples less what the parameters displace the markers by, from where they would be seen with the parameters of the
-/// start; `None` if that is negligible, or unknown because the flight cannot be flown.
+/// Corrects the samples by subtracting the displacement of the markers between the given parameters and the model's
+/// values. `None` if the displacement is negligible, or unknown because the flight cannot be integrated.
 fn without_distortion(
     problem: &FitProblem,
     observations: &Observations,

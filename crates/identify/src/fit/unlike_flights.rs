@@ -1,4 +1,4 @@
-//! Flights that do not fly as the others do are excluded.
+//! Exclusion of flights whose motion differs from that of the other flights.
 
 use nalgebra::DVector;
 
@@ -14,21 +14,23 @@ use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 
-/// Ratio of a flight's residual scale to the median, and to `sigma0`, above which the others are fitted without it.
+/// Ratio of a flight's residual scale to the median scale, or to `sigma0` if that is greater, above which the other
+/// flights are fitted without it.
 const SUSPECT_RATIO: f64 = 3.0;
 
-/// Ratio of a flight's residual scale to that of the others without it, above which it is excluded: least squares would
-/// bend all others to it.
+/// Ratio of a flight's residual scale to that of the other flights, fitted without it, above which it is excluded,
+/// because it would bias the fit of all others.
 const UNLIKE_RATIO: f64 = 10.0;
 
-/// Greatest number of passes over the flights in which some are excluded.
+/// Maximum number of passes in which flights are excluded.
 const MAX_PASSES: usize = 4;
 
-/// Excludes the flights that do not fly as the others do: a few whose residuals stay far above those of the others when
-/// the others are fitted without them. Takes the residuals at the state and returns those at the new state.
+/// Excludes flights whose residuals remain far above those of the others when the others are fitted without them, if
+/// these flights are a minority. `cache` contains the residuals at the present state. Returns the residuals at the new
+/// state.
 ///
 /// # Errors
-/// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`].
+/// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
 pub fn exclude_unlike_flights(
     problem: &FitProblem,
     state: &mut State,
@@ -51,7 +53,7 @@ pub fn exclude_unlike_flights(
     Ok(cache)
 }
 
-/// Flights whose residual scale is far above the median.
+/// Indices of the flights whose residual scale is far above the median.
 fn suspects(problem: &FitProblem, cache: &ResidualCache) -> Vec<usize> {
     let limit = SUSPECT_RATIO * cache.median_scale().max(problem.sigma0);
     let scales = cache.scales().into_iter().enumerate();
@@ -59,8 +61,8 @@ fn suspects(problem: &FitProblem, cache: &ResidualCache) -> Vec<usize> {
     above.map(|(flight, _)| flight).collect()
 }
 
-/// Fits the other flights without the suspects, and excludes the suspects that do not fly with the parameters of the
-/// others, from whatever initial state. `None` if there is none.
+/// Fits the other flights without the suspects, and excludes each suspect that the parameters of the others do not
+/// predict, even with a refitted initial state. `None` if no suspect is excluded.
 fn fit_without(
     problem: &FitProblem,
     state: &State,
@@ -106,7 +108,8 @@ fn fit_without(
     Ok(Some((without, residuals)))
 }
 
-/// Residual scale (m; infinite if it cannot be flown) and initial state of a flight that is fitted alone.
+/// Fits the initial state of a flight at fixed global parameters. Returns the residual scale (m; infinite if the flight
+/// cannot be integrated) and the initial state.
 fn refitted(
     problem: &FitProblem,
     observations: &Observations,

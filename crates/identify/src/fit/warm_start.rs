@@ -1,4 +1,5 @@
-//! Least squares from given values of the unknowns, with a given noise model and the outliers of an earlier fit.
+//! Least squares from given initial values of the unknowns, with a given noise model and the outliers of an earlier
+//! fit.
 
 use nalgebra::DVector;
 
@@ -11,15 +12,15 @@ use crate::options::FitOptions;
 use crate::predict::Loss;
 
 impl Fit {
-    /// Minimises the whitened sum of squares over the fitted flights, from values of the global parameters (in the order
-    /// of [`FitProblem::globals`]) and initial states of the fitted flights (in the dataset's order). Outliers of the fit
-    /// stay excluded.
+    /// Minimises the whitened sum of squares over the fitted flights, starting from the given global parameters (in the
+    /// order of [`FitProblem::globals`]) and initial states of the fitted flights (in the order of the dataset).
+    /// Outliers of this fit remain excluded.
     ///
     /// [`FitProblem::globals`]: crate::FitProblem::globals
     ///
     /// # Errors
-    /// [`FitError::WarmStartSize`] if the values do not match the unknowns in number; [`FitError::Flight`] if a flight
-    /// cannot be predicted from them; [`FitError::Interrupted`].
+    /// [`FitError::WarmStartSize`] if the numbers of values and unknowns differ; [`FitError::Flight`] if a flight
+    /// cannot be predicted from the values; [`FitError::Interrupted`] if the work is cancelled.
     pub fn warm_start(
         &self,
         global: &DVector<f64>,

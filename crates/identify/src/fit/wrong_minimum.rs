@@ -1,4 +1,4 @@
-//! Whether a fit may have ended in a wrong minimum, and whether another start led to a better one.
+//! Detects fits that may have ended in a wrong minimum, and tries other initial values.
 
 use super::FitError;
 use super::horizon_continuation::continue_horizon;
@@ -8,18 +8,19 @@ use super::undistorted;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 
-/// Ratio of the new residual scale to the old one below which the new start is taken.
+/// Maximum ratio of the new residual scale to the old one for the new fit to be accepted.
 const ACCEPTED_RATIO: f64 = 0.98;
 
-/// Greatest number of starts from samples without the distortion by the measurement: each knows it better.
+/// Maximum number of restarts from samples corrected for the distortion by the measurement; each restart starts with a
+/// better estimate of it.
 const MAX_STARTS: usize = 3;
 
-/// Fits all flights again from samples without the distortion by the present parameters of the measurement, where the present
-/// fit may have ended in a wrong minimum. Takes the residuals at the state and returns those at the new state, which is the
-/// present one unless the new one is better.
+/// Fits all flights again from samples corrected for the distortion by the present measurement parameters, if the
+/// present fit may have ended in a wrong minimum. `cache` contains the residuals at the present state. The state is
+/// replaced if the new fit is better. Returns the residuals at the final state.
 ///
 /// # Errors
-/// Those of [`continue_horizon`].
+/// The errors of [`continue_horizon`].
 pub fn start_undistorted(
     problem: &FitProblem,
     state: &mut State,
@@ -44,7 +45,8 @@ pub fn start_undistorted(
     Ok(cache)
 }
 
-/// Whether residuals are above the noise, a flight cannot be flown, or a parameter went to a bound.
+/// Whether a fit may have ended in a wrong minimum: residuals are above the noise, a flight cannot be integrated, or a
+/// parameter has reached a bound.
 pub fn is_suspect(problem: &FitProblem, state: &State, cache: &ResidualCache) -> bool {
     let mut globals = problem.globals.iter().zip(state.global.iter());
     let is_driven_to_bound = globals.any(|(global, &value)| {
@@ -54,7 +56,7 @@ pub fn is_suspect(problem: &FitProblem, state: &State, cache: &ResidualCache) ->
     is_driven_to_bound || !cache.failures().is_empty() || problem.is_misfit(cache.median_scale())
 }
 
-/// Whether a fit predicts more flights, or as many with smaller residuals.
+/// Whether the fit `found` predicts more flights than `before`, or as many with smaller residuals.
 pub fn is_better(found: &ResidualCache, before: &ResidualCache) -> bool {
     let (failed, failed_before) = (found.failures().len(), before.failures().len());
     failed < failed_before

@@ -1,18 +1,18 @@
-//! Whether a body is brought to rest: a hand does that, while the ground leaves a flying body most of its speed.
+//! Detects whether a body is stopped, as by a hand; the ground leaves a flying body most of its speed.
 
 use nalgebra::Vector3;
 
 use super::motion::Point;
 
-/// Greatest number of points from an interval on among which a hand stops a body. A disc slides for longer.
+/// Maximum number of points after an interval within which a hand stops a body. A disc slides for longer.
 const WITHIN: usize = 24;
-/// Number of the last of these points that show the speed.
+/// Number of points at the end of the `WITHIN` points, from which the final speed is computed.
 const LAST: usize = 3;
-/// Greatest speed at rest, in units of the speed before: above what the noise of these points gives, and what is left in
-/// the last samples of a catch.
+/// Maximum ratio of the final speed to the speed before for a body to be considered at rest. It is above the effect of
+/// noise and the remaining speed in the last samples of a catch.
 const REST: f64 = 0.2;
 
-/// Whether a body with a velocity, m/s, is at rest soon after point `index`.
+/// Whether a body that has the given velocity (m/s) before point `index` is at rest soon after it.
 pub fn is_stopped(points: &[Point], index: usize, velocity: &Vector3<f64>) -> bool {
     let end = index.saturating_add(WITHIN).min(points.len());
     let soon = points.get(index..end).unwrap_or_default();
@@ -30,7 +30,8 @@ mod tests {
     /// Interval between samples, s.
     const INTERVAL: f64 = 1.0 / 120.0;
 
-    /// Points of a body that flies at 9 m/s, and from point 40 on loses a part of its speed over `braked` intervals.
+    /// Points of a body that flies at 9 m/s and, from point 40 on, loses the fraction `lost` of its speed over `braked`
+    /// intervals.
     fn points(count: usize, braked: usize, lost: f64) -> Vec<Point> {
         let mut position = Vector3::new(0.0, 0.0, 1.0);
         let each = (0..count).map(|sample| {

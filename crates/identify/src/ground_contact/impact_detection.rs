@@ -1,8 +1,8 @@
-//! The first impact on a path that stops the descent.
+//! Detects the first impact on a path that interrupts the descent.
 //!
-//! An impact is a jump of velocity within one sampling interval between two stretches of smooth motion. At each interval
-//! a parabola before it and one after it are compared with one smooth polynomial through both stretches. Aerodynamic
-//! loads, however large, change the velocity along the stretches too; an impact does not.
+//! An impact is a velocity jump within one sampling interval between two segments of smooth motion. At each interval,
+//! one parabola before it and one after it are compared with a single smooth polynomial through both segments.
+//! Aerodynamic loads, however large, also change the velocity along the segments; an impact does not.
 
 use nalgebra::{SMatrix, SVector, Vector3};
 
@@ -10,32 +10,35 @@ use super::PathPoint;
 use crate::path_noise::path_noise;
 use crate::statistics::median;
 
-/// Greatest number of points on either side of an interval.
+/// Maximum number of points on each side of an interval.
 const SIDE: usize = 7;
-/// Least number of points before and after an interval.
+/// Minimum numbers of points before and after an interval.
 const LEAST_SIDES: (usize, usize) = (6, 3);
-/// Least number of points of a parabola; fewer have the acceleration of the other side.
+/// Minimum number of points for a parabola; with fewer points, the acceleration on the other side of the interval is
+/// used.
 const PARABOLA: usize = 5;
-/// Degree of the smooth polynomial plus one.
+/// Number of coefficients of the smooth polynomial: its degree plus one.
 const SMOOTH: usize = 5;
-/// Least jump of velocity of an impact, m/s.
+/// Minimum velocity jump of an impact, m/s.
 const MIN_JUMP: f64 = 0.5;
-/// Least jump in units of its standard error.
+/// Minimum velocity jump of an impact, in units of its standard error.
 const MIN_SIGNIFICANCE: f64 = 8.0;
-/// Least jump in units of the median jump over the flight.
+/// Minimum velocity jump of an impact, in units of the median jump over the flight.
 const MIN_RATIO: f64 = 3.5;
-/// Least jump in units of the velocity that the accelerations on either side give in one interval.
+/// Minimum velocity jump of an impact, in units of the velocity change in one interval by the accelerations on either
+/// side.
 const MIN_IMPULSE: f64 = 3.0;
-/// Least ratio of the vertical component to the magnitude of a jump, and to the speed of descent before it.
+/// Minimum ratio of the vertical component of a jump to its magnitude, and to the descent speed before it.
 const MIN_VERTICAL_PART: (f64, f64) = (0.3, 0.3);
-/// Least ratio of the squared residuals of the smooth polynomial to those of the two parabolas.
+/// Minimum ratio of the squared residuals of the smooth polynomial to those of the two parabolas, each per degree of
+/// freedom.
 const MIN_SQUARES_RATIO: f64 = 1.5;
-/// Greatest number of points that are left out as outliers.
+/// Maximum number of points around an interval that are excluded as outliers.
 const MOST_OUTLIERS: usize = 2;
-/// Number of intervals that show the usual jump of a flight.
+/// Number of intervals from which the median jump of a flight is computed.
 const USUAL: usize = 24;
 
-/// An impact on a path.
+/// An impact on a path: a velocity jump between two of its points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Impact {
     /// Index of the first point of the path after the impact.
@@ -44,7 +47,7 @@ pub struct Impact {
     pub jump: Vector3<f64>,
 }
 
-/// The first impact on a path; none if nothing touches the body.
+/// Finds the first impact on a path; `None` if there is none or the path is too short.
 pub fn impact(path: &[PathPoint]) -> Option<Impact> {
     if path.len() < LEAST_SIDES.0 + LEAST_SIDES.1 {
         return None;
@@ -67,7 +70,7 @@ pub fn impact(path: &[PathPoint]) -> Option<Impact> {
         if kink.jump.norm() < MIN_RATIO * usual {
             continue;
         }
-        // Intervals beside the impact show a part of it; the right one has the least residuals.
+        // Intervals adjacent to the impact also show part of it; the correct interval has the smallest residuals.
         let (first, best) = found.get_or_insert((index, kink));
         if kink.squares < best.squares {
             (*first, *best) = ((*first).min(index), kink);
@@ -79,7 +82,7 @@ pub fn impact(path: &[PathPoint]) -> Option<Impact> {
     })
 }
 
-/// Median jump of the velocity over intervals spread over the path, m/s.
+/// Median velocity jump over intervals that are distributed over the path, m/s.
 fn usual_jump(path: &[PathPoint], candidates: std::ops::RangeInclusive<usize>, noise: f64) -> f64 {
     let step = candidates.clone().count().div_ceil(USUAL);
     let kinks = candidates
@@ -89,7 +92,8 @@ fn usual_jump(path: &[PathPoint], candidates: std::ops::RangeInclusive<usize>, n
     median(&mut jumps)
 }
 
-/// Whether velocities by few points on either side allow an impact before point `index`; they cost little.
+/// Whether an impact before point `index` is possible, judged at low cost from velocities over a few points on each
+/// side.
 fn may_be_impact(path: &[PathPoint], index: usize) -> bool {
     let velocity =
         |from: usize, to: usize| (path[to].2 - path[from].2) / (path[to].1 - path[from].1);
@@ -97,20 +101,21 @@ fn may_be_impact(path: &[PathPoint], index: usize) -> bool {
     before.z < 0.0 && after.z - before.z > 0.5 * MIN_JUMP
 }
 
-/// Motion before and after an interval.
+/// Fitted motion before and after an interval.
 #[derive(Clone, Copy)]
 struct Kink {
-    /// First point after the interval.
+    /// Index of the first point after the interval.
     index: usize,
-    /// Velocity before, m/s.
+    /// Velocity before the interval, m/s.
     before: Vector3<f64>,
     /// Jump of the velocity, m/s.
     jump: Vector3<f64>,
     /// Standard error of a component of the jump, m/s.
     error: f64,
-    /// Greatest change of velocity in one interval by the accelerations on either side, m/s.
+    /// Largest velocity change in one interval by the accelerations on either side, m/s.
     impulse: f64,
-    /// Squared residuals of the two parabolas, and of the smooth polynomial, by degree of freedom, m².
+    /// Sum of squared residuals per degree of freedom of the two parabolas (`squares`) and of the smooth polynomial
+    /// (`smooth`), m².
     squares: f64,
     smooth: f64,
 }
@@ -130,7 +135,8 @@ impl Kink {
     }
 }
 
-/// Compares two parabolas with one smooth polynomial around the interval before point `index`.
+/// Compares two parabolas with one smooth polynomial around the interval before point `index`; `None` if there are too
+/// few points.
 fn kink(path: &[PathPoint], index: usize, noise: f64) -> Option<Kink> {
     let (from, to) = (index.saturating_sub(SIDE), (index + SIDE).min(path.len()));
     let time = 0.5 * (path[index - 1].1 + path[index].1);
@@ -153,7 +159,7 @@ fn kink(path: &[PathPoint], index: usize, noise: f64) -> Option<Kink> {
         true => polynomial::<3>(after, None)?,
         false => polynomial::<3>(after, Some(known))?,
     };
-    // A polynomial of as many coefficients as there are points would go through all of them.
+    // A polynomial with as many coefficients as points would pass through all of them.
     let smooth = polynomial::<SMOOTH>(&all, None)?;
     let velocity =
         |side: &Fitted<3>| Vector3::from(side.coefficients.fixed_rows::<1>(1).transpose()) / half;
@@ -176,7 +182,7 @@ fn kink(path: &[PathPoint], index: usize, noise: f64) -> Option<Kink> {
     })
 }
 
-/// Drops points whose removal makes the smooth polynomial fit: an outlier is one, an impact is not.
+/// Removes points without which the smooth polynomial fits: this is the case for an outlier, but not for an impact.
 fn leave_out_outliers(sides: &mut [Vec<(f64, Vector3<f64>)>; 2], noise: f64) {
     for _ in 0..MOST_OUTLIERS {
         let all: Vec<_> = sides.iter().flatten().copied().collect();
@@ -207,9 +213,9 @@ fn leave_out_outliers(sides: &mut [Vec<(f64, Vector3<f64>)>; 2], noise: f64) {
     }
 }
 
-/// A least-squares polynomial along each axis.
+/// Least-squares polynomial in time along each axis.
 struct Fitted<const N: usize> {
-    /// Coefficients of the powers of time, a column for each axis, m.
+    /// Coefficients of the powers of time, m; one column per axis.
     coefficients: SMatrix<f64, N, 3>,
     /// Sum of squared residuals, m².
     squares: f64,
@@ -217,7 +223,8 @@ struct Fitted<const N: usize> {
     slope_variance: f64,
 }
 
-/// Polynomial with `N` coefficients through points; `quadratic` holds the coefficient of the second power.
+/// Fits a polynomial with `N` coefficients through points (time, position). If `quadratic` is given, the coefficient of
+/// the second power is fixed at it. `None` if the normal matrix is singular.
 fn polynomial<const N: usize>(
     points: &[(f64, Vector3<f64>)],
     quadratic: Option<Vector3<f64>>,
@@ -231,7 +238,7 @@ fn polynomial<const N: usize>(
         right += row * position.transpose();
     }
     if let Some(quadratic) = quadratic {
-        // A weight far above that of the points.
+        // The weight is far above that of the points.
         let weight = 1e6 * points.len() as f64;
         normal[(2, 2)] += weight;
         for axis in 0..3 {
@@ -256,8 +263,8 @@ mod tests {
     use super::*;
     use crate::ground_contact::tests::jitter;
 
-    /// Path of a body that is thrown at `speed` m/s, pulled by `lift` (m/s²) upwards, which fades with the time constant
-    /// `fading`, and that bounces between samples with the given restitution, if any.
+    /// Simulated path of a body thrown at `speed`, m/s, with an upward acceleration `lift`, m/s², that decays with the
+    /// time constant `fading`, s. With `bounce`, the body bounces before a sample with the given restitution.
     fn path(
         speed: f64,
         (lift, fading): (f64, f64),

@@ -1,4 +1,4 @@
-//! Where a flight first touches something: samples from there on are not of free flight.
+//! Detection of the first contact of a flight; samples after it do not belong to free flight.
 
 mod halt;
 mod impact_detection;
@@ -17,34 +17,35 @@ use crate::pose::{Pose, point_position, pose};
 use crate::problem::FitProblem;
 use crate::statistics::median;
 
-/// Ratio of a pose's variance to the median variance above which a marker of the sample is an outlier.
+/// Ratio of a pose's variance to the median variance, above which the sample contains an outlier.
 const MAX_VARIANCE_RATIO: f64 = 25.0;
-/// Least variance of a pose that an outlier has, m².
+/// Minimum variance of a pose with an outlier, m².
 const MIN_OUTLIER_VARIANCE: f64 = 1e-8;
 
-/// Greatest number of samples between two findings of the same contact.
+/// Maximum difference, in samples, between two detections that are considered the same contact.
 const SAME: usize = 4;
 
-/// A sample number, its time, s, and the position of the body's origin, m.
+/// Sample index, time (s) and position (m) of the body's origin.
 pub type PathPoint = (usize, f64, Vector3<f64>);
 
-/// A point of a path and the rotation of body components into inertial ones.
+/// A point of a path, with the rotation from body components to inertial components.
 pub type Posed = (PathPoint, UnitQuaternion<f64>);
 
-/// A first contact.
+/// The first contact of a flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contact {
-    /// Number of the first sample after it.
+    /// Index of the first sample after the contact.
     pub sample: usize,
-    /// What shows it.
+    /// Description of the evidence for the contact, as text for messages.
     pub why: String,
 }
 
-/// The first contact of a flight: `None` if it was not looked for, or could not be.
+/// Result of a search for the first contact of a flight: `None` if there was no search, `Some(None)` if it found no
+/// contact.
 pub type SoughtContact = Option<Option<Contact>>;
 
-/// Truncates a flight before its first contact, which is `sought` already or looked for. Returns the poses in the remaining
-/// samples of a body with an attitude.
+/// Truncates a flight before its first contact. The contact is searched for unless `sought` contains the result of a
+/// search. Returns the poses in the remaining samples; empty for a point mass.
 pub fn truncate_at_contact(
     problem: &FitProblem,
     observations: &mut Observations,
@@ -91,13 +92,14 @@ fn contact_of(
     contact(&path, &posed.collect::<Vec<Posed>>())
 }
 
-/// Variance of a pose, m², above which it is an outlier.
+/// Variance of a pose, m², above which the sample contains an outlier, given the variances of all poses.
 pub fn variance_limit(variances: impl Iterator<Item = f64>) -> f64 {
     let limit = MAX_VARIANCE_RATIO * median(&mut variances.collect::<Vec<f64>>());
     limit.max(MIN_OUTLIER_VARIANCE)
 }
 
-/// The first contact on a path; `posed` are those of its points that have an attitude, none of a point mass.
+/// Finds the first contact on a path; `None` if there is none. `posed` contains the points of the path that have an
+/// attitude; it is empty for a point mass.
 pub fn contact(path: &[PathPoint], posed: &[Posed]) -> Option<Contact> {
     let of_path = impact_detection::impact(path).map(|impact| Contact {
         sample: path[impact.index].0,
@@ -114,7 +116,8 @@ pub fn contact(path: &[PathPoint], posed: &[Posed]) -> Option<Contact> {
         ),
     });
     match (of_path, of_attitude) {
-        // A hard impact is timed late by the slap of the rest of the rim, and early by its own strength.
+        // For a hard impact, the detection on the path is late, because the rest of the rim hits later, and that by the
+        // attitude is early.
         (Some(path), Some(touch))
             if (touch.sample..=touch.sample + SAME).contains(&path.sample) =>
         {

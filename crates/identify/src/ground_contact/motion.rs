@@ -1,7 +1,7 @@
-//! Free motion over some samples, and free motion that is disturbed between two of them.
+//! Models of free motion over some samples, and of free motion that is disturbed between two of them.
 //!
-//! The position is a polynomial of time with small terms at the rate of the wobble, as lift varies with it. The axis drifts
-//! and wobbles. A touch changes the velocity and the drift, and begins another wobble.
+//! The position is a polynomial in time plus small terms at the rate of the wobble, with which lift varies. The axis
+//! drifts and wobbles. A contact changes the velocity and the drift, and starts an additional wobble.
 
 use std::ops::Range;
 
@@ -9,63 +9,65 @@ use nalgebra::{SVector, Vector3};
 
 use super::regression::{Regression, Row};
 
-/// Greatest number of points before and after an interval.
+/// Maximum numbers of points used before and after an interval.
 pub const SIDES: (usize, usize) = (20, 8);
-/// Greatest number of samples that these points span on either side, where some samples show no pose.
+/// Maximum numbers of samples that the points before and after an interval may span, if some samples have no pose.
 const SPANS: (usize, usize) = (26, 16);
-/// Least number of points before and after an interval.
+/// Minimum numbers of points before and after an interval.
 const LEAST_SIDES: (usize, usize) = (8, 4);
-/// Time that scales the powers of the polynomials, s.
+/// Unit of time for the powers of the polynomials, s.
 const SCALE: f64 = 0.1;
-/// Standard deviation of the fourth derivative of the position, m/s⁴: lift of several g that fades in half a second.
+/// Prior standard deviation of the fourth derivative of the position, m/s⁴: lift of several g that decays within half a
+/// second.
 const SNAP: f64 = 300.0;
-/// Standard deviation of the position's terms at the rate of the wobble, m.
+/// Prior standard deviation of the position's terms at the rate of the wobble, m.
 const WOBBLE: f64 = 0.002;
-/// Standard deviation of the axis's third power of time over the scale.
+/// Prior standard deviation of the coefficient of (time / `SCALE`)³ of the axis.
 const BEND: f64 = 0.02;
-/// Greatest number of points that are left out as outliers.
+/// Maximum number of points around an interval that are excluded as outliers.
 const MOST_OUTLIERS: usize = 2;
-/// Squared residuals of an outlier, in units of the variance.
+/// Squared residual, in units of the variance, above which a point is an outlier.
 const OUTLIER: f64 = 40.0;
-/// Part of the variance that remains with a touch which the variance of the test is at least: it guards against outliers.
+/// Minimum variance used in the test, as a fraction of the variance about the disturbed motion; it guards against
+/// outliers.
 const LOCAL_PART: f64 = 0.25;
 
-/// Position of the body's origin and direction of its steadiest axis in one sample.
+/// Position of the body's origin and direction of its most steady axis in one sample.
 #[derive(Clone, Copy, Debug)]
 pub struct Point {
-    /// Sample number.
+    /// Index of the sample.
     pub sample: usize,
-    /// Time, s.
+    /// Time of the sample, s.
     pub time: f64,
-    /// Position, m.
+    /// Position of the body's origin in the inertial frame, m.
     pub position: Vector3<f64>,
-    /// Unit vector along the axis, inertial components.
+    /// Unit vector along the most steady body axis, in inertial components.
     pub axis: Vector3<f64>,
 }
 
-/// What holds throughout a flight.
+/// Properties that are constant throughout a flight.
 #[derive(Clone, Copy, Debug)]
 pub struct Character {
-    /// Rate of the wobble, rad/s.
+    /// Angular rate of the wobble of the axis, rad/s.
     pub rate: f64,
-    /// Correlation of the noise of neighbouring samples.
+    /// Correlation of the noise between successive samples.
     pub correlation: f64,
-    /// Standard deviation of the noise of a position's component, m, and of one of the axis.
+    /// Standard deviations of the noise: of a component of the position, m, and of a component of the axis.
     pub noise: [f64; 2],
 }
 
-/// Free motion compared with motion that is disturbed at an interval.
+/// Result of the comparison of free motion with motion that is disturbed at an interval.
 #[derive(Clone, Copy, Debug)]
 pub struct Comparison {
-    /// First point after the interval.
+    /// Index of the first point after the interval.
     pub index: usize,
-    /// Decrease of the squared residuals of position and axis by a disturbance, in units of the variance of the noise.
+    /// Decrease of the sum of squared residuals of position and axis by a disturbance, in units of the noise variance.
     pub gains: [f64; 2],
-    /// Variance of position, m², and axis about the disturbed motion.
+    /// Residual variance about the disturbed motion: of the position, m², and of the axis.
     pub variances: [f64; 2],
-    /// Squared residuals of the disturbed motion, in units of the variance of the noise.
+    /// Sum of squared residuals of the disturbed motion, in units of the noise variance.
     pub remaining: f64,
-    /// Velocity before the interval and its jump, m/s.
+    /// Velocity before the interval, and its jump (`jump`), m/s.
     pub velocity: Vector3<f64>,
     pub jump: Vector3<f64>,
 }
@@ -75,7 +77,7 @@ impl Character {
         (self.noise[part] / deviation).powi(2)
     }
 
-    /// Free motion of positions about a time.
+    /// Regression row of free motion for the position of a point, with times relative to `about`, s.
     pub fn position_row(&self, point: &Point, about: f64) -> Row<7> {
         let u = (point.time - about) / SCALE;
         let (sine, cosine) = (self.rate * (point.time - about)).sin_cos();
@@ -87,7 +89,7 @@ impl Character {
         }
     }
 
-    /// Free motion of the axis about a time.
+    /// Regression row of free motion for the axis of a point, with times relative to `about`, s.
     pub fn axis_row(&self, point: &Point, about: f64) -> Row<6> {
         let u = (point.time - about) / SCALE;
         let (sine, cosine) = (self.rate * (point.time - about)).sin_cos();
@@ -98,7 +100,8 @@ impl Character {
         }
     }
 
-    /// Regressions of free motion through points.
+    /// Fits free motion to the positions and to the axes of points, with times relative to `about`, s; `None` if the
+    /// points do not determine it.
     pub fn free(&self, points: &[&Point], about: f64) -> Option<(Regression<7>, Regression<6>)> {
         let positions: Vec<_> = points.iter().map(|p| self.position_row(p, about)).collect();
         let axes: Vec<_> = points.iter().map(|p| self.axis_row(p, about)).collect();
@@ -118,18 +121,18 @@ impl Character {
         [0.0, 0.0, 0.0, self.precision(1, BEND), 0.0, 0.0]
     }
 
-    /// Units of the gains of position, m², and axis, of motion with these variances.
+    /// Units of the gains for position, m², and axis, given the residual variances about the disturbed motion.
     fn units(&self, variances: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|part| self.noise[part].powi(2).max(LOCAL_PART * variances[part]))
     }
 
-    /// Gains that a comparison with another noise would have with this one, if it were the same otherwise.
+    /// Gains of a comparison that was computed with the noise of `other`, converted to the noise of `self`.
     pub fn gains(&self, of: &Comparison, other: &Character) -> [f64; 2] {
         let (here, there) = (self.units(of.variances), other.units(of.variances));
         [0, 1].map(|part| of.gains[part] * there[part] / here[part])
     }
 
-    /// Regressions of motion that is disturbed at the time about which it is.
+    /// Fits motion that is disturbed at the time `about`, s, to the positions and to the axes of points.
     fn disturbed(&self, points: &[&Point], about: f64) -> Option<(Regression<9>, Regression<9>)> {
         let since = |point: &Point| (point.time - about).max(0.0);
         let position = |point: &&Point| {
@@ -154,8 +157,9 @@ impl Character {
         ))
     }
 
-    /// Removes the points without which free motion fits far better, which an outlier is and a touch is not; returns the others
-    /// and the regressions of free motion through them. None if they do not determine these.
+    /// Removes points without which free motion fits far better: this is the case for an outlier, but not for a
+    /// contact. Returns the remaining points and the regressions of free motion through them; `None` if they do not
+    /// determine it.
     fn robust<'p>(
         &self,
         points: &'p [Point],
@@ -179,7 +183,7 @@ impl Character {
         Some((kept, free))
     }
 
-    /// Points without outliers of free motion about a time; none if they do not determine it.
+    /// Returns the points of `range` without outliers of free motion; `None` if they do not determine free motion.
     pub fn without_outliers<'p>(
         &self,
         points: &'p [Point],
@@ -189,8 +193,8 @@ impl Character {
         Some(self.robust(points, range, about)?.0)
     }
 
-    /// Compares free motion with motion that is disturbed before point `index`, at a time, s, or in the middle of the
-    /// interval. None where there are too few points.
+    /// Compares free motion with motion that is disturbed before point `index`: at the time `at`, s, or in the middle
+    /// of the interval. `None` if there are too few points.
     pub fn compare(&self, points: &[Point], index: usize, at: Option<f64>) -> Option<Comparison> {
         let first = points.get(index)?;
         let last = points.get(index.checked_sub(1)?)?;
@@ -224,7 +228,7 @@ impl Character {
     }
 }
 
-/// The points before point `index` that show the motion there.
+/// Range of the points before point `index` from which the motion there is determined.
 pub fn range_before(points: &[Point], index: usize) -> Range<usize> {
     let end = index.min(points.len());
     let from = end.saturating_sub(SIDES.0);
@@ -234,7 +238,7 @@ pub fn range_before(points: &[Point], index: usize) -> Range<usize> {
     from + far.count()..end
 }
 
-/// The points from point `index` on that show the motion there.
+/// Range of the points from point `index` on from which the motion there is determined.
 fn range_after(points: &[Point], index: usize) -> Range<usize> {
     let end = (index + SIDES.1).min(points.len());
     let after = points.get(index..end).unwrap_or_default();
@@ -244,7 +248,7 @@ fn range_after(points: &[Point], index: usize) -> Range<usize> {
     index..index + near.count()
 }
 
-/// A row with further functions.
+/// Copy of a regression row with further basis functions.
 fn extended<const N: usize, const K: usize, const M: usize>(
     row: &Row<N>,
     further: [f64; K],

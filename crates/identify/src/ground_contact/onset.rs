@@ -1,21 +1,23 @@
-//! When a touch begins: the first sample that free motion up to there does not predict.
+//! Finds the first sample after a contact: the first one that free motion up to it does not predict.
 
 use super::motion::{Character, Comparison, Point, SIDES, range_before};
 
-/// Number of points before and after the interval of the comparison among which the touch is sought: a hard touch shows in
-/// the comparison at the first interval whose points after it reach it.
+/// Numbers of points before and after the interval of the comparison among which the contact is searched. The
+/// comparison detects a hard contact already at the first interval whose following points include it.
 const SOUGHT: (usize, usize) = (7, SIDES.1 + 2);
-/// Least number of points before these.
+/// Minimum number of points before those among which the contact is searched.
 const LEAST_BEFORE: usize = 8;
-/// Squared innovation of position and axis, in units of the variance, at which a sample speaks neither for free motion
-/// nor against it: three times what is expected.
+/// Squared innovation of position and axis, in units of the variance, at which a sample is evidence neither for nor
+/// against free motion: three times its expectation.
 const NEUTRAL: f64 = 18.0;
-/// That innovation in units of the gain of the comparison: small errors of the prediction are no strong touch.
+/// Minimum of the neutral innovation, as a fraction of the gain of the comparison, so that small prediction errors are
+/// not mistaken for a strong contact.
 const NEUTRAL_PART: f64 = 0.02;
-/// Greatest innovation that counts, in units of the neutral one: a single outlier is no touch.
+/// Maximum innovation that is counted for a sample, in units of the neutral innovation, so that a single outlier is not
+/// mistaken for a contact.
 const MOST: f64 = 2.4;
 
-/// Number of the first sample after a touch that a comparison shows.
+/// Index of the first sample after the contact that a comparison has detected; `None` if it cannot be determined.
 pub fn onset(points: &[Point], comparison: &Comparison, character: &Character) -> Option<usize> {
     let index = first_point(points, comparison, character)?;
     let (last, next) = (
@@ -28,7 +30,7 @@ pub fn onset(points: &[Point], comparison: &Comparison, character: &Character) -
     }
 }
 
-/// Index of the first point that does not continue free motion.
+/// Index of the first point that does not continue the free motion before it.
 fn first_point(points: &[Point], found: &Comparison, character: &Character) -> Option<usize> {
     let base = found.index.saturating_sub(SOUGHT.0).max(LEAST_BEFORE);
     let base = base.min(found.index);
@@ -62,8 +64,8 @@ fn first_point(points: &[Point], found: &Comparison, character: &Character) -> O
     Some(best.1.min(points.len() - 1))
 }
 
-/// The first sample after a touch between points `index − 1` and `index`, where no samples show all markers: the time at
-/// which the motions before and after meet.
+/// First sample after a contact between points `index − 1` and `index`, if the samples between them have no pose. The
+/// time of contact is the one for which the disturbed motion has the smallest residuals.
 fn in_gap(points: &[Point], index: usize, character: &Character) -> Option<usize> {
     let (last, next) = (&points[index - 1], &points[index]);
     let samples = last.sample + 1..=next.sample;

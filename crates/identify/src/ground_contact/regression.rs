@@ -1,44 +1,44 @@
-//! Least squares of a vector on a few functions of time, with noise that is correlated from sample to sample.
+//! Least-squares regression of a vector on a few functions of time, with noise that is correlated between samples.
 
 use nalgebra::{SMatrix, SVector, Vector3};
 
-/// Relative increase of the diagonal of the normal matrix, which makes it invertible where functions are nearly alike.
+/// Relative increase of the diagonal of the normal matrix, so that it is invertible if functions are nearly collinear.
 const RIDGE: f64 = 1e-9;
 
-/// One measured vector and the values of the functions there.
+/// One measured vector and the values of the basis functions at its time.
 #[derive(Clone, Copy, Debug)]
 pub struct Row<const N: usize> {
-    /// Sample number.
+    /// Index of the sample.
     pub sample: usize,
-    /// Values of the functions.
+    /// Values of the basis functions.
     pub functions: SVector<f64, N>,
     /// Measured vector.
     pub value: Vector3<f64>,
 }
 
-/// A solved regression.
+/// Solution of a regression.
 #[derive(Clone, Debug)]
 pub struct Regression<const N: usize> {
-    /// Coefficients of the functions, a column for each component.
+    /// Coefficients of the basis functions; one column per component of the vector.
     pub coefficients: SMatrix<f64, N, 3>,
-    /// Sum of squared whitened residuals, with those of the expected coefficients.
+    /// Sum of squared whitened residuals, plus the penalty of the coefficients' prior.
     pub squares: f64,
-    /// Degrees of freedom of the residuals.
+    /// Degrees of freedom of the residuals, at least 3.
     pub freedom: f64,
-    /// Squared residual of each whitened row, by the part of its variance that the regression leaves.
+    /// Squared residual of each whitened row, divided by 1 − its leverage.
     pub removable: Vec<f64>,
     inverse: SMatrix<f64, N, N>,
     origin: Vector3<f64>,
     correlation: f64,
 }
 
-/// Least part of a residual's variance that divides it; less is rounding.
+/// Minimum of 1 − leverage used as a divisor; smaller values are rounding errors.
 const LEAST_PART: f64 = 0.05;
 
 impl<const N: usize> Regression<N> {
-    /// Solves the regression. `precisions` are the variance of the noise by that of each coefficient about 0, or 0 for a
-    /// coefficient of which nothing is known; `correlation` is that of the noise in neighbouring samples, 0 to 0.9. None
-    /// without rows or if the rows do not determine the coefficients.
+    /// Solves the regression. `precisions` are the ratios of the noise variance to the prior variance of each
+    /// coefficient about 0; 0 for a coefficient without prior. `correlation` is the correlation of the noise between
+    /// successive samples, 0 to 0.9. `None` if there are no rows or if they do not determine the coefficients.
     pub fn solve(rows: &[Row<N>], precisions: &[f64; N], correlation: f64) -> Option<Self> {
         let origin = rows.first()?.value;
         let mut normal = SMatrix::<f64, N, N>::zeros();
@@ -80,13 +80,13 @@ impl<const N: usize> Regression<N> {
         })
     }
 
-    /// Mean squared residual by degree of freedom.
+    /// Residual variance: sum of squared residuals per degree of freedom.
     pub fn variance(&self) -> f64 {
         self.squares / self.freedom
     }
 
-    /// Squared distance of a row from its prediction by the regression and the row before it, by the variance of that
-    /// prediction for noise of variance 1.
+    /// Squared innovation: squared distance of a row from its prediction by the regression and the previous row,
+    /// divided by the variance of that prediction for noise of variance 1.
     pub fn innovation(&self, previous: &Row<N>, row: &Row<N>) -> f64 {
         let (functions, value) = whitened(Some(previous), row, self.origin, self.correlation);
         let square = (value - self.coefficients.tr_mul(&functions)).norm_squared();
@@ -94,7 +94,8 @@ impl<const N: usize> Regression<N> {
     }
 }
 
-/// A row less what the noise of the previous one predicts of it, scaled to noise of the same variance in each row.
+/// Subtracts from a row the part that the noise of the previous row predicts, and scales it so that all rows have the
+/// same noise variance.
 fn whitened<const N: usize>(
     previous: Option<&Row<N>>,
     row: &Row<N>,

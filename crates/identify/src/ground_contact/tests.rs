@@ -1,4 +1,4 @@
-//! Touches of a disc whose rim meets the ground first.
+//! Contacts of a disc whose rim touches the ground first.
 
 use nalgebra::{UnitQuaternion, Vector3};
 
@@ -6,18 +6,18 @@ use super::{Posed, contact};
 
 /// Interval between samples, s.
 const INTERVAL: f64 = 1.0 / 120.0;
-/// Spin and rate of the wobble, rad/s.
+/// Spin rate, and rate of the wobble, rad/s.
 const RATES: (f64, f64) = (50.0, 96.0);
 
-/// Deterministic values between −1 and 1.
+/// Deterministic pseudo-random value between −1 and 1.
 pub fn jitter(seed: usize) -> f64 {
     let mixed = (seed as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     let mixed = (mixed ^ (mixed >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     ((mixed >> 11) as f64 / (1_u64 << 53) as f64).mul_add(2.0, -1.0)
 }
 
-/// Flight of a spinning disc that wobbles. At a touch, s, the velocity jumps up by `jump`, m/s, and again two samples
-/// later, and the wobble grows by 0.06 rad for each m/s.
+/// Simulated flight of a spinning disc that wobbles. At the time `touch`, s, and again two samples later, the velocity
+/// jumps upward by `jump`, m/s, and the wobble grows by 0.06 rad per m/s.
 fn flight(touch: Option<f64>, jump: f64, seed: usize) -> Vec<Posed> {
     let each = (0..100).map(|i| {
         let noise = |k: usize, size: f64| size * jitter(seed * 10_007 + 6 * i + k);

@@ -1,7 +1,8 @@
-//! The first touch of a body with an attitude: its path and its steadiest axis leave free motion together.
+//! Detects the first contact of a body with an attitude: its path and its most steady axis deviate from free motion
+//! together.
 //!
-//! The rim of a disc touches first. That changes the velocity little but sets the disc wobbling, until another part of the
-//! rim slaps down a few samples later. The axis shows it at once.
+//! The rim of a disc touches first. This changes the velocity only a little, but the disc starts to wobble until
+//! another part of the rim hits the ground a few samples later. The axis shows the contact at once.
 
 use super::Posed;
 use super::halt::is_stopped;
@@ -11,40 +12,42 @@ use super::wobble::{noise_correlation, points_with_axis, wobble_rate};
 use crate::path_noise::path_noise;
 use crate::statistics::median;
 
-/// Number of points before the first interval that is examined: shorter motion follows any curve.
+/// Number of points before the first interval that is examined; a shorter motion can fit any curve.
 const LEAST_BEFORE: usize = 32;
 /// Number of points after the last interval that is examined.
 const LEAST_AFTER: usize = 4;
-/// Least gains that are usual in free flight, by the number of coefficients that a touch adds, of position and axis.
+/// Minimum gains assumed usual in free flight, for position and axis, according to the numbers of coefficients that a
+/// contact adds.
 const LEAST_USUAL: [f64; 2] = [8.0, 12.0];
-/// Least number of earlier gains that show what is usual.
+/// Minimum number of earlier gains from which the usual gain is computed.
 const EARLIER: usize = 8;
-/// Least gain of a touch of each of position and axis, and their geometric mean, in units of what is usual.
+/// Minimum gain of a contact, in units of the usual gain: of position and axis each, and of their geometric mean.
 const MIN_GAINS: (f64, f64) = (3.5, 5.5);
-/// Least upward jump of the velocity of such a touch, m/s.
+/// Minimum upward velocity jump of a contact that both position and axis show, m/s.
 const MIN_JUMP: f64 = 0.15;
-/// Least ratio of the upward part to the magnitude of a jump: friction of the ground is less.
+/// Minimum ratio of the upward component to the magnitude of a velocity jump; ground friction limits the rest.
 const MIN_UPWARD_PART: f64 = 0.3;
-/// Least gain of the position, in usual units, and least upward jump, m/s, and in units of the descent before, of a touch
-/// that the axis does not show.
+/// For a contact that the axis does not show: minimum gain of the position in usual units, and minimum upward velocity
+/// jump, m/s and in units of the descent speed before it.
 const MIN_OF_PATH: (f64, f64, f64) = (7.0, 0.8, 0.3);
 
-/// Part of the least gains and jumps from which on a comparison by a rough estimate of the noise may be that of a touch.
+/// Fraction of the minimum gains and jumps above which a comparison based on a rough noise estimate is a candidate for
+/// a contact.
 const ROUGH: f64 = 0.5;
 
-/// Number of samples between such comparisons: a touch shows in several.
+/// Spacing, in points, of the comparisons based on the rough noise estimate; a contact shows in several of them.
 const ROUGH_STEP: usize = 2;
 
-/// A touch of the ground.
+/// A contact of a body with the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Touch {
-    /// Number of the first sample after the touch.
+    /// Index of the first sample after the contact.
     pub sample: usize,
-    /// Upward jump of the velocity over the next samples, m/s.
+    /// Upward velocity jump over the next samples, m/s.
     pub jump: f64,
 }
 
-/// The first touch; none if the body flies freely, is caught, has no steady axis, or is seen in too few samples.
+/// Finds the first contact; `None` if the body flies freely, is caught, has no steady axis, or has too few samples.
 pub fn touch(posed: &[Posed]) -> Option<Touch> {
     if posed.len() < LEAST_BEFORE + LEAST_AFTER {
         return None;
@@ -66,7 +69,7 @@ pub fn touch(posed: &[Posed]) -> Option<Touch> {
         each.filter_map(|index| character.compare(&points, index, None))
             .collect()
     };
-    // What differences of samples show as noise lacks what is correlated.
+    // A noise estimate from differences of samples does not include correlated noise.
     let rough = compare(&character, ROUGH_STEP);
     let noise = |part: usize| quartile(rough.iter().map(|c| c.variances[part])).sqrt();
     let first = character;
@@ -97,7 +100,7 @@ pub fn touch(posed: &[Posed]) -> Option<Touch> {
     })
 }
 
-/// Whether a comparison with these gains, by a rough estimate of the noise, is near that of a touch.
+/// Whether a comparison with the gains `gains`, based on a rough noise estimate, is a candidate for a contact.
 fn may_be_touch(comparison: &Comparison, gains: [f64; 2]) -> bool {
     let [position, axis] = [0, 1].map(|part| gains[part] / LEAST_USUAL[part]);
     let jump = comparison.jump.z;
@@ -118,7 +121,7 @@ fn is_touch(comparison: &Comparison, usual: [f64; 2]) -> bool {
     velocity < 0.0 && is_upward && (of_both || of_path)
 }
 
-/// The value below which a quarter of some values are; 0 without values.
+/// Lower quartile of some values; 0 for no values.
 fn quartile(values: impl Iterator<Item = f64>) -> f64 {
     let mut values: Vec<f64> = values.collect();
     let quarter = values.len() / 4;

@@ -1,4 +1,4 @@
-//! The axis of a body that moves least, how fast that axis wobbles, and the correlation of the noise.
+//! Most steady axis of a body, the rate at which this axis wobbles, and the correlation of the noise.
 
 use nalgebra::{Matrix3, SVector, UnitQuaternion, Vector3};
 
@@ -7,28 +7,31 @@ use super::regression::{Regression, Row};
 use super::{PathPoint, Posed};
 use crate::statistics::median;
 
-/// Greatest root mean square turn of the axis from sample to sample, rad; bodies that tumble have no steady axis.
+/// Maximum root mean square rotation of the axis between successive samples, rad; a tumbling body has no steady axis.
 const MOST_TURN: f64 = 0.3;
-/// Least spin, rad/s: the axis of a slower body drifts as fast as it wobbles, and free motion is not told from a touch.
+/// Minimum spin, rad/s. The axis of a slower body drifts as fast as it wobbles, so that a contact is indistinguishable
+/// from free motion.
 const LEAST_SPIN: f64 = 24.0;
-/// Divisor of a flight's length whose first part shows the spin: friction of the ground slows it later.
+/// The spin is computed from the first 1/`SPIN_PART` of a flight, because ground friction slows it later.
 const SPIN_PART: usize = 3;
-/// Least turn of the wobble from sample to sample, rad, its step, and the number of steps, up to half a turn.
+/// Wobble angles between successive samples that are tried: minimum (rad), step (rad) and number, up to about half a
+/// turn.
 const TURNS: (f64, f64, usize) = (0.25, 0.05, 56);
-/// Number of these steps between the turns that are tried first.
+/// Spacing, in steps of `TURNS`, of the wobble angles that are tried first.
 const COARSE: usize = 3;
-/// Number of points that show the rate of the wobble.
+/// Number of points of a segment from which the wobble rate is estimated.
 const CHUNK: usize = 12;
-/// Time that scales the powers of a polynomial over these points, s.
+/// Unit of time for the powers of a polynomial over a segment, s.
 const SCALE: f64 = 0.05;
-/// Least squared residual of the axis: below it there is only rounding.
+/// Minimum sum of squared residuals of the axis; smaller values are rounding errors.
 const LEAST_SQUARE: f64 = 1e-12;
-/// Step between the correlations that are tried, and their number.
+/// Spacing and number of the correlations that are tried, from 0 on.
 const CORRELATIONS: (f64, i32) = (0.05, 18);
-/// Least number of third differences that show a correlation.
+/// Minimum number of third differences from which a correlation is estimated.
 const DIFFERENCES: usize = 30;
 
-/// Positions and directions of the steadiest axis; none for a body without a steady axis or that spins slowly.
+/// Positions and directions of the most steady axis in each sample; `None` if the body has no steady axis or spins
+/// slowly.
 pub fn points_with_axis(posed: &[Posed]) -> Option<Vec<Point>> {
     let pairs = posed.windows(2);
     let mut spins: Vec<f64> = pairs
@@ -51,7 +54,7 @@ pub fn points_with_axis(posed: &[Posed]) -> Option<Vec<Point>> {
     Some(each.collect())
 }
 
-/// The body axis whose direction in space changes least from sample to sample.
+/// Body axis whose direction in space changes least between successive samples; `None` if the body tumbles.
 fn steadiest_axis(posed: &[(PathPoint, UnitQuaternion<f64>)]) -> Option<Vector3<f64>> {
     let neighbours = posed
         .windows(2)
@@ -71,8 +74,9 @@ fn steadiest_axis(posed: &[(PathPoint, UnitQuaternion<f64>)]) -> Option<Vector3<
     is_steady.then(|| eigen.eigenvectors.column(least).into())
 }
 
-/// Rate at which the axis wobbles about its mean direction, rad/s: that of the sinusoid that leaves the least residuals
-/// in short pieces of the flight, at a median interval, s, between samples. An impact changes the wobble, not its rate.
+/// Rate at which the axis wobbles about its mean direction, rad/s: the frequency of the sinusoid with the smallest
+/// residuals in short segments of the flight. `interval` is the median time between samples, s. An impact changes the
+/// amplitude and phase of the wobble, but not its rate.
 pub fn wobble_rate(points: &[Point], interval: f64) -> f64 {
     let (least, step, count) = TURNS;
     let rate = |index: usize| (least + step * index as f64) / interval;
@@ -101,15 +105,15 @@ pub fn wobble_rate(points: &[Point], interval: f64) -> f64 {
             .min_by(|a, b| a.0.total_cmp(&b.0))
             .map_or(0, |(_, index)| index)
     };
-    // The pieces are too short for the misfit to change much in a few steps.
+    // The segments are so short that the misfit changes little over a few steps.
     let near = best(&mut (0..count).step_by(COARSE));
     rate(best(
         &mut (near.saturating_sub(COARSE - 1)..count.min(near + COARSE)),
     ))
 }
 
-/// Correlation of the noise of neighbouring samples, by third differences of neighbouring samples and of every other one;
-/// 0 where there are few.
+/// Correlation of the noise between successive samples, estimated from third differences of successive samples and of
+/// every second sample; 0 if there are too few samples.
 pub fn noise_correlation(points: &[Point]) -> f64 {
     let differences = |stride: usize| -> Vec<f64> {
         let windows = points.windows(3 * stride + 1);

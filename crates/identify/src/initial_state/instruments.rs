@@ -1,5 +1,5 @@
-//! Motions from which a flight seen by gyroscopes, accelerometers and speeds alone may start: no position tells its place,
-//! its heading and its attitude, which are tried.
+//! Initial motions of a flight that is measured by gyroscopes, accelerometers and speed sensors only. Without measured
+//! positions, the position, heading and attitude are not known; several attitudes and speeds are tried.
 
 use model_spec::compose::Instrument;
 use nalgebra::{UnitQuaternion, Vector3};
@@ -14,22 +14,22 @@ use crate::statistics::median;
 /// Time over which the specific force is averaged, s.
 const AVERAGED: f64 = 0.15;
 
-/// Speeds that are tried where none is measured, m/s.
+/// Speeds that are tried if no speed is measured, m/s.
 const SPEEDS: [f64; 3] = [6.0, 12.0, 22.0];
 
-/// Angles between the velocity and the plane across the spin that are tried, rad.
+/// Angles of the velocity below the plane perpendicular to the spin axis that are tried, rad.
 const ANGLES: [f64; 2] = [0.05, 0.25];
 
-/// Tilts of the body that are tried, rad, about axes in the plane of the ground.
+/// Tilt of the body that is tried, rad, about horizontal axes.
 const TILT: f64 = 0.35;
 
-/// Rate above which a body spins about an axis, rad/s.
+/// Angular rate above which the body is considered to spin about an axis, rad/s.
 const SPINS: f64 = 5.0;
 
-/// Motions at the first sample to start from.
+/// Returns the motions at the first sample that are tried as initial guesses.
 ///
 /// # Errors
-/// [`FlightError::NoMatchingState`] if no instrument gives a reading.
+/// [`FlightError::NoMatchingState`] if no instrument has a reading.
 pub fn motions(
     problem: &FitProblem,
     observations: &Observations,
@@ -89,7 +89,7 @@ pub fn motions(
     Ok(motions)
 }
 
-/// Attitudes that are tried: level and tilted, each also upside down.
+/// Attitudes that are tried: level and tilted, each upright and upside down.
 fn attitudes() -> Vec<UnitQuaternion<f64>> {
     let tilts = [
         Vector3::zeros(),
@@ -104,14 +104,15 @@ fn attitudes() -> Vec<UnitQuaternion<f64>> {
     all.chain(upright.iter().map(|tilt| *tilt * over)).collect()
 }
 
-/// Median of each component.
+/// Median of each component of the vectors.
 fn middle(vectors: impl Iterator<Item = Vector3<f64>>) -> Vector3<f64> {
     let all: Vec<Vector3<f64>> = vectors.collect();
     let component = |axis: usize| median(&mut all.iter().map(|v| v[axis]).collect::<Vec<f64>>());
     Vector3::new(component(0), component(1), component(2))
 }
 
-/// Mean specific force at the mass centre over the first samples, m/s², in the body's axes at the first sample.
+/// Mean specific force at the centre of mass over the first samples, m/s², in the body axes at the first sample.
+/// Readings are (time, value, position of the sensor).
 fn mean_force(
     rates: &[(f64, Vector3<f64>, Vector3<f64>)],
     forces: &[(f64, Vector3<f64>, Vector3<f64>)],

@@ -1,7 +1,8 @@
-//! Initial guess of a flight's state from its samples alone.
+//! Initial guesses of a flight's state from its samples alone.
 //!
-//! The poses of the first samples give the rigid-body motion at the first one; the state with this motion is found by
-//! inverting the model's measurement equation, whatever the states are.
+//! The poses of the first samples determine the rigid-body motion at the first sample. The state with this motion is
+//! found by numerical inversion of the model's measurement equation, so that the method does not depend on the choice
+//! of states.
 
 mod instruments;
 mod observation_inverse;
@@ -18,20 +19,20 @@ use crate::problem::FitProblem;
 /// An initial guess of a flight's state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InitialGuess {
-    /// The state at the first sample.
+    /// State at the first sample, SI.
     pub state: DVector<f64>,
-    /// Turns per sampling interval added to the slowest spin.
+    /// Number of turns per sampling interval added to the slowest spin that is compatible with the samples.
     pub turns: i32,
 }
 
-/// Greatest spin considered as an alias, rad/s; strong throws reach about 160 rad/s.
+/// Maximum spin considered as an alias, rad/s; strong throws reach about 160 rad/s.
 const MAX_SPIN: f64 = 400.0;
 
-/// State of a body with a given motion. The observations provide parameters and known states; their samples are not
-/// used.
+/// Returns the state of a body that has the given motion at the first sample. `observations` provides parameters and
+/// known states; its samples are not used.
 ///
 /// # Errors
-/// [`FlightError::NoMatchingState`].
+/// [`FlightError::NoMatchingState`] if no state within the model's domain of validity has this motion.
 pub fn state_for_motion(
     problem: &FitProblem,
     observations: &Observations,
@@ -40,12 +41,12 @@ pub fn state_for_motion(
     observation_inverse::state(problem, observations, motion)
 }
 
-/// Initial guesses of a flight, the likeliest first: several where the samples are too far apart to determine the number of
-/// turns between them (aliasing).
+/// Returns initial guesses of a flight, the most probable one first. There are several if the samples are too far apart
+/// to determine the number of turns between them (aliasing).
 ///
 /// # Errors
-/// [`FlightError::TooFewPoses`], [`FlightError::TooFewPositions`] or [`FlightError::NoNeighbouringPoses`] if the samples do not
-/// show the motion; [`FlightError::NoMatchingState`] if the model has no state with it.
+/// [`FlightError::TooFewPoses`], [`FlightError::TooFewPositions`] or [`FlightError::NoNeighbouringPoses`] if the
+/// samples do not determine the motion; [`FlightError::NoMatchingState`] if no state of the model has this motion.
 pub fn initial_guesses(
     problem: &FitProblem,
     observations: &Observations,
@@ -82,7 +83,8 @@ pub fn initial_guesses(
     }
 }
 
-/// Initial guesses of a flight without measured positions: many, of which a fit to the samples chooses.
+/// Initial guesses of a flight without measured positions: one for each motion that is tried. A fit to the samples
+/// selects among them.
 fn instrument_guesses(
     problem: &FitProblem,
     observations: &Observations,

@@ -1,4 +1,4 @@
-//! The state with a given rigid-body motion: Levenberg–Marquardt on the model's measurement equation.
+//! Finds the state with a given rigid-body motion, by Levenberg–Marquardt on the model's measurement equation.
 
 use flight::{BoundModel, ModelState};
 use nalgebra::{DMatrix, DVector, Vector3};
@@ -10,25 +10,27 @@ use crate::ids::LocalId;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 
-/// Body-fixed points whose positions and velocities determine the motion: the origin and one on each axis, m.
+/// Body-fixed points whose positions and velocities determine the motion: the origin and one point on each axis, m.
 const PROBES: [[f64; 3]; 4] = [[0.0; 3], [0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.1]];
 
-/// Distance of the points from their targets at which the search ends, m; velocities count times `VELOCITY_WEIGHT`.
+/// Distance of the points from their targets below which the search ends, m. Velocities are multiplied by
+/// `VELOCITY_WEIGHT`.
 const MAX_DISTANCE: f64 = 1e-6;
 
-/// Greatest number of initial guesses of the search.
+/// Maximum number of initial guesses from which the search is started.
 const MAX_GUESSES: usize = 8;
 
-/// Step of the one-sided finite differences for the Jacobian.
+/// Step size of the one-sided finite differences for the Jacobian.
 const DIFFERENCE_STEP: f64 = 1e-6;
 
-/// Weight of velocities against positions, s.
+/// Weight of velocities relative to positions, s.
 const VELOCITY_WEIGHT: f64 = 0.02;
 
-/// The state at which points of the body have the positions and velocities of the motion.
+/// Returns the state at which points of the body have the positions and velocities of the given motion, as nearly as
+/// possible.
 ///
 /// # Errors
-/// [`FlightError::NoMatchingState`] if there is none within the model's domain of validity.
+/// [`FlightError::NoMatchingState`] if no search leads to a state within the model's domain of validity.
 pub fn state(
     problem: &FitProblem,
     observations: &Observations,
@@ -48,7 +50,7 @@ pub fn state(
     let states = problem.body.layout().states.len();
     let time = observations.times.first().copied().unwrap_or(0.0);
     let mut shown = ProbeMotion::new(&conditions, states, probes, time);
-    // In the order of the distance of the points; the sort is stable.
+    // In the order of the distance of the points from their targets; the sort is stable.
     let mut guesses: Vec<(f64, DVector<f64>)> = guesses(problem, observations)
         .into_iter()
         .map(|guess| (shown.distance(&guess, &target), guess))
@@ -79,7 +81,7 @@ pub fn state(
     Ok(state)
 }
 
-/// Target positions of the points, m, followed by their target velocities times `VELOCITY_WEIGHT`, m.
+/// Target positions of the points, m, followed by their target velocities × `VELOCITY_WEIGHT`, m.
 fn target(motion: &RigidMotion, probes: &[[f64; 3]]) -> DVector<f64> {
     let arm = |probe: &[f64; 3]| {
         let probe = Vector3::from(*probe);
@@ -97,7 +99,8 @@ fn target(motion: &RigidMotion, probes: &[[f64; 3]]) -> DVector<f64> {
     DVector::from_vec(all)
 }
 
-/// Initial states of the search: the model's default, in every orientation by quarter turns of its frames.
+/// Initial states of the search: the model's default state, in every orientation that results from quarter turns of its
+/// frames.
 fn guesses(problem: &FitProblem, observations: &Observations) -> Vec<DVector<f64>> {
     use model_spec::model::FrameKind;
     let plain =
@@ -130,7 +133,7 @@ fn guesses(problem: &FitProblem, observations: &Observations) -> Vec<DVector<f64
     guesses
 }
 
-/// Unit quaternions of the 24 rotations of a cube.
+/// Unit quaternions of the 24 rotations that map a cube to itself.
 fn quarter_turns() -> Vec<[f64; 4]> {
     let half = std::f64::consts::FRAC_1_SQRT_2;
     let mut all = vec![
@@ -160,7 +163,8 @@ fn quarter_turns() -> Vec<[f64; 4]> {
     all
 }
 
-/// Levenberg–Marquardt from one guess: returns the remaining distance, m, and the state; `None` if it fails.
+/// Levenberg–Marquardt iteration from one initial state. Returns the remaining distance of the points from their
+/// targets, m, and the state; `None` if the iteration fails.
 fn descend(
     problem: &FitProblem,
     observations: &Observations,
@@ -172,7 +176,7 @@ fn descend(
     let time = observations.times.first().copied().unwrap_or(0.0);
     let states = problem.body.layout().states.len();
     let mut shown = ProbeMotion::new(conditions, states, probes, time);
-    // ModelState of effects do not follow from the motion and keep their values.
+    // States that effects add do not follow from the motion and retain their values.
     let added = problem.model.added_states();
     let mut residual = shown.at(&state) - target;
     let mut damping = 1e-6;
@@ -221,7 +225,7 @@ fn descend(
     distance.is_finite().then_some((distance, state))
 }
 
-/// Positions and velocities of the points at a state of the model.
+/// Evaluates positions and velocities of the points at a state of the model.
 struct ProbeMotion<'a> {
     /// Time of the first sample, s.
     time: f64,

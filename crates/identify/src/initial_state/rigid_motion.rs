@@ -1,4 +1,4 @@
-//! Rigid-body motion at the first sample, from the poses in the first samples.
+//! Rigid-body motion at the first sample, estimated from the poses in the first samples.
 
 use nalgebra::{DMatrix, DVector, UnitQuaternion, Vector3};
 
@@ -13,17 +13,17 @@ use crate::statistics::{median, robust_sigma};
 pub struct RigidMotion {
     /// Position of the body's origin, m.
     pub position: Vector3<f64>,
-    /// Velocity of the origin, m/s.
+    /// Velocity of the body's origin, m/s.
     pub velocity: Vector3<f64>,
-    /// Attitude, which rotates body components into inertial ones; none for a point mass.
+    /// Attitude: rotation from body components to inertial components; `None` for a point mass.
     pub attitude: Option<UnitQuaternion<f64>>,
-    /// Angular velocity, rad/s; none for a point mass.
+    /// Angular velocity, rad/s; `None` for a point mass.
     pub rates: Option<Vector3<f64>>,
 }
 
 impl RigidMotion {
-    /// The motion with `turns` more turns per sampling interval about its rotation axis; `whole` is the angular rate
-    /// of one turn per interval, rad/s.
+    /// Returns the motion with `turns` additional turns per sampling interval about its rotation axis. `whole` is the
+    /// angular rate of one turn per interval, rad/s.
     pub fn with_turns(&self, turns: i32, whole: f64) -> RigidMotion {
         let rates = self.rates.map(|rates| {
             let axis = rates.try_normalize(1e-9).unwrap_or_else(Vector3::z);
@@ -37,25 +37,27 @@ impl RigidMotion {
     }
 }
 
-/// Greatest number of samples from which the motion is estimated: they average the noise while a parabola still fits.
+/// Maximum number of samples from which the motion is estimated: enough to average the noise, and few enough for a
+/// parabola to fit.
 const MAX_SAMPLES: usize = 16;
 
-/// Greatest time between two poses used for an angular velocity, in sampling intervals.
+/// Maximum time between two poses from which an angular velocity is computed, in sampling intervals.
 const MAX_GAP: f64 = 3.5;
 
-/// Position and attitude of a body in one sample.
+/// Measured position and attitude of a body in one sample.
 struct SeenFrame {
     time: f64,
     position: Vector3<f64>,
     attitude: Option<UnitQuaternion<f64>>,
-    /// Variance of the marker coordinates about the fitted rigid body, m²; 0 for a point mass.
+    /// Variance of a marker coordinate about the fitted rigid body, m²; 0 for a point mass.
     variance: f64,
 }
 
-/// The first samples, at most `most`, in which the pose of a body or the position of a point mass is measured.
+/// Returns the first samples, at most `most`, in which the pose of the body or the position of the point mass is
+/// measured.
 fn seen(problem: &FitProblem, observations: &Observations, most: usize) -> Vec<SeenFrame> {
     let rows = (0..observations.times.len()).filter_map(|sample| {
-        // Times of an arc do not begin at 0.
+        // Times of an arc do not start at 0.
         let time = observations.times[sample] - observations.times[0];
         let row = observations.points(sample);
         if problem.has_attitude {
@@ -77,11 +79,11 @@ fn seen(problem: &FitProblem, observations: &Observations, most: usize) -> Vec<S
     rows.take(most).collect()
 }
 
-/// Greatest number of samples for the initial noise estimate.
+/// Maximum number of samples for the initial noise estimate.
 const MAX_NOISE_SAMPLES: usize = 400;
 
-/// Initial estimate of the noise of one coordinate, m: for a rigid body from the distances between markers and the
-/// fitted body, for a point mass from third differences of its path. `None` if there are too few samples.
+/// Initial estimate of the noise of one coordinate, m: for a rigid body, from the distances between markers and the
+/// fitted body; otherwise from third differences of its path. `None` if there are too few samples.
 pub fn sigma0(
     problem: &FitProblem,
     observations: &Observations,
@@ -105,10 +107,11 @@ pub fn sigma0(
     (rough.len() >= 3).then(|| robust_sigma(&mut rough) / 20.0_f64.sqrt())
 }
 
-/// The motion at the first sample of a flight.
+/// Returns the motion at the first sample of a flight.
 ///
 /// # Errors
-/// [`FlightError::TooFewPoses`], [`FlightError::TooFewPositions`], [`FlightError::NoNeighbouringPoses`].
+/// [`FlightError::TooFewPoses`] or [`FlightError::TooFewPositions`] if too few samples determine the pose or the
+/// position; [`FlightError::NoNeighbouringPoses`] if no two poses are near enough in time for an angular velocity.
 pub fn of(problem: &FitProblem, observations: &Observations) -> Result<RigidMotion, FlightError> {
     let mut seen = seen(problem, observations, MAX_SAMPLES);
     let least = if problem.has_attitude { 3 } else { 4 };
@@ -119,7 +122,7 @@ pub fn of(problem: &FitProblem, observations: &Observations) -> Result<RigidMoti
             false => FlightError::TooFewPositions { found, needed },
         });
     }
-    // A sample whose markers are far from rigid contains an outlier.
+    // A sample whose marker distances differ much from the rigid body contains an outlier.
     let mut variances: Vec<f64> = seen.iter().map(|frame| frame.variance).collect();
     let limit = MAX_VARIANCE_RATIO * median(&mut variances);
     let is_rigid = |frame: &SeenFrame| frame.variance <= limit;
@@ -141,20 +144,20 @@ pub fn of(problem: &FitProblem, observations: &Observations) -> Result<RigidMoti
     Ok(motion)
 }
 
-/// Ratio of a sample's variance about the rigid body to the median variance above which the sample contains an
+/// Ratio of a sample's variance about the rigid body to the median variance, above which the sample contains an
 /// outlier.
 const MAX_VARIANCE_RATIO: f64 = 25.0;
 
-/// Ratio of a position's squared distance from the parabola to the median above which the position is dropped.
+/// Ratio of a position's squared distance from the parabola to the median, above which the position is dropped.
 const MAX_SQUARES_RATIO: f64 = 16.0;
 
-/// Greatest number of parabola refits after positions were dropped.
+/// Maximum number of refits of the parabola after positions were dropped.
 const MAX_PATH_REFITS: usize = 2;
 
-/// Least number of positions that must remain for a refit of the parabola.
+/// Minimum number of positions that must remain for a refit of the parabola.
 const MIN_PATH_POINTS: usize = 4;
 
-/// Position, m, and velocity, m/s, at time 0 from a least-squares parabola, refitted without outlying points.
+/// Position, m, and velocity, m/s, at time 0 from a least-squares parabola, which is refitted without outliers.
 fn path(seen: &[SeenFrame]) -> (Vector3<f64>, Vector3<f64>) {
     let mut kept: Vec<&SeenFrame> = seen.iter().collect();
     let mut parabola = Parabola::through(&kept);
@@ -172,7 +175,7 @@ fn path(seen: &[SeenFrame]) -> (Vector3<f64>, Vector3<f64>) {
     (parabola.position, parabola.velocity)
 }
 
-/// A least-squares parabola in time through positions.
+/// Least-squares parabola in time through measured positions.
 struct Parabola {
     /// Position at time 0, m.
     position: Vector3<f64>,
@@ -183,7 +186,7 @@ struct Parabola {
 }
 
 impl Parabola {
-    /// Fits a parabola to positions, or a polynomial of lower order to fewer than three positions.
+    /// Fits a parabola, or a polynomial of lower order if there are fewer than three positions.
     fn through(frames: &[&SeenFrame]) -> Self {
         let powers = frames.len().min(3);
         let design = DMatrix::from_fn(frames.len(), powers, |row, power| {
@@ -194,7 +197,7 @@ impl Parabola {
         let mut squares = vec![0.0_f64; frames.len()];
         for axis in 0..3 {
             let values = DVector::from_fn(frames.len(), |row, _| frames[row].position[axis]);
-            // Both factors were computed, so that there is a solution.
+            // Both factors of the SVD were computed, so that there is a solution.
             let solved = svd.solve(&values, 1e-12);
             let polynomial = solved.unwrap_or_else(|_| DVector::zeros(powers));
             let residuals = &design * &polynomial - values;
@@ -212,7 +215,7 @@ impl Parabola {
     }
 }
 
-/// Angular velocity: the median over pairs of neighbouring poses, robust to nutation and outliers.
+/// Angular velocity, rad/s: median over pairs of successive poses, which is robust to nutation and outliers.
 fn rates(seen: &[SeenFrame], observations: &Observations) -> Result<Vector3<f64>, FlightError> {
     let usual = observations.interval().unwrap_or(f64::INFINITY);
     let pairs: Vec<Vector3<f64>> = seen
@@ -226,7 +229,7 @@ fn rates(seen: &[SeenFrame], observations: &Observations) -> Result<Vector3<f64>
     if pairs.is_empty() {
         return Err(FlightError::NoNeighbouringPoses);
     }
-    // A gap of several intervals may hide whole turns that one interval would not.
+    // A gap of several intervals may hide whole turns that a single interval would show.
     let rates = [0, 1, 2].map(|axis| {
         let mut values: Vec<f64> = pairs.iter().map(|pair| pair[axis]).collect();
         median(&mut values)
@@ -234,7 +237,8 @@ fn rates(seen: &[SeenFrame], observations: &Observations) -> Result<Vector3<f64>
     Ok(rates.into())
 }
 
-/// Attitude at time 0: the first poses are rotated back to time 0, and the one nearest to all others is returned.
+/// Attitude at time 0. The first poses are rotated back to time 0, and the one with the smallest sum of angles to the
+/// others is returned.
 fn attitude(seen: &[SeenFrame], rates: Vector3<f64>) -> Option<UnitQuaternion<f64>> {
     const FIRST: usize = 5;
     let back = |seen: &SeenFrame| {

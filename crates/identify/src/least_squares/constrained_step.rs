@@ -1,13 +1,13 @@
-//! One step of the global parameters within their bounds.
+//! Computes one step of the global parameters within their bounds.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::Constraint;
 use super::scaled_cholesky::ScaledCholesky;
 
-/// Minimises the reduced quadratic with the priors added, within the bounds, by an active-set method: a parameter
-/// that would leave its bound is set to the bound, and the others are solved for again. Returns the step and the
-/// decrease of the priors' squared residuals; `None` if the matrix is singular.
+/// Minimises the reduced quadratic form plus the priors, within the bounds, by an active-set method: a parameter that
+/// would cross a bound is set to the bound, and the other parameters are solved for again. Returns the step and the
+/// decrease of the priors' sum of squares; `None` if the matrix is singular.
 pub fn constrained_step(
     reduced: &DMatrix<f64>,
     gradient: &DVector<f64>,
@@ -50,7 +50,8 @@ pub fn constrained_step(
     Some((step, reduction))
 }
 
-/// Bound that a step reaches first: the index of the parameter and the value of the bound.
+/// Bound that a step reaches first, as (index of the parameter, value of the bound); `None` if the step remains within
+/// all bounds.
 fn first_bound(
     free: &[usize],
     values: &DVector<f64>,
@@ -72,7 +73,7 @@ fn first_bound(
     Some((i, bound))
 }
 
-/// Newton step of the free parameters for a given step of the active (bounded) ones; `None` if the matrix is
+/// Newton step of the free parameters, given the step of the active (bounded) parameters; `None` if the matrix is
 /// singular.
 fn free_step(
     matrix: &DMatrix<f64>,
@@ -107,7 +108,7 @@ mod tests {
 
     #[test]
     fn the_others_step_for_themselves_when_one_is_held() {
-        // Least of x² + xy + y² − 5x − 4y: at (2, 1); with x held at 1 the least is at y = 1.5.
+        // The minimum of x² + xy + y² − 5x − 4y is at (2, 1); with x fixed at 1, it is at y = 1.5.
         let matrix = DMatrix::from_row_slice(2, 2, &[2.0, 1.0, 1.0, 2.0]);
         let gradient = DVector::from_vec(vec![-5.0, -4.0]);
         let values = DVector::zeros(2);

@@ -3,20 +3,20 @@
 /// Box constraint and Gaussian prior of a global parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Constraint {
-    /// Least and greatest value; infinite if unbounded.
+    /// Lower and upper bound; infinite if the parameter is unbounded.
     pub bounds: (f64, f64),
     /// Mean and standard deviation of the Gaussian prior; `None` without a prior.
     pub prior: Option<(f64, f64)>,
 }
 
 impl Constraint {
-    /// No bounds and no prior.
+    /// Constraint without bounds and prior.
     pub const NONE: Constraint = Constraint {
         bounds: (f64::NEG_INFINITY, f64::INFINITY),
         prior: None,
     };
 
-    /// Squared residual of the prior at a value; 0 without a prior.
+    /// Squared normalised distance of a value from the prior mean; 0 without a prior.
     pub(super) fn squares(&self, value: f64) -> f64 {
         let squares = |(mean, sigma): (f64, f64)| ((value - mean) / sigma).powi(2);
         self.prior.map_or(0.0, squares)

@@ -5,14 +5,14 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::least_squares::NormalBlock;
 
-/// Rows summed in one batch, few enough to stay in the first-level cache.
+/// Number of rows that are summed in one batch; few enough to stay in the first-level cache.
 const BATCH: usize = 64;
 
-/// Multiple to which rows are padded: number of lanes of the widest vectors.
+/// Rows are padded to a multiple of this length, the number of lanes of the widest vectors.
 const PADDING: usize = 8;
 
-/// Accumulator of Gram sums over the Jacobian rows of one flight. A row holds the derivatives by the local and global
-/// parameters, each in its column, then the residual, and zeros as padding.
+/// Accumulates the Gram matrix of the Jacobian rows of one flight. A row contains the derivatives by the local and
+/// global parameters, each in its column, then the residual, then zeros as padding.
 pub struct GramAccumulator {
     /// Column indices of the local parameters.
     local: Vec<usize>,
@@ -23,13 +23,14 @@ pub struct GramAccumulator {
     batch: Vec<f64>,
     filled: usize,
     sums: Vec<f64>,
-    /// Additional sum of squares from robust losses.
+    /// Additional terms of the sum of squares from robust losses.
     extra: f64,
     count: usize,
 }
 
 impl GramAccumulator {
-    /// Accumulator without rows; `local` and `global` are the column indices of the parameters, together 0, 1, 2, ….
+    /// Creates an accumulator without rows. `local` and `global` are the column indices of the parameters, which
+    /// together are 0, 1, 2, ….
     pub fn new(local: Vec<usize>, global: Vec<usize>) -> Self {
         let width = (local.len() + global.len() + 1).next_multiple_of(PADDING);
         Self {
@@ -49,13 +50,13 @@ impl GramAccumulator {
         self.width
     }
 
-    /// Column index of the residual.
+    /// Column index of the residual in a row.
     pub fn residual(&self) -> usize {
         self.local.len() + self.global.len()
     }
 
-    /// Adds the row `scale * (row − phi * previous)`, where `before` is (phi, previous), and adds `extra` to the sum
-    /// of squares.
+    /// Adds the row `scale * (row − phi * previous)`, where `before` is (phi, previous), and adds `extra` to the sum of
+    /// squares. Without `before`, phi is 0.
     pub fn add(&mut self, row: &[f64], before: Option<(f64, &[f64])>, scale: f64, extra: f64) {
         let to = &mut self.batch[self.filled..][..self.width];
         let row = &row[..self.width];
@@ -84,7 +85,7 @@ impl GramAccumulator {
         self.filled = 0;
     }
 
-    /// Normal equations summed over all rows.
+    /// Returns the normal equations summed over all rows.
     pub fn block(mut self) -> NormalBlock {
         self.sum();
         let (local, global, last) = (&self.local, &self.global, self.residual());
@@ -102,7 +103,8 @@ impl GramAccumulator {
     }
 }
 
-/// Kernel: `to = scale * (row − phi * previous)`.
+/// SIMD kernel that computes `to = scale * (row − phi * previous)`, where `kept` is phi and `before` is the previous
+/// row.
 struct AddInnovation<'a> {
     to: &'a mut [f64],
     row: &'a [f64],
@@ -125,14 +127,14 @@ impl Kernel for AddInnovation<'_> {
     }
 }
 
-/// Kernel: `sums += rowsᵀ rows`, at least in the upper triangle.
+/// SIMD kernel that adds `rowsᵀ rows` to `sums`, at least in the upper triangle.
 struct AddSquares<'a> {
     rows: &'a [f64],
     width: usize,
     sums: &'a mut [f64],
 }
 
-/// Size (rows, vectors) of the tile of sums computed together, so that each load is reused.
+/// Size (rows, vectors) of a tile of sums that is computed at once, so that each loaded value is reused.
 const TILE: (usize, usize) = (4, 3);
 
 impl Kernel for AddSquares<'_> {
@@ -143,7 +145,7 @@ impl Kernel for AddSquares<'_> {
         const { assert!(PADDING.is_multiple_of(T::WIDTH)) };
         let AddSquares { rows, width, sums } = self;
         for first in (0..width).step_by(TILE.0) {
-            // Whole lanes that reach the diagonal.
+            // The first vector is the one that contains the diagonal element.
             let mut column = first / T::WIDTH * T::WIDTH;
             while column < width {
                 column += match (width - column) / T::WIDTH {
@@ -156,7 +158,8 @@ impl Kernel for AddSquares<'_> {
     }
 }
 
-/// Adds products to a tile of the sums, `VECTORS` vectors wide from `column` on; returns the number of columns.
+/// Adds products to a tile of the sums, from row `first` and column `column` on, `VECTORS` vectors wide. Returns the
+/// number of columns of the tile.
 #[inline(always)]
 fn add_block<T: Lanes, const VECTORS: usize>(
     rows: &[f64],

@@ -1,4 +1,4 @@
-//! Levenberg–Marquardt iteration over all flights, within bounds.
+//! Levenberg–Marquardt iteration over all flights, with bounds.
 
 use flight::batch;
 use nalgebra::DVector;
@@ -10,30 +10,32 @@ use super::{
 };
 use crate::error::FlightError;
 
-/// Result of an iteration.
+/// Result of a least-squares iteration.
 #[derive(Clone, Debug)]
 pub struct Solution {
     /// The last accepted iterate.
     pub iterate: Iterate,
-    /// Normal equations at the last iterate whose residuals were evaluated.
+    /// Normal equations of each flight at the last iterate whose residuals were evaluated.
     pub blocks: Vec<NormalBlock>,
-    /// Sum of squares with that of the priors; after an unevaluated last step, the predicted one.
+    /// Sum of squares including the priors; after an unevaluated last step, its predicted value.
     pub squares: f64,
-    /// Steps tried.
+    /// Number of steps tried.
     pub iterations: usize,
-    /// Why the iteration stopped.
+    /// Reason why the iteration stopped.
     pub stop_reason: StopReason,
-    /// Predicted reduction of the sum of squares by the last step that damping did not shorten.
+    /// Predicted reduction of the sum of squares by the last step that damping did not shorten; `None` if there is no
+    /// such step.
     pub predicted_reduction: Option<f64>,
 }
 
 impl Solution {
-    /// Whether the iteration stopped because its last step was negligible.
+    /// Whether the iteration converged: the last step was negligible.
     pub fn converged(&self) -> bool {
         self.stop_reason == StopReason::Converged
     }
 
-    /// Whether the last, unevaluated step was itself negligible, so that another evaluation would change nothing.
+    /// Whether the last step, which was not evaluated, is negligible by itself, so that another evaluation would change
+    /// nothing.
     pub(crate) fn last_step_is_negligible(&self, criteria: StoppingCriteria) -> bool {
         let negligible = |reduction| criteria.is_negligible(reduction, self.squares);
         self.converged() && self.predicted_reduction.is_some_and(negligible)
@@ -43,19 +45,20 @@ impl Solution {
 /// Initial damping, relative to the diagonal of JᵀJ.
 const INITIAL_DAMPING: f64 = 1e-9;
 
-/// Greatest damping at which a step is tried.
+/// Maximum damping at which a step is tried.
 const MAX_DAMPING: f64 = 1e8;
 
-/// Greatest damping at which a step has practically its full length.
+/// Maximum damping at which a step has practically its full length.
 const NEGLIGIBLE_DAMPING: f64 = 1e-6;
 
-/// Least damping; lower values have no further effect.
+/// Minimum damping; lower values have no further effect.
 const MIN_DAMPING: f64 = 1e-12;
 
-/// Minimises the sum of squares from a starting point.
+/// Minimises the sum of squares from the iterate `start`.
 ///
 /// # Errors
-/// [`SolveError::Start`] with every flight that cannot be predicted at `start`; [`SolveError::Cancelled`].
+/// [`SolveError::Start`] with every flight that cannot be predicted at `start`; [`SolveError::Cancelled`] if the
+/// iteration is cancelled.
 pub fn solve(
     problem: &impl LeastSquaresProblem,
     start: Iterate,
@@ -64,11 +67,11 @@ pub fn solve(
     solve_after(problem, start, criteria, None)
 }
 
-/// Minimises the sum of squares like [`solve`], continuing an iteration of nearly the same problem whose last step
-/// had the predicted reduction `previous`.
+/// Minimises the sum of squares as [`solve`] does, as a continuation of the iteration of a nearly equal problem.
+/// `previous` is the predicted reduction of the last step of that iteration.
 ///
 /// # Errors
-/// Those of [`solve`].
+/// The errors of [`solve`].
 pub fn solve_after(
     problem: &impl LeastSquaresProblem,
     start: Iterate,
@@ -117,16 +120,16 @@ pub fn solve_after(
             && after < squares
         {
             (iterate, linearization, squares) = (candidate, at_candidate, after);
-            // Damped steps do not show the rate of convergence.
+            // Damped steps are no evidence of the rate of convergence.
             previous = (damping <= NEGLIGIBLE_DAMPING).then_some(predicted_reduction);
-            // Less damping than where the last step was rejected would be rejected again.
+            // Less damping than at the last rejected step would lead to another rejection.
             if rejections == 0 {
                 damping = less_damping;
             }
             rejections = 0;
             continue;
         }
-        // Locals depend on the globals along a curve, which a step leaves.
+        // Optimal local parameters depend nonlinearly on the global ones, and a linear step leaves this curve.
         if rejections == 0 && !iterate.global.is_empty() && refinement.is_due() {
             iterations += 1;
             if let Some(candidate) =
@@ -189,14 +192,14 @@ fn evaluate(
 /// Normal equations of all flights at an iterate.
 struct Linearization {
     blocks: Vec<NormalBlock>,
-    /// A damping and the Schur complements computed for it, consumed by the first step with that damping.
+    /// A damping and the Schur complements computed for it; the first step with that damping consumes them.
     complements: (f64, Option<Vec<Option<SchurComplement>>>),
 }
 
-/// A step whose residuals are not evaluated yet.
+/// A candidate step whose residuals are not evaluated yet.
 struct Step {
     candidate: Iterate,
-    /// Predicted decrease of the sum of squares.
+    /// Decrease of the sum of squares that the quadratic model predicts.
     predicted_reduction: f64,
 }
 
@@ -241,7 +244,7 @@ impl Linearization {
         })
     }
 
-    /// Sum of squares including that of the priors; infinite instead of NaN.
+    /// Sum of squares including the priors; NaN is replaced by infinity.
     fn squares(&self, problem: &impl LeastSquaresProblem, iterate: &Iterate) -> f64 {
         let constraints = problem.constraints().iter().zip(iterate.global.iter());
         let priors: f64 = constraints
@@ -251,7 +254,7 @@ impl Linearization {
         if sum.is_nan() { f64::INFINITY } else { sum }
     }
 
-    /// Damped step; `None` if the normal equations are singular at this damping.
+    /// Computes a damped step; `None` if the normal equations are singular at this damping.
     fn step(
         &mut self,
         problem: &impl LeastSquaresProblem,

@@ -1,5 +1,5 @@
-//! Local parameters at given global ones: a step of both that goes too far is often right in the global parameters, and wrong
-//! only in the local ones, which depend on them along a curve.
+//! Refinement of local parameters at given global parameters. If a step of all unknowns is too long, it is often right
+//! in the global parameters and wrong only in the local ones, which depend on the global ones nonlinearly.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -9,29 +9,30 @@ use nalgebra::DVector;
 use super::{Constraint, Iterate, LeastSquaresProblem, NormalBlock, SolveError, Unknowns};
 use crate::error::FlightError;
 
-/// How often a refinement is tried: after each failure in a row, it waits for twice as many rejected steps.
+/// Schedule of refinement attempts: after each successive failure, the number of rejected steps before the next attempt
+/// doubles.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Backoff {
-    /// Rejected steps until the next refinement.
+    /// Number of rejected steps until the next attempt.
     wait: usize,
-    /// Rejected steps that the next failure waits for.
+    /// Number of rejected steps that were skipped after the last failure.
     pause: usize,
 }
 
 impl Backoff {
-    /// Whether a refinement is tried at this rejected step.
+    /// Whether a refinement is to be tried at this rejected step. Call it once per rejected step.
     pub fn is_due(&mut self) -> bool {
         let is_due = self.wait == 0;
         self.wait = self.wait.saturating_sub(1);
         is_due
     }
 
-    /// A refinement decreased the sum of squares.
+    /// Records that a refinement decreased the sum of squares.
     pub fn succeeded(&mut self) {
         *self = Self::default();
     }
 
-    /// A refinement did not.
+    /// Records that a refinement did not decrease the sum of squares.
     pub fn failed(&mut self) {
         self.pause = (2 * self.pause).max(1);
         self.wait = self.pause;
@@ -78,12 +79,13 @@ impl LeastSquaresProblem for OneFlight<'_> {
     }
 }
 
-/// The candidate with the local parameters of each flight fitted anew, starting from its own, or from those `before` where they
-/// cannot be predicted; `None` if a flight cannot be predicted from either, or the flights leave more than `limit` together.
-/// `solve` minimises the sum of squares of one flight: its local parameters, and what they leave.
+/// Fits the local parameters of each flight at the global parameters of `candidate`, starting from the local parameters
+/// of `candidate`, or from those of `before` if the flight cannot be predicted from the former. `None` if a flight
+/// cannot be predicted from either, or if the sum of squares of all flights exceeds `limit`. `solve` minimises the sum
+/// of squares of one flight and returns its local parameters and the minimum.
 ///
 /// # Errors
-/// [`SolveError::Cancelled`].
+/// [`SolveError::Cancelled`] if the work is cancelled.
 pub fn with_refined_locals(
     problem: &dyn LeastSquaresProblem,
     candidate: &Iterate,
@@ -91,7 +93,7 @@ pub fn with_refined_locals(
     limit: f64,
     solve: impl Fn(&OneFlight<'_>, Iterate) -> Option<(DVector<f64>, f64)> + Sync,
 ) -> Result<Option<Iterate>, SolveError> {
-    // What some flights leave is exceeded by all of them: the outcome does not depend on which flights were first.
+    // If some flights exceed the limit, all flights do, so that the result does not depend on the order of the flights.
     let left = Mutex::new(0.0);
     let refined = batch::each_on(problem.threads(), problem.flights(), |flight| {
         let one = OneFlight {

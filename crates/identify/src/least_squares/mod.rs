@@ -1,4 +1,4 @@
-//! Nonlinear least squares with global parameters of all flights and local parameters of each.
+//! Nonlinear least squares with global parameters shared by all flights and local parameters of each flight.
 
 mod constrained_step;
 mod constraint;

@@ -1,7 +1,7 @@
-//! Normal equations of many flights, with the local parameters of each eliminated.
+//! Normal equations of many flights, from which the local parameters of each flight are eliminated.
 //!
-//! The local parameters of a flight (its initial state) occur only in that flight's residuals. Eliminating them
-//! flight by flight leaves a system of the size of the global parameters, so that the work is linear in the number of
+//! The local parameters of a flight (its initial state) occur only in the residuals of that flight. Their elimination,
+//! flight by flight, leaves a system of the size of the global parameters, so that the cost is linear in the number of
 //! flights.
 
 use nalgebra::{DMatrix, DVector};
@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector};
 use super::scaled_cholesky::ScaledCholesky;
 use crate::ids::{GlobalId, LocalId};
 
-/// Normal equations of one flight: JᵀJ and Jᵀr of its residuals r, by local and global parameters.
+/// Normal equations of one flight: JᵀJ and Jᵀr of its residuals r, in blocks of local and global parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NormalBlock {
     /// Block of JᵀJ: local × local parameters.
@@ -18,9 +18,9 @@ pub struct NormalBlock {
     pub cross: DMatrix<f64>,
     /// Block of JᵀJ: global × global parameters.
     pub global: DMatrix<f64>,
-    /// Jᵀr of the local parameters.
+    /// Block of the gradient Jᵀr: local parameters.
     pub local_gradient: DVector<f64>,
-    /// Jᵀr of the global parameters.
+    /// Block of the gradient Jᵀr: global parameters.
     pub global_gradient: DVector<f64>,
     /// Sum of squared residuals.
     pub squares: f64,
@@ -29,7 +29,7 @@ pub struct NormalBlock {
 }
 
 impl NormalBlock {
-    /// Zero normal equations for these numbers of local and global parameters.
+    /// Creates zero normal equations for the given numbers of local and global parameters.
     pub fn zero(local: usize, global: usize) -> Self {
         Self {
             local: DMatrix::zeros(local, local),
@@ -42,7 +42,7 @@ impl NormalBlock {
         }
     }
 
-    /// Adds one residual with its derivatives by the local and the global parameters.
+    /// Adds one residual, given with its derivatives by the local and the global parameters.
     pub fn add(&mut self, residual: f64, by_local: &DVector<f64>, by_global: &DVector<f64>) {
         self.local.ger(1.0, by_local, by_local, 1.0);
         self.cross.ger(1.0, by_local, by_global, 1.0);
@@ -58,8 +58,8 @@ impl NormalBlock {
         ScaledCholesky::independent(&self.local, 0.0).is_some()
     }
 
-    /// The normal equations where only some of the unknowns are estimated and all others are fixed: block selection of
-    /// JᵀJ and Jᵀr, in the order given.
+    /// Normal equations for the case that only the listed unknowns are estimated and all others are fixed: selects rows
+    /// and columns of JᵀJ and Jᵀr, in the given order.
     pub fn select(&self, local: &[LocalId], global: &[GlobalId]) -> NormalBlock {
         let (l, g) = (|i: usize| local[i].index(), |i: usize| global[i].index());
         let (locals, globals) = (local.len(), global.len());
@@ -73,8 +73,8 @@ impl NormalBlock {
         }
     }
 
-    /// Normal equations with some local parameters treated as global ones, placed before the global columns, and with
-    /// only the `remaining` local parameters left for elimination.
+    /// Normal equations in which the `promoted` local parameters are treated as global ones, placed before the present
+    /// global parameters. Only the `remaining` local parameters are left for elimination.
     pub fn promote(&self, promoted: &[LocalId], remaining: &[LocalId]) -> NormalBlock {
         let first = promoted.len();
         let size = first + self.global.nrows();
@@ -108,12 +108,13 @@ impl NormalBlock {
     }
 }
 
-/// A flight whose samples do not determine its local parameters: its position among the blocks.
+/// Error for a flight whose samples do not determine its local parameters; contains the index of the flight among the
+/// blocks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the samples of flight {0} do not determine its initial state")]
 pub struct UndeterminedFlight(pub usize);
 
-/// Schur complement of a flight's normal equations, its local parameters eliminated.
+/// Schur complement of a flight's normal equations after elimination of its local parameters.
 pub(crate) struct SchurComplement {
     factor: ScaledCholesky,
     reduced: DMatrix<f64>,
@@ -122,7 +123,7 @@ pub(crate) struct SchurComplement {
 
 impl SchurComplement {
     /// Eliminates the local parameters, with damping relative to the diagonal of JᵀJ; `None` if the residuals do not
-    /// determine them.
+    /// determine the local parameters.
     pub fn new(block: &NormalBlock, damping: f64) -> Option<Self> {
         let factor = ScaledCholesky::independent(&block.local, damping)?;
         let through = block.cross.tr_mul(&factor.solve_matrix(&block.cross));
@@ -135,12 +136,12 @@ impl SchurComplement {
     }
 }
 
-/// Normal equations of the global parameters after elimination of all local ones, with the factors required for
+/// Normal equations of the global parameters after elimination of all local parameters, with the factors required for
 /// back-substitution.
 pub struct ReducedSystem<'a> {
     blocks: &'a [NormalBlock],
     factors: Vec<ScaledCholesky>,
-    /// Sum of the Schur complements: JᵀJ of the global parameters.
+    /// Sum of the Schur complements of all flights: reduced JᵀJ of the global parameters.
     pub reduced: DMatrix<f64>,
     /// Reduced gradient Jᵀr of the global parameters.
     pub gradient: DVector<f64>,
@@ -149,7 +150,7 @@ pub struct ReducedSystem<'a> {
 /// Eliminates the local parameters of every flight, with damping relative to the diagonal of JᵀJ.
 ///
 /// # Errors
-/// [`UndeterminedFlight`] if a flight does not determine its local parameters.
+/// [`UndeterminedFlight`] if the residuals of a flight do not determine its local parameters.
 pub fn eliminate(
     blocks: &[NormalBlock],
     damping: f64,
@@ -164,7 +165,7 @@ impl<'a> ReducedSystem<'a> {
     /// Sums the Schur complements of the blocks.
     ///
     /// # Errors
-    /// [`UndeterminedFlight`] for the first flight without one.
+    /// [`UndeterminedFlight`] with the first flight that has no Schur complement.
     pub(crate) fn new(
         blocks: &'a [NormalBlock],
         complements: impl IntoIterator<Item = Option<SchurComplement>>,
@@ -189,7 +190,7 @@ impl<'a> ReducedSystem<'a> {
 }
 
 impl ReducedSystem<'_> {
-    /// Steps of the local parameters of each flight for a step of the global ones.
+    /// Steps of the local parameters of each flight, given the step of the global parameters.
     pub fn back_substitute(&self, global: &DVector<f64>) -> Vec<DVector<f64>> {
         let blocks = self.blocks.iter().zip(&self.factors);
         blocks
@@ -197,7 +198,7 @@ impl ReducedSystem<'_> {
             .collect()
     }
 
-    /// Predicted decrease of the sum of squares by a step, from the quadratic model.
+    /// Decrease of the sum of squares that the quadratic model predicts for a step of the global and local parameters.
     pub fn predicted_reduction(&self, global: &DVector<f64>, local: &[DVector<f64>]) -> f64 {
         let each = self.blocks.iter().zip(local).map(|(block, local)| {
             let slope = block.local_gradient.dot(local) + block.global_gradient.dot(global);
@@ -209,20 +210,21 @@ impl ReducedSystem<'_> {
         each.sum()
     }
 
-    /// Covariance of a flight's local parameters for residuals of variance 1, given the covariance of the global ones.
+    /// Covariance of a flight's local parameters for residuals of variance 1, given the covariance of the global
+    /// parameters.
     pub fn local_covariance(&self, flight: usize, global: &DMatrix<f64>) -> DMatrix<f64> {
         let factor = &self.factors[flight];
         let through = factor.solve_matrix(&self.blocks[flight].cross);
         factor.inverse() + &through * global * through.transpose()
     }
 
-    /// Contribution of one flight to the reduced gradient.
+    /// Contribution of one flight to the reduced gradient, its effective score.
     pub fn score(&self, flight: usize) -> DVector<f64> {
         reduced_gradient(&self.blocks[flight], &self.factors[flight])
     }
 }
 
-/// Gradient of a flight by the global parameters, its local parameters eliminated.
+/// Gradient of a flight by the global parameters, after elimination of its local parameters.
 fn reduced_gradient(block: &NormalBlock, factor: &ScaledCholesky) -> DVector<f64> {
     let local = factor.solve(&block.local_gradient);
     &block.global_gradient - block.cross.tr_mul(&local)
@@ -235,7 +237,7 @@ mod tests {
 
     use super::*;
 
-    /// Blocks of pseudo-random rows, and the corresponding dense JᵀJ and Jᵀr.
+    /// Normal equations of three flights with pseudo-random rows, and the corresponding dense Jacobian and residuals.
     fn example() -> (Vec<NormalBlock>, DMatrix<f64>, DVector<f64>) {
         let (flights, local, global, rows) = (3, 2, 2, 9);
         let size = global + flights * local;

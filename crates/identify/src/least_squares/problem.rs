@@ -5,10 +5,10 @@ use nalgebra::DVector;
 use super::{Constraint, NormalBlock, UndeterminedFlight};
 use crate::error::FlightError;
 
-/// Unknowns by which residuals are differentiated.
+/// Selects the unknowns by which residuals are differentiated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unknowns {
-    /// The local parameters: the flight's initial state.
+    /// The local parameters only: the initial state of the flight.
     Local,
     /// The local and the global parameters.
     All,
@@ -19,8 +19,8 @@ pub trait LeastSquaresProblem: Sync {
     /// Number of flights.
     fn flights(&self) -> usize;
 
-    /// Normal equations of a flight's residuals at these global and local parameters; by the local ones alone where the
-    /// global ones are fixed.
+    /// Normal equations of a flight's residuals at the given global and local parameters; for the local parameters
+    /// alone if the global ones are fixed.
     ///
     /// # Errors
     /// [`FlightError`] if the flight cannot be predicted from these values.
@@ -31,38 +31,38 @@ pub trait LeastSquaresProblem: Sync {
         by: Unknowns,
     ) -> Result<NormalBlock, FlightError>;
 
-    /// A flight's local parameters after a step (the retraction of its manifold).
+    /// Returns a flight's local parameters after a step (the retraction of its manifold).
     fn plus(&self, flight: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64>;
 
     /// Bounds and prior of each global parameter.
     fn constraints(&self) -> &[Constraint];
 
-    /// Number of threads used.
+    /// Number of threads to use.
     fn threads(&self) -> usize {
         1
     }
 
-    /// Whether the iteration is to be cancelled.
+    /// Whether the iteration is to stop with an error because it was cancelled.
     fn is_cancelled(&self) -> bool {
         false
     }
 
-    /// Whether the iteration is to stop at its present iterate.
+    /// Whether the iteration is to stop and return its present iterate, because the deadline has passed.
     fn is_past_deadline(&self) -> bool {
         false
     }
 }
 
-/// Values of all unknowns.
+/// Values of all unknowns of a least-squares problem.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Iterate {
-    /// Global parameters, SI.
+    /// Values of the global parameters, SI.
     pub global: DVector<f64>,
-    /// Local parameters of each flight: its initial state, SI.
+    /// Local parameters of each flight, SI: its initial state.
     pub local: Vec<DVector<f64>>,
 }
 
-/// Position of a flight in the problem, and the reason why it cannot be predicted.
+/// Index of a flight in the problem, and the reason why the flight cannot be predicted.
 pub type FailedFlight = (usize, FlightError);
 
 fn first(failures: &[FailedFlight]) -> String {
@@ -70,13 +70,13 @@ fn first(failures: &[FailedFlight]) -> String {
     reason.unwrap_or_default()
 }
 
-/// Why there is no solution.
+/// Reason why a least-squares iteration has no solution.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SolveError {
-    /// Flights cannot be predicted from their initial values.
+    /// Some flights cannot be predicted from their initial values. Contains these flights with the reasons.
     #[error("{} flights cannot be predicted from their initial values, the first because: {}", .0.len(), first(.0))]
     Start(Vec<FailedFlight>),
-    /// The local normal equations of a flight are singular.
+    /// The residuals of a flight do not determine its local parameters: their normal equations are singular.
     #[error(transparent)]
     Undetermined(#[from] UndeterminedFlight),
     /// The iteration was cancelled.

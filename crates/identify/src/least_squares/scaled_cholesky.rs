@@ -1,14 +1,14 @@
-//! Cholesky factor and inverse of symmetric matrices whose diagonal is scaled to 1.
+//! Cholesky factor and inverse of symmetric matrices after scaling to a unit diagonal.
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn, SymmetricEigen};
 
-/// Square root of a diagonal entry below which its row is not scaled.
+/// Square root of a diagonal entry below which its row and column are not scaled.
 const MIN_ROOT: f64 = 1e-150;
 
-/// Squared pivot, relative to a unit diagonal, below which a column is linearly dependent on the previous ones.
+/// Squared pivot, for a unit diagonal, below which a column is considered linearly dependent on the previous ones.
 const MIN_SQUARED_PIVOT: f64 = 1e-11;
 
-/// Jacobi scaling of a symmetric matrix: 1/√diagonal, or `otherwise` where the root is at most `least`.
+/// Jacobi scaling of a symmetric matrix: 1/√diagonal, or `otherwise` if √diagonal is at most `least`.
 pub(crate) fn jacobi_scale(matrix: &DMatrix<f64>, least: f64, otherwise: f64) -> DVector<f64> {
     matrix.diagonal().map(|value| {
         let root = value.max(0.0).sqrt();
@@ -22,7 +22,7 @@ pub(crate) fn scaled(matrix: &DMatrix<f64>, scale: &DVector<f64>) -> DMatrix<f64
     DMatrix::from_fn(size, size, |i, j| matrix[(i, j)] * scale[i] * scale[j])
 }
 
-/// Cholesky factor of a symmetric matrix after Jacobi scaling to a unit diagonal, since unknowns differ by seven
+/// Cholesky factor of a symmetric matrix that is scaled to a unit diagonal first, because the unknowns differ by seven
 /// orders of magnitude.
 pub(crate) struct ScaledCholesky {
     scale: DVector<f64>,
@@ -30,7 +30,7 @@ pub(crate) struct ScaledCholesky {
 }
 
 impl ScaledCholesky {
-    /// Factors a matrix after adding `damping` to its scaled diagonal; `None` unless it is positive definite.
+    /// Factors a matrix after adding `damping` to its scaled diagonal; `None` if the result is not positive definite.
     pub fn new(matrix: &DMatrix<f64>, damping: f64) -> Option<Self> {
         let scale = jacobi_scale(matrix, MIN_ROOT, 1.0);
         let mut scaled = scaled(matrix, &scale);
@@ -41,21 +41,21 @@ impl ScaledCholesky {
         Some(Self { scale, cholesky })
     }
 
-    /// Factors a matrix like [`new`](Self::new); `None` also if a column is linearly dependent on others within
-    /// rounding.
+    /// Factors a matrix as [`new`](Self::new) does; `None` also if a column is linearly dependent on other columns
+    /// within rounding error.
     pub fn independent(matrix: &DMatrix<f64>, damping: f64) -> Option<Self> {
         let factor = Self::new(matrix, damping)?;
         let least = factor.cholesky.l_dirty().diagonal().min();
         (matrix.nrows() == 0 || least * least > MIN_SQUARED_PIVOT).then_some(factor)
     }
 
-    /// Solves A x = right.
+    /// Solves A x = right for a vector x, where A is the factored matrix.
     pub fn solve(&self, right: &DVector<f64>) -> DVector<f64> {
         let scaled = right.component_mul(&self.scale);
         self.cholesky.solve(&scaled).component_mul(&self.scale)
     }
 
-    /// Solves A X = right for a matrix X.
+    /// Solves A X = right for a matrix X, where A is the factored matrix.
     pub fn solve_matrix(&self, right: &DMatrix<f64>) -> DMatrix<f64> {
         let mut solved = right.clone();
         self.scale_rows(&mut solved);
@@ -77,9 +77,9 @@ impl ScaledCholesky {
 }
 
 /// Inverse of an information matrix by eigendecomposition after scaling to a unit diagonal. Eigenvalues below `least`
-/// are raised to `least`, which bounds the variance of directions without information.
+/// are raised to `least`, which bounds the variance along directions without information.
 pub(crate) fn floored_inverse(information: &DMatrix<f64>, least: f64) -> DMatrix<f64> {
-    /// Scale of an unknown without information, in place of 1/√diagonal.
+    /// Scale of an unknown without information, used instead of 1/√diagonal.
     const SCALE_WITHOUT_INFORMATION: f64 = 1e6;
     let size = information.nrows();
     if size == 0 {
@@ -98,13 +98,13 @@ pub(crate) fn floored_inverse(information: &DMatrix<f64>, least: f64) -> DMatrix
     scaled(&inverse, &scale)
 }
 
-/// Eigenvalue of a matrix with unit diagonal below which it counts as 0.
+/// Eigenvalue of a matrix with unit diagonal, below which it is considered 0.
 const MIN_EIGENVALUE: f64 = 1e-12;
 
-/// Pseudo-inverse of a symmetric positive semidefinite matrix, scaled to unit diagonal; none if the eigenvalue
-/// iteration fails.
+/// Pseudo-inverse of a symmetric positive semidefinite matrix, computed after scaling to a unit diagonal; `None` if the
+/// eigenvalue iteration fails.
 pub fn pseudo_inverse(matrix: &DMatrix<f64>) -> Option<DMatrix<f64>> {
-    /// Relative accuracy and greatest number of iterations of the eigenvalue iteration.
+    /// Relative accuracy and maximum number of iterations of the eigenvalue iteration.
     const EIGEN_ITERATION: (f64, usize) = (1e-14, 10_000);
     if matrix.nrows() == 0 {
         return Some(DMatrix::zeros(0, 0));
@@ -146,7 +146,7 @@ mod tests {
 
     #[test]
     fn a_direction_without_information_is_uncertain() {
-        // Only the sum of the two is known.
+        // Only the sum of the two unknowns is determined.
         let matrix = DMatrix::from_element(2, 2, 100.0);
         let found = floored_inverse(&matrix, 1e-13);
         assert!(found[(0, 0)] > 1e9);

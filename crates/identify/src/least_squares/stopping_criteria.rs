@@ -1,4 +1,4 @@
-//! When an iteration stops, and why it did.
+//! Termination criteria of an iteration, and the reason why it stopped.
 
 /// Termination criteria of the least squares.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -7,24 +7,24 @@ pub struct StoppingCriteria {
     pub ftol_abs: f64,
     /// Predicted reduction, as a fraction of the sum of squares, below which a step is negligible.
     pub ftol_rel: f64,
-    /// Greatest predicted reduction, in multiples of a negligible one, of a final step accepted without evaluating
-    /// its residuals; the next step must also be predicted to be negligible.
+    /// Maximum predicted reduction of a final step that is accepted without evaluating its residuals, in multiples of
+    /// the negligible reduction. The next step must also be predicted to be negligible.
     pub accept_unevaluated: f64,
-    /// Greatest number of steps.
+    /// Maximum number of steps.
     pub max_steps: usize,
-    /// Sum of squares above which an iteration that advances slowly is given up; infinite for never.
+    /// Sum of squares above which a slow iteration is given up; infinite if it is never given up.
     pub worthwhile_squares: f64,
 }
 
-/// Steps that an iteration may take before it is given up.
+/// Minimum number of steps before an iteration is given up.
 const MIN_STEPS: usize = 8;
 
-/// Predicted reduction, as a fraction of the sum of squares, below which an iteration advances slowly.
+/// Predicted reduction, as a fraction of the sum of squares, below which an iteration is considered slow.
 const SLOW: f64 = 0.1;
 
 impl StoppingCriteria {
-    /// Criteria for whitened residuals: an unevaluated last step is at most one standard error long, which leaves an
-    /// error of about 1/30 standard error.
+    /// Criteria for whitened residuals. An unevaluated last step has a length of at most one standard error, which
+    /// leaves an error of about 1/30 standard error.
     pub const CONVERGED: StoppingCriteria = StoppingCriteria {
         ftol_abs: 1e-3,
         ftol_rel: 1e-11,
@@ -32,14 +32,14 @@ impl StoppingCriteria {
         max_steps: 100,
         worthwhile_squares: f64::INFINITY,
     };
-    /// Criteria for a model that leaves far more than the noise: its steps become small slowly, and where they end
-    /// within a fraction of a standard error means nothing.
+    /// Criteria for a model whose residuals are far larger than the noise. Its steps decrease slowly, and the exact end
+    /// point, within a fraction of a standard error, is meaningless.
     pub const MISFIT: StoppingCriteria = StoppingCriteria {
         ftol_rel: 1e-4,
         max_steps: 40,
         ..StoppingCriteria::CONVERGED
     };
-    /// Criteria for intermediate fits, after which the weights change.
+    /// Criteria for intermediate fits, after which the weights of the residuals change.
     pub const COARSE: StoppingCriteria = StoppingCriteria {
         ftol_abs: 1e-2,
         ftol_rel: 1e-3,
@@ -47,18 +47,18 @@ impl StoppingCriteria {
         max_steps: 30,
         worthwhile_squares: f64::INFINITY,
     };
-    /// Criteria for fits over a short horizon, before a longer one.
+    /// Criteria for fits over a short horizon, which precede a fit over a longer one.
     pub const HORIZON: StoppingCriteria = StoppingCriteria {
         ftol_rel: 1e-2,
         accept_unevaluated: f64::INFINITY,
         ..StoppingCriteria::COARSE
     };
-    /// Criteria for the local parameters at given global ones, between two steps of all.
+    /// Criteria for a refinement of the local parameters at fixed global parameters, between two steps of all unknowns.
     pub const REFINEMENT: StoppingCriteria = StoppingCriteria {
         max_steps: 8,
         ..StoppingCriteria::COARSE
     };
-    /// Criteria for one step, accepted without evaluating its residuals.
+    /// Criteria for a single step that is accepted without evaluating its residuals.
     pub const SINGLE_STEP: StoppingCriteria = StoppingCriteria {
         ftol_abs: f64::INFINITY,
         max_steps: 1,
@@ -70,15 +70,16 @@ impl StoppingCriteria {
         predicted_reduction <= self.ftol_abs.max(self.ftol_rel * squares)
     }
 
-    /// Whether to give up after some steps, far from a sum of squares that would be worthwhile.
+    /// Whether to give up: after a minimum number of steps, progress is slow and the sum of squares is above
+    /// `worthwhile_squares`.
     pub(super) fn is_hopeless(&self, steps: usize, predicted_reduction: f64, squares: f64) -> bool {
         steps >= MIN_STEPS
             && squares > self.worthwhile_squares
             && predicted_reduction < SLOW * squares
     }
 
-    /// Whether a step may be accepted unevaluated as the last: its predicted reduction is negligible, or that of the
-    /// next step will be, by extrapolating the ratio to the previous one.
+    /// Whether a step may be accepted, without evaluation, as the last one: its predicted reduction is negligible, or
+    /// that of the next step will be, extrapolated by the ratio to the `previous` predicted reduction.
     pub(super) fn is_reached(
         &self,
         predicted_reduction: f64,
@@ -94,16 +95,16 @@ impl StoppingCriteria {
     }
 }
 
-/// Why an iteration stopped.
+/// Reason why an iteration stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StopReason {
     /// The predicted reduction of the last step was negligible.
     Converged,
     /// [`StoppingCriteria::max_steps`] was reached.
     MaxSteps,
-    /// No step decreased the sum of squares, even with the greatest damping.
+    /// No step decreased the sum of squares, even with the maximum damping.
     NoDescent,
-    /// The iteration advanced slowly above [`StoppingCriteria::worthwhile_squares`].
+    /// Progress was slow at a sum of squares above [`StoppingCriteria::worthwhile_squares`].
     GivenUp,
     /// The deadline passed.
     Deadline,

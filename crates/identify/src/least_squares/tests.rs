@@ -3,7 +3,7 @@ use nalgebra::DVector;
 use super::*;
 use crate::ids::LocalId;
 
-/// The part of normal equations by one local and one global parameter.
+/// Normal equations for the unknowns `by`, of a problem with one local and one global parameter.
 fn of(block: NormalBlock, by: Unknowns) -> NormalBlock {
     match by {
         Unknowns::All => block,
@@ -100,7 +100,7 @@ fn a_strong_prior_wins() {
     assert!((solution.iterate.global[0] - 0.7).abs() < 1e-6);
 }
 
-/// Rosenbrock's function: a curved valley `local = global²` that descends to (1, 1).
+/// Rosenbrock's function, a curved valley `local = global²` that descends to the minimum at (1, 1).
 struct Rosenbrock;
 
 fn far_from_the_end_of_the_valley() -> Iterate {
@@ -144,11 +144,11 @@ fn a_curved_valley_is_crossed_in_one_step() {
     let solution = solve(&Rosenbrock, start, StoppingCriteria::CONVERGED).unwrap();
     assert!((solution.iterate.global[0] - 1.0).abs() < 1e-9);
     assert!((solution.iterate.local[0][0] - 1.0).abs() < 1e-9);
-    // A rejected step, one with refined locals, and the last one.
+    // One rejected step, one step with refined local parameters, and the last step.
     assert!(solution.iterations <= 4, "{}", solution.iterations);
 }
 
-/// A valley that turns so sharply that steps along it are short, above residuals that no step decreases.
+/// A valley with sharp bends, so that steps along it are short, plus a residual that no step decreases.
 struct Misfit;
 
 impl LeastSquaresProblem for Misfit {

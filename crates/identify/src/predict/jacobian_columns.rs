@@ -1,4 +1,4 @@
-//! Columns of the Jacobian of a residual.
+//! Assignment of unknowns to the columns of a residual's Jacobian.
 
 use flight::ObservationJacobians;
 use lanes::{Kernel, Lanes};
@@ -8,21 +8,23 @@ use crate::ids::LocalId;
 use crate::least_squares::GramAccumulator;
 use crate::observations::Observations;
 
-/// Columns of a Jacobian row: directions with integrated sensitivities, then parameters, then directions with
-/// constant sensitivity. A state that no rate depends on has the constant derivative 1 by its initial value.
+/// Columns of a Jacobian row: directions of the initial state with integrated sensitivities, then parameters, then
+/// directions with constant sensitivity. A state on which no derivative of the model depends has the constant
+/// derivative 1 by its initial value.
 pub(super) struct JacobianColumns<'p> {
-    /// Number of directions whose sensitivities are integrated.
+    /// Number of directions of the initial state whose sensitivities are integrated.
     pub integrated: usize,
-    /// Column of the Jacobian of each direction of the state manifold.
+    /// Column index of each direction of the state manifold.
     local: Vec<usize>,
-    /// For each state, the column of the direction that varies it with a constant sensitivity.
+    /// For each state, the column of the direction that varies it with constant sensitivity; `None` if its sensitivity
+    /// is integrated.
     constant: Vec<Option<usize>>,
     /// Parameters by which residuals are differentiated.
     pub parameters: &'p [ParamId],
 }
 
 impl<'p> JacobianColumns<'p> {
-    /// The columns for a flight, given the entries (rate, state) of the sparsity pattern of ∂f/∂x.
+    /// Assigns the columns for a flight, given the entries (derivative, state) of the sparsity pattern of ∂f/∂x.
     pub fn new(
         observations: &Observations,
         pattern: &[(usize, usize)],
@@ -66,18 +68,19 @@ impl<'p> JacobianColumns<'p> {
         self.integrated..self.integrated + self.parameters.len()
     }
 
-    /// An empty accumulator of normal equations for rows with these columns.
+    /// Creates an empty accumulator of normal equations for rows with these columns.
     pub fn accumulator(&self) -> GramAccumulator {
         GramAccumulator::new(self.local.clone(), self.parameter_columns().collect())
     }
 
-    /// Columns of the directions, and then of the parameters.
+    /// Column indices of the directions, followed by those of the parameters.
     pub fn local_then_parameters(&self) -> Vec<usize> {
         let local = self.local.iter().copied();
         local.chain(self.parameter_columns()).collect()
     }
 
-    /// Entries (state, column, value) of the manifold's tangent for the integrated columns.
+    /// Entries (state, column, value) of the tangent of the manifold for the columns whose sensitivities are
+    /// integrated. `entries` contains (state, direction, value).
     pub fn tangent(&self, entries: &[(usize, usize, f64)]) -> Vec<(usize, usize, f64)> {
         let columns = entries.iter();
         let columns =
@@ -87,13 +90,14 @@ impl<'p> JacobianColumns<'p> {
             .collect()
     }
 
-    /// Rows of zeros for the three axes of a marker.
+    /// Zero rows for the three axes of an observation.
     pub fn empty_rows(&self) -> [Vec<f64>; 3] {
         let width = self.accumulator().width();
         [0; 3].map(|_| vec![0.0; width])
     }
 
-    /// Writes the derivatives of a marker's position by the unknowns into the rows of its axes.
+    /// Writes the derivatives of an observation by the unknowns into `rows`, one per axis. `row_of` returns the
+    /// sensitivities of a state.
     pub fn derive<'s>(
         &self,
         derivatives: &ObservationJacobians<'_>,
@@ -127,10 +131,10 @@ impl<'p> JacobianColumns<'p> {
     }
 }
 
-/// Chain rule: derivatives of a marker's position by the states, times the sensitivities of those.
+/// SIMD kernel of the chain rule: derivatives of an observation by the states times the sensitivities of the states.
 struct Chain<'a, R> {
     derivatives: &'a ObservationJacobians<'a>,
-    /// Row of sensitivities of a state, padded with zeros to whole lanes.
+    /// Returns the row of sensitivities of a state, padded with zeros to whole SIMD vectors.
     row_of: R,
     rows: &'a mut [Vec<f64>; 3],
 }
@@ -149,7 +153,7 @@ impl<'s, R: Fn(usize) -> &'s [f64]> Kernel for Chain<'_, R> {
             row.fill(0.0);
             let all = by_state_pattern.iter().zip(*by_state);
             let mut entries = all.filter(|((at, _), _)| *at == axis);
-            // Two at a time, so that the row is read and written half as often.
+            // Two entries at a time, so that the row is read and written half as often.
             while let Some((&(_, state), &value)) = entries.next() {
                 let (value, from) = (T::splat(value), (self.row_of)(state));
                 let to = row.chunks_exact_mut(T::WIDTH);

@@ -1,7 +1,7 @@
-//! Predicted marker positions, residuals, and normal equations with exact sensitivities.
+//! Predicted observations, residuals, and normal equations with exact sensitivities.
 //!
-//! The sensitivities S of the state obey the variational equations dS/dt = J S + [0 | Jp], which are integrated together
-//! with the state. Every residual is predicted − measured, m; reports turn the sign.
+//! The sensitivities S of the state satisfy the variational equations dS/dt = J S + [0 | Jp], which are integrated
+//! together with the state. Every residual is predicted − measured, m; reports use the opposite sign.
 
 mod jacobian_columns;
 mod residuals;
@@ -24,16 +24,18 @@ use crate::observations::Observations;
 use crate::problem::FitProblem;
 use crate::tolerance::{self, RESIDUAL_TOLERANCE};
 
-/// Loss of the residuals.
+/// Loss function of the residuals.
 #[derive(Clone, Copy, Debug)]
 pub enum Loss<'a> {
-    /// Huber's loss of a point's distance over this scale, m. Outliers are included.
+    /// Huber's loss of the magnitude of each residual vector, with this scale, m. Outliers are included.
     Huber(f64),
-    /// Squares of the innovations over their standard deviations. Outliers are excluded.
+    /// Sum of squared innovations, each divided by its standard deviation under this noise model. Outliers are
+    /// excluded.
     Whitened(&'a NoiseModel),
 }
 
-/// Normal equations of a flight's first samples at values of the global and local parameters.
+/// Normal equations of the first `samples` samples of a flight at the given global and local parameters. `unknowns`
+/// selects the parameters by which residuals are differentiated.
 ///
 /// # Errors
 /// [`FlightError::Integration`] if the trajectory cannot be computed.
@@ -62,11 +64,11 @@ pub fn linearise(
     )
 }
 
-/// Normal equations like those of [`linearise`], for given equations of motion and derivatives by the given
-/// parameters instead of the global ones.
+/// Normal equations as from [`linearise`], for given equations of motion and with derivatives by the given parameters
+/// instead of the global ones.
 ///
-/// The first call with a `cache` stores the trajectory there; later calls reuse the trajectory and may change only
-/// the loss and the outliers.
+/// The first call with a `cache` stores the trajectory in it. Later calls reuse the trajectory; only the loss and the
+/// outliers may change between calls.
 ///
 /// # Errors
 /// [`FlightError::Integration`] if the trajectory cannot be computed.
@@ -104,8 +106,8 @@ pub fn linearise_with<M: DifferentiableRhs>(
     Ok(block)
 }
 
-/// Calls `each` with every residual of a flight, outliers included, sample by sample and channel by channel, with its
-/// derivatives by the local parameters and then by these parameters of the motion.
+/// Calls `each` with every residual of a flight, sample by sample and channel by channel, outliers included. The
+/// derivatives are by the local parameters and then by `parameters`.
 ///
 /// # Errors
 /// [`FlightError::Integration`] if the trajectory cannot be computed.
@@ -151,8 +153,10 @@ pub struct PointResidual<'r> {
     pub channel: usize,
     /// Index of the sample.
     pub sample: usize,
-    /// Predicted − measured along each axis, m or times the scale of the channel; a single number is there three times.
+    /// Predicted − measured along each axis, times the scale of the channel, m. A scalar residual is repeated three
+    /// times.
     pub residual: [f64; 3],
-    /// Derivatives of the residual along each axis, by the local parameters and then by the parameters of the motion.
+    /// Derivatives of the residual, one row per axis: by the local parameters, then by the selected parameters of the
+    /// model.
     pub rows: &'r [Vec<f64>; 3],
 }

@@ -11,10 +11,11 @@ use crate::observations::Observations;
 use crate::problem::FitProblem;
 use crate::tolerance::RESIDUAL_TOLERANCE;
 
-/// Residuals `[channel][sample]`, predicted − measured, m or times the scale of the channel; `None` for a missing value. Outliers are included.
+/// Residuals `[channel][sample]`, (predicted − measured) × scale of the channel, m; `None` for a missing value.
+/// Outliers are included.
 pub type Residuals = Vec<Vec<Option<[f64; 3]>>>;
 
-/// Model states at the first samples of a flight, sample by sample.
+/// Integrates a flight and returns the model states at its first `samples` samples, concatenated sample by sample.
 ///
 /// # Errors
 /// [`FlightError::Integration`] if the trajectory cannot be computed.
@@ -35,7 +36,7 @@ pub fn states(
     Ok(states)
 }
 
-/// Residuals at the first samples of a flight, predicted − measured, m.
+/// Residuals at the first `samples` samples of a flight, predicted − measured, m.
 ///
 /// # Errors
 /// [`FlightError::Integration`] if the trajectory cannot be computed.
@@ -49,7 +50,7 @@ pub fn residuals(
     Ok(residuals_of(problem, observations, unknowns.0, &states))
 }
 
-/// Residuals on a trajectory given by its states, sample by sample.
+/// Residuals for given model states of the first samples, which are concatenated sample by sample.
 pub fn residuals_of(
     problem: &FitProblem,
     observations: &Observations,

@@ -1,4 +1,4 @@
-//! One integration of a flight with sensitivities, which visits every residual with its derivatives.
+//! One integration of a flight with sensitivities, which visits each residual with its derivatives.
 
 use std::ops::Range;
 
@@ -14,20 +14,20 @@ use crate::error::FlightError;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 
-/// Least integration tolerance, m, limited by rounding errors.
+/// Minimum integration tolerance, m, limited by rounding errors.
 const MIN_TOLERANCE: f64 = 1e-10;
 
-/// Greatest tolerance of an integration, m.
+/// Maximum integration tolerance, m.
 const MAX_TOLERANCE: f64 = 1e-3;
 
-/// Number of steps after which a trajectory counts as diverged, to which [`STEPS_PER_SAMPLE`] are added per sample; with
-/// sensitivities this many take some hundredths of a second.
+/// Maximum number of integration steps, to which [`STEPS_PER_SAMPLE`] per sample is added; a trajectory that needs more
+/// has diverged. With sensitivities, this number of steps takes a few hundredths of a second.
 const STEPS: usize = 1_000;
 
-/// Number of steps per sample after which a trajectory has diverged.
+/// Additional number of integration steps per sample, after which a trajectory has diverged.
 const STEPS_PER_SAMPLE: usize = 20;
 
-/// Integration options for a tolerance in m, clamped to the allowed range, and a number of samples.
+/// Integration options for a tolerance in m, which is clamped to the allowed range, and a number of samples.
 pub(super) fn integration_options(tolerance: f64, samples: usize) -> IntegrationOptions {
     IntegrationOptions {
         method: Method::Tsit5,
@@ -36,34 +36,35 @@ pub(super) fn integration_options(tolerance: f64, samples: usize) -> Integration
     }
 }
 
-/// Settings for one integration of a flight with sensitivities.
+/// Inputs of one integration of a flight with sensitivities.
 pub(super) struct TrajectoryPass<'a> {
     pub problem: &'a FitProblem,
     pub observations: &'a Observations,
     pub global: &'a DVector<f64>,
     pub local: &'a DVector<f64>,
-    /// Number of samples integrated, from the first.
+    /// Number of samples that are integrated, counted from the first one.
     pub samples: usize,
-    /// Tolerance of the integration, m.
+    /// Integration tolerance, m.
     pub tolerance: f64,
-    /// Whether outliers are visited.
+    /// Whether values marked as outliers are visited.
     pub with_outliers: bool,
 }
 
-/// A measured point on the trajectory.
+/// A measured value on the trajectory, with its residual.
 pub(super) struct ObservedPoint<'r> {
     pub channel: usize,
     pub sample: usize,
     /// Time since the first sample, s.
     pub time: f64,
-    /// Predicted − measured, m or times the scale of the channel.
+    /// Predicted − measured, times the scale of the channel, m.
     pub residual: [f64; 3],
-    /// Derivatives of the residual along each axis, in the columns of [`JacobianColumns`].
+    /// Derivatives of the residual, one row per axis, in the columns of [`JacobianColumns`].
     pub rows: &'r mut [Vec<f64>; 3],
 }
 
 impl TrajectoryPass<'_> {
-    /// Integrates the flight, or reuses its cached trajectory, and calls `each` with every measured point.
+    /// Integrates the flight, or reuses the trajectory in `cache`, and calls `each` with every measured value. Returns
+    /// an error if the trajectory cannot be integrated.
     pub fn each_point<M: DifferentiableRhs>(
         &self,
         motion: M,
@@ -72,7 +73,7 @@ impl TrajectoryPass<'_> {
         mut each: impl FnMut(ObservedPoint<'_>),
     ) -> Result<(), FlightError> {
         let (problem, observations) = (self.problem, self.observations);
-        // Only the number of directions matters here; the columns are filled with the tangent of the manifold.
+        // Only the number of directions matters here; their columns are initialised with the tangent of the manifold.
         let directions: Vec<usize> = (0..columns.integrated).collect();
         let parameters: Vec<usize> = columns
             .parameters
@@ -162,7 +163,7 @@ impl TrajectoryPass<'_> {
     }
 }
 
-/// Merges adjacent ranges.
+/// Merges ranges that are adjacent to their predecessor.
 fn joined(ranges: impl Iterator<Item = Range<usize>>) -> Vec<Range<usize>> {
     let mut joined: Vec<Range<usize>> = Vec::new();
     for range in ranges {

@@ -1,4 +1,5 @@
-//! Weak priors of an initial state of which no position is measured: place and heading are then free.
+//! Weak priors of an initial state for flights without measured positions, which do not determine the initial position
+//! and heading.
 
 use nalgebra::DVector;
 
@@ -6,7 +7,8 @@ use crate::least_squares::NormalBlock;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 
-/// Standard deviation of a state about 0 by its unit: far wider than what a flight tells of a state that it tells of.
+/// Prior standard deviation of a state about 0, by the unit of the state. It is far wider than the uncertainty of any
+/// state that the flight determines.
 fn deviation(unit: &str) -> f64 {
     match unit {
         "m" => 10.0,
@@ -17,7 +19,7 @@ fn deviation(unit: &str) -> f64 {
     }
 }
 
-/// Adds the priors to the normal equations of a flight.
+/// Adds the weak priors of the initial state to the normal equations of a flight.
 pub(super) fn add(
     problem: &FitProblem,
     observations: &Observations,

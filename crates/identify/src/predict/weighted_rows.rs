@@ -1,19 +1,20 @@
-//! Jacobian rows of residuals, whitened or weighted, and summed to normal equations.
+//! Weighting or whitening of the Jacobian rows of residuals, and their summation to normal equations.
 
 use super::Loss;
 use crate::channel::Channel;
 use crate::least_squares::GramAccumulator;
 use crate::noise::{AxesNoise, HUBER_LIMIT};
 
-/// Accumulator of normal equations from weighted rows; stores each channel's previous row for the AR(1) innovations.
+/// Accumulates normal equations from weighted rows. It stores the previous row of each channel for the AR(1)
+/// innovations.
 pub(super) struct WeightedRows<'a> {
-    /// Accumulated normal equations.
+    /// Accumulator of the normal equations.
     pub accumulator: GramAccumulator,
     loss: Loss<'a>,
     channels: &'a [Channel],
-    /// Autocorrelation over one sampling interval and weight of the innovation (1/m), of each channel along each axis.
+    /// For each channel and axis: autocorrelation over one sampling interval, and weight of the innovation (1/m).
     one_interval: Vec<[(f64, f64); 3]>,
-    /// Time and rows of the previous measured sample of each channel.
+    /// Time and rows of the previous measured value of each channel.
     previous: Vec<Option<(f64, [Vec<f64>; 3])>>,
 }
 
@@ -34,7 +35,7 @@ impl<'a> WeightedRows<'a> {
         }
     }
 
-    /// Adds the residual (m) of a channel at a time (s), with its derivatives.
+    /// Adds the residual (m) of a channel at a time (s). `now` contains its derivatives, and may be overwritten.
     pub fn add(&mut self, channel: usize, time: f64, now: &mut [Vec<f64>; 3], residual: [f64; 3]) {
         let at = self.accumulator.residual();
         let components = self.channels[channel].components;
@@ -43,12 +44,12 @@ impl<'a> WeightedRows<'a> {
         }
         match self.loss {
             Loss::Huber(scale) => {
-                // The loss is of a point's distance, not of each axis.
+                // The loss is a function of the vector's magnitude, not of each component.
                 let residual = &residual[..components];
                 let size = residual.iter().map(|r| r * r).sum::<f64>().sqrt() / scale;
                 let limit = HUBER_LIMIT * (components as f64).sqrt();
                 let weight = if size > limit { limit / size } else { 1.0 };
-                // Difference between the loss and the weighted square.
+                // Difference between the loss and the weighted sum of squares.
                 let extra = (weight * size * size - limit * limit).max(0.0);
                 for (axis, row) in now.iter().take(components).enumerate() {
                     let extra = if axis == 0 { extra } else { 0.0 };
@@ -68,7 +69,7 @@ impl<'a> WeightedRows<'a> {
                     for ((now, before), (kept, weight)) in pairs.zip(innovations) {
                         self.accumulator.add(now, Some((kept, before)), weight, 0.0);
                     }
-                    // The rows of the previous sample are overwritten by the next residual.
+                    // The rows of the previous sample will be overwritten by the next residual.
                     *earlier = time;
                     std::mem::swap(before, now);
                 }
@@ -83,7 +84,7 @@ impl<'a> WeightedRows<'a> {
     }
 }
 
-/// Autocorrelation over a gap (s) and weight of the innovation (1/m), along each axis.
+/// Autocorrelation over a time difference (s) and weight of the innovation (1/m), along each axis.
 fn innovations(noise: &AxesNoise, gap: f64) -> [(f64, f64); 3] {
     [0, 1, 2].map(|axis| {
         let (phi, sigma) = noise.innovation(axis, gap);

@@ -1,4 +1,4 @@
-//! Which parameters are global unknowns of a fit, and which coefficients are fixed.
+//! Selects the parameters that are global unknowns of a fit, and the coefficients that are fixed.
 
 use model_spec::layout::{Layout, ParamId};
 use model_spec::model::{Model, Parameter};
@@ -7,27 +7,29 @@ use crate::error::{FitError, NameSource};
 use crate::least_squares::Constraint;
 use crate::options::FitOptions;
 
-/// A parameter that is estimated with one value for all flights.
+/// A parameter that is estimated with one common value for all flights.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GlobalParameter {
-    /// Name in the model.
+    /// Name of the parameter in the model.
     pub name: String,
-    /// Index among the parameters of the model's layout.
+    /// Index of the parameter in the model's layout.
     pub param: ParamId,
-    /// Unit as the model writes it.
+    /// Unit as written in the model.
     pub unit: String,
-    /// Bounds and prior.
+    /// Bounds and prior of the parameter.
     pub constraint: Constraint,
-    /// Initial value, SI: from the prior, else the dataset, else the model.
+    /// Initial value, SI: the mean of the prior, or else the value in the dataset, or else the value in the model.
     pub model_value: f64,
-    /// Typical magnitude, SI, used to scale comparisons between parameters.
+    /// Typical magnitude, SI, by which changes of different parameters are made comparable.
     pub x_scale: f64,
 }
 
-/// Global parameters, and (name, SI value) of each fixed coefficient.
+/// The global parameters, and (name, SI value) of each fixed coefficient.
 type Selection = (Vec<GlobalParameter>, Vec<(String, f64)>);
 
-/// Selects the global parameters by the options, and writes the values of fixed coefficients into `parameters`.
+/// Selects the global parameters according to the options, and writes the values of fixed coefficients into
+/// `parameters`. Returns an error if the options name a parameter that the model does not have or that is not
+/// estimated.
 pub(super) fn select(
     model: &Model,
     layout: &Layout,
@@ -61,7 +63,8 @@ pub(super) fn select(
     Ok((globals, fixed))
 }
 
-/// Divides the model's coefficients into global parameters and fixed ones.
+/// Divides the model's coefficients into global parameters and fixed coefficients. Writes fixed values into
+/// `parameters`.
 fn coefficients(
     model: &Model,
     layout: &Layout,
@@ -107,7 +110,7 @@ fn add_priors(globals: &mut [GlobalParameter], options: &FitOptions<'_>) -> Resu
     Ok(())
 }
 
-/// The global parameter for a constant, coefficient or input component named in `FitOptions::free`.
+/// Creates the global parameter for a constant, coefficient or input component that is named in `FitOptions::free`.
 fn freed(
     model: &Model,
     name: &str,
@@ -129,7 +132,7 @@ fn global(
     options: &FitOptions<'_>,
 ) -> GlobalParameter {
     let bounds = parameter.bounds.filter(|_| !options.unbounded);
-    // The default 0 carries no magnitude; a tenth of the range between the bounds does.
+    // A default value of 0 gives no magnitude; a tenth of the range between the bounds is used instead.
     let x_scale = match parameter.bounds {
         _ if parameter.value != 0.0 => parameter.value.abs(),
         Some((low, high)) if (high - low).is_finite() => (high - low) / 10.0,

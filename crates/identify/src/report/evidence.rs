@@ -1,60 +1,61 @@
-//! Measured and predicted samples of a flight, from which figures are drawn.
+//! Measured and predicted values of a flight, for figures.
 
 use serde::{Deserialize, Serialize};
 
 use crate::dataset::Role;
 
-/// Measured and predicted samples of one flight.
+/// Measured and predicted values of one flight at its samples.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FlightEvidence {
     /// File name of the flight.
     pub file: String,
     /// Whether the flight was fitted or held out.
     pub role: Role,
-    /// Names of the markers and pose sensors.
+    /// Names of the markers and pose sensors, whose positions are given.
     pub markers: Vec<String>,
-    /// Times of the samples, s, from the first.
+    /// Times of the samples relative to the first one, s.
     pub times: Vec<f64>,
-    /// `measured[sample][marker]`, m; `None` for a missing value.
+    /// Measured positions as `measured[sample][marker]`, m, inertial frame; `None` for a missing value.
     pub measured: Vec<Vec<Option<[f64; 3]>>>,
-    /// `outlier[sample][marker]`: whether a measured point is excluded as an outlier.
+    /// Whether a measured position is excluded as an outlier, as `outlier[sample][marker]`.
     pub outlier: Vec<Vec<bool>>,
-    /// `predicted[sample][marker]`: predicted position, m, inertial frame.
+    /// Predicted positions as `predicted[sample][marker]`, m, inertial frame.
     pub predicted: Vec<Vec<[f64; 3]>>,
-    /// Channels that are no positions.
+    /// Channels that measure other quantities than positions.
     #[serde(default)]
     pub sensors: Vec<SensorEvidence>,
-    /// Names of the states.
+    /// Names of the model's states.
     pub state_names: Vec<String>,
-    /// `states[sample][state]`, SI.
+    /// Values of the model's states as `states[sample][state]`, SI.
     pub states: Vec<Vec<f64>>,
-    /// Names of the model's auxiliary quantities, vectors by component.
+    /// Names of the model's auxiliary variables; vectors are given by component.
     pub quantity_names: Vec<String>,
-    /// `quantities[sample][quantity]`, SI.
+    /// Values of the auxiliary variables as `quantities[sample][quantity]`, SI.
     pub quantities: Vec<Vec<f64>>,
 }
 
-/// Measured values and residuals of one channel that is no position, in its own unit.
+/// Measured values and residuals of one channel that is not a position, in the unit of the channel.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct SensorEvidence {
     /// Name of the sensor.
     pub name: String,
-    /// Index among the channels of the problem.
+    /// Index of the channel in the estimation problem.
     pub channel: usize,
-    /// Unit of a component: `rad` of an attitude, else that of the instrument.
+    /// Unit of a component: `rad` for an attitude, otherwise the unit of the instrument.
     pub unit: String,
-    /// Number of components; a single number stands there three times.
+    /// Number of components; a scalar value is repeated three times.
     pub components: usize,
-    /// Measured value by sample, of an attitude its rotation vector; `None` for a missing one.
+    /// Measured value by sample, as a rotation vector for an attitude; `None` for a missing value.
     pub measured: Vec<Option<[f64; 3]>>,
-    /// Whether a measured value is excluded as an outlier, by sample.
+    /// Whether the measured value is excluded as an outlier, by sample.
     pub outlier: Vec<bool>,
-    /// Residual by sample, measured − predicted; of an attitude the rotation vector between them, in the inertial frame.
+    /// Residual by sample, measured − predicted; for an attitude, the rotation vector between both in the inertial
+    /// frame. `None` for a missing value.
     pub residuals: Vec<Option<[f64; 3]>>,
 }
 
 impl FlightEvidence {
-    /// Residual, measured − predicted, m; `None` for a missing value or an outlier.
+    /// Residual of a marker in a sample, measured − predicted, m; `None` for a missing value or an outlier.
     pub fn residual(&self, sample: usize, marker: usize) -> Option<[f64; 3]> {
         let seen = self.measured[sample][marker].filter(|_| !self.outlier[sample][marker])?;
         let predicted = self.predicted[sample][marker];
@@ -67,10 +68,11 @@ impl FlightEvidence {
 pub struct AxisResiduals {
     /// Autocorrelation of the residuals at lags of 0, 1, 2 … samples.
     pub autocorrelation: Vec<f64>,
-    /// Autocorrelation of the whitened residuals at lags of 0, 1, 2 … samples: within ±`band` of 0 if they are white.
+    /// Autocorrelation of the whitened residuals at lags of 0, 1, 2 … samples. If they are white, it is within ±`band`
+    /// of 0 for lags above 0.
     pub whitened_autocorrelation: Vec<f64>,
-    /// 95 % band of the autocorrelation of white residuals: 1.96 over the root of their number.
+    /// 95 % band of the autocorrelation of white residuals: 1.96 / √(number of residuals).
     pub band: f64,
-    /// Pairs (normal quantile, quantile of the whitened residuals over their standard deviation).
+    /// Points of a Q–Q plot: pairs (normal quantile, quantile of the normalised whitened residuals).
     pub quantiles: Vec<[f64; 2]>,
 }

@@ -1,4 +1,4 @@
-//! The report of a fit: [`FitReport`] is `report.json`; figures are drawn from [`FlightEvidence`].
+//! The report of a fit. [`FitReport`] is the content of `report.json`; figures are drawn from [`FlightEvidence`].
 
 mod evidence;
 mod outcome;
@@ -17,51 +17,52 @@ pub(crate) use residuals::ResidualPool;
 use crate::dataset::Role;
 use crate::screening::DataFault;
 
-/// `report.json` of a fit, schema `hyzer.fit/1`.
+/// Content of `report.json` of a fit, schema `hyzer.fit/1`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FitReport {
     /// Schema identifier, `hyzer.fit/1`.
     pub schema: String,
     /// Name of the model.
     pub model: String,
-    /// Effects that the model includes.
+    /// Names of the effects that the model includes.
     pub effects: Vec<String>,
-    /// Whether the estimates and their standard errors can be relied on.
+    /// Whether the estimates and their standard errors are reliable.
     pub reliable: bool,
-    /// Reasons why they cannot; empty if they can.
+    /// Reasons why the fit is not reliable; empty if it is.
     pub why: Vec<String>,
-    /// Root mean square residual of one coordinate over the fitted flights, outliers excluded, m. Without measured positions:
-    /// that of all sensors, each over its noise, times the millimetre.
+    /// Root mean square residual of one coordinate over the fitted flights, outliers excluded, m. Without measured
+    /// positions: root mean square of the residuals of all sensors, each divided by its noise, × 1 mm.
     pub rms_m: f64,
-    /// Whether positions of the body are measured, by markers or poses.
+    /// Whether positions of the body are measured, by markers or pose sensors.
     #[serde(default = "yes")]
     pub sees_positions: bool,
-    /// Estimated noise.
+    /// Estimated measurement noise.
     pub noise: NoiseReport,
-    /// Coefficients, and other global parameters, by name.
+    /// Coefficients and other global parameters, by name.
     pub coefficients: BTreeMap<String, Coefficient>,
-    /// Correlations of the estimated global parameters, by name and name.
+    /// Correlation matrix of the estimated global parameters, as a map of maps by name.
     pub correlations: BTreeMap<String, BTreeMap<String, f64>>,
-    /// Every flight, in the dataset's order.
+    /// Reports of all flights, in the order of the dataset.
     pub flights: Vec<FlightReport>,
-    /// Mistakes in the data of the flights, in the dataset's order.
+    /// Faults in the data of the flights, in the order of the dataset.
     #[serde(default)]
     pub data_faults: Vec<DataFault>,
-    /// Pairs of markers whose measured distance differs from the predicted one.
+    /// Pairs of markers whose measured distance differs significantly from the predicted one.
     #[serde(default)]
     pub marker_distances: Vec<MarkerDistance>,
-    /// Channels of sensors other than markers.
+    /// Residuals and noise of sensor channels other than markers.
     #[serde(default)]
     pub sensors: Vec<SensorReport>,
-    /// Non-identifiable coefficients and combinations, the least determined first.
+    /// Coefficients and combinations of coefficients that are not identifiable, in the order of decreasing standard
+    /// error.
     pub undetermined: Vec<NonIdentifiable>,
-    /// Profile likelihoods that the options ask for.
+    /// Profile likelihoods that the options request.
     pub profiles: Vec<Profile>,
-    /// Residual diagnostics along each axis: `x`, `y`, `z`.
+    /// Residual diagnostics along each axis, by the names `x`, `y` and `z`.
     pub residuals: BTreeMap<String, AxisResiduals>,
-    /// Steps of the iteration and its status.
+    /// Number of steps of the iteration, and its status.
     pub iterations: Iterations,
-    /// Computing time by stage, s; `total` is that of all stages.
+    /// Computing time by stage, s; `total` is the time of all stages.
     pub seconds: BTreeMap<String, f64>,
 }
 
@@ -69,33 +70,33 @@ fn yes() -> bool {
     true
 }
 
-/// Distance between two markers of a rigid body, where it is not as predicted.
+/// Two markers of a rigid body whose measured distance differs from the predicted one.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MarkerDistance {
-    /// Names of the markers.
+    /// Names of the two markers.
     pub markers: [String; 2],
-    /// Mean measured less predicted distance, m.
+    /// Mean of (measured − predicted) distance, m.
     pub difference_m: f64,
     /// Standard error of `difference_m`, m.
     pub std_error_m: f64,
 }
 
-/// Residuals and noise of one channel of a sensor, in its own unit.
+/// Residuals and noise of one channel of a sensor, in the unit of the channel.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SensorReport {
     /// Name of the sensor.
     pub name: String,
-    /// What the channel measures: `position`, `attitude`, `gyroscope`, `accelerometer` or `speed`.
+    /// Quantity that the channel measures: `position`, `attitude`, `gyroscope`, `accelerometer` or `speed`.
     pub measures: String,
-    /// Unit of a component.
+    /// Unit of one component.
     pub unit: String,
-    /// Root mean square residual of a component over the fitted flights, outliers excluded.
+    /// Root mean square residual of one component over the fitted flights, outliers excluded.
     pub rms: f64,
-    /// Root mean square of the components' standard deviations: stated by the dataset, or estimated.
+    /// Root mean square of the components' noise standard deviations, given by the dataset or estimated.
     pub sigma: f64,
-    /// Lag-1 autocorrelation, mean of the components.
+    /// Lag-1 autocorrelation of the noise, mean over the components.
     pub ar1: f64,
-    /// Number of values.
+    /// Number of measured values, including outliers.
     pub points: usize,
     /// Number of values excluded as outliers.
     pub outliers: usize,
@@ -104,151 +105,155 @@ pub struct SensorReport {
 /// Noise of the measured coordinates: a stationary AR(1) process along each axis.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct NoiseReport {
-    /// Root mean square of the axes' standard deviations, m: given by the dataset, or estimated.
+    /// Root mean square of the standard deviations along the axes, m; given by the dataset or estimated.
     pub sigma_m: f64,
-    /// Lag-1 autocorrelation, mean of the axes.
+    /// Lag-1 autocorrelation of the noise, mean over the axes.
     pub ar1: f64,
-    /// Whether `sigma_m` was estimated.
+    /// Whether `sigma_m` was estimated; `false` if the dataset gives it.
     pub estimated: bool,
-    /// Noise along each axis: `x`, `y`, `z`.
+    /// Noise along each axis, by the names `x`, `y` and `z`.
     pub axes: BTreeMap<String, AxisNoise>,
     /// Time between samples to which `ar1` refers, s.
     pub interval_s: f64,
-    /// Number of measured points (marker positions) in the fitted flights.
+    /// Number of measured values (for markers: positions) in the fitted flights, including outliers.
     pub points: usize,
-    /// Number of points excluded as outliers.
+    /// Number of measured values excluded as outliers.
     pub outliers: usize,
-    /// Fraction of points excluded as outliers: `outliers / points`.
+    /// Fraction of measured values excluded as outliers: `outliers / points`.
     pub outlier_fraction: f64,
-    /// Number of missing points.
+    /// Number of missing values.
     pub dropouts: usize,
-    /// Root mean square of the axes' standard deviations by a smoother that knows no model, m; correlated noise lies above
-    /// it. With too few samples for a smoother, by the rigidity of the markers. `None` if the samples do not determine it.
+    /// Noise floor: root mean square over the axes of the standard deviations estimated by a smoother without a model,
+    /// m; for correlated noise, it is an underestimate. With too few samples for a smoother, it is estimated from the
+    /// rigidity of the markers. `None` if the samples do not determine it.
     pub floor_m: Option<f64>,
 }
 
-/// Noise along one axis.
+/// Measurement noise along one axis.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct AxisNoise {
-    /// Standard deviation, m.
+    /// Standard deviation of the noise, m.
     pub sigma_m: f64,
-    /// Lag-1 autocorrelation.
+    /// Lag-1 autocorrelation of the noise.
     pub ar1: f64,
 }
 
-/// A coefficient or another global parameter.
+/// Estimate of a coefficient or another global parameter.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Coefficient {
-    /// Estimate, or the value at which it is fixed, SI.
+    /// Estimated value, or the fixed value if `held`, SI.
     pub value: f64,
-    /// Cramér–Rao standard error under the estimated noise, SI; 0 if fixed.
+    /// Cramér–Rao standard error under the estimated noise, SI; 0 if the parameter is fixed.
     pub std_error: f64,
-    /// Cluster-robust standard error by flight, SI; `None` for fewer than 8 flights.
+    /// Cluster-robust standard error with flights as clusters, SI; `None` for fewer than 8 flights or a fixed
+    /// parameter.
     pub std_error_clustered: Option<f64>,
-    /// 95 % confidence interval, SI.
+    /// 95 % confidence interval (lower, upper limit), SI.
     pub interval: [f64; 2],
-    /// Unit as the model writes it.
+    /// Unit as written in the model.
     pub unit: String,
-    /// Whether the estimate is at a bound.
+    /// Whether the estimate is at a bound of the parameter.
     pub at_bound: bool,
-    /// Whether the parameter is fixed instead of estimated.
+    /// Whether the parameter is fixed and not estimated.
     pub held: bool,
     /// Initial value, SI: from the prior, the dataset or the model.
     pub model_value: f64,
-    /// Mean and standard deviation of the prior, SI.
+    /// Mean and standard deviation of the prior, SI; `None` without a prior.
     pub prior: Option<[f64; 2]>,
 }
 
-/// Report of one flight.
+/// Results for one flight.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FlightReport {
     /// File name of the flight.
     pub file: String,
-    /// Whether the dataset assigns it to the fit or holds it out.
+    /// Whether the dataset assigns the flight to the fit or to the held-out flights.
     pub role: Role,
     /// Whether the flight was fitted, predicted or excluded.
     #[serde(flatten)]
     pub outcome: FlightOutcome,
-    /// Number of samples in the flight's table, without those dropped by `cut`.
+    /// Number of samples in the table of the flight, not counting those that `cut` drops.
     pub samples: usize,
-    /// Root mean square residual of one coordinate, m; for a held-out flight over the samples after the conditioning
-    /// segment. None if excluded.
+    /// Root mean square residual of one coordinate, m. For a held-out flight, it covers the samples after the
+    /// conditioning segment. `None` if the flight is excluded.
     pub rms_m: Option<f64>,
-    /// Number of the flight's points that are excluded as outliers.
+    /// Number of measured values of the flight that are excluded as outliers.
     pub outliers: usize,
-    /// Initial state by name; empty if excluded.
+    /// Estimated initial state by state name; empty if the flight is excluded.
     pub initial: BTreeMap<String, Estimate>,
-    /// Where and why the flight's samples were truncated; `None` if they were not.
+    /// Time and reason of the truncation of the flight; `None` if it was not truncated.
     pub cut: Option<Truncation>,
-    /// Messages about the flight, such as the reason for its exclusion or a repeated fit.
+    /// Remarks on the flight, such as the reason for its exclusion or a repeated fit.
     pub notes: Vec<String>,
 }
 
 impl FitReport {
-    /// Flights of a role that are not excluded, in the dataset's order.
+    /// Flights of a role that are not excluded, in the order of the dataset.
     pub fn used(&self, role: Role) -> impl Iterator<Item = &FlightReport> {
         let flights = self.flights.iter();
         flights.filter(move |flight| flight.role == role && flight.is_used())
     }
 
-    /// Excluded flights, in the dataset's order.
+    /// Excluded flights, in the order of the dataset.
     pub fn excluded(&self) -> impl Iterator<Item = &FlightReport> {
         self.flights.iter().filter(|flight| !flight.is_used())
     }
 }
 
 impl FlightReport {
-    /// Whether the flight was fitted or predicted, and not excluded.
+    /// Whether the flight was fitted or predicted; `false` if it was excluded.
     pub fn is_used(&self) -> bool {
         !matches!(self.outcome, FlightOutcome::Excluded { .. })
     }
 
-    /// Root mean square residual of one coordinate, m; not a number if the flight is excluded.
+    /// Root mean square residual of one coordinate, m; NaN if the flight is excluded.
     pub fn rms(&self) -> f64 {
         self.rms_m.unwrap_or(f64::NAN)
     }
 }
 
-/// Truncation of a flight before the end of its table.
+/// Truncation of a flight before the end of its table, such as at a ground contact.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Truncation {
-    /// Time of the last sample that was used, s, as in the table.
+    /// Time of the last sample that is used, s, as in the table of the flight.
     pub t: f64,
-    /// Number of samples dropped after that time.
+    /// Number of samples that were dropped after that time.
     pub samples: usize,
     /// Reason for the truncation.
     pub why: String,
 }
 
-/// An estimate with its standard error.
+/// Estimated value with its standard error.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Estimate {
-    /// Value, SI.
+    /// Estimated value, SI.
     pub value: f64,
     /// Standard error, SI; 0 if the value is known.
     pub std_error: f64,
 }
 
-/// A practically non-identifiable direction of the global parameters.
+/// A direction of the global parameters that is practically not identifiable.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct NonIdentifiable {
-    /// Names of the coefficients in the direction.
+    /// Names of the coefficients with large components in the direction, largest first.
     pub combination: Vec<String>,
-    /// Components of the direction by coefficient, each in units of its typical magnitude.
+    /// Components of the direction by coefficient, each in units of the coefficient's typical magnitude.
     pub weights: BTreeMap<String, f64>,
     /// Standard error along the direction, in units of the typical magnitudes.
     pub relative_error: f64,
-    /// Explanation in words.
+    /// Explanation of the non-identifiability, as text.
     pub why: String,
 }
 
-/// Profile likelihood of one coefficient.
+/// Profile likelihood of one global parameter.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Profile {
-    /// The coefficient.
+    /// Name of the parameter.
     pub name: String,
-    /// Points (value, SI; deviance: twice the log of the ratio of the greatest likelihood to that at the value).
+    /// Points (value, deviance): the value is in SI, and the deviance is twice the logarithm of the ratio of the
+    /// maximum likelihood to the profile likelihood at that value.
     pub points: Vec<[f64; 2]>,
-    /// 95 % interval: values on either side where the deviance is 3.84, SI; `None` on a side where it is not reached.
+    /// 95 % interval, SI: the values on either side of the estimate at which the deviance is 3.84; `None` on a side
+    /// where the profile does not reach it.
     pub interval: [Option<f64>; 2],
 }

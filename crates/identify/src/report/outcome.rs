@@ -1,42 +1,42 @@
-//! What became of each flight, and whether the iteration converged.
+//! Outcome of each flight, and convergence status of a fit.
 
 use serde::{Deserialize, Serialize};
 
 use crate::least_squares::StopReason;
 
-/// Use of a flight in the fit.
+/// Outcome of a flight in a fit.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(tag = "outcome", rename_all = "kebab-case")]
 pub enum FlightOutcome {
-    /// The initial state was fitted together with the global parameters.
+    /// The initial state of the flight was fitted together with the global parameters.
     Fitted,
     /// The initial state was fitted to the conditioning segment, and the rest of the flight was predicted.
     HeldOut,
-    /// The flight was not used.
+    /// The flight was not used in the fit.
     Excluded {
         /// Reason for the exclusion.
         reason: String,
     },
 }
 
-/// Whether a fit converged.
+/// Convergence status of a fit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum FitStatus {
-    /// The least squares converged, and the noise agrees with its residuals.
+    /// The last least-squares iteration converged, and the noise model agrees with its residuals.
     Converged,
-    /// The last least squares reached its greatest number of steps.
+    /// The last least-squares iteration reached its maximum number of steps, or was given up because of slow progress.
     MaxSteps,
-    /// The last least squares found no step that decreases the sum of squares.
+    /// The last least-squares iteration found no step that decreases the sum of squares.
     NoDescent,
-    /// The deadline passed; the answer is the best one until then.
+    /// The deadline passed; the result is the best one found before.
     Deadline,
-    /// Noise and residuals did not agree after the greatest number of noise estimates.
+    /// The noise model and the residuals did not agree after the maximum number of noise estimates.
     NoiseNotConverged,
 }
 
 impl FitStatus {
-    /// The status after a least squares and a comparison of its residuals with the noise.
+    /// Status after a least-squares iteration. `noise_agrees` states whether the noise model agrees with its residuals.
     pub(crate) fn of(least_squares: StopReason, noise_agrees: bool) -> Self {
         match least_squares {
             StopReason::MaxSteps | StopReason::GivenUp => Self::MaxSteps,
@@ -53,16 +53,16 @@ impl FitStatus {
     }
 }
 
-/// Steps and status of the iteration.
+/// Number of steps and status of the iterations of a fit.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Iterations {
-    /// Number of steps tried.
+    /// Total number of least-squares steps.
     pub steps: usize,
-    /// Number of noise estimates.
+    /// Number of noise estimates that were computed.
     pub rounds: usize,
-    /// Whether the status is converged.
+    /// Whether `status` is [`FitStatus::Converged`].
     pub converged: bool,
-    /// Why the iteration ended.
+    /// Reason why the iteration ended.
     pub status: FitStatus,
 }
 

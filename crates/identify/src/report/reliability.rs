@@ -1,20 +1,20 @@
-//! Whether a fit can be relied on, with the reasons why not.
+//! Assessment whether a fit is reliable, with the reasons if it is not.
 
 use super::{FitReport, FitStatus};
 use crate::dataset::Role;
 use crate::wording::count;
 
-/// Ratio of the rms residual to the noise floor above which a fit is unreliable. An AR(1) noise of coefficient 0.9 is
-/// within it.
+/// Ratio of the rms residual to the noise floor, above which a fit is not reliable. AR(1) noise of coefficient 0.9
+/// leads to a lower ratio.
 const MAX_NOISE_RATIO: f64 = 5.0;
 
-/// Least noise floor that counts, m: tables are rounded, and integration has errors.
+/// Minimum noise floor with which residuals are compared, m, because tables are rounded and integration has errors.
 const MIN_NOISE_FLOOR: f64 = 1e-5;
 
-/// Excluded fraction of the flights to be fitted above which the fit is unreliable.
+/// Fraction of the flights to be fitted that are excluded, above which the fit is not reliable.
 const MAX_EXCLUDED: f64 = 1.0 / 3.0;
 
-/// Reasons not to rely on a fit; empty for a reliable one.
+/// Reasons why a fit is not reliable; empty if it is reliable.
 pub(crate) fn reasons_against(report: &FitReport) -> Vec<String> {
     let mut reasons = Vec::new();
     reasons.extend(not_converged(report));
@@ -50,7 +50,7 @@ fn above_noise_floor(report: &FitReport) -> Option<String> {
     })
 }
 
-/// Faults in the data of flights that were fitted all the same.
+/// Reason not to rely on a fit of flights whose data have faults; `None` if there are no such flights.
 fn data_faults(report: &FitReport) -> Option<String> {
     let is_fitted = |file: &str| report.used(Role::Fit).any(|flight| flight.file == file);
     let mut faults = report.data_faults.iter().filter(|f| is_fitted(&f.file));
@@ -68,7 +68,7 @@ fn data_faults(report: &FitReport) -> Option<String> {
     ))
 }
 
-/// Markers that are not where the dataset or the model has them.
+/// Reason not to rely on a fit if markers are not at their stated positions; `None` if all marker distances agree.
 fn marker_distances(report: &FitReport) -> Option<String> {
     let worst = report.marker_distances.iter();
     let worst = worst.max_by(|a, b| a.difference_m.abs().total_cmp(&b.difference_m.abs()))?;

@@ -1,4 +1,4 @@
-//! Residual diagnostics of many flights: autocorrelation and distribution.
+//! Residual diagnostics of many flights: autocorrelation and distribution of the residuals.
 
 use std::collections::BTreeMap;
 
@@ -7,19 +7,19 @@ use lanes::{Kernel, Lanes};
 use super::AxisResiduals;
 use crate::noise::AxesNoise;
 
-/// Number of lags of the autocorrelation, in samples.
+/// Number of lags, in samples, for which the autocorrelation is computed.
 const LAGS: usize = 25;
 
-/// Number of bins in the histogram of whitened residuals.
+/// Number of bins of the histogram of whitened residuals.
 const BINS: usize = 2000;
 
-/// Limit of the histogram on either side, in standard deviations.
+/// Upper limit of the magnitude of whitened residuals in the histogram, in standard deviations.
 const HISTOGRAM_LIMIT: f64 = 10.0;
 
-/// Number of quantiles in the report.
+/// Number of quantiles in the report, for a Q–Q plot.
 const QUANTILES: usize = 61;
 
-/// Sums over residuals for the residual diagnostics; sums of several flights can be added.
+/// Sums over residuals for the residual diagnostics. Sums of several flights can be added.
 #[derive(Clone, Debug)]
 pub struct ResidualPool {
     axes: [Axis; 3],
@@ -28,10 +28,10 @@ pub struct ResidualPool {
 
 #[derive(Clone, Debug)]
 struct Axis {
-    /// Sum and number of residual products at each lag.
+    /// Sum and number of products of residuals at each lag.
     raw: Vec<(f64, usize)>,
     whitened: Vec<(f64, usize)>,
-    /// Histogram of the whitened residuals.
+    /// Histogram of the whitened residuals: number of values per bin.
     bins: Vec<u32>,
 }
 
@@ -50,7 +50,8 @@ impl Default for ResidualPool {
 }
 
 impl ResidualPool {
-    /// Adds the residuals of one channel of a flight, m; `None` for a missing value.
+    /// Adds the residuals (m) of one channel of a flight at `times` (s); `None` marks a missing value. `noise` is used
+    /// for whitening.
     pub fn add(&mut self, times: &[f64], residuals: &[Option<[f64; 3]>], noise: &AxesNoise) {
         self.points += residuals.iter().flatten().count();
         for (k, axis) in self.axes.iter_mut().enumerate() {
@@ -79,7 +80,7 @@ impl ResidualPool {
         }
     }
 
-    /// Adds the sums of other flights.
+    /// Adds the sums of `other`, such as those of other flights.
     pub fn join(&mut self, other: ResidualPool) {
         self.points += other.points;
         for (axis, other) in self.axes.iter_mut().zip(other.axes) {
@@ -98,13 +99,13 @@ impl ResidualPool {
         }
     }
 
-    /// Root mean square of all residuals, m; 0 for none.
+    /// Root mean square of all residuals, m; 0 if there are none.
     pub fn rms(&self) -> f64 {
         let squares: f64 = self.axes.iter().map(|axis| axis.raw[0].0).sum();
         (squares / (3 * self.points).max(1) as f64).sqrt()
     }
 
-    /// Diagnostics of each axis.
+    /// Residual diagnostics of each axis, by the names `x`, `y` and `z`.
     pub fn axes(&self) -> BTreeMap<String, AxisResiduals> {
         let names = ["x", "y", "z"].into_iter().map(str::to_owned);
         names.zip(self.axes.iter().map(Axis::report)).collect()
@@ -138,7 +139,7 @@ fn products(series: &[Option<f64>], sums: &mut [(f64, usize)]) {
     }
 }
 
-/// Kernel: dot product of two series of equal length.
+/// SIMD kernel that computes the dot product of two series of equal length.
 struct Dot<'a>(&'a [f64], &'a [f64]);
 
 impl Kernel for Dot<'_> {
@@ -174,7 +175,7 @@ fn quantiles(bins: &[u32]) -> Vec<[f64; 2]> {
     if total == 0 {
         return Vec::new();
     }
-    // Even steps of the normal quantile, as far out as there are values.
+    // Evenly spaced normal quantiles, up to the largest one that the number of values allows.
     let most = normal_quantile(1.0 - 0.5 / total as f64).min(4.0);
     let mut from = (0, 0.0);
     let each = (0..QUANTILES).map(|k| {
@@ -185,8 +186,8 @@ fn quantiles(bins: &[u32]) -> Vec<[f64; 2]> {
     each.collect()
 }
 
-/// Value below which `wanted` of the binned values lie. The search resumes at `from` (bin, count below the bin),
-/// since quantiles are requested in increasing order.
+/// Value below which `wanted` of the binned values are. The search resumes at `from` (bin, count below the bin), since
+/// quantiles are requested in increasing order.
 fn binned_quantile(bins: &[u32], wanted: f64, from: &mut (usize, f64)) -> f64 {
     let width = 2.0 * HISTOGRAM_LIMIT / BINS as f64;
     for (index, &count) in bins.iter().enumerate().skip(from.0) {

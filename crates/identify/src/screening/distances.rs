@@ -1,22 +1,26 @@
-//! Rigid distances between markers, as measured in a flight and as the template declares them.
+//! Distances between markers that are rigidly fixed to the body, as measured in a flight and as the template declares
+//! them.
 
 use crate::dataset::{Flight, Marker};
 use crate::statistics::{median, robust_sigma};
 
-/// Greatest number of markers whose distances are compared: further ones add little and cost much.
+/// Maximum number of markers whose mutual distances are compared; more would add little information and much
+/// computation.
 pub const MOST_MARKERS: usize = 8;
-/// Greatest relative deviation of a pair's ratio from the ratio of all pairs.
+/// Maximum relative deviation of one pair's ratio of measured to declared distance from the median ratio of all
+/// pairs.
 const RATIO_SPREAD: f64 = 0.1;
-/// Relative deviation of a ratio from a unit's below which the unit is named.
+/// Maximum relative deviation of a ratio of lengths from that of a unit to the metre at which the unit is named as
+/// the cause.
 const UNIT_TOLERANCE: f64 = 0.05;
-/// Least relative error of a distance that is grossly wrong.
+/// Minimum relative error of a distance that is grossly wrong.
 const GROSS: f64 = 0.25;
-/// Least error of a distance that is grossly wrong, m.
+/// Minimum error of a distance that is grossly wrong, m.
 const GROSS_DISTANCE: f64 = 0.02;
-/// Least error of a distance that is grossly wrong, in units of its noise.
+/// Minimum error of a distance that is grossly wrong, in units of the distance's noise.
 const GROSS_NOISE: f64 = 8.0;
 
-/// Lengths of units in metres, with their names.
+/// Units of length that are mistaken for metres: length in metres, and name.
 pub const UNITS: [(f64, &str); 6] = [
     (1e-3, "millimetres"),
     (1e-2, "centimetres"),
@@ -26,13 +30,14 @@ pub const UNITS: [(f64, &str); 6] = [
     (1e3, "kilometres"),
 ];
 
-/// The unit of coordinates that are `ratio` times as large as in metres.
+/// The unit of coordinates that are `ratio` times as large as in metres: its length in metres and its name; `None` if
+/// no unit fits.
 pub fn unit(ratio: f64) -> Option<(f64, &'static str)> {
     let near = |length: f64| (ratio * length - 1.0).abs() < UNIT_TOLERANCE;
     UNITS.iter().copied().find(|(length, _)| near(*length))
 }
 
-/// The pairs of the first [`MOST_MARKERS`] of these markers, by index.
+/// All pairs of the first [`MOST_MARKERS`] of `markers` markers, by index.
 pub fn marker_pairs(markers: usize) -> Vec<(usize, usize)> {
     let count = markers.min(MOST_MARKERS);
     (0..count)
@@ -40,22 +45,23 @@ pub fn marker_pairs(markers: usize) -> Vec<(usize, usize)> {
         .collect()
 }
 
-/// Measured distances of the pairs of markers in one flight.
+/// Measured and declared distances of pairs of markers in one flight.
 pub struct Distances {
-    /// The pairs, by marker index.
+    /// Pairs of markers, by marker index; the other fields are in the order of these pairs.
     pub pairs: Vec<(usize, usize)>,
-    /// `samples[sample][pair]`, m; NaN where a marker is missing.
+    /// Measured distances `samples[sample][pair]`, m; NaN if a marker of the pair is missing.
     pub samples: Vec<Vec<f64>>,
-    /// Declared distances of the pairs, m.
+    /// Distance of each pair in the template, m.
     pub declared: Vec<f64>,
-    /// Median measured distances, m; NaN for a pair that is never measured.
+    /// Median measured distance of each pair, m; NaN for a pair that is never measured.
     pub medians: Vec<f64>,
-    /// Standard deviation of a measured distance, m, by differences of neighbouring samples.
+    /// Standard deviation of a measured distance, m, estimated from differences of successive samples.
     pub noise: f64,
 }
 
 impl Distances {
-    /// Distances of the pairs of a flight's markers that are `rigid`; none if no such pair is measured.
+    /// Distances of the pairs of a flight's markers whose entry in `rigid` is true, in the order of [`marker_pairs`].
+    /// `None` if no such pair is measured.
     pub fn of(flight: &Flight, markers: &[Marker], rigid: &[bool]) -> Option<Self> {
         let pairs = marker_pairs(markers.len()).into_iter().zip(rigid);
         let pairs: Vec<(usize, usize)> =
@@ -101,7 +107,7 @@ impl Distances {
         })
     }
 
-    /// Median ratio of measured to declared distances, if all pairs agree on it.
+    /// Median ratio of measured to declared distances; `None` if the ratios of the pairs differ too much.
     pub fn ratio(&self) -> Option<f64> {
         let pairs = self.medians.iter().zip(&self.declared);
         let ratios: Vec<f64> = pairs
@@ -115,7 +121,7 @@ impl Distances {
         (agree && common > 0.0).then_some(common)
     }
 
-    /// Whether the error of a pair's distance in a sample is gross.
+    /// Whether a measured distance of a pair, m, is grossly wrong compared with the declared distance.
     pub fn is_gross(&self, measured: f64, pair: usize) -> bool {
         let declared = self.declared[pair];
         let limit = (GROSS * declared)

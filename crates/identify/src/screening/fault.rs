@@ -1,4 +1,4 @@
-//! A mistake in the data of a flight, with its mend.
+//! A mistake in the data of a flight, and how to correct it.
 
 use std::fmt;
 
@@ -11,9 +11,9 @@ pub struct DataFault {
     pub file: String,
     /// Kind of the mistake.
     pub fault: FaultKind,
-    /// What was found, in words.
+    /// Description of what was found, for the user.
     pub detail: String,
-    /// What to do about it, in words.
+    /// Instruction for correcting the data, for the user.
     pub mend: String,
 }
 
@@ -21,7 +21,7 @@ pub struct DataFault {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum FaultKind {
-    /// The tracks of markers carry each other's names, in the whole flight or in a part of it.
+    /// Marker names are exchanged between tracks, in the whole flight or in a part of it.
     LabelsExchanged,
     /// The axes are left-handed: the tracks are the mirror image of a flight.
     Mirrored,
@@ -29,7 +29,7 @@ pub enum FaultKind {
     Units,
     /// The z axis does not point up.
     Axes,
-    /// Times are not in seconds, or the frame rate is another.
+    /// Times are not in seconds, or are based on a wrong frame rate.
     TimeUnit,
     /// Some samples are not of free flight: in the hand, after the catch, in a net, on the ground.
     NotFreeFlight,
@@ -40,7 +40,7 @@ pub enum FaultKind {
 }
 
 impl FaultKind {
-    /// Name of the kind, as in reports.
+    /// Name of the kind in reports.
     pub fn name(self) -> &'static str {
         match self {
             Self::LabelsExchanged => "labels-exchanged",

@@ -1,5 +1,6 @@
-//! Faults that free fall shows: a z axis that does not point up, times or lengths in another unit. All flights together
-//! are compared with gravity, single flights with the loads that the others agree on.
+//! Faults that the acceleration of free fall reveals: a z axis that does not point up, and times or lengths in
+//! another unit. All flights together are compared with gravity; a single flight is compared with the loads fitted to
+//! all flights.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -11,34 +12,42 @@ use crate::dataset::{Dataset, Flight, KnownValue};
 use crate::problem::FitProblem;
 use crate::statistics::median;
 
-/// Least deviation of the constant acceleration from gravity that is a fault, in units of gravity.
+/// Minimum difference between the fitted constant acceleration and gravity that is a fault, in units of gravity.
 const LEAST_DEVIATION: f64 = 0.5;
-/// Least such deviation in units of its standard error.
+/// Minimum difference between the fitted constant acceleration and gravity that is a fault, in units of its standard
+/// error.
 const LEAST_SIGNIFICANCE: f64 = 8.0;
-/// Least ratio of what remains with gravity as it should be to what remains with any constant acceleration.
+/// Minimum ratio of the remaining acceleration with gravity fixed to that with any constant acceleration, for a fault
+/// of all flights.
 const LEAST_RATIO: f64 = 1.7;
-/// Greatest angle between an acceleration and the axis that it is along: cos 30°.
+/// Minimum cosine of the angle between an acceleration and the axis along which it counts as pointing: cos 30°.
 const ALONG: f64 = 0.866;
-/// Factors on gravity between which it may be a matter of loads that the model lacks; twice the time is 4.
+/// Ratios of the fitted constant acceleration to gravity that loads missing in the model may explain. A time scale
+/// wrong by a factor of 2 gives a ratio of 4 or 1/4.
 const USUAL_FACTORS: std::ops::Range<f64> = 0.38..2.6;
-/// Least misfit of a single flight that is examined: in units of gravity, and of the median of all flights.
+/// Minimum misfit of a single flight that is examined: in units of gravity, and of the median misfit of all flights.
 const SINGLE_MISFIT: (f64, f64) = (0.25, 4.0);
-/// Greatest misfit with the mend: in units of the misfit without it, of the median of all flights, and of gravity.
+/// Maximum misfit of a flight after a correction: in units of its misfit before, of the median misfit of all flights,
+/// and of gravity.
 const MENDED_MISFIT: (f64, f64, f64) = (0.3, 2.5, 0.15);
-/// Greatest misfit with the mend in any case, in units of gravity: where lengths shrink, so does every misfit but that.
+/// Maximum misfit after any correction, in units of gravity. A correction that shrinks lengths shrinks every misfit
+/// except that against gravity.
 const MOST_MENDED: f64 = 0.4;
-/// Least vertical component of the normal of markers in a plane that tells which side is up.
+/// Minimum magnitude of the vertical component of the normal of markers in a plane at which the upper side is
+/// unambiguous.
 const UPRIGHT: f64 = 0.3;
-/// Greatest misfit of a flight that seems turned over when it is mirrored, in units of that without.
+/// Maximum misfit of the mirror image of a flight that seems turned over, in units of the misfit of the flight
+/// itself.
 const TURNED_MISFIT: f64 = 0.7;
-/// Ratio of what remains to the standard error of a component of an acceleration below which it is noise.
+/// Maximum ratio of the remaining acceleration to the standard error of an acceleration component at which it counts
+/// as noise.
 const NOISE: f64 = 2.5;
-/// Part of the scatter of a flight's accelerations that counts as misfit.
+/// Weight of the scatter of a flight's accelerations in its misfit.
 const SCATTER_PART: f64 = 0.25;
-/// Least number of flights of which a single one can differ.
+/// Minimum number of flights for which a single flight can be compared with the others.
 const LEAST_FLIGHTS: usize = 4;
 
-/// Axes of the table that may point up, with the matrix from its coordinates to those with z up.
+/// Axes of the table that may point up, each with the rotation from the table's coordinates to coordinates with z up.
 fn orientations() -> [(&'static str, Matrix3<f64>); 6] {
     let rows =
         |a: [f64; 3], b: [f64; 3], c: [f64; 3]| Matrix3::from_rows(&[a.into(), b.into(), c.into()]);
@@ -54,19 +63,20 @@ fn orientations() -> [(&'static str, Matrix3<f64>); 6] {
     ]
 }
 
-/// Flights whose accelerations are compared.
+/// Flights whose accelerations are compared with gravity and with each other.
 pub struct FreeFall<'a> {
     problem: &'a FitProblem,
     dataset: &'a Dataset,
     gravity: Vector3<f64>,
-    /// Windows of each flight; empty for a flight without any.
+    /// Accelerations and loads in the time windows of each flight; empty for a flight without a track.
     rows: Vec<Vec<Row>>,
-    /// Median vertical component of the normal of markers in a plane in each flight.
+    /// Median vertical component, in each flight, of the normal of the markers' plane; `None` for a point mass or
+    /// without a track.
     upright: Vec<Option<f64>>,
 }
 
 impl<'a> FreeFall<'a> {
-    /// Windows of the flights' tracks; a flight that has another fault has no track.
+    /// Computes the windows of the flights' tracks; the track of a flight that already has another fault is `None`.
     pub fn new(
         problem: &'a FitProblem,
         dataset: &'a Dataset,
@@ -89,7 +99,7 @@ impl<'a> FreeFall<'a> {
         }
     }
 
-    /// Faults of all flights, or of single ones; empty if gravity is what it should be.
+    /// Faults of all flights or of single flights; empty if the accelerations agree with gravity.
     pub fn check(&self) -> Vec<DataFault> {
         let all: Vec<&Row> = self.rows.iter().flatten().collect();
         if all.is_empty() {
@@ -98,7 +108,7 @@ impl<'a> FreeFall<'a> {
         let Some(fixed) = regress(&all, Some(self.gravity)) else {
             return Vec::new();
         };
-        // What the noise of the windows explains needs no other gravity.
+        // If the noise of the windows explains the remaining accelerations, gravity is not questioned.
         let mut errors: Vec<f64> = all.iter().map(|row| row.motion.error).collect();
         let is_noise = fixed.remaining < NOISE * median(&mut errors);
         if !is_noise
@@ -118,7 +128,8 @@ impl<'a> FreeFall<'a> {
         self.single(&fixed)
     }
 
-    /// Fault that all flights have in common.
+    /// Fault that all flights have in common: kind, detail and correction. `fixed` and `free` are the regressions
+    /// with gravity and with any constant acceleration; `None` if gravity is right.
     fn of_all(&self, fixed: &Regression, free: &Regression) -> Option<(FaultKind, String, String)> {
         let g = self.gravity.norm();
         let deviation = free.gravity - self.gravity;
@@ -150,7 +161,7 @@ impl<'a> FreeFall<'a> {
                 ),
                 axes_mend(axis),
             )),
-            // Between the axes a strong constant load may be the reason.
+            // In a direction between the axes, a strong constant load may be the reason.
             None if cosine > 0.5 => None,
             None => {
                 let unit = free.gravity / free.gravity.norm();
@@ -166,7 +177,8 @@ impl<'a> FreeFall<'a> {
         }
     }
 
-    /// Fault of times or of lengths where gravity is `ratio` times as great as it should be.
+    /// Fault of times or of lengths for a constant acceleration that is `ratio` times gravity: kind, detail and
+    /// correction.
     fn scale(&self, ratio: f64, free: &Regression) -> (FaultKind, String, String) {
         let detail = format!("in all flights free fall is {ratio:.3} times as fast as gravity");
         let length = unit(ratio).or_else(|| {
@@ -192,12 +204,13 @@ impl<'a> FreeFall<'a> {
         (FaultKind::TimeUnit, format!("{detail}{told}"), mend)
     }
 
-    /// Whether the distances between markers have shown that lengths are in metres.
+    /// Whether the distances between markers have already shown that lengths are in metres.
     fn template_gives_lengths(&self) -> bool {
         self.dataset.markers.len() > 1
     }
 
-    /// Whether the drag, which scales with lengths and not with times, speaks for lengths; none if it says nothing.
+    /// Whether the fitted drag, which depends on the unit of length but not of time, suggests a wrong unit of length;
+    /// `None` if the drag is not usable.
     fn drag_suggests_lengths(&self, ratio: f64, free: &Regression) -> Option<bool> {
         let expected = super::gravity::drag(self.problem)?;
         let found = -*free.coefficients.first()?;
@@ -208,7 +221,7 @@ impl<'a> FreeFall<'a> {
         })
     }
 
-    /// Flights that agree with gravity and with the others' loads only after a mend.
+    /// Faults of single flights that agree with gravity and the common loads only after a correction.
     fn single(&self, fixed: &Regression) -> Vec<DataFault> {
         let g = self.gravity.norm();
         let misfit = |rows: &[Row]| self.misfit(fixed, rows);
@@ -236,8 +249,8 @@ impl<'a> FreeFall<'a> {
         faults
     }
 
-    /// A flight whose markers, which lie in a plane, have the other side up than in all other flights, and that fits
-    /// better as its mirror image.
+    /// Fault of a flight whose planar markers have the opposite side up from all other flights, and that fits better
+    /// as its mirror image. `before` is the flight's misfit, m/s².
     fn turned_over(&self, fixed: &Regression, index: usize, before: f64) -> Option<DataFault> {
         let own = self.upright[index]?;
         let others = self
@@ -262,14 +275,15 @@ impl<'a> FreeFall<'a> {
         })
     }
 
-    /// Acceleration of a flight that neither gravity nor the common loads explain, m/s²: that of the middle of its
-    /// windows, whose noise is small, and a part of their scatter.
+    /// Acceleration of a flight that neither gravity nor the common loads explain, m/s²: that of the median over its
+    /// windows, which averages out noise, plus a fraction of their scatter. `None` without windows.
     fn misfit(&self, fixed: &Regression, rows: &[Row]) -> Option<f64> {
         let rest = rows.iter().map(|row| fixed.without_loads(row));
         misfit(&rest.collect::<Vec<_>>(), self.gravity)
     }
 
-    /// The mend after which a flight's misfit is at most `enough`, m/s².
+    /// Fault of a flight whose correction reduces the misfit to at most `enough`, m/s²; `None` if there is no such
+    /// correction.
     fn mended(
         &self,
         fixed: &Regression,
@@ -284,7 +298,8 @@ impl<'a> FreeFall<'a> {
             mend,
         };
         let as_others = "unlike in the other flights,";
-        // Velocities and accelerations change alike with the unit of time, so that loads keep their coefficients.
+        // Velocities and accelerations both scale with the unit of time such that the coefficients of the loads are
+        // unchanged.
         let rest: Vec<Vector3<f64>> = rows.iter().map(|row| fixed.without_loads(row)).collect();
         let constant = middle(&rest);
         let ratio = constant.norm() / self.gravity.norm();
@@ -340,8 +355,8 @@ impl<'a> FreeFall<'a> {
         None
     }
 
-    /// The unit of length that leaves the least misfit of a flight: misfit, m/s², length, m, and name. None where the
-    /// distances between markers have shown that lengths are in metres.
+    /// Unit of length that minimizes a flight's misfit: the misfit, m/s², the unit's length, m, and its name. `None`
+    /// if the distances between markers have already shown that lengths are in metres.
     fn length(
         &self,
         misfit: &impl Fn(&Matrix3<f64>) -> Option<f64>,
@@ -357,7 +372,7 @@ impl<'a> FreeFall<'a> {
     }
 }
 
-/// Track of a flight with all positions multiplied by a matrix.
+/// Track of a flight with all positions multiplied by `matrix`.
 pub fn changed(problem: &FitProblem, flight: &Flight, matrix: &Matrix3<f64>) -> Track {
     let change = |point: [f64; 3]| <[f64; 3]>::from(matrix * Vector3::from(point));
     let rows: Vec<Vec<Option<[f64; 3]>>> = flight
@@ -368,7 +383,7 @@ pub fn changed(problem: &FitProblem, flight: &Flight, matrix: &Matrix3<f64>) -> 
     Track::until_contact(problem, &flight.times, &rows).0
 }
 
-/// Median vertical component of the normal of the markers' plane; none for a point mass.
+/// Median vertical component of the normal of the markers' plane; `None` for a point mass or without attitudes.
 pub fn upright(problem: &FitProblem, track: &Track) -> Option<f64> {
     let normal = problem
         .has_attitude
@@ -381,20 +396,22 @@ pub fn upright(problem: &FitProblem, track: &Track) -> Option<f64> {
     (!each.is_empty()).then(|| median(&mut each))
 }
 
-/// Medians of the components of some vectors.
+/// Vector of the medians of each component.
 fn middle(vectors: &[Vector3<f64>]) -> Vector3<f64> {
     let axis = |axis: usize| median(&mut vectors.iter().map(|v| v[axis]).collect::<Vec<f64>>());
     Vector3::new(axis(0), axis(1), axis(2))
 }
 
-/// Distance of the middle of some accelerations from gravity, and a part of their scatter, m/s²; none without any.
+/// Distance of the component-wise median of accelerations from gravity, plus a fraction of their scatter, m/s²;
+/// `None` for an empty slice.
 fn misfit(accelerations: &[Vector3<f64>], gravity: Vector3<f64>) -> Option<f64> {
     let middle = middle(accelerations);
     let mut scatter: Vec<f64> = accelerations.iter().map(|a| (a - middle).norm()).collect();
     (!scatter.is_empty()).then(|| (middle - gravity).norm() + SCATTER_PART * median(&mut scatter))
 }
 
-/// Spin of a point mass that is known from elsewhere, rad/s, as any vector of the flight in the unit of a rate.
+/// Known spin of a flight of a point mass, rad/s: the first vector input of the model whose unit is that of a rate.
+/// `None` if the model has no such input.
 fn omega(problem: &FitProblem, flight: &Flight) -> Option<Vector3<f64>> {
     let inputs = problem.model.inputs.iter();
     let rates = inputs.filter(|input| input.unit == model_spec::unit::Unit::RATE);
@@ -405,7 +422,7 @@ fn omega(problem: &FitProblem, flight: &Flight) -> Option<Vector3<f64>> {
     known.next()
 }
 
-/// What a ratio of gravity says of the times, and what to do.
+/// Texts on a ratio of the fitted acceleration to gravity: what it implies about the times, and how to correct them.
 fn time_words(ratio: f64) -> (String, String) {
     let factor = ratio.sqrt();
     let told = match factor {

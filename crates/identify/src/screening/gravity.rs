@@ -1,4 +1,4 @@
-//! The acceleration of gravity in a model, if what is observed falls freely when it is at rest.
+//! The acceleration of gravity in a model, determined by simulating a fall from rest.
 
 use model_spec::unit::Unit;
 use nalgebra::{UnitQuaternion, Vector3};
@@ -6,15 +6,15 @@ use ode::{IntegrationOptions, integrate_at};
 
 use crate::problem::FitProblem;
 
-/// Time of the fall from rest, s: short, so that no speed arises at which air would matter.
+/// Duration of the fall from rest, s; so short that the speed stays too low for aerodynamic forces to matter.
 const FALL: f64 = 1e-2;
-/// Relative difference of accelerations below which they are the same.
+/// Maximum relative difference of accelerations that count as equal.
 const SAME: f64 = 1e-2;
-/// Angles, rad, and shifts, m, of the positions and attitudes that are compared.
+/// Angles, rad, and factors on shifts, m, of the positions and attitudes at which the accelerations are compared.
 const VARIATIONS: [f64; 3] = [0.0, 0.4, -0.9];
 
-/// Acceleration of the body's origin at rest in still air, m/s², if it is the same at every position and attitude; none
-/// for a body that is held, driven or not under gravity.
+/// Acceleration of the body's origin from rest in still air, m/s², if it is the same at all positions and attitudes
+/// tried; `None` for a body that is held, driven or not under gravity.
 pub fn gravity(problem: &FitProblem) -> Option<Vector3<f64>> {
     let falls = VARIATIONS.map(|variation| fall(problem, variation));
     let [first, others @ ..] = falls;
@@ -25,11 +25,11 @@ pub fn gravity(problem: &FitProblem) -> Option<Vector3<f64>> {
     others.into_iter().all(same).then_some(first)
 }
 
-/// Speed at which the drag of a point mass is looked up, m/s.
+/// Speed at which the drag of a point mass is evaluated, m/s.
 const SPEED: f64 = 8.0;
 
-/// Drag of a point mass with the model's coefficients, as deceleration by squared speed, 1/m; none for a body with an
-/// attitude.
+/// Drag of a point mass with the model's coefficients: deceleration divided by squared speed, 1/m; `None` for a body
+/// with an attitude.
 pub fn drag(problem: &FitProblem) -> Option<f64> {
     if problem.has_attitude {
         return None;
@@ -51,7 +51,8 @@ pub fn drag(problem: &FitProblem) -> Option<f64> {
     Some((moving - still).norm() / (SPEED * SPEED))
 }
 
-/// Acceleration of the origin from rest at a varied position and attitude, m/s².
+/// Acceleration of the body's origin from rest at a varied position and attitude, m/s²; `None` if it cannot be
+/// computed.
 fn fall(problem: &FitProblem, variation: f64) -> Option<Vector3<f64>> {
     let model = &problem.model;
     let mut state = problem.body.layout().default_states();
@@ -74,7 +75,8 @@ fn fall(problem: &FitProblem, variation: f64) -> Option<Vector3<f64>> {
     acceleration(problem, &state)
 }
 
-/// Acceleration of the body's origin at a state, m/s².
+/// Acceleration of the body's origin at a state, m/s², by a second difference of a short simulation; `None` if the
+/// simulation fails.
 pub fn acceleration(problem: &FitProblem, state: &[f64]) -> Option<Vector3<f64>> {
     let conditions = problem.body.bind(problem.parameters.clone());
     let times = [0.0, FALL, 2.0 * FALL];

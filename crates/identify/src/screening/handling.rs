@@ -1,5 +1,4 @@
-//! Samples that are not of free flight: in the hand before the release, after the catch, at rest, and jumps of the
-//! whole track.
+//! Samples that are not of free flight: in the hand before the release, after the catch, or at rest.
 
 use nalgebra::Vector3;
 
@@ -8,21 +7,23 @@ use super::track::{MIN_POINTS, Parabola, Track, parabola};
 use crate::dataset::Flight;
 use crate::statistics::median;
 
-/// Numbers of points at the start and at the end of a flight that are examined.
+/// Numbers of points at the start and at the end of a flight over which the motion is examined.
 const LENGTHS: [usize; 8] = [6, 9, 13, 20, 32, 52, 90, 160];
-/// Forward force above which a hand must push, as multiples of the weight and of the total force: air in moderate wind
-/// does not exceed both.
+/// Minimum forward force of a push by a hand: in units of the weight, and of the total force without gravity.
+/// Aerodynamic forces in moderate wind do not exceed both limits.
 const PUSH: (f64, f64) = (1.0, 0.5);
-/// Least significance of a force.
+/// Minimum significance of a force, in units of its standard error.
 const SIGNIFICANT: f64 = 6.0;
-/// Greatest speed of a body at rest, m/s, and in units of the flight's speed.
+/// Maximum speed of a body at rest: in m/s, and in units of the flight's median speed.
 const REST: (f64, f64) = (0.5, 0.08);
-/// Least force on a body at rest, in units of gravity.
+/// Minimum supporting force on a body at rest, in units of gravity.
 const REST_FORCE: f64 = 0.7;
-/// Least force of a catch: in units of gravity, and of what the air exerts in the rest of the flight at that speed.
+/// Minimum force of a catch: in units of gravity, and of the force that the air would exert at that speed, judged by
+/// the rest of the flight.
 const CATCH: (f64, f64) = (3.0, 5.0);
 
-/// First part of a flight that is not free.
+/// Fault of a flight that has samples not of free flight, at its start or its end; `None` if all samples are of free
+/// flight.
 pub fn check(track: &Track, gravity: Vector3<f64>, flight: &Flight) -> Option<DataFault> {
     let examined = Examined::new(track, gravity)?;
     let fault = |detail: String, mend: &str| DataFault {
@@ -78,12 +79,12 @@ impl<'a> Examined<'a> {
         parabola(&self.track.points[from..to], self.track.noise)
     }
 
-    /// Force by mass without gravity, m/s².
+    /// Force per mass without gravity, m/s².
     fn force(&self, motion: &Parabola) -> Vector3<f64> {
         motion.acceleration - self.gravity
     }
 
-    /// Force along the velocity, m/s².
+    /// Component of the force per mass along the velocity, m/s².
     fn forward(&self, motion: &Parabola) -> f64 {
         let along = motion
             .velocity
@@ -101,7 +102,7 @@ impl<'a> Examined<'a> {
     fn is_pushed(&self, motion: &Parabola) -> bool {
         let (forward, force) = (self.forward(motion), self.force(motion).norm());
         let least = (PUSH.0 * self.gravity.norm()).max(PUSH.1 * force);
-        // A velocity that is lost in the noise has no direction.
+        // If the displacement is below the noise, the velocity has no meaningful direction.
         let moved = motion.velocity.norm() * motion.half > 3.0 * self.track.noise;
         moved && forward > least + SIGNIFICANT * motion.error
     }
@@ -112,7 +113,7 @@ impl<'a> Examined<'a> {
         };
         let g = self.gravity.norm();
         let fall = 0.5 * g * (2.0 * motion.half).powi(2);
-        // Longer than any error of the acceleration could hide the fall.
+        // The flight must be so long that an error of the acceleration cannot hide a fall.
         self.is_rest(&motion, f64::INFINITY)
             && fall > 20.0 * motion.deviation
             && self.speed < REST.0
@@ -125,10 +126,10 @@ impl<'a> Examined<'a> {
             .take_while(move |length| *length <= half)
     }
 
-    /// Time until which the body is held or pushed, s.
+    /// Time until which the body is held or pushed, s; `None` if it is free from the start.
     fn held_until(&self) -> Option<f64> {
         let count = self.track.points.len();
-        // Forward forces in the second half are those of the body itself, or of a strong wind.
+        // Forward forces in the second half come from the body itself or a strong wind, not from a hand.
         let rest = self.motion(count / 2, count)?;
         if self.forward(&rest) > 0.3 * self.gravity.norm() + SIGNIFICANT * rest.error {
             return None;
@@ -145,7 +146,7 @@ impl<'a> Examined<'a> {
         until
     }
 
-    /// Time from which the body is stopped or at rest, s.
+    /// Time from which the body is caught or at rest, s; `None` if it is free until the end.
     fn stopped_from(&self) -> Option<f64> {
         let count = self.track.points.len();
         let mut from = None;
@@ -160,7 +161,7 @@ impl<'a> Examined<'a> {
         from
     }
 
-    /// Whether the motion from point `first` on is braked by far more than the air could.
+    /// Whether the body is braked, from point `first` to the end, by far more than the air could brake it.
     fn is_caught(&self, motion: &Parabola, first: usize) -> bool {
         let g = self.gravity.norm();
         let force = self.force(motion).norm();

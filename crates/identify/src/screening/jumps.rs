@@ -1,4 +1,4 @@
-//! Jumps of a whole track within one interval: another body, or frames that are missing.
+//! Jumps of a whole track within one sampling interval: another body, or frames that are missing.
 
 use nalgebra::Vector3;
 
@@ -7,18 +7,20 @@ use super::track::{Point, Track};
 use crate::dataset::Flight;
 use crate::statistics::median;
 
-/// Points on either side of a jump that show the motion there.
+/// Number of points on each side of a possible jump from which the motion there is estimated.
 const SIDE: usize = 8;
-/// Least jump in units of the noise, and m.
+/// Minimum size of a jump: in units of the noise, and in m.
 const JUMP: (f64, f64) = (15.0, 0.08);
-/// Least jump in units of the distance that the body moves in one interval.
+/// Minimum size of a jump, in units of the distance that the body moves in one sampling interval.
 const STEPS: f64 = 0.5;
-/// Least ratio of intervals that is a gap, across which nothing is known.
+/// Minimum ratio of an interval to the median interval at which it counts as a gap; jumps across gaps are not
+/// examined.
 const GAP: f64 = 1.5;
-/// Cosine of the greatest angle between a jump and the velocity that is a jump ahead.
+/// Minimum cosine of the angle between a jump and the velocity at which the jump counts as one ahead along the path.
 const AHEAD: f64 = 0.97;
 
-/// First jump of a track that its two sides do not share; none if the track is of one body.
+/// Fault for the first jump of a track: a position offset between the motions before and after an interval. `None`
+/// without a jump.
 pub fn check(track: &Track, flight: &Flight) -> Option<DataFault> {
     let points = &track.points;
     if points.len() < 2 * SIDE {
@@ -37,7 +39,8 @@ pub fn check(track: &Track, flight: &Flight) -> Option<DataFault> {
         let (to, after) = line(&points[index..index + SIDE], time);
         let jump = to - from;
         let step = 0.5 * (before + after) * interval;
-        // Lines through a curved path end beside it, on both sides alike where these are equally long.
+        // Lines fitted to a curved path miss its end points, by equal amounts on both sides if these are equally
+        // long.
         let span = |side: &[Point]| side[SIDE - 1].time - side[0].time;
         let longest = span(&points[index - SIDE..index]).max(span(&points[index..index + SIDE]));
         let curved = (after - before).norm() * longest / 6.0;
@@ -68,7 +71,8 @@ pub fn check(track: &Track, flight: &Flight) -> Option<DataFault> {
     None
 }
 
-/// Whether the step to point `index` differs from those beside it; costs little.
+/// Quick test of whether the step to point `index` differs from the neighbouring steps enough for a jump of at least
+/// `least`, m.
 fn may_jump(points: &[Point], index: usize, least: f64) -> bool {
     let time = |k: usize| points[k].time - points[k - 1].time;
     let rate = |k: usize| (points[k].position - points[k - 1].position) / time(k);
@@ -76,7 +80,7 @@ fn may_jump(points: &[Point], index: usize, least: f64) -> bool {
     rough.norm() * time(index) > 0.5 * least
 }
 
-/// Position at a time and velocity of a line through points, by medians, which a few outliers do not change.
+/// Position at a time, and velocity, of a Theil–Sen line through points, which is robust to a few outliers.
 fn line(points: &[Point], time: f64) -> (Vector3<f64>, Vector3<f64>) {
     let slope = |axis: usize| {
         let pairs = points.iter().enumerate().flat_map(|(i, a)| {

@@ -1,33 +1,34 @@
-//! Exchanged labels: measured distances that match the template only after a permutation of the markers' names, in the
-//! whole flight or in a part of it.
+//! Exchanged labels: measured distances that match the template only after a permutation of the markers' names, in
+//! the whole flight or in a part of it.
 
 use super::distances::{Distances, MOST_MARKERS};
 use super::fault::{DataFault, FaultKind};
 use crate::dataset::{Flight, Marker};
 
-/// Greatest number of markers for which all permutations are tried; more markers are exchanged in pairs only.
+/// Maximum number of markers for which all permutations are tried; with more markers only exchanges of two are tried.
 const ALL_PERMUTATIONS: usize = 4;
-/// Error of a marker's position in the template that is allowed for, m.
+/// Assumed standard deviation of a marker's position in the template, m.
 const TEMPLATE_ERROR: f64 = 1e-3;
-/// Factor on the noise from neighbouring samples, which correlated noise underestimates.
+/// Factor on the noise estimated from successive samples, which is an underestimate if the noise is correlated.
 const CORRELATION: f64 = 2.0;
-/// Greatest contribution of one sample to the log-likelihood ratio, so that outliers do not decide.
+/// Maximum magnitude of one sample's contribution to the log-likelihood ratio, so that outliers do not decide.
 const MOST_OF_SAMPLE: f64 = 25.0;
-/// Least log-likelihood ratio of a permutation over consecutive samples.
+/// Minimum log-likelihood ratio of a permutation over consecutive samples.
 const LEAST_EVIDENCE: f64 = 100.0;
-/// Greatest ratio of squared distance errors with the permutation to those without.
+/// Maximum ratio of squared distance errors with the permutation to those without, after subtracting the noise.
 const ERROR_RATIO: f64 = 0.2;
-/// Fraction of the samples above which the labels are exchanged in the whole flight.
+/// Minimum fraction of a flight's samples with exchanged labels at which they are reported as exchanged in the whole
+/// flight.
 const WHOLE: f64 = 0.9;
 
-/// Consecutive samples in which a permutation fits better.
+/// Range of consecutive samples in which a permutation fits better, and its log-likelihood ratio there.
 struct Stretch {
     first: usize,
     last: usize,
     evidence: f64,
 }
 
-/// Exchanged labels in a flight; none if the names fit.
+/// Fault of a flight whose labels are exchanged; `None` if the labels match the template.
 pub fn check(distances: &Distances, flight: &Flight, markers: &[Marker]) -> Option<DataFault> {
     let count = markers.len().min(MOST_MARKERS);
     let mut best: Option<(Vec<usize>, Stretch)> = None;
@@ -39,7 +40,7 @@ pub fn check(distances: &Distances, flight: &Flight, markers: &[Marker]) -> Opti
         let least = best
             .as_ref()
             .map_or(LEAST_EVIDENCE, |(_, best)| best.evidence);
-        // Of permutations that fit alike, the one that moves fewest labels comes first.
+        // Of permutations that fit equally well, the one that moves the fewest labels is preferred.
         if stretch.evidence > 1.01 * least {
             best = Some((permutation, stretch));
         }
@@ -88,8 +89,8 @@ pub fn check(distances: &Distances, flight: &Flight, markers: &[Marker]) -> Opti
     })
 }
 
-/// Permutations other than the identity, by the number of labels that they move: all of few markers, exchanges of two
-/// among many.
+/// Permutations other than the identity, in the order of the number of labels that they move: all permutations of few
+/// markers, exchanges of two among many.
 fn permutations(count: usize) -> Vec<Vec<usize>> {
     let identity: Vec<usize> = (0..count).collect();
     let mut found = Vec::new();
@@ -122,7 +123,8 @@ fn permutations(count: usize) -> Vec<Vec<usize>> {
     found
 }
 
-/// Declared distances of the pairs where the track named `marker` is that of `permutation[marker]`, m.
+/// Declared distance of each pair, m, if the track labelled `marker` is in truth that of marker
+/// `permutation[marker]`.
 fn permuted(distances: &Distances, permutation: &[usize]) -> Vec<f64> {
     let declared = |a: usize, b: usize| {
         let pair = (a.min(b), a.max(b));
@@ -135,7 +137,8 @@ fn permuted(distances: &Distances, permutation: &[usize]) -> Vec<f64> {
         .collect()
 }
 
-/// The consecutive samples with the greatest log-likelihood ratio of the permuted distances to the declared ones.
+/// The range of consecutive samples with the greatest log-likelihood ratio of the `permuted` to the declared
+/// distances; `None` if the evidence is insufficient.
 fn stretch(distances: &Distances, permuted: &[f64]) -> Option<Stretch> {
     let variance = (CORRELATION * distances.noise).powi(2) + TEMPLATE_ERROR.powi(2);
     let errors = |row: &[f64], declared: &[f64]| -> f64 {
@@ -166,7 +169,7 @@ fn stretch(distances: &Distances, permuted: &[f64]) -> Option<Stretch> {
     let mut exchanged: Vec<f64> = within.iter().map(|(_, exchanged)| *exchanged).collect();
     let [named, exchanged] =
         [&mut named, &mut exchanged].map(|squares| crate::statistics::median(squares));
-    // Noise alone is in both; what is beyond it must vanish.
+    // Noise contributes to both errors; the error in excess of noise must vanish.
     let noise = distances.pairs.len() as f64 * distances.noise.powi(2);
     (exchanged - noise < ERROR_RATIO * (named - noise).max(0.0)).then_some(best)
 }

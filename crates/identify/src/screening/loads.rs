@@ -1,39 +1,39 @@
-//! A regression of measured accelerations on gravity and on loads that any body in air may have, which are quadratic in
-//! the speed. It needs no aerodynamic model: what remains constant is gravity.
+//! Regression of measured accelerations on gravity and on generic aerodynamic loads, which are quadratic in the
+//! speed. It needs no aerodynamic model: the constant part of the acceleration is gravity.
 
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
 use super::track::{Parabola, Point, Track};
 
-/// Standard deviation of a load of the prior, in units of the typical acceleration.
+/// Prior standard deviation of a load, in units of the typical acceleration.
 const PRIOR: f64 = 3.0;
-/// Part of the typical acceleration that no load explains at first.
+/// Initial scale of the acceleration that the regressors do not explain, relative to the typical acceleration.
 const FIRST_SCALE: f64 = 0.1;
-/// Number of repetitions with weights that bad windows lose.
+/// Number of iterations of reweighting, which reduces the weights of windows with large residuals.
 const REPETITIONS: usize = 6;
 
-/// One window of a flight: its acceleration and the loads that may cause it.
+/// Regression data of one window of a flight: its acceleration and the loads that may cause it.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// Motion in the window.
+    /// Motion of the body's origin in the window.
     pub motion: Parabola,
-    /// Loads by unit coefficients, m²/s².
+    /// Regressors of the loads: the acceleration per unit of each load's coefficient, m²/s².
     pub loads: Vec<Vector3<f64>>,
 }
 
-/// Gravity and coefficients of the loads.
+/// Result of a regression: gravity and the coefficients of the loads.
 pub struct Regression {
-    /// The constant acceleration, m/s².
+    /// The fitted or given constant acceleration, m/s².
     pub gravity: Vector3<f64>,
-    /// Its covariance, m²/s⁴; zero if it was given.
+    /// Covariance of the constant acceleration, m²/s⁴; zero if the constant was given.
     pub covariance: Matrix3<f64>,
     /// Coefficients of the loads, 1/m.
     pub coefficients: Vec<f64>,
-    /// Median size of the accelerations that remain, m/s².
+    /// Median magnitude of the residual accelerations, m/s².
     pub remaining: f64,
 }
 
-/// Windows of a flight with the loads on a body there; `omega` is the spin of a point mass, rad/s.
+/// Regression data of each window of a track; `omega` is the known spin of a point mass, rad/s.
 pub fn rows(track: &Track, omega: Option<Vector3<f64>>) -> Vec<Row> {
     let each = track.windows().into_iter();
     each.map(|(range, motion)| Row {
@@ -43,7 +43,8 @@ pub fn rows(track: &Track, omega: Option<Vector3<f64>>) -> Vec<Row> {
     .collect()
 }
 
-/// Drag, and loads along, across and about each body axis, averaged over the points of a window.
+/// Regressors of drag, and of loads along, across and about each body axis, averaged over the points of a window; for
+/// a point mass drag and, with `omega`, lift by spin.
 fn loads(motion: &Parabola, points: &[Point], omega: Option<Vector3<f64>>) -> Vec<Vector3<f64>> {
     let speed = motion.velocity.norm();
     let along = motion
@@ -55,7 +56,7 @@ fn loads(motion: &Parabola, points: &[Point], omega: Option<Vector3<f64>>) -> Ve
     let attitudes = || points.iter().filter_map(|point| point.attitude);
     let count = attitudes().count();
     if count == 0 {
-        // Lift by spin is linear in speed; both regressors have the dimension of an acceleration.
+        // Lift by spin is linear in the speed; spin times speed has the dimension of an acceleration.
         loads.extend(omega.map(|omega| omega.cross(&motion.velocity)));
         return loads;
     }
@@ -74,8 +75,8 @@ fn loads(motion: &Parabola, points: &[Point], omega: Option<Vector3<f64>>) -> Ve
     loads
 }
 
-/// Regression over all rows, robust to bad windows; `gravity` holds the constant acceleration. None if the rows do not
-/// determine it.
+/// Robust regression of the accelerations on the loads and, unless `gravity` is given, a constant acceleration.
+/// `None` if the windows do not determine it.
 pub fn regress(rows: &[&Row], gravity: Option<Vector3<f64>>) -> Option<Regression> {
     let loads = rows.first()?.loads.len();
     let first = if gravity.is_some() { 0 } else { 3 };
@@ -89,7 +90,7 @@ pub fn regress(rows: &[&Row], gravity: Option<Vector3<f64>>) -> Option<Regressio
     if !(typical > 0.0 && pressure > 0.0) {
         return None;
     }
-    // Coefficients in units of the load at the typical speed.
+    // The coefficients are scaled to the load at the typical speed.
     let column = |row: &Row, k: usize| row.loads[k] / pressure;
     let mut scale = FIRST_SCALE * typical;
     let size = |row: &Row| row.motion.acceleration.norm();
@@ -161,7 +162,7 @@ pub fn regress(rows: &[&Row], gravity: Option<Vector3<f64>>) -> Option<Regressio
 }
 
 impl Regression {
-    /// Acceleration of a window without its loads, m/s²: gravity, if the loads are right.
+    /// Acceleration of a window minus its fitted loads, m/s²; equal to gravity if the loads are right.
     pub fn without_loads(&self, row: &Row) -> Vector3<f64> {
         let loads = row.loads.iter().zip(&self.coefficients);
         row.motion.acceleration

@@ -1,5 +1,5 @@
-//! Left-handed axes: the markers fit the template only as its mirror image. Markers in a plane are their own mirror
-//! image, turned over; they do not decide.
+//! Left-handed axes: the markers match the mirror image of the template but not the template. Markers in a plane
+//! cannot be judged, because turning them over gives their mirror image.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -8,19 +8,20 @@ use crate::dataset::Flight;
 use crate::pose::pose;
 use crate::statistics::median;
 
-/// Greatest number of samples that are compared.
+/// Maximum number of samples that are compared.
 const SAMPLES: usize = 20;
-/// Least ratio of the thickness of a template to its size that decides.
+/// Minimum ratio of the thickness of a template to its extent at which its mirror image is distinguishable.
 const THICKNESS: f64 = 0.05;
-/// Least ratio of squared distances from the template to those from its mirror image.
+/// Minimum ratio of the mean squared distances from the template to those from its mirror image.
 const RATIO: f64 = 10.0;
-/// Least distance of the markers from the template, m.
+/// Minimum root mean square distance of the markers from the template, m.
 const LEAST_DISTANCE: f64 = 0.003;
 
-/// What to do about left-handed axes.
+/// Instruction for correcting left-handed axes, for the user.
 pub const MEND: &str = "change the sign of one horizontal axis (write -y for y)";
 
-/// Whether the mirror image of the template differs from the template.
+/// Whether the mirror image of the template can be distinguished from the template, which requires four markers not
+/// in a plane.
 pub fn is_decided_by(markers: &[[f64; 3]]) -> bool {
     if markers.len() < 4 {
         return false;
@@ -30,13 +31,13 @@ pub fn is_decided_by(markers: &[[f64; 3]]) -> bool {
     sizes.min().max(0.0).sqrt() > THICKNESS * sizes.max().sqrt()
 }
 
-/// Normal of the plane that the markers are nearest to, in body components.
+/// Normal of the best-fitting plane of the markers, in body components.
 pub fn normal(markers: &[[f64; 3]]) -> Vector3<f64> {
     let eigen = scatter(markers).symmetric_eigen();
     eigen.eigenvectors.column(eigen.eigenvalues.imin()).into()
 }
 
-/// Sum of squares and products of the markers' coordinates about their centre, m².
+/// Matrix of the sums of squares and products of the markers' coordinates about their centroid, m².
 fn scatter(markers: &[[f64; 3]]) -> Matrix3<f64> {
     let each = || markers.iter().map(|marker| Vector3::from(*marker));
     let centre = each().sum::<Vector3<f64>>() / markers.len() as f64;
@@ -45,7 +46,8 @@ fn scatter(markers: &[[f64; 3]]) -> Matrix3<f64> {
         .sum()
 }
 
-/// A flight whose markers fit the mirror image of the template.
+/// Fault of a flight whose markers fit the mirror image of the template much better than the template; otherwise
+/// `None`.
 pub fn check(markers: &[[f64; 3]], flight: &Flight) -> Option<DataFault> {
     let mirrored: Vec<[f64; 3]> = markers.iter().map(|&[x, y, z]| [-x, y, z]).collect();
     let complete = flight

@@ -1,5 +1,5 @@
-//! Screening of a dataset before a fit: mistakes of the laboratory that a fit cannot recover from, found by the
-//! distances between markers, by poses and by free fall, without the aerodynamic model.
+//! Screening of a dataset before a fit: finds laboratory mistakes that a fit cannot recover from, by the distances
+//! between markers, by poses and by free fall, without the aerodynamic model.
 
 mod distances;
 mod fault;
@@ -32,22 +32,23 @@ use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::statistics::median;
 
-/// Ratio of a track's noise to the median of all flights above which it is no flight.
+/// Minimum ratio of a track's noise to the median noise of all flights at which the track counts as not of a flight.
 const NOISE_RATIO: f64 = 30.0;
-/// Least ratio of the noise to the length of a track that is no flight.
+/// Minimum ratio of a track's noise to its extent at which the track counts as not of a flight.
 const NOISE_PART: f64 = 0.1;
 
-/// What the screening of a dataset found.
+/// Result of screening a dataset.
 #[derive(Debug, Default)]
 pub(crate) struct Screening {
-    /// Faults of the flights, in the dataset's order, at most one for each flight.
+    /// Faults of the flights, in the order of the dataset, at most one per flight.
     pub faults: Vec<DataFault>,
-    /// First contact of each flight of the dataset, as far as it was looked for.
+    /// First ground contact of each flight of the dataset: the outer `None` if it was not searched for because of a
+    /// fault, the inner `None` for a flight without contact. Empty if the faults were given.
     pub contacts: Vec<SoughtContact>,
 }
 
 impl Screening {
-    /// The faults that an earlier screening found.
+    /// Result with faults that an earlier screening found, without contacts.
     pub fn of_known_faults(faults: &[DataFault]) -> Self {
         Self {
             faults: faults.to_vec(),
@@ -56,7 +57,7 @@ impl Screening {
     }
 }
 
-/// Screens the flights of a dataset. Roles do not matter.
+/// Screens the flights of a dataset, both fitted and held out, on `threads` threads.
 pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) -> Screening {
     let mirror_is_decided = problem.has_attitude && mirror::is_decided_by(&problem.markers);
     let rigid = rigid::rigid_pairs(problem);
@@ -83,7 +84,8 @@ pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) ->
     Screening { faults, contacts }
 }
 
-/// Faults of single flights, completed by those that show in the comparison of flights and with gravity.
+/// Adds to the faults of single flights those that show in the comparison of flights with each other and with
+/// gravity.
 fn of_all(
     problem: &FitProblem,
     dataset: &Dataset,
@@ -106,7 +108,7 @@ fn of_all(
         }
         faults[index] = match (found, &tracks[index]) {
             (Some(found), _) => Some(found.clone()),
-            // Poses of markers that are not where they are said to be wobble with the spin, as if the body were pushed.
+            // Poses from misplaced markers wobble with the spin, as if the body were pushed.
             (None, Some(track)) if is_rigid => handling::check(track, gravity, flight),
             (None, _) => None,
         };
@@ -114,7 +116,8 @@ fn of_all(
     faults.into_iter().flatten().collect()
 }
 
-/// Marks flights whose tracks are far rougher than those of the others: no camera and no body moves so.
+/// Marks as faulty the flights whose tracks are far noisier than those of the others, as no measured flight is, and
+/// removes their tracks.
 fn no_flights(dataset: &Dataset, faults: &mut [Option<DataFault>], tracks: &mut [Option<Track>]) {
     let mut all: Vec<f64> = tracks.iter().flatten().map(|track| track.noise).collect();
     let usual = median(&mut all);
@@ -137,7 +140,7 @@ fn no_flights(dataset: &Dataset, faults: &mut [Option<DataFault>], tracks: &mut 
     }
 }
 
-/// Flights that are excluded because of their faults; none if the options trust the data.
+/// Flights to exclude because of their faults; empty if the options trust the data.
 pub(crate) fn excluded(
     dataset: &Dataset,
     faults: &[DataFault],

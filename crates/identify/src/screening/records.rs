@@ -1,29 +1,31 @@
-//! Faults of the recorded numbers themselves: tracks that repeat the same coordinates, dropouts written as zeros, a
+//! Faults of the recorded values themselves: tracks that repeat the same coordinates, dropouts written as zeros, a
 //! body that does not move, and a flight that is a copy of another.
 
 use super::fault::{DataFault, FaultKind};
 use crate::dataset::Dataset;
 use crate::statistics::median;
 
-/// Least number of consecutive identical positions of a frozen track.
+/// Minimum number of consecutive identical positions of a frozen track.
 const FROZEN_SAMPLES: usize = 4;
-/// Least distance that a marker usually moves during as many intervals as it is frozen for, m.
+/// Minimum distance, m, that the marker usually moves in the time of a frozen run; otherwise identical positions are
+/// plausible.
 const FROZEN_DISTANCE: f64 = 0.005;
-/// Least such distance in units of the resolution of the table.
+/// Minimum distance that the marker usually moves in the time of a frozen run, in units of the table's resolution.
 const FROZEN_STEPS: f64 = 10.0;
-/// Fraction of intervals without any motion above which values are repeated throughout, as after resampling.
+/// Minimum fraction of sampling intervals without motion at which values count as repeated throughout, as by
+/// resampling.
 const REPEATED_FRACTION: f64 = 0.3;
-/// Least number of samples of a flight that is compared with others.
+/// Minimum number of samples of a flight that is checked for being a copy.
 const COPY_SAMPLES: usize = 8;
 
-/// First fault of a flight's numbers; none if they are as a camera records them.
+/// First fault of a flight's recorded values; `None` if they are plausible camera data.
 pub fn check(dataset: &Dataset, flight: usize) -> Option<DataFault> {
     copy(dataset, flight)
         .or_else(|| (0..dataset.markers.len()).find_map(|marker| frozen(dataset, flight, marker)))
 }
 
-/// A flight whose samples are those of an earlier one. Exact simulations without noise may repeat; measurements do
-/// not.
+/// Fault of a flight whose samples equal those of an earlier flight. Only noisy flights are compared, because exact
+/// simulations without noise may repeat and measurements do not.
 fn copy(dataset: &Dataset, flight: usize) -> Option<DataFault> {
     let this = &dataset.flights[flight];
     let count = this.positions.len();
@@ -40,8 +42,8 @@ fn copy(dataset: &Dataset, flight: usize) -> Option<DataFault> {
     })
 }
 
-/// Whether third differences of the first marker's track exceed the resolution: a smooth path without noise has none
-/// at the sampling rates of cameras.
+/// Whether third differences of the first marker's track exceed 0.1 mm; those of a smooth path without noise are
+/// smaller at the sampling rates of cameras.
 fn is_noisy(dataset: &Dataset, flight: usize) -> bool {
     let rows = &dataset.flights[flight].positions;
     let third = |w: &[Vec<Option<[f64; 3]>>]| {
@@ -53,7 +55,7 @@ fn is_noisy(dataset: &Dataset, flight: usize) -> bool {
     median(&mut sizes) > 1e-4
 }
 
-/// Consecutive identical positions of a marker.
+/// Run of consecutive identical positions of a marker.
 struct Run {
     start: usize,
     samples: usize,
@@ -125,7 +127,7 @@ fn frozen(dataset: &Dataset, flight: usize, marker: usize) -> Option<DataFault> 
     )
 }
 
-/// Runs of identical positions of two samples and more, and the number of intervals within them.
+/// Runs of at least two consecutive identical positions, and the number of sampling intervals within them.
 fn runs(track: &[(usize, [f64; 3])]) -> (Vec<Run>, usize) {
     let (mut runs, mut still, mut start) = (Vec::new(), 0, 0);
     for end in 1..=track.len() {
@@ -142,7 +144,7 @@ fn runs(track: &[(usize, [f64; 3])]) -> (Vec<Run>, usize) {
     (runs, still)
 }
 
-/// Median distance that the marker moves in `intervals` intervals, over those in which it moves, m.
+/// Median distance that the marker moves in `intervals` sampling intervals, m; intervals without motion are ignored.
 fn moves_by(track: &[(usize, [f64; 3])], intervals: usize) -> f64 {
     let pairs = track.iter().zip(&track[intervals.min(track.len())..]);
     let moved = pairs.map(|((_, a), (_, b))| {
@@ -153,11 +155,11 @@ fn moves_by(track: &[(usize, [f64; 3])], intervals: usize) -> f64 {
     median(&mut moved)
 }
 
-/// Resolution of a track: the smallest difference of neighbouring values, m.
+/// Resolution of a track, m: the smallest nonzero difference between coordinates of successive samples.
 fn resolution(track: &[(usize, [f64; 3])]) -> f64 {
     let pairs = track.windows(2);
     let steps = pairs.flat_map(|pair| [0, 1, 2].map(|k| (pair[1].1[k] - pair[0].1[k]).abs()));
-    // Below a tenth of a micrometre differences are rounding of the numbers themselves.
+    // Differences below 0.1 µm are rounding errors of the values.
     let least = steps.filter(|step| *step > 1e-7).min_by(f64::total_cmp);
     least.unwrap_or(0.0)
 }

@@ -1,11 +1,11 @@
-//! Which distances between markers are declared: an estimated parameter of the measurement, such as a marker's offset,
-//! its clock or the scale of the axes, leaves those that it changes open.
+//! Determines which distances between markers are fixed by the template. A distance is not fixed if it depends on an
+//! estimated parameter of the measurement, such as a marker's offset, its clock or the scale of the axes.
 
 use super::distances::marker_pairs;
 use crate::marker_observers::MarkerConditions;
 use crate::problem::FitProblem;
 
-/// Least derivative of a distance that counts, in units of the derivative of the positions themselves.
+/// Maximum derivative of a distance that counts as zero, relative to the derivatives of the positions.
 const LEAST_DERIVATIVE: f64 = 1e-9;
 
 /// Whether the distance of each pair of markers is fixed by the template, in the order of [`marker_pairs`].
@@ -14,7 +14,8 @@ pub fn rigid_pairs(problem: &FitProblem) -> Vec<bool> {
     let parameters = &problem.parameters;
     let conditions = MarkerConditions::new(&problem.body, parameters, problem.markers.len());
     let mut observers = conditions.observers();
-    // Away from the default state, which may be at rest or level: a clock's error moves a body at rest nowhere.
+    // The default state may be at rest or level, where derivatives vanish: a clock error has no effect on a body at
+    // rest.
     let states = problem.body.layout().default_states().into_iter();
     let state: Vec<f64> = states
         .enumerate()
@@ -43,7 +44,7 @@ pub fn rigid_pairs(problem: &FitProblem) -> Vec<bool> {
         by_a.iter().zip(by_b).all(|(by_a, by_b)| {
             let change = (0..3).map(|k| (b[k] - a[k]) * (by_b[k] - by_a[k]));
             let size = (0..3).map(|k| (b[k] - a[k]).abs() * (by_b[k].abs() + by_a[k].abs()));
-            // Not comparable if not finite: then nothing is known of the distance.
+            // The comparison is false if a value is not finite: the distance is then unknown.
             change.sum::<f64>().abs() <= LEAST_DERIVATIVE * size.sum::<f64>()
         })
     };

@@ -1,22 +1,25 @@
-//! Faults that the rigid distances between markers show: lengths in another unit, labels that are exchanged in a
-//! flight or a part of it, a track that lies elsewhere.
+//! Faults revealed by the rigid distances between markers: lengths in another unit, labels that are exchanged in a
+//! flight or a part of it, a track that does not match the declared position of its marker.
 
 use super::distances::{Distances, MOST_MARKERS, unit};
 use super::fault::{DataFault, FaultKind};
 use super::labels;
 use crate::dataset::{Dataset, Flight, Marker};
 
-/// Least logarithm of the ratio of measured to declared distances that is a matter of units: 20 %.
+/// Minimum magnitude of the logarithm of the ratio of measured to declared distances that is reported as a wrong
+/// unit: 20 %.
 const LEAST_LOG_RATIO: f64 = 0.18;
-/// Fraction of a marker's samples with grossly wrong distances above which the track is faulty; fewer are outliers.
+/// Maximum fraction of a marker's samples with grossly wrong distances that are taken for outliers; above it the
+/// track is faulty.
 const GROSS_FRACTION: f64 = 0.15;
 
-/// First fault of a flight that the distances of its `rigid` pairs show; none if they are those of the template.
+/// First fault of a flight revealed by the distances of its rigid pairs; `None` if the distances match the template.
+/// `rigid` is in the order of [`marker_pairs`](super::distances::marker_pairs).
 pub fn check(dataset: &Dataset, flight: usize, rigid: &[bool]) -> Option<DataFault> {
     let (flight, markers) = (&dataset.flights[flight], &dataset.markers[..]);
     let distances = Distances::of(flight, markers, rigid)?;
     let labels = || labels::check(&distances, flight, markers);
-    // A permutation is told by all pairs or not at all.
+    // Permutations are judged only if all distances are rigid.
     let all = rigid.iter().all(|rigid| *rigid);
     units(&distances, flight)
         .or_else(|| all.then(labels)?)
@@ -56,7 +59,8 @@ fn units(distances: &Distances, flight: &Flight) -> Option<DataFault> {
     })
 }
 
-/// A marker whose distances to the others are grossly wrong in many samples.
+/// Fault of a marker whose distances to the other markers are grossly wrong in many samples; `None` if there is no
+/// such marker.
 fn elsewhere(distances: &Distances, flight: &Flight, markers: &[Marker]) -> Option<DataFault> {
     let count = markers.len().min(MOST_MARKERS);
     let (mut measured, mut wrong) = (vec![0_usize; count], vec![0_usize; count]);
@@ -64,7 +68,7 @@ fn elsewhere(distances: &Distances, flight: &Flight, markers: &[Marker]) -> Opti
         let gross: Vec<bool> = (0..row.len())
             .map(|pair| !row[pair].is_nan() && distances.is_gross(row[pair], pair))
             .collect();
-        // The marker in most of the wrong pairs is the one that is elsewhere.
+        // The marker in most of the wrong pairs is taken to be the misplaced one.
         let mut in_pairs = vec![0_usize; count];
         let mut seen = vec![false; count];
         for (pair, &(i, j)) in distances.pairs.iter().enumerate() {

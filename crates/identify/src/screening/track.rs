@@ -1,4 +1,4 @@
-//! The measured path of a body's origin, and its velocity and acceleration by local parabolas.
+//! The measured path of a body's origin, with velocities and accelerations from fitted parabolas.
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
@@ -8,54 +8,57 @@ use crate::pose::{point_position, pose};
 use crate::problem::FitProblem;
 use crate::statistics::robust_sigma;
 
-/// Residuals of a parabola in units of their robust deviation above which a point is dropped.
+/// Maximum residual of a point about a parabola, in units of the robust standard deviation; points with larger
+/// residuals are dropped.
 const OUTLIER: f64 = 4.0;
-/// Least number of points of a parabola.
+/// Minimum number of points for fitting a parabola.
 pub const MIN_POINTS: usize = 6;
-/// Standard error of an acceleration, relative to the acceleration of the flight, at which windows need not be longer.
+/// Target standard error of a window's acceleration, relative to the acceleration of the flight; it determines the
+/// window length.
 const WINDOW_ERROR: f64 = 0.04;
-/// Least and greatest number of windows of a flight.
+/// Minimum and maximum number of windows of a flight.
 const WINDOWS: [usize; 2] = [4, 14];
 
-/// Position of the origin in one sample.
+/// Measured pose or position of the body's origin in one sample.
 #[derive(Clone, Copy, Debug)]
 pub struct Point {
-    /// Index of the sample in the table.
+    /// Index of the sample in the flight's table.
     pub sample: usize,
-    /// Time, s.
+    /// Time of the sample, s.
     pub time: f64,
-    /// Position, m, inertial frame.
+    /// Position of the body's origin, m, inertial frame.
     pub position: Vector3<f64>,
-    /// Rotates body components into inertial ones; none for a point mass.
+    /// Rotation from body to inertial components; `None` for a point mass.
     pub attitude: Option<UnitQuaternion<f64>>,
 }
 
 /// Path of the body's origin in one flight.
 #[derive(Clone, Debug)]
 pub struct Track {
-    /// Samples that show the origin.
+    /// Samples in which the origin could be determined.
     pub points: Vec<Point>,
     /// Standard deviation of a coordinate of the origin about a smooth path, m.
     pub noise: f64,
 }
 
-/// Motion at the middle of some consecutive points.
+/// Motion at the middle of a time window, from a parabola fitted to consecutive points.
 #[derive(Clone, Copy, Debug)]
 pub struct Parabola {
-    /// Velocity, m/s.
+    /// Velocity at the middle, m/s.
     pub velocity: Vector3<f64>,
-    /// Acceleration, m/s².
+    /// Acceleration, which a parabola takes as constant over the window, m/s².
     pub acceleration: Vector3<f64>,
     /// Standard error of a component of the acceleration, m/s².
     pub error: f64,
-    /// Half of the time that the points span, s.
+    /// Half of the duration of the window, s.
     pub half: f64,
     /// Standard deviation of a coordinate about the parabola, m.
     pub deviation: f64,
 }
 
 impl Track {
-    /// Path of the origin by the poses of a body's markers, or by the positions of a point mass's.
+    /// Computes the path of the origin: from poses fitted to the markers for a body with an attitude, otherwise from
+    /// the positions of a point mass's markers.
     pub fn of(
         markers: &[[f64; 3]],
         has_attitude: bool,
@@ -94,7 +97,8 @@ impl Track {
         Self { points, noise }
     }
 
-    /// Path of the origin of a problem's body up to its first contact, and that contact.
+    /// Computes the path of the origin up to the body's first contact with the ground, and that contact; `None`
+    /// without a contact.
     pub fn until_contact(
         problem: &FitProblem,
         times: &[f64],
@@ -108,7 +112,7 @@ impl Track {
         (track, contact)
     }
 
-    /// The first contact of the body.
+    /// First contact of the body with the ground; `None` if the path shows none.
     pub fn contact(&self) -> Option<Contact> {
         let point = |point: &Point| (point.sample, point.time, point.position);
         let path: Vec<PathPoint> = self.points.iter().map(point).collect();
@@ -117,7 +121,7 @@ impl Track {
         ground_contact::contact(&path, &posed.collect::<Vec<Posed>>())
     }
 
-    /// Greatest extent of the path along an axis, m.
+    /// Maximum over the axes of the range of coordinates, m.
     pub fn extent(&self) -> f64 {
         let extent = |axis: usize| {
             let values = || self.points.iter().map(|point| point.position[axis]);
@@ -126,7 +130,8 @@ impl Track {
         (0..3).map(extent).fold(0.0, f64::max)
     }
 
-    /// Parabolas through windows that follow each other, as long as the noise demands.
+    /// Divides the path into consecutive windows, long enough for the noise level, and fits a parabola to each.
+    /// Returns the range of points and the parabola of each window.
     pub fn windows(&self) -> Vec<(std::ops::Range<usize>, Parabola)> {
         let count = self.points.len();
         let Some(whole) = parabola(&self.points, self.noise) else {
@@ -151,7 +156,7 @@ impl Track {
     }
 }
 
-/// Least-squares parabola through points, refitted without outliers; none through fewer than [`MIN_POINTS`].
+/// Least-squares parabola through points, refitted without outliers; `None` for fewer than [`MIN_POINTS`] points.
 pub fn parabola(points: &[Point], noise: f64) -> Option<Parabola> {
     let (first, last) = (points.first()?, points.last()?);
     let time = 0.5 * (first.time + last.time);

@@ -1,6 +1,6 @@
-//! Left-handed axes of all flights, where the markers lie in a plane and cannot tell: the body flies upside down
-//! throughout, and its model describes the mirror image far better. This is the one check that uses the model's loads, with
-//! the coefficients of its file.
+//! Left-handed axes of all flights of a body whose markers lie in a plane, which [`mirror`] cannot judge: the body
+//! flies upside down throughout, and the model describes the mirror images far better. This is the only check that
+//! uses the model's loads, with the coefficients of the model's file.
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
@@ -16,16 +16,16 @@ use crate::pose::pose;
 use crate::problem::FitProblem;
 use crate::statistics::median;
 
-/// Least vertical component of the markers' normal that tells which side is up.
+/// Minimum magnitude of the vertical component of the markers' normal at which the upper side is unambiguous.
 const UPRIGHT: f64 = 0.3;
-/// Least number of flights that agree.
+/// Minimum number of flights, all of which must be upside down.
 const LEAST_FLIGHTS: usize = 3;
-/// Greatest number of flights whose accelerations are compared, and of windows of each.
+/// Maximum number of flights whose accelerations are compared, and of windows per flight.
 const COMPARED: (usize, usize) = (6, 3);
-/// Greatest misfit of the mirror image, in units of the misfit of the flights as they are.
+/// Maximum misfit of the mirror images, in units of the misfit of the flights as recorded.
 const MISFIT: f64 = 0.6;
 
-/// Faults of all flights if they seem to be mirror images.
+/// Faults of all flights if they seem to be mirror images; otherwise empty.
 pub fn check(problem: &FitProblem, dataset: &Dataset, tracks: &[Option<Track>]) -> Vec<DataFault> {
     if !problem.has_attitude || mirror::is_decided_by(&problem.markers) {
         return Vec::new();
@@ -82,7 +82,8 @@ pub fn check(problem: &FitProblem, dataset: &Dataset, tracks: &[Option<Track>]) 
     flights.map(|(flight, _)| fault(&flight.file)).collect()
 }
 
-/// Vertical component of the markers' normal in the model's default state; none if it does not tell the sides apart.
+/// Vertical component of the markers' normal in the model's default state; `None` if it is too small to distinguish
+/// the sides.
 fn usual_side(problem: &FitProblem) -> Option<f64> {
     let conditions = problem.body.bind(problem.parameters.clone());
     let state = problem.body.layout().default_states();
@@ -95,7 +96,7 @@ fn usual_side(problem: &FitProblem) -> Option<f64> {
     (side.abs() > UPRIGHT).then_some(side)
 }
 
-/// Differences of measured accelerations from the model's, m/s², in some windows of a flight.
+/// Magnitudes of the differences between measured and modelled accelerations, m/s², in some windows of a flight.
 fn misfits(problem: &FitProblem, observations: &Observations, track: &Track) -> Vec<f64> {
     let windows = track.windows();
     let step = windows.len().div_ceil(COMPARED.1).max(1);
@@ -118,7 +119,7 @@ fn misfits(problem: &FitProblem, observations: &Observations, track: &Track) -> 
     each.collect()
 }
 
-/// Median angular velocity between neighbouring points, rad/s.
+/// Median angular velocity between successive points, rad/s; `None` without attitudes.
 fn rates(points: &[Point]) -> Option<Vector3<f64>> {
     let pairs = points.windows(2).filter_map(|pair| {
         let turn: UnitQuaternion<f64> = pair[1].attitude? * pair[0].attitude?.inverse();

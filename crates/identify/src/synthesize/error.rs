@@ -1,26 +1,26 @@
-//! Why a synthetic dataset cannot be generated.
+//! Errors of the generation of synthetic datasets.
 
 use flight::release::Release;
 use ode::IntegrationError;
 
 use super::MOST_POINTS;
 
-/// A setting outside its range.
+/// Error for a setting outside its allowed range.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error("{name}: found {found}, expected {least} to {most}")]
 pub struct OutOfRange {
     /// Name of the setting.
     pub name: &'static str,
-    /// Its value.
+    /// Value of the setting.
     pub found: f64,
-    /// Least allowed value.
+    /// Minimum allowed value.
     pub least: f64,
-    /// Greatest allowed value.
+    /// Maximum allowed value.
     pub most: f64,
 }
 
 impl OutOfRange {
-    /// Checks that a value is in its range.
+    /// Checks that `found`, the value of the setting `name`, is between `least` and `most`.
     pub(super) fn check(
         name: &'static str,
         found: f64,
@@ -39,23 +39,23 @@ impl OutOfRange {
     }
 }
 
-/// Why a flight cannot be simulated.
+/// Reason why a flight cannot be simulated.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SimulationError {
-    /// The dataset would have more points than the limit.
+    /// The dataset would have more marker positions than the limit.
     #[error(
         "at {samples} samples a flight there are {points} marker points, expected at most {MOST_POINTS}"
     )]
     TooManyPoints {
         /// Number of samples of a flight.
         samples: f64,
-        /// Number of marker points of all flights.
+        /// Number of marker positions in all flights.
         points: f64,
     },
-    /// The release ends at the ground, and the model has no height.
+    /// The release is simulated down to the ground, but the model has no state `z`.
     #[error("the model has no z")]
     NoHeight,
-    /// The flight does not reach the ground.
+    /// The flight does not reach the ground within the maximum duration.
     #[error("it is still up after {} s", Release::MAX_DURATION)]
     NoLanding,
     /// The trajectory cannot be integrated.
@@ -63,21 +63,21 @@ pub enum SimulationError {
     Integration(#[from] IntegrationError),
 }
 
-/// Why a synthetic dataset cannot be generated.
+/// Reason why a synthetic dataset cannot be generated.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SynthesisError {
-    /// A setting of the plan, the model or the releases is invalid; the message says which.
+    /// The plan, the model or the releases are invalid. Contains the message.
     #[error("{0}")]
     Plan(String),
-    /// A setting of the noise or of the spread is outside its range.
+    /// A setting of the noise or of the spread is outside its allowed range.
     #[error(transparent)]
     OutOfRange(#[from] OutOfRange),
     /// A flight cannot be simulated.
     #[error("flight {number}: {reason}")]
     Flight {
-        /// Number of the flight, from 1.
+        /// Number of the flight, counted from 1.
         number: usize,
-        /// Reason why not.
+        /// Reason why it cannot be simulated.
         reason: SimulationError,
     },
 }

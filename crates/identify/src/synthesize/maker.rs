@@ -14,9 +14,9 @@ use super::error::SimulationError;
 use super::{MOST_POINTS, Plan, corrupt};
 use crate::dataset::{Flight, KnownValue, Role};
 
-/// Integration tolerance, far below measurement noise.
+/// Absolute and relative integration tolerance, far below measurement noise.
 const TOLERANCE: f64 = 1e-10;
-/// Decimals to which sample times in seconds are rounded before the simulation, so that tables stay narrow.
+/// Number of decimals to which sample times in seconds are rounded before the simulation, so that tables remain narrow.
 const TIME_DECIMALS: i32 = 6;
 
 /// Model, plan and markers shared by all flights of a synthetic dataset.
@@ -29,14 +29,14 @@ pub(super) struct Maker<'a> {
 }
 
 impl Maker<'_> {
-    /// Simulates flight `index` from a release; returns the flight with its noise and the true initial state.
+    /// Simulates flight `index` from a release. Returns the flight with its noise, and the true initial state.
     pub fn flight(
         &self,
         index: usize,
         release: &Release,
     ) -> Result<(Flight, Vec<f64>), SimulationError> {
         let plan = self.plan;
-        // A generator of its own for each flight: one more flight does not change the others.
+        // Each flight has its own random stream, so that an additional flight does not change the others.
         let mut random = ChaCha12Rng::seed_from_u64(plan.seed);
         random.set_stream(index as u64);
         let state = plan.spread.draw(self.model, &release.state(), &mut random);
@@ -70,7 +70,7 @@ impl Maker<'_> {
         Ok((flight, state))
     }
 
-    /// Sample times of a flight, s from release.
+    /// Sample times of a flight, s after release.
     fn times(
         &self,
         release: &Release,
@@ -92,7 +92,7 @@ impl Maker<'_> {
         Ok((0..count as usize).map(time).collect())
     }
 
-    /// Time, s, at which the body reaches the ground or the observed time `watched` ends.
+    /// Time at which the body reaches the ground, or the observed time `watched` if that ends before, s.
     fn landing(
         &self,
         parameters: &[f64],
@@ -128,7 +128,7 @@ impl Maker<'_> {
     ) -> Result<Vec<Vec<Option<[f64; 3]>>>, SimulationError> {
         let conditions = self.body.bind(parameters.to_vec());
         let mut samples = vec![0.0; times.len() * state.len()];
-        // Where the model ends, so does the flight, with an error.
+        // A flight that leaves the model's domain of validity ends with an error.
         integrate_at(
             &mut conditions.rhs(),
             (0.0, &state.into()),

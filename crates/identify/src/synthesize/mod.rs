@@ -1,4 +1,4 @@
-//! Synthetic datasets: simulated flights of a model, observed at its markers with measurement noise.
+//! Synthetic datasets: simulated flights of a model whose marker positions are observed with measurement noise.
 //!
 //! The true values are returned as [`Truth`], for comparison with the estimates of a fit.
 
@@ -20,11 +20,11 @@ pub use truth::Truth;
 use self::maker::Maker;
 use crate::dataset::{Dataset, Marker};
 
-/// Greatest number of flights of a synthetic dataset.
+/// Maximum number of flights of a synthetic dataset.
 const MOST_FLIGHTS: usize = 100_000;
-/// Limit of samples × markers × flights of a synthetic dataset, which bounds the memory used.
+/// Maximum number of samples × markers × flights of a synthetic dataset, which limits the memory used.
 const MOST_POINTS: f64 = 2e7;
-/// Greatest sampling rate, Hz.
+/// Maximum sampling rate, Hz.
 const FASTEST: f64 = 1e6;
 
 /// Settings of a synthetic dataset.
@@ -32,27 +32,27 @@ const FASTEST: f64 = 1e6;
 pub struct Plan {
     /// Number of flights; the releases are used in rotation.
     pub flights: usize,
-    /// Number of held-out flights, which are the last ones.
+    /// Number of held-out flights; they are the last ones of the dataset.
     pub held_out: usize,
-    /// Observed time of each flight, s; `None` for the duration of the release. A release that stops at the ground
-    /// ends there at the latest.
+    /// Observed time of each flight, s; `None` for the duration of its release. A flight whose release stops at the
+    /// ground ends there at the latest.
     pub duration: Option<f64>,
     /// Sampling rate, Hz.
     pub rate: f64,
-    /// Tracked markers; if empty, those of [`default_markers`].
+    /// Tracked markers; if empty, those of [`default_markers`] are used.
     pub markers: Vec<Marker>,
     /// Random variation of the initial states between flights.
     pub spread: Spread,
     /// Measurement noise, outliers and dropouts.
     pub noise: Corruption,
-    /// Decimals to which positions in metres are rounded; `None` for no rounding.
+    /// Number of decimals to which positions in metres are rounded; `None` for no rounding.
     pub decimals: Option<u8>,
-    /// Seed of all random numbers.
+    /// Seed of the random number generators.
     pub seed: u64,
 }
 
 impl Default for Plan {
-    /// Eight flights at 120 Hz, none held out, positions rounded to 0.01 mm.
+    /// Returns a plan of eight flights at 120 Hz, none held out, with positions rounded to 0.01 mm.
     fn default() -> Self {
         Self {
             flights: 8,
@@ -75,21 +75,21 @@ fn refuse<T>(why: impl Into<String>) -> Result<T, SynthesisError> {
 /// A synthetic dataset with its true values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Made {
-    /// The dataset, as if measured.
+    /// The dataset in the form of a measured one.
     pub dataset: Dataset,
     /// True values from which the dataset was generated.
     pub truth: Truth,
 }
 
-/// Default marker positions on a disc, in body axes, m: three points that are not collinear, like the paper's
-/// markers.
+/// Default marker positions on a disc, in body axes, m: three points that are not collinear, similar to the markers of
+/// the paper.
 pub const MARKERS: [[f64; 3]; 3] = [
     [0.1, 0.0, 0.01],
     [-0.05, 0.0866, 0.01],
     [-0.04, -0.08, 0.01],
 ];
 
-/// Default markers of a model: [`MARKERS`] on a rigid body; the centre of a point mass.
+/// Default markers of a model: [`MARKERS`] for a rigid body, and the centre for a point mass.
 pub fn default_markers(model: &Model) -> Vec<Marker> {
     let marker = |name: &str, position| Marker {
         name: name.into(),
@@ -105,10 +105,12 @@ pub fn default_markers(model: &Model) -> Vec<Marker> {
     }
 }
 
-/// Simulates releases of a model and observes its markers; each flight starts from a random state around its release.
+/// Simulates flights of a model and observes its markers. The releases are used in rotation, and each flight starts
+/// from a random state around its release.
 ///
 /// # Errors
-/// [`SynthesisError::Plan`] and [`SynthesisError::OutOfRange`] for an invalid plan, [`SynthesisError::Flight`] if a flight cannot be simulated.
+/// [`SynthesisError::Plan`] or [`SynthesisError::OutOfRange`] if the plan is invalid; [`SynthesisError::Flight`] if a
+/// flight cannot be simulated.
 pub fn flights(model: &Model, releases: &[Release], plan: &Plan) -> Result<Made, SynthesisError> {
     check(model, releases, plan)?;
     let markers = if plan.markers.is_empty() {
@@ -213,7 +215,7 @@ fn check(model: &Model, releases: &[Release], plan: &Plan) -> Result<(), Synthes
             "duration: found {duration}, expected above 0 and up to {most} s"
         ));
     }
-    // TOML, where the truth is written, has no larger integers.
+    // The truth is written as TOML, which has no larger integers.
     if i64::try_from(plan.seed).is_err() {
         let (found, most) = (plan.seed, i64::MAX);
         return refuse(format!("seed: found {found}, expected at most {most}"));

@@ -1,4 +1,4 @@
-//! Noise of synthetic measurements: AR(1) noise, outliers and dropouts; the same seed gives the same noise on every
+//! Noise of synthetic measurements: AR(1) noise, outliers and dropouts. The same seed gives the same noise on every
 //! machine.
 
 use rand::RngExt;
@@ -8,20 +8,21 @@ use rand_distr::StandardNormal;
 
 use super::error::OutOfRange;
 
-/// Measurement errors added to true positions; by default white noise of 1.5 mm without outliers and dropouts.
+/// Measurement errors that are added to true positions. The default is white noise of 1.5 mm without outliers and
+/// dropouts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corruption {
     /// Standard deviation of the noise along each axis, m.
     pub sigma: f64,
-    /// Lag-1 autocorrelation of the noise, −0.999 to 0.999. The noise is a stationary AR(1) process of standard
+    /// Lag-1 autocorrelation of the noise, −0.999 to 0.999. The noise is a stationary AR(1) process with standard
     /// deviation `sigma`.
     pub ar1: f64,
     /// Fraction of marker positions that are outliers.
     pub outliers: f64,
-    /// Standard deviation of an outlier's additional error along each axis, m.
+    /// Standard deviation of the additional error of an outlier along each axis, m.
     pub outlier_size: f64,
-    /// Fraction of marker positions that are missing, at most 0.9: half of them singly, half in runs of 3 to 12
-    /// consecutive samples of a marker.
+    /// Fraction of marker positions that are missing, at most 0.9. Half of them are single dropouts, and half are in
+    /// runs of 3 to 12 consecutive samples of a marker.
     pub dropouts: f64,
 }
 
@@ -37,11 +38,11 @@ impl Default for Corruption {
     }
 }
 
-/// Greatest standard deviation of noise and outliers, m.
+/// Maximum standard deviation of noise and outliers, m.
 const LARGEST: f64 = 100.0;
-/// Greatest fraction of missing marker positions.
+/// Maximum fraction of missing marker positions.
 const MOST_HIDDEN: f64 = 0.9;
-/// Least and greatest length of a run of missing positions, samples.
+/// Minimum and maximum length of a run of missing positions, samples.
 const RUN: [usize; 2] = [3, 12];
 /// Number of initial samples discarded from the dropout process, so that its rate is stationary from the first
 /// sample.
@@ -51,7 +52,7 @@ impl Corruption {
     /// Checks that every value is within its range.
     ///
     /// # Errors
-    /// [`OutOfRange`] for the first value that is not.
+    /// [`OutOfRange`] for the first value that is outside its range.
     pub fn check(&self) -> Result<(), OutOfRange> {
         let within = OutOfRange::check;
         within("noise-sigma", self.sigma, 0.0, LARGEST)?;
@@ -62,16 +63,17 @@ impl Corruption {
     }
 }
 
-/// Use of a stream of random numbers.
+/// Purpose of a stream of random numbers.
 #[derive(Clone, Copy)]
 enum Purpose {
-    /// Noise along one axis.
+    /// Noise along one axis, given by its index.
     Axis(usize),
     Outliers,
     Dropouts,
 }
 
-/// Independent random stream for each marker and purpose, so that an additional marker leaves the others unchanged.
+/// Creates an independent random stream for each marker and purpose, so that an additional marker leaves the noise of
+/// the other markers unchanged.
 fn stream(seed: u64, marker: usize, purpose: Purpose) -> ChaCha12Rng {
     let purpose = match purpose {
         Purpose::Axis(axis) => axis,
@@ -83,7 +85,7 @@ fn stream(seed: u64, marker: usize, purpose: Purpose) -> ChaCha12Rng {
     random
 }
 
-/// Adds noise to `positions[sample][marker]`, m, and removes dropouts. Missing positions (`None`) stay missing.
+/// Adds noise to `positions[sample][marker]`, m, and removes the dropouts. Missing positions (`None`) remain missing.
 pub fn corrupt(positions: &mut [Vec<Option<[f64; 3]>>], noise: &Corruption, seed: u64) {
     let markers = positions.iter().map(Vec::len).max().unwrap_or(0);
     for marker in 0..markers {
@@ -122,13 +124,13 @@ pub fn corrupt(positions: &mut [Vec<Option<[f64; 3]>>], noise: &Corruption, seed
     }
 }
 
-/// Endless sequence of flags, one per sample: whether a marker is missing. The given fraction of samples is missing,
-/// half of them singly and half in runs.
+/// Endless sequence of flags, one per sample, that state whether a marker is missing. The given fraction of samples is
+/// missing, half of them singly and half in runs.
 fn hidden(fraction: f64, mut random: ChaCha12Rng) -> impl Iterator<Item = bool> {
     let [shortest, longest] = RUN;
     let mean = (shortest + longest) as f64 / 2.0;
-    // A choice at each sample that is not in a run: a run begins with probability r, the sample alone is hidden with
-    // probability s. A choice takes 1 + (mean - 1) r samples on average; mean r and s of them are hidden.
+    // A choice is made at each sample outside a run: a run begins with probability r, and the sample alone is missing
+    // with probability s. A choice covers 1 + (mean − 1) r samples on average, of which mean · r and s are missing.
     let r = fraction / (2.0 * mean - (mean - 1.0) * fraction);
     let s = fraction / 2.0 * (1.0 + (mean - 1.0) * r);
     let mut left = 0;

@@ -9,22 +9,22 @@ use rand_distr::StandardNormal;
 
 use super::error::OutOfRange;
 
-/// Random variation of initial states. Position states are not varied; any other state s gets a normal deviation of
-/// standard deviation `fraction` · max(|s|, scale), with the scale of its unit.
+/// Random variation of initial states. Position states are not varied. Any other state s has a normal deviation with
+/// standard deviation `fraction` · max(|s|, scale), with a scale that depends on its unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
-    /// Standard deviation relative to max(|state|, scale); 0 gives all flights the release's initial state.
+    /// Standard deviation relative to max(|state|, scale); with 0, all flights have the initial state of the release.
     pub fraction: f64,
-    /// Least magnitude of a velocity to which `fraction` refers, m/s.
+    /// Scale of velocities: minimum magnitude to which `fraction` refers, m/s.
     pub speed: f64,
-    /// Least magnitude of an angle to which `fraction` refers, rad.
+    /// Scale of angles: minimum magnitude to which `fraction` refers, rad.
     pub angle: f64,
-    /// Least magnitude of an angular rate to which `fraction` refers, rad/s.
+    /// Scale of angular rates: minimum magnitude to which `fraction` refers, rad/s.
     pub rate: f64,
 }
 
 impl Default for Spread {
-    /// Fraction 0.1, with scales of 5 m/s, 1 rad and 10 rad/s.
+    /// Returns the variation with fraction 0.1, and with scales of 5 m/s, 1 rad and 10 rad/s.
     fn default() -> Self {
         Self {
             fraction: 0.1,
@@ -35,14 +35,14 @@ impl Default for Spread {
     }
 }
 
-/// Greatest allowed `fraction`.
+/// Maximum allowed value of `fraction`.
 const MOST: f64 = 2.0;
 
 impl Spread {
-    /// Checks that the fraction is within its range.
+    /// Checks that `fraction` is within its allowed range.
     ///
     /// # Errors
-    /// [`OutOfRange`] if it is not.
+    /// [`OutOfRange`] if `fraction` is not between 0 and its maximum.
     pub fn check(&self) -> Result<(), OutOfRange> {
         OutOfRange::check("spread", self.fraction, 0.0, MOST)
     }
@@ -52,12 +52,12 @@ impl Spread {
         let each = model.states.iter().zip(state);
         each.map(|(declared, value)| {
             let scale = match declared.unit {
-                // What is a length is a position.
+                // A state with the unit of a length is a position.
                 Unit::METRE => return 0.0,
                 Unit::SPEED => self.speed,
                 Unit::RATE => self.rate,
                 Unit::RADIAN => self.angle,
-                // Half of an angle, as the components of a quaternion are.
+                // Half an angle, as for the components of a quaternion.
                 _ => self.angle / 2.0,
             };
             self.fraction * value.abs().max(scale)
@@ -65,7 +65,7 @@ impl Spread {
         .collect()
     }
 
-    /// Draws a state around the values `state`; quaternions are normalised.
+    /// Draws a random state around the values `state`; quaternions are normalised.
     pub fn draw(&self, model: &Model, state: &[f64], random: &mut ChaCha12Rng) -> Vec<f64> {
         let deviations = self.deviations(model, state);
         let mut drawn: Vec<f64> = state

@@ -1,31 +1,31 @@
-//! True values behind a synthetic dataset, for readers and tests; fits do not use them.
+//! True values of a synthetic dataset, for readers and tests; fits do not use them.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use super::{Corruption, Spread};
 
-/// True values and settings from which a synthetic dataset was generated.
+/// True values and settings with which a synthetic dataset was generated.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Truth {
     /// Name of the model.
     pub model: String,
-    /// Names of the model's effects that were switched on.
+    /// Names of the effects that the model includes.
     pub effects: Vec<String>,
-    /// True value of every coefficient by name, SI.
+    /// True value of each coefficient by name, SI.
     pub coefficients: BTreeMap<String, f64>,
-    /// Measurement noise that was applied.
+    /// Settings of the measurement noise that was applied.
     pub noise: Corruption,
-    /// Variation of the initial states between flights.
+    /// Settings of the random variation of the initial states.
     pub spread: Spread,
-    /// Seed of the random numbers.
+    /// Seed of the random number generators.
     pub seed: u64,
     /// File name and true initial state (by state name, SI) of each flight.
     pub initial: Vec<(String, BTreeMap<String, f64>)>,
 }
 
 impl Truth {
-    /// The true values as TOML text.
+    /// Formats the true values as TOML text.
     pub fn text(&self) -> String {
         let mut text = "# What was put into this dataset, which was made and not measured. `hyzer fit` does not read this file.\n".to_owned();
         let _ = writeln!(text, "model = {}", quoted(&self.model));

@@ -1,4 +1,4 @@
-//! Uncertainty of the estimates: covariance, profile likelihood, non-identifiability.
+//! Uncertainty of the estimates: covariance, profile likelihood and practical non-identifiability.
 
 mod non_identifiability;
 mod profile;
@@ -14,7 +14,7 @@ use crate::problem::GlobalParameter;
 /// The 97.5 % quantile of the normal distribution.
 const NORMAL_975: f64 = 1.959_963_984_540_054;
 
-/// 95 % confidence interval of an estimate with a normal error.
+/// 95 % confidence interval of an estimate with a normally distributed error.
 pub fn interval(value: f64, std_error: f64) -> [f64; 2] {
     [
         value - NORMAL_975 * std_error,
@@ -22,23 +22,24 @@ pub fn interval(value: f64, std_error: f64) -> [f64; 2] {
     ]
 }
 
-/// Covariance of the global parameters.
+/// Covariance matrices of the estimated global parameters, SI.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Covariance {
-    /// Inverse information under the estimated noise (Cramér–Rao).
+    /// Inverse of the information matrix under the estimated noise (Cramér–Rao bound).
     pub model: DMatrix<f64>,
-    /// Cluster-robust (sandwich) covariance by flight; none for fewer than 8 flights.
+    /// Cluster-robust (sandwich) covariance with flights as clusters; `None` for fewer than 8 flights.
     pub clustered: Option<DMatrix<f64>>,
 }
 
-/// Least number of flights for a cluster-robust covariance.
+/// Minimum number of flights for a cluster-robust covariance.
 const MIN_CLUSTERS: usize = 8;
 
-/// Eigenvalue of the scaled information below which it is rounding error.
+/// Eigenvalue of the scaled information matrix, below which it is considered rounding error.
 const MIN_EIGENVALUE: f64 = 1e-13;
 
 impl Covariance {
-    /// Covariance from the reduced system of whitened residuals and the priors.
+    /// Computes the covariance from the reduced normal equations of whitened residuals and from the priors. `flights`
+    /// is the number of flights.
     pub fn new(system: &ReducedSystem<'_>, flights: usize, global: &[GlobalParameter]) -> Self {
         let mut information = system.reduced.clone();
         for (i, unknown) in global.iter().enumerate() {
@@ -67,7 +68,7 @@ impl Covariance {
             .map(|variance| variance.max(0.0).sqrt())
     }
 
-    /// Cluster-robust standard errors, in the order of the global parameters, SI; none for fewer than 8 flights.
+    /// Cluster-robust standard errors, in the order of the global parameters, SI; `None` for fewer than 8 flights.
     pub fn clustered_errors(&self) -> Option<DVector<f64>> {
         let clustered = self.clustered.as_ref()?;
         Some(
@@ -77,7 +78,7 @@ impl Covariance {
         )
     }
 
-    /// Correlation matrix of the global parameters.
+    /// Correlation matrix of the estimated global parameters.
     pub fn correlations(&self) -> DMatrix<f64> {
         let errors = self.errors();
         DMatrix::from_fn(errors.len(), errors.len(), |i, j| {

@@ -1,4 +1,5 @@
-//! Practical non-identifiability: coefficients and combinations that the flights do not determine.
+//! Practical non-identifiability: coefficients and linear combinations of coefficients that the flights do not
+//! determine.
 
 use std::collections::BTreeMap;
 
@@ -9,16 +10,18 @@ use crate::problem::GlobalParameter;
 use crate::report::NonIdentifiable;
 use crate::wording::listed;
 
-/// Standard error, relative to the typical magnitude, above which a direction is not identifiable.
+/// Standard error, relative to the typical magnitudes of the parameters, above which a direction is not identifiable.
 const MAX_RELATIVE_ERROR: f64 = 0.5;
 
-/// Component, relative to the greatest one, from which a coefficient is listed with a direction.
+/// Minimum component of a direction, relative to its largest component, for a coefficient to be listed with that
+/// direction.
 const MIN_COMPONENT: f64 = 0.3;
 
-/// Least and greatest value of each quantity and state in the flights, by name.
+/// Minimum and maximum of each quantity and state over the flights, by name.
 pub type ExcitationRange = BTreeMap<String, (f64, f64)>;
 
-/// Non-identifiable directions of the global parameters, the least determined first.
+/// Non-identifiable directions of the global parameters, given their covariance, in the order of decreasing standard
+/// error.
 pub fn non_identifiable(
     model: &Model,
     global: &[GlobalParameter],
@@ -52,7 +55,7 @@ pub fn non_identifiable(
                 .filter(|&i| direction[i].abs() >= MIN_COMPONENT * greatest)
                 .collect();
             members.sort_by(|&a, &b| direction[b].abs().total_cmp(&direction[a].abs()));
-            // The sign of a direction is arbitrary: the first member is positive.
+            // The sign of a direction is arbitrary: the first component is made positive.
             let sign = direction[members[0]].signum();
             let weights = members
                 .iter()
@@ -96,7 +99,8 @@ fn why(
     }
 }
 
-/// Excitation ranges of the quantities that occur in expressions with the coefficients.
+/// Text with the excitation ranges of the quantities that occur in the same expressions as the named coefficients;
+/// `None` if there are none.
 fn excitation(model: &Model, names: &[&str], ranges: &ExcitationRange) -> Option<String> {
     let mut met: Vec<&str> = Vec::new();
     let expressions = model.aux_variables.iter().map(|quantity| &quantity.value);
@@ -133,7 +137,7 @@ fn excitation(model: &Model, names: &[&str], ranges: &ExcitationRange) -> Option
     (!ranges.is_empty()).then(|| format!("in them {}", ranges.join(", ")))
 }
 
-/// A range with its unit, angles in degrees.
+/// Text with a range and its unit; angles are in degrees.
 fn range(model: &Model, name: &str, low: f64, high: f64) -> String {
     let angle = model_spec::unit::Unit::RADIAN;
     let quantity = model

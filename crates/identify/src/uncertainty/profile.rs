@@ -11,20 +11,21 @@ use crate::least_squares::{
 use crate::problem::GlobalParameter;
 use crate::report::Profile;
 
-/// 95 % quantile of χ² with 1 degree of freedom.
+/// 95 % quantile of the χ² distribution with 1 degree of freedom.
 const CHI2_95: f64 = 3.841_458_820_694_124;
 
-/// Number of profile points on either side of the estimate.
+/// Number of profile points on each side of the estimate.
 const POINTS_PER_SIDE: usize = 6;
 
-/// Spacing of the profile points, in standard errors.
+/// Spacing of the profile points, in standard errors of the parameter.
 const SPACING: f64 = 0.5;
 
-/// Profiles one global parameter of standard error `error` around a solution: it is fixed at several values, and all other
-/// unknowns are fitted again.
+/// Computes the profile likelihood of one global parameter with standard error `error` around a solution: the parameter
+/// is fixed at several values, and all other unknowns are fitted again. The profile ends before a point that cannot be
+/// fitted.
 ///
 /// # Errors
-/// [`SolveError::Cancelled`]; the profile ends before a point that cannot be fitted.
+/// [`SolveError::Cancelled`] if the iteration is cancelled.
 pub fn profile(
     problem: &impl LeastSquaresProblem,
     solution: &Solution,
@@ -69,7 +70,8 @@ pub fn profile(
     })
 }
 
-/// Value at which the deviance reaches its 95 % quantile on one side, interpolated in its root, which is nearly linear.
+/// Parameter value on one side of the estimate at which the deviance reaches its 95 % quantile; `None` if it does not.
+/// The square root of the deviance, which is nearly linear, is interpolated.
 fn crossing(points: &[[f64; 2]], best: f64, direction: f64) -> Option<f64> {
     let mut side: Vec<[f64; 2]> = points
         .iter()
@@ -86,7 +88,7 @@ fn crossing(points: &[[f64; 2]], best: f64, direction: f64) -> Option<f64> {
     })
 }
 
-/// A least-squares problem with its constraints replaced.
+/// A least-squares problem whose constraints are replaced by others.
 struct Constrained<'a, P> {
     problem: &'a P,
     constraints: Vec<Constraint>,

@@ -3,7 +3,7 @@
 use crate::primitive::Primitive;
 use std::hint::cold_path;
 
-/// Threshold on |x| below which guarded functions treat x as 0; its square is still a normal number.
+/// Threshold on |x| below which guarded functions treat x as 0, chosen so that its square is still a normal number.
 const ZERO: f64 = 1e-75;
 
 #[inline(always)]
@@ -14,7 +14,7 @@ fn is_zero<T: Primitive>(x: T) -> T::Mask {
 #[inline(always)]
 pub(crate) fn sqrt<T: Primitive>(x: T) -> T {
     if T::WIDTH == 1 {
-        // A well-predicted branch is cheaper than a select, which waits for both sides.
+        // A well-predicted branch is cheaper than a select, which requires the results of both branches.
         if T::all_true(T::broadcast(0.0).lt(x)) {
             return x.ieee_sqrt();
         }

@@ -24,7 +24,7 @@ const EXPONENTIAL: [f64; 10] = [
     2.5117575382082537e-08,
 ];
 
-/// 2 to the power of an integer from -1022 to 1023.
+/// Computes 2 to the power of an integer from -1022 to 1023.
 #[inline(always)]
 fn exp2_integer<T: Primitive>(integer: T) -> T {
     (integer + T::broadcast(ROUND_TO_INTEGER + 1023.0)).shl_bits::<52>()
@@ -32,7 +32,8 @@ fn exp2_integer<T: Primitive>(integer: T) -> T {
 
 #[inline(always)]
 pub(crate) fn exp<T: Primitive>(x: T) -> T {
-    // Beyond these the result is 0 or infinite. A NaN passes both, since it is not below anything.
+    // Outside [-746, 710] the result is 0 or infinite. NaN passes both selections, since comparisons with NaN are
+    // false.
     let x = T::select(x.lt(T::broadcast(-746.0)), T::broadcast(-746.0), x);
     let x = T::select(T::broadcast(710.0).lt(x), T::broadcast(710.0), x);
     let twos = x.mul_add_op(T::broadcast(LOG2_E), T::broadcast(ROUND_TO_INTEGER))
@@ -105,7 +106,7 @@ pub(crate) fn tanh<T: Primitive>(x: T) -> T {
     let size = x.magnitude();
     let upper = T::broadcast(0.625).lt(size);
     let z = x * x;
-    // One division serves both: x + x z P/Q near 0, and 1 - 2/(exp 2x + 1) beyond.
+    // One division serves both formulas: x + x z P/Q near 0, and 1 - 2/(exp 2x + 1) elsewhere.
     let over = T::select(
         upper,
         T::broadcast(-2.0),

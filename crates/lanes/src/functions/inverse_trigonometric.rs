@@ -5,14 +5,14 @@ use crate::primitive::{Primitive, map_lanes};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use std::hint::cold_path;
 
-/// Maximum |x| + |y| for which no intermediate result overflows.
+/// Maximum |x| + |y| for which no intermediate result of `atan2` overflows.
 const MAX_SUM: f64 = 1e300;
 
-/// π/4 minus its `f64` approximation.
+/// π/4 minus the `f64` nearest to π/4.
 const FRAC_PI_4_REST: f64 = 3.061_616_997_868_383e-17;
 
-/// Tangent above which the angle is computed relative to π/4; the result then exceeds 1/2 rad, so that the relative
-/// effect of rounding errors halves.
+/// Tangent above which `atan2` computes the angle relative to π/4. The result then exceeds 1/2 rad, so that the
+/// relative effect of rounding errors halves.
 const MAX_DIRECT_TANGENT: f64 = 0.5625;
 
 /// Polynomial coefficients of (atan(q)/q - 1)/z in powers of z = q², q up to `MAX_DIRECT_TANGENT`, by Remez exchange;
@@ -62,8 +62,8 @@ fn general<T: Primitive>(y: T, x: T) -> T {
     let large = T::select(steep, y_size, x_size);
     let small = T::select(steep, x_size, y_size);
 
-    // The tangent small/large, or that of the angle less an eighth of a turn.
-    // In whole numbers, which are exact for subnormals too.
+    // The tangent small/large, or the tangent of the angle minus π/4. The comparison uses integer factors, whose
+    // products are exact for subnormals too.
     let upper = (large * T::broadcast(16.0 * MAX_DIRECT_TANGENT)).lt(small * T::broadcast(16.0));
     let q = T::select(upper, small - large, small) / T::select(upper, sum, large);
     let z = q * q;
@@ -73,13 +73,13 @@ fn general<T: Primitive>(y: T, x: T) -> T {
     let zero = T::broadcast(0.0);
     let eighth = T::select(upper, T::broadcast(FRAC_PI_4), zero);
     let eighth_tail = T::select(upper, T::broadcast(FRAC_PI_4_REST), zero);
-    // A steep angle is measured back from a quarter turn, one with x < 0 from a half turn.
+    // A steep angle is measured back from π/2, an angle with x < 0 back from π.
     let mirror = x.sign_mask();
     let right = T::select(mirror, T::broadcast(PI), zero);
     let right_tail = T::select(mirror, T::broadcast(4.0 * FRAC_PI_4_REST), zero);
     let base = T::select(steep, T::broadcast(FRAC_PI_2), right);
     let base_tail = T::select(steep, T::broadcast(2.0 * FRAC_PI_4_REST), right_tail);
-    // Sign with which the angle is measured from the offset: steep and mirrored cancel.
+    // Sign with which the angle is measured from the offset: the signs of steep and mirrored angles cancel.
     let sense = T::select(steep, -x, x).sign_bit();
     let head = base + eighth.xor_bits(sense);
     let tail = base_tail + eighth_tail.xor_bits(sense);

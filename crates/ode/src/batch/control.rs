@@ -1,4 +1,4 @@
-//! Step sizes, counts and apexes of the lanes.
+//! Step-size control of the lanes: times, step sizes, step counts and maximum heights.
 
 use super::FlightSpan;
 use crate::method::tableau::Tableau;
@@ -6,31 +6,31 @@ use crate::options::{IntegrationOptions, SolverStats};
 use crate::solver::{FINAL_STEP_SLACK, MIN_RELATIVE_STEP};
 use crate::step_control::{PiGains, PiMemory};
 
-/// Maximum number of lanes.
+/// Maximum number of SIMD lanes of any instruction set.
 pub(crate) const MAX_LANES: usize = 8;
 
 /// Flight, time, step size and step counts of each lane.
 pub(crate) struct Control {
-    /// Number of the flight in the lane; `None` where the lane is idle.
+    /// Queue number of the flight in each lane; `None` if the lane is idle.
     pub flight: [Option<u64>; MAX_LANES],
-    /// Time at the start of the step.
+    /// Time at the start of the current step in each lane.
     pub t: [f64; MAX_LANES],
-    /// Proposed size of the next step.
+    /// Proposed size of the next step in each lane.
     pub proposed: [f64; MAX_LANES],
-    /// Size of the step; 0 in idle lanes.
+    /// Size of the current step in each lane; 0 in idle lanes.
     pub h: [f64; MAX_LANES],
-    /// Time at the end of the step.
+    /// Time at the end of the current step in each lane.
     pub end: [f64; MAX_LANES],
-    /// Whether the step leads to the final time.
+    /// Whether the current step of each lane ends at the final time.
     pub is_last: [bool; MAX_LANES],
-    /// Greatest height so far: (time, height).
+    /// Time and value of the maximum height of each lane's flight so far.
     pub apex: [(f64, f64); MAX_LANES],
     steps: [u64; MAX_LANES],
     rejected: [u64; MAX_LANES],
     log2_last_error: [f64; MAX_LANES],
     max_factor: [f64; MAX_LANES],
     gains: PiGains,
-    /// Evaluations of the right-hand side in a step.
+    /// Number of evaluations of the right-hand side per step.
     evaluations: u64,
     t_end: f64,
     max_step: f64,
@@ -66,7 +66,7 @@ impl Control {
         }
     }
 
-    /// Puts a flight into a lane.
+    /// Starts the flight number `flight` in a lane at time 0, with the initial step size `h` and the initial height.
     #[inline(always)]
     pub(crate) fn start(&mut self, lane: usize, flight: u64, h: f64, height: f64) {
         self.flight[lane] = Some(flight);
@@ -91,7 +91,7 @@ impl Control {
         }
     }
 
-    /// Sets the size and the end of the next step of every lane.
+    /// Sets the size and the end time of the next step of every lane.
     #[inline(always)]
     pub(crate) fn set_steps(&mut self, lanes: usize) {
         for lane in 0..lanes {
@@ -112,28 +112,29 @@ impl Control {
         }
     }
 
-    /// Whether the lane has had as many steps as are allowed.
+    /// Whether the flight in a lane has made the maximum number of steps.
     #[inline(always)]
     pub(crate) fn is_exhausted(&self, lane: usize) -> bool {
         self.steps[lane] + self.rejected[lane] >= self.max_steps
     }
 
-    /// Counts of the flight in a lane.
+    /// Solver statistics of the flight in a lane.
     pub(crate) fn stats(&self, lane: usize) -> SolverStats {
         let (steps, rejected) = (self.steps[lane], self.rejected[lane]);
         SolverStats {
             steps: steps as usize,
             rejected: rejected as usize,
-            // Two before the first step: at the start, and for the size of the first step.
+            // Two evaluations precede the first step: one at the start, one for the size of the first step.
             evaluations: (2 + self.evaluations * (steps + rejected)) as usize,
         }
     }
 
-    /// Counts the step of every lane whose error norm is at most 1 as accepted and proposes the size of its next.
+    /// For every lane whose error norm is at most 1, counts the step as accepted and proposes the size of the next
+    /// step.
     #[inline(always)]
     #[allow(clippy::needless_range_loop)]
     pub(crate) fn accept(&mut self, errors: &[f64; MAX_LANES]) {
-        // One loop without branches over arrays of the same length, which the compiler makes vector instructions of.
+        // One loop without branches over arrays of the same length, which the compiler vectorizes.
         for lane in 0..MAX_LANES {
             let error = errors[lane];
             let (factor, memory) = self.gains.after_accepted(self.memory(lane), error);
@@ -157,7 +158,8 @@ impl Control {
         }
     }
 
-    /// Counts the step of a lane as rejected and proposes a shorter one; false where that would be below the minimum.
+    /// Counts the step of a lane as rejected and proposes a shorter one. Returns false if the shorter step is below the
+    /// minimum step size.
     #[inline(always)]
     pub(crate) fn reject(&mut self, lane: usize, error: f64) -> bool {
         self.rejected[lane] += 1;
@@ -167,7 +169,7 @@ impl Control {
         self.proposed[lane] > self.min_step
     }
 
-    /// Records a height, if it is the greatest.
+    /// Updates the apex of a lane if `height` exceeds the maximum height so far.
     #[inline(always)]
     pub(crate) fn rise(&mut self, lane: usize, time: f64, height: f64) {
         if height > self.apex[lane].1 {

@@ -1,16 +1,17 @@
-//! Where in a step the height of one lane falls to 0 and where it is greatest.
+//! Event location in one lane: where in a step the height falls to 0, and where the height has its maximum.
 
 use crate::event::{falling_zeros, has_falling_zero, location_width};
 use crate::method::{Method, ROWS};
 use crate::root::first_past_root;
 
-/// Width of the bracket of an apex, in units of the step: its height is known to the square of this.
+/// Bracket width to which an apex is located, as a fraction of the step; the relative error of the apex height is of
+/// the order of its square.
 const APEX_WIDTH: f64 = 1e-8;
 
-/// Most steps of Newton's method to a landing: each doubles the digits of the one before.
+/// Maximum number of Newton iterations to a landing; each iteration doubles the number of correct digits.
 const NEWTON_STEPS: u32 = 6;
 
-/// Height at the ends of a step, with h times its derivatives: the data of the cubic Hermite interpolant.
+/// Height at the start and end of a step, and h times its derivative there: the data of the cubic Hermite interpolant.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct HeightEnds {
     pub start: f64,
@@ -20,7 +21,7 @@ pub(crate) struct HeightEnds {
 }
 
 impl HeightEnds {
-    /// Whether the cubic falls to 0 within the step.
+    /// Whether the cubic interpolant falls to 0 within the step.
     #[inline(always)]
     pub(crate) fn may_land(&self) -> bool {
         let (a, b) = (self.start, self.end);
@@ -30,7 +31,8 @@ impl HeightEnds {
         self.dips()
     }
 
-    /// Whether the cubic falls to 0 between neighbouring points of four.
+    /// Whether the cubic interpolant falls from positive to 0 or below between the ends of one of four equal
+    /// subintervals of the step.
     #[inline(never)]
     fn dips(&self) -> bool {
         let (a, b) = (self.start, self.end);
@@ -41,8 +43,8 @@ impl HeightEnds {
         })
     }
 
-    /// Whether the cubic may reach 0; cheaper than [`may_land`](Self::may_land). It is within a quarter of the sum of its
-    /// slopes and its rise of the chord.
+    /// Whether the cubic interpolant may reach 0; cheaper than [`may_land`](Self::may_land). The distance of the cubic
+    /// from its chord is at most a quarter of the sum of the absolute slopes and the absolute change of height.
     #[inline(always)]
     pub(crate) fn is_near_ground(&self) -> bool {
         let slopes = self.start_slope.abs() + self.end_slope.abs();
@@ -50,7 +52,8 @@ impl HeightEnds {
         self.start.min(self.end) <= distance
     }
 
-    /// Whether the cubic rises or falls throughout (Fritsch & Carlson, SIAM J. Numer. Anal. 17, 1980).
+    /// Whether the slopes satisfy the sufficient condition for a monotone cubic of Fritsch & Carlson, SIAM J. Numer.
+    /// Anal. 17 (1980).
     #[inline(always)]
     fn is_monotone(&self) -> bool {
         let steepest = 3.0 * (self.end - self.start);
@@ -59,12 +62,12 @@ impl HeightEnds {
         (least <= first) & (first <= greatest) & (least <= last) & (last <= greatest)
     }
 
-    /// Whether the cubic falls throughout, from above 0 to below: it lands once.
+    /// Whether the cubic interpolant falls monotonically from above 0 to below 0, so that it has exactly one zero.
     fn falls_once(&self) -> bool {
         self.start > 0.0 && self.end < 0.0 && self.is_monotone()
     }
 
-    /// Whether the height rises at the start and does not at the end.
+    /// Whether the height rises at the start of the step and does not rise at its end.
     #[inline(always)]
     pub(crate) fn has_peak(&self) -> bool {
         self.start_slope > 0.0 && self.end_slope <= 0.0
@@ -78,12 +81,13 @@ pub(crate) struct HeightStep {
     pub t: f64,
     /// Step size.
     pub h: f64,
-    /// Powers of the fraction s of the step (Tsit5), or the rows of the dense output (DOP853).
+    /// Coefficients of the powers of the fraction s of the step (Tsit5), or the rows of the dense output (DOP853).
     pub terms: [f64; ROWS],
 }
 
 impl HeightStep {
-    /// Highest power of s in the interpolant, and the odd factors f with their derivatives by s: the even ones are s.
+    /// Degree of the interpolant in s, the value of the odd-numbered factors f₁, f₃, …, and the derivative of these
+    /// factors with respect to s. The even-numbered factors are s.
     #[inline(always)]
     fn factors(&self, s: f64) -> (usize, f64, f64) {
         match self.method {
@@ -103,7 +107,7 @@ impl HeightStep {
         height
     }
 
-    /// Derivative of the height by the fraction `s` of the step.
+    /// Derivative of the height with respect to the fraction `s` of the step.
     #[inline(always)]
     fn slope(&self, s: f64) -> f64 {
         let terms = &self.terms;
@@ -124,7 +128,7 @@ impl HeightStep {
         slope
     }
 
-    /// Fraction of the step at which the height first falls to 0; `found` is scratch space.
+    /// Fraction of the step at which the height first falls to 0, or `None` if it does not; `found` is scratch space.
     pub(crate) fn landing(&self, ends: &HeightEnds, found: &mut Vec<f64>) -> Option<f64> {
         let height = |s: f64| self.height(s);
         if ends.falls_once() {
@@ -139,7 +143,9 @@ impl HeightStep {
         found.first().copied()
     }
 
-    /// The end past the root of a bracket of this width, by Newton's method from the chord; `None` if it is not found so.
+    /// Locates the zero of the height by Newton's method, started at the zero of the chord, given the height at the
+    /// start and the end of the step. Returns a point past the zero by at most `width`, or `None` if the iteration does
+    /// not converge.
     fn newton(&self, (first, last): (f64, f64), width: f64) -> Option<f64> {
         let mut s = first / (first - last);
         for _ in 0..NEWTON_STEPS {
@@ -154,7 +160,7 @@ impl HeightStep {
         (is_past && self.height(past - width) > 0.0).then_some(past)
     }
 
-    /// Fraction of the step at which the height stops rising, of a step in which it does.
+    /// Fraction of the step at which the height has its maximum, for a step with a [peak](HeightEnds::has_peak).
     pub(crate) fn peak(&self) -> f64 {
         let slope = |s: f64| self.slope(s);
         let (first, last) = (slope(0.0), slope(1.0));

@@ -1,4 +1,4 @@
-//! The step loop over lanes.
+//! Step loop of the batch integration, with one flight per lane.
 
 mod stop;
 
@@ -13,7 +13,7 @@ use crate::method::{ErrorTolerance, ROWS};
 use crate::options::IntegrationOptions;
 use lanes::{Kernel, Lanes};
 
-/// All flights of a queue, on lanes of one type.
+/// Kernel that integrates all flights of a queue and returns the number of vector evaluations of the right-hand side.
 pub(crate) struct Batch<'a, R, Q: ?Sized> {
     pub rhs: &'a R,
     pub queue: &'a mut Q,
@@ -43,7 +43,7 @@ impl<R: LaneRhs, Q: FlightQueue + ?Sized> Kernel for Batch<'_, R, Q> {
     }
 }
 
-/// Flights in the lanes, between steps.
+/// Batch integration in progress: the flights in the lanes, between steps.
 struct Flying<'a, T, R> {
     rhs: &'a R,
     span: &'a FlightSpan,
@@ -54,29 +54,29 @@ struct Flying<'a, T, R> {
     values: LaneValues<T>,
     staging: Staging<T>,
     stages: Stages<T>,
-    /// Argument of a stage; after the last, the state at the end of the step.
+    /// Argument of the current stage; after the last stage, the state at the end of the step.
     end: Vec<T>,
-    /// Other states within the step.
+    /// State at an interior point of the step.
     within: Vec<T>,
-    /// Margins of the limits in the middle of the step, at its end, and elsewhere in it.
+    /// Margins of the limits of validity in the middle of the step, at its end, and at another point of the step.
     margins: [Vec<T>; 3],
     scratch: Vec<T>,
     heights: [HeightEnds; MAX_LANES],
-    /// State of a lane, and its dense output.
+    /// Work array for the state of one lane; `rows` is the work array for its dense output.
     state: Vec<f64>,
     rows: Vec<f64>,
     found: Vec<f64>,
     evaluations: u64,
 }
 
-/// Which state of a lane a flight ends with.
+/// Point of a step whose state is the final state of a flight.
 #[derive(Clone, Copy)]
 enum EndState {
-    /// That before the step.
+    /// State at the start of the step.
     Start,
-    /// That at the end of the step.
+    /// State at the end of the step.
     End,
-    /// That in [`Flying::within`].
+    /// State in [`Flying::within`].
     Within,
 }
 
@@ -111,7 +111,7 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
         }
     }
 
-    /// Gives each idle lane its next flight.
+    /// Starts the staged flight of each idle lane, and stages further flights from the queue.
     #[inline(always)]
     fn refill<Q: FlightQueue + ?Sized>(&mut self, queue: &mut Q) {
         loop {
@@ -146,7 +146,7 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
         }
     }
 
-    /// Tries a step in every lane, and ends the flights that it ends.
+    /// Tries a step in every lane, and reports the flights that end in the step.
     #[inline(always)]
     fn step<Q: FlightQueue + ?Sized>(&mut self, queue: &mut Q) {
         for lane in 0..T::WIDTH {
@@ -165,7 +165,7 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
         let (t, h) = (T::load(&self.control.t), T::load(&self.control.h));
         let mut accepted = [false; MAX_LANES];
         let mut asks = [false; MAX_LANES];
-        // One place where the right-hand side is compiled: first for the step, then for its dense output.
+        // A loop, so that the stages are compiled once: first for the step, then for its dense output.
         for is_dense in [false, true] {
             if is_dense && !asks.iter().any(|ask| *ask) {
                 break;
@@ -182,7 +182,7 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
         self.advance(&accepted, queue);
     }
 
-    /// Evaluates the stages of a step, or those of its dense output.
+    /// Evaluates the stages of a step, or the additional stages of its dense output if `is_dense`.
     #[inline(always)]
     fn run_stages(&mut self, t: T, h: T, is_dense: bool) {
         let (rows, first, argument) = match is_dense {
@@ -208,7 +208,7 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
         self.evaluations += rows.len() as u64;
     }
 
-    /// Lanes whose steps pass the error test. Flights whose step would be too small end.
+    /// Returns which lanes pass the error test. Flights whose next step would be too small end.
     #[inline(always)]
     fn judge<Q: FlightQueue + ?Sized>(&mut self, h: T, queue: &mut Q) -> [bool; MAX_LANES] {
         let ends = (&self.values.x[..], &self.end[..]);
@@ -230,7 +230,7 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
         accepted
     }
 
-    /// Lanes in whose accepted step a landing, an apex or a crossed limit may be.
+    /// Returns the lanes in whose accepted step a landing, an apex or the crossing of a limit of validity is possible.
     #[inline(always)]
     fn attention(&mut self, t: T, h: T, accepted: &[bool; MAX_LANES]) -> [bool; MAX_LANES] {
         let mut asks = [false; MAX_LANES];
@@ -287,7 +287,7 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
         asks
     }
 
-    /// Moves the lanes whose steps were accepted to the ends of the steps; flights that reach the final time end.
+    /// Advances the lanes with accepted steps to the end of the step; flights that reach the final time end.
     #[inline(always)]
     fn advance<Q: FlightQueue + ?Sized>(&mut self, accepted: &[bool; MAX_LANES], queue: &mut Q) {
         let mut keep = [1.0; MAX_LANES];

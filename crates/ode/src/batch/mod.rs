@@ -1,9 +1,10 @@
-//! Many initial value problems at once: one flight per SIMD lane, each with step sizes and events of its own.
+//! Integration of many initial value problems at once: one problem ("flight") per SIMD lane, each with its own step
+//! sizes and events.
 //!
-//! [`fly`] takes flights from a [`FlightQueue`] and integrates them as [`integrate_to_end`](crate::integrate_to_end) would,
-//! with the same method, step-size control and event location; a lane that has finished takes the next flight at once. The
-//! arithmetic of a lane is independent of its neighbours: the result of a flight is the same bits with whatever others it
-//! shares the vectors. Nothing is allocated per flight.
+//! [`fly`] reads flights from a [`FlightQueue`] and integrates them as [`integrate_to_end`](crate::integrate_to_end)
+//! would, with the same method, step-size control and event location. A lane whose flight has ended starts the next
+//! flight at once. The arithmetic of a lane is independent of the other lanes: the result of a flight is bit-identical
+//! whatever flights are integrated in the other lanes. Nothing is allocated per flight.
 
 mod control;
 mod events;
@@ -16,18 +17,18 @@ use crate::input::is_valid;
 use crate::options::{IntegrationOptions, SolverStats};
 use lanes::{Isa, LaneKernel, Lanes, dispatch, dispatch_widest, dispatch_with};
 
-/// Numbers of values that a [`LaneRhs`] reads and writes.
+/// Lengths of the arrays that a [`LaneRhs`] reads and writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LaneSizes {
-    /// States x.
+    /// Number of states x.
     pub states: usize,
-    /// Parameters p of a flight.
+    /// Number of parameters p of a flight.
     pub parameters: usize,
-    /// Invariants that are computed once for a flight's parameters.
+    /// Number of invariants, which are computed once from the parameters of a flight.
     pub prepared: usize,
-    /// Limits of validity.
+    /// Number of limits of validity.
     pub limits: usize,
-    /// Scratch values of an evaluation.
+    /// Number of scratch values of an evaluation.
     pub scratch: usize,
 }
 
@@ -36,25 +37,26 @@ pub struct LaneSizes {
 pub struct LanePoint<'a, T> {
     /// Time, in the unit of the integration.
     pub t: T,
-    /// States.
+    /// State vector x.
     pub x: &'a [T],
-    /// Parameters.
+    /// Parameter vector p.
     pub p: &'a [T],
-    /// Results of [`LaneRhs::prepare`] for these parameters.
+    /// Invariants that [`LaneRhs::prepare`] computed from `p`.
     pub prepared: &'a [T],
 }
 
-/// Right-hand side f of dx/dt = f(t, x, p), over lanes.
+/// Right-hand side f of dx/dt = f(t, x, p), evaluated for one flight per lane.
 ///
-/// Implementations and what they call must be `#[inline(always)]`, for the reason given at [`lanes::Kernel`].
+/// Implementations and all functions that they call must be `#[inline(always)]`, for the reason given at
+/// [`lanes::Kernel`].
 pub trait LaneRhs {
-    /// Numbers of values.
+    /// Returns the lengths of the state, parameter and work arrays.
     fn sizes(&self) -> LaneSizes;
-    /// Computes the invariants of flights from their parameters.
+    /// Computes the invariants `prepared` of the flights from their parameters `p`.
     fn prepare<T: Lanes>(&self, p: &[T], scratch: &mut [T], prepared: &mut [T]);
     /// Writes f(t, x, p) to every element of `dx`.
     fn derivative<T: Lanes>(&self, at: LanePoint<'_, T>, scratch: &mut [T], dx: &mut [T]);
-    /// Writes the margins of the limits of validity: the right-hand side holds where all are above 0.
+    /// Writes the margin of each limit of validity; the right-hand side is valid where all margins are above 0.
     fn limits<T: Lanes>(&self, at: LanePoint<'_, T>, scratch: &mut [T], margins: &mut [T]);
 }
 
@@ -88,66 +90,67 @@ impl<T: Lanes, R: LaneRhs> LaneKernel<T> for Limits<'_, T, R> {
     }
 }
 
-/// Flights to integrate and where their ends go.
+/// Source of the flights to integrate, and receiver of their results.
 pub trait FlightQueue {
-    /// Writes the initial states and the parameters of the next flight and returns its number; `None` after the last.
+    /// Writes the initial state and the parameters of the next flight to `x` and `p` and returns the number that
+    /// identifies the flight; `None` after the last flight.
     fn next(&mut self, x: &mut [f64], p: &mut [f64]) -> Option<u64>;
-    /// Takes the end of a flight. The order of ends is not that of [`next`](Self::next).
+    /// Receives the result of a flight. Flights may end in another order than [`next`](Self::next) returned them.
     fn end(&mut self, end: FlightEnd<'_>);
 }
 
-/// How a flight ended.
+/// Reason why the integration of a flight ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FlightOutcome {
     /// The height fell to 0.
     Ground,
     /// The final time was reached.
     Time,
-    /// The limit of validity of this index was crossed, or exceeded at the start.
+    /// The limit of validity of this index was crossed, or was already exceeded at the start.
     Limit(usize),
     /// The maximum number of steps was reached.
     TooManySteps,
-    /// The derivative was not finite, or the error test failed, however short the step.
+    /// The derivative was not finite, or the error test failed at the minimum step size.
     StepTooSmall,
-    /// At the start the height was below 0, or 0 and falling.
+    /// The initial height was below 0, or was 0 and falling.
     StartsBelowGround,
     /// An initial state or a parameter was not finite.
     NotFinite,
 }
 
-/// End of a flight.
+/// Result of a flight: reason of its end, final time and state, and apex.
 #[derive(Clone, Copy, Debug)]
 pub struct FlightEnd<'a> {
-    /// Number of the flight, as [`FlightQueue::next`] gave it.
+    /// Number of the flight, as returned by [`FlightQueue::next`].
     pub flight: u64,
-    /// How it ended.
+    /// Reason why the integration ended.
     pub outcome: FlightOutcome,
-    /// Time of the end.
+    /// Final time.
     pub time: f64,
-    /// State at that time.
+    /// State at the final time.
     pub state: &'a [f64],
-    /// Greatest height: (time, height), at the start, the end, or where its derivative falls to 0; NaN if
-    /// it is not sought.
+    /// Time and value of the maximum height, which is at the start, at the end, or where the derivative of the height
+    /// falls to 0. The value is NaN if [`FlightSpan::seeks_apex`] is false or there is no height.
     pub apex: (f64, f64),
-    /// Counts of the flight's own steps and evaluations.
+    /// Numbers of steps and evaluations of this flight.
     pub stats: SolverStats,
 }
 
-/// When flights end, and what is recorded of them. All start at time 0.
+/// Conditions that end a flight, and whether its maximum height is located. All flights start at time 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FlightSpan {
-    /// Final time.
+    /// Final time, at which a flight ends if no event has ended it before.
     pub t_end: f64,
-    /// State component that is the height.
+    /// Index of the state component that is the height above the ground; `None` if there is no such component.
     pub height: Option<usize>,
-    /// Whether the greatest height is sought.
+    /// Whether the maximum height is located.
     pub seeks_apex: bool,
-    /// Whether a flight ends where its height falls to 0.
+    /// Whether a flight ends when its height falls to 0.
     pub until_ground: bool,
 }
 
 impl FlightSpan {
-    /// State component whose greatest value is sought.
+    /// Index of the height if its maximum is to be located, else `None`.
     fn apex(&self) -> Option<usize> {
         self.height.filter(|_| self.seeks_apex)
     }
@@ -155,11 +158,12 @@ impl FlightSpan {
 
 /// Integrates all flights of a queue on the widest lanes of the processor.
 ///
-/// Returns the vector evaluations of the right-hand side: the flights' own evaluations, shared by the lanes, and those of
-/// lanes without a flight.
+/// Returns the number of vector evaluations of the right-hand side. A vector evaluation counts once for all lanes,
+/// including lanes without a flight.
 ///
 /// # Panics
-/// Where options or times are not positive numbers, or the height is not a state.
+/// If a tolerance, a step bound or the final time is not a positive number, if the right-hand side has no states, or if
+/// the height is not a state.
 ///
 /// ```
 /// use ode::{FlightEnd, FlightQueue, FlightSpan, IntegrationOptions, LanePoint, LaneRhs, LaneSizes, fly};
@@ -209,10 +213,10 @@ pub fn fly<R: LaneRhs, Q: FlightQueue + ?Sized>(
     dispatch(batch(rhs, queue, span, options))
 }
 
-/// As [`fly`], on the lanes of one instruction set; `None` if the processor does not support it.
+/// Integrates as [`fly`] does, on the lanes of one instruction set; `None` if the processor does not support it.
 ///
 /// # Panics
-/// As [`fly`].
+/// Under the same conditions as [`fly`].
 pub fn fly_on<R: LaneRhs, Q: FlightQueue + ?Sized>(
     isa: Isa,
     rhs: &R,

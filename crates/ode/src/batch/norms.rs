@@ -1,4 +1,4 @@
-//! Error norms of a step and the initial step size, over lanes.
+//! Error norms of steps and initial step sizes, one value per SIMD lane.
 
 use super::stages::{BLOCK, Stages};
 use crate::method::ErrorTolerance;
@@ -6,14 +6,15 @@ use crate::method::tableau::{Row, Tableau};
 use crate::step_control::{InitialNorms, first_step, second_step};
 use lanes::Lanes;
 
-/// Tolerated error of a component with the values `a` and `b` at the ends of a step.
+/// Tolerated error `atol + rtol · max(|a|, |b|)` of a component with the values `a` and `b` at the ends of a step.
 #[inline(always)]
 fn scale<T: Lanes>(tolerance: &ErrorTolerance, a: T, b: T) -> T {
     let greatest = a.abs().max(b.abs());
     T::splat(tolerance.rtol) * greatest + T::splat(tolerance.atol)
 }
 
-/// Error norm of a step, acceptable up to 1; NaN or infinite where a stage is not finite.
+/// Error norm of a step in each lane. A step is accepted if its norm is at most 1; the norm is NaN or infinite if a
+/// stage is not finite.
 #[inline(always)]
 pub(crate) fn error_norm<T: Lanes>(
     tableau: &Tableau,
@@ -45,7 +46,8 @@ pub(crate) fn error_norm<T: Lanes>(
     if tableau.errors.len() == 1 {
         return h * (sum_5 * T::splat(1.0 / n as f64)).sqrt();
     }
-    // The derivative at the end is in no estimate: one that is not finite makes the norm NaN.
+    // No error estimate uses the derivative at the end of the step; adding 0 times that derivative makes the norm NaN
+    // if it is not finite.
     let mut last = zero;
     for rate in stages.stage(tableau.rows.len()) {
         last = zero.mul_add(*rate, last);
@@ -56,7 +58,7 @@ pub(crate) fn error_norm<T: Lanes>(
     h * sum_5 * both.if_zero(zero, T::splat(1.0) / both.sqrt())
 }
 
-/// Error estimates of the components `start..end`, at most a block, but for the step size.
+/// Error estimates of the components `start..end` (at most [`BLOCK`] components), divided by the step size.
 // A function, since a closure need not be inlined.
 #[inline(always)]
 fn errors<T: Lanes>(stages: &Stages<T>, row: Row, start: usize, end: usize) -> [T; BLOCK] {
@@ -70,7 +72,7 @@ fn errors<T: Lanes>(stages: &Stages<T>, row: Row, start: usize, end: usize) -> [
     sums
 }
 
-/// Root mean squares of `x` and `dx` in units of the tolerance at `x`.
+/// Root mean squares of `x` and `dx` per lane, each component divided by its tolerated error at `x`.
 #[inline(always)]
 pub(crate) fn initial_norms<T: Lanes>(x: &[T], dx: &[T], tolerance: &ErrorTolerance) -> [T; 2] {
     let n = x.len();
@@ -85,7 +87,7 @@ pub(crate) fn initial_norms<T: Lanes>(x: &[T], dx: &[T], tolerance: &ErrorTolera
     [(of_x * one_over_n).sqrt(), (of_dx * one_over_n).sqrt()]
 }
 
-/// Root mean square of `after - before` in units of the tolerance at `x`.
+/// Root mean square of `after - before` per lane, each component divided by its tolerated error at `x`.
 #[inline(always)]
 pub(crate) fn change_norm<T: Lanes>(
     x: &[T],
@@ -101,13 +103,14 @@ pub(crate) fn change_norm<T: Lanes>(
     (sum * T::splat(1.0 / n as f64)).sqrt()
 }
 
-/// Euler steps from the norms of state and derivative, per lane.
+/// Sizes of the trial Euler steps per lane, from the norms of the state and its derivative.
 #[inline(always)]
 pub(crate) fn euler_steps<T: Lanes>(norms: [T; 2], max_step: f64) -> T {
     T::from_fn(|lane| first_step(norms[0].lane(lane), norms[1].lane(lane), max_step))
 }
 
-/// Initial step of one lane, from the norms of its derivative and of the change of it over the Euler step.
+/// Initial step size of one lane, from the norm `rate` of its derivative and the norm `change` of the change of the
+/// derivative over the Euler step.
 #[inline(always)]
 pub(crate) fn initial_step(
     euler_step: f64,

@@ -1,12 +1,12 @@
-//! Weighted sums of the stages of a step, over lanes.
+//! Stages of a step in all lanes, and weighted sums of them.
 
 use crate::method::tableau::{Row, Tableau};
 use lanes::Lanes;
 
-/// Number of components that are summed side by side, so that the sums do not wait for one another.
+/// Number of components that are summed in parallel: independent accumulators hide the latency of the additions.
 pub(crate) const BLOCK: usize = 6;
 
-/// Stages of a step over lanes: component i of stage s is at `s · n + i`.
+/// Stages of a step in all lanes: component i of stage s is at index `s · n + i` of `k`.
 pub(crate) struct Stages<T> {
     pub n: usize,
     pub k: Vec<T>,
@@ -42,7 +42,7 @@ impl<T: Lanes> Stages<T> {
         sum
     }
 
-    /// Components from `start` of Σ weight · stage, as many as [`BLOCK`].
+    /// [`BLOCK`] consecutive components of Σ weight · stage, from component `start` on.
     #[inline(always)]
     pub(crate) fn block(&self, row: Row, start: usize) -> [T; BLOCK] {
         let mut sums = [T::splat(0.0); BLOCK];
@@ -55,7 +55,7 @@ impl<T: Lanes> Stages<T> {
         sums
     }
 
-    /// `to = x + h Σ weight · stage`.
+    /// Computes `to = x + h Σ weight · stage`.
     #[inline(always)]
     pub(crate) fn advance(&self, to: &mut [T], x: &[T], h: T, row: Row) {
         let n = self.n;

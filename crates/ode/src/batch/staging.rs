@@ -1,4 +1,5 @@
-//! Flights that wait, prepared a vector at a time: each lane's next flight with its invariants, derivative and first step.
+//! Staging of flights: the next flight of each lane is prepared ahead of its start, for all lanes at once: invariants,
+//! derivative and initial step size.
 
 use super::control::MAX_LANES;
 use super::norms::{change_norm, euler_steps, initial_norms, initial_step};
@@ -10,7 +11,7 @@ use crate::method::ErrorTolerance;
 use crate::options::{IntegrationOptions, SolverStats};
 use lanes::Lanes;
 
-/// What belongs to the flights in the lanes.
+/// Per-lane data of flights: state, derivative, parameters, invariants, and margins of the limits of validity.
 pub(crate) struct LaneValues<T> {
     pub x: Vec<T>,
     pub dx: Vec<T>,
@@ -32,7 +33,7 @@ impl<T: Lanes> LaneValues<T> {
         }
     }
 
-    /// Takes the values of `from` in the lanes where `keep` is 0.
+    /// Copies the values of `from` in the lanes where `keep` is 0.
     #[inline(always)]
     pub(crate) fn take(&mut self, keep: T, from: &LaneValues<T>) {
         merge(keep, &from.x, &mut self.x);
@@ -53,18 +54,19 @@ pub(crate) fn merge<T: Lanes>(keep: T, from: &[T], to: &mut [T]) {
     }
 }
 
-/// The waiting flights: at most one per lane.
+/// Flights that wait to be started, at most one per lane.
 pub(crate) struct Staging<T> {
     pub values: LaneValues<T>,
-    /// Numbers of the flights.
+    /// Queue number of the flight that waits for each lane; `None` if no flight waits.
     pub flight: [Option<u64>; MAX_LANES],
-    /// First step sizes.
+    /// Initial step size of the flight that waits for each lane.
     pub h: [f64; MAX_LANES],
     /// Whether the queue has no more flights.
     pub is_drained: bool,
     euler_state: Vec<T>,
     euler_rate: Vec<T>,
-    /// Component i of lane l is at `i · WIDTH + l`.
+    /// Initial states, transposed: component i of lane l is at index `i · WIDTH + l`. `p_columns` contains the
+    /// parameters in the same layout.
     x_columns: Vec<f64>,
     p_columns: Vec<f64>,
     x_next: Vec<f64>,
@@ -89,8 +91,8 @@ impl<T: Lanes> Staging<T> {
         }
     }
 
-    /// Takes flights from the queue into the lanes that have none waiting, and prepares them. Flights that cannot start end
-    /// at once; their lanes stay empty.
+    /// Takes flights from the queue for the lanes that have none waiting, and prepares them. Flights that cannot start
+    /// end at once, and no flight then waits for their lanes.
     #[inline(always)]
     pub(crate) fn fill<R: LaneRhs, Q: FlightQueue + ?Sized>(
         &mut self,
@@ -137,7 +139,8 @@ impl<T: Lanes> Staging<T> {
         let max_step = options.max_step.min(span.t_end);
         let mut norms = [T::splat(0.0); 2];
         let mut euler_step = T::splat(0.0);
-        // One place where the right-hand side is compiled: first at the start, then an Euler step ahead.
+        // A loop, so that the right-hand side is compiled once: first evaluated at the start, then one Euler step
+        // ahead.
         for pass in 0..2 {
             let (t, at, to) = match pass {
                 0 => (T::splat(0.0), &*x, &mut *dx),
@@ -180,7 +183,8 @@ impl<T: Lanes> Staging<T> {
         }
     }
 
-    /// Takes the next flight with finite numbers into a lane; false if there is none.
+    /// Takes the next flight with finite initial state and parameters from the queue for a lane; false if the queue is
+    /// empty. Flights with non-finite values end at once.
     #[inline(always)]
     fn draw<Q: FlightQueue + ?Sized>(
         &mut self,
@@ -214,7 +218,7 @@ impl<T: Lanes> Staging<T> {
         false
     }
 
-    /// Why the flight in a lane cannot start.
+    /// Reason why the flight that waits for a lane cannot start; `None` if it can.
     #[inline(always)]
     fn fault(&self, lane: usize, span: &FlightSpan) -> Option<FlightOutcome> {
         let LaneValues { x, dx, margins, .. } = &self.values;
@@ -250,7 +254,7 @@ impl<T: Lanes> Staging<T> {
     }
 }
 
-/// End of a flight that did not start.
+/// Result of a flight that ended at its initial state.
 fn start_end<'x>(
     flight: u64,
     outcome: FlightOutcome,

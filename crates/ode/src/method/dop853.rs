@@ -5,7 +5,7 @@ use super::tableau::{Row, Tableau};
 use super::{ErrorTolerance, Method, ROWS, StepStart, Stepper, slices};
 use crate::rhs::{OdeRhs, StateVector};
 
-/// The method as rows of weights.
+/// Butcher tableau of DOP853.
 pub(crate) static TABLEAU: Tableau = Tableau {
     method: Method::Dop853,
     c: &C,
@@ -20,9 +20,9 @@ pub(crate) static TABLEAU: Tableau = Tableau {
 /// Weights of the last four rows of the dense output.
 pub(crate) static DENSE: [Row; 4] = [&D0, &D1, &D2, &D3];
 
-/// Order of the error estimate in the step size.
+/// Order of the error estimate: the exponent of the step size to which the estimate is proportional.
 const ERROR_ORDER: i32 = 8;
-/// Exponent of the previous error in the PI controller.
+/// Exponent of the previous step's error norm in the PI step-size controller.
 const PI_BETA: f64 = 0.0;
 /// Minimum and maximum ratio of successive step sizes.
 const STEP_FACTOR_BOUNDS: (f64, f64) = (0.333, 6.0);
@@ -34,7 +34,7 @@ pub(crate) struct Dop853<X> {
     end: X,
 }
 
-/// Runge–Kutta stage with sparse weights: `to = from + h Σ weight · k[stage]`.
+/// Computes the argument of a Runge–Kutta stage with sparse weights: `to = from + h Σ weight · k[stage]`.
 #[inline(always)]
 fn combine<X: StateVector, const M: usize>(
     to: &mut X,

@@ -112,7 +112,7 @@ pub(super) const A11: Terms<9> = [
     (10, 0.6433927460157636),
 ];
 
-/// Weights of the step, of order 8.
+/// Weights of the stages in the state at the end of the step, of order 8.
 pub(super) const B: Terms<8> = [
     (0, 0.054293734116568765),
     (5, 4.450312892752409),

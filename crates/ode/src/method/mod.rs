@@ -19,7 +19,7 @@ pub enum Method {
 }
 
 impl Method {
-    /// The method as rows of weights.
+    /// Butcher tableau of the method.
     pub(crate) fn tableau(self) -> &'static tableau::Tableau {
         match self {
             Method::Tsit5 => &tsit5::TABLEAU,
@@ -45,7 +45,7 @@ impl Method {
 /// Number of coefficient vectors ("rows") of the dense output of one step, for either method.
 pub(crate) const ROWS: usize = 8;
 
-/// Error tolerance of a step.
+/// Error tolerances of a step, and the number of state components that they apply to.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ErrorTolerance {
     pub rtol: f64,
@@ -72,11 +72,11 @@ pub(crate) struct StepStart<'a, X> {
 /// Explicit Runge–Kutta stepper: computes the stages, error norm and dense output of a step.
 pub(crate) trait Stepper<X: StateVector> {
     const METHOD: Method;
-    /// Evaluations of the right-hand side per step, the derivative at its end included.
+    /// Number of evaluations of the right-hand side per step, including the derivative at the end of the step.
     const EVALUATIONS: usize;
-    /// Order of the error estimate in the step size.
+    /// Order of the error estimate: the exponent of the step size to which the estimate is proportional.
     const ERROR_ORDER: i32;
-    /// Exponent of the previous error in the PI controller; 0 makes it an integral controller.
+    /// Exponent of the previous step's error norm in the PI step-size controller; 0 makes it an integral controller.
     const PI_BETA: f64;
     /// Minimum and maximum ratio of successive step sizes.
     const STEP_FACTOR_BOUNDS: (f64, f64);
@@ -103,8 +103,8 @@ pub(crate) trait Stepper<X: StateVector> {
     /// Derivative at the end of an accepted step.
     fn dx_end(&self) -> &X;
 
-    /// Dense-output rows of an accepted step, and the number of right-hand side evaluations they took; `buffer`
-    /// stores rows that are not stages.
+    /// Dense-output rows of an accepted step, and the number of right-hand side evaluations made to compute them;
+    /// `buffer` stores rows that are not stages.
     fn dense_rows<'s, D: OdeRhs<State = X>>(
         &'s mut self,
         rhs: &mut D,
@@ -114,7 +114,7 @@ pub(crate) trait Stepper<X: StateVector> {
     ) -> ([&'s [f64]; ROWS], usize);
 }
 
-/// Runge–Kutta stage: `to = from + h Σ weight · k`.
+/// Computes the argument of a Runge–Kutta stage: `to = from + h Σ weight · k`.
 // Loops instead of iterator closures, which are not always inlined.
 #[inline(always)]
 pub(crate) fn combine<X: StateVector, const M: usize>(

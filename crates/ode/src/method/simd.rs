@@ -1,12 +1,12 @@
-//! SIMD kernels for long states, bit-identical to the scalar loops for short ones.
+//! SIMD kernels for long states, with results bit-identical to those of the scalar loops for short states.
 
 use super::ROWS;
 use lanes::{Kernel, Lanes};
 
-/// Minimum state length for SIMD kernels; below it the scalar loops are faster.
+/// Minimum state length for which SIMD kernels are used; for shorter states the scalar loops are faster.
 pub(crate) const MIN_SIMD_LEN: usize = 64;
 
-/// Kernel of a Runge–Kutta stage: `to = from + h Σ weight · k`.
+/// Kernel that computes the argument of a Runge–Kutta stage: `to = from + h Σ weight · k`.
 pub(crate) struct Combine<'a, const M: usize> {
     pub to: &'a mut [f64],
     pub from: &'a [f64],
@@ -47,7 +47,7 @@ impl<const M: usize> Kernel for Combine<'_, M> {
     }
 }
 
-/// Kernel of dense output: `to = Σ weight · row`, where the first weight is 1.
+/// Kernel that evaluates dense output: `to = Σ weight · row`, where the first weight is 1.
 pub(crate) struct WeightedRows<'a> {
     pub rows: [&'a [f64]; ROWS],
     pub weights: [f64; ROWS],

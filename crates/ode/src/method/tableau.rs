@@ -1,31 +1,32 @@
-//! Runge–Kutta methods as rows of weights, for loops over stages.
+//! Butcher tableaux of Runge–Kutta methods, as sparse rows of weights for loops over stages.
 
 use super::Method;
 
-/// Sparse row of weights: (stage, weight).
+/// Sparse row of weights: (stage index, weight) of each nonzero.
 pub(crate) type Row = &'static [(usize, f64)];
 
-/// An explicit Runge–Kutta method whose last stage is the derivative at the end of the step.
+/// Butcher tableau of an explicit Runge–Kutta method whose last stage is the derivative at the end of the step.
 pub(crate) struct Tableau {
     pub method: Method,
     /// Time of each stage as a fraction of the step.
     pub c: &'static [f64],
-    /// Row k leads to the argument of stage k + 1; that of the last stage is the state at the end of the step.
+    /// Rows of the Runge–Kutta matrix: row k gives the argument of stage k + 1, counted from 0. The argument of the
+    /// last stage is the state at the end of the step.
     pub rows: &'static [Row],
-    /// Rows of further stages, for dense output alone.
+    /// Rows of the additional stages that only dense output requires.
     pub dense_rows: &'static [Row],
-    /// Weights of the error estimates: one, or those of orders 5 and 3 of DOP853.
+    /// Weights of the error estimates: one row for Tsit5; for DOP853 the rows of orders 5 and 3.
     pub errors: &'static [Row],
-    /// Order of the error estimate in the step size.
+    /// Order of the error estimate: the exponent of the step size to which the estimate is proportional.
     pub error_order: i32,
-    /// Exponent of the previous error in the PI controller.
+    /// Exponent of the previous step's error norm in the PI step-size controller.
     pub pi_beta: f64,
     /// Minimum and maximum ratio of successive step sizes.
     pub step_factor_bounds: (f64, f64),
 }
 
 impl Tableau {
-    /// Stages of a step, that at its end included.
+    /// Number of stages of a step, including the derivative at the end of the step.
     pub(crate) fn stages(&self) -> usize {
         self.rows.len() + 1
     }

@@ -24,7 +24,8 @@ const A5: [f64; 5] = [
     -0.071584973281401,
     -0.028269050394068383,
 ];
-/// Weights of the step of order 5. The stage at its end is the first stage of the next step (FSAL).
+/// Weights of the stages in the state at the end of the step, of order 5. The derivative at that state is the first
+/// stage of the next step (FSAL).
 pub(crate) const B: [f64; 6] = [
     0.09646076681806523,
     0.01,
@@ -44,7 +45,7 @@ pub(crate) const E: [f64; 7] = [
     0.015151515151515152,
 ];
 
-/// A row of weights with the stages that they belong to.
+/// Pairs each weight of a dense row with its stage index.
 const fn row<const M: usize>(weights: [f64; M]) -> [(usize, f64); M] {
     let mut row = [(0, 0.0); M];
     let mut s = 0;
@@ -55,7 +56,7 @@ const fn row<const M: usize>(weights: [f64; M]) -> [(usize, f64); M] {
     row
 }
 
-/// The method as rows of weights.
+/// Butcher tableau of Tsit5.
 pub(crate) static TABLEAU: Tableau = Tableau {
     method: Method::Tsit5,
     c: &C,
@@ -67,9 +68,9 @@ pub(crate) static TABLEAU: Tableau = Tableau {
     step_factor_bounds: STEP_FACTOR_BOUNDS,
 };
 
-/// Order of the error estimate in the step size.
+/// Order of the error estimate: the exponent of the step size to which the estimate is proportional.
 const ERROR_ORDER: i32 = 5;
-/// Exponent of the previous error in the PI controller.
+/// Exponent of the previous step's error norm in the PI step-size controller.
 const PI_BETA: f64 = 0.04;
 /// Minimum and maximum ratio of successive step sizes.
 const STEP_FACTOR_BOUNDS: (f64, f64) = (0.2, 10.0);
@@ -193,7 +194,7 @@ pub(crate) fn weights(s: f64) -> [f64; ROWS] {
     weights
 }
 
-/// Weight of each stage in the order-4 interpolant: coefficients of s, s², s³ and s⁴.
+/// Weight of each stage in the order-4 interpolant, as the coefficients of s, s², s³ and s⁴.
 pub(crate) const INTERPOLANT: [[f64; 4]; ROWS - 1] = [
     first_weight(),
     even_weight(0.1017, 2.196_656_833_824_975_4, 1.294_985_250_737_463),
@@ -216,19 +217,19 @@ pub(crate) const INTERPOLANT: [[f64; 4]; ROWS - 1] = [
     zeros_weight(2.5, 1.0, 0.6),
 ];
 
-/// a s (s - b) (s² - c s + d) with the first stage's constants.
+/// Coefficients of s, s², s³ and s⁴ in the weight a s (s - b) (s² - c s + d) of the first stage.
 const fn first_weight() -> [f64; 4] {
     let (a, b) = (-1.0530884977290216, 1.329_989_018_975_141);
     let (c, d) = (1.4364028541716351, 0.7139816917074209);
     [-a * b * d, a * (d + b * c), -a * (b + c), a]
 }
 
-/// a s² (s² - c s + d).
+/// Coefficients of s, s², s³ and s⁴ in a weight a s² (s² - c s + d).
 const fn even_weight(a: f64, c: f64, d: f64) -> [f64; 4] {
     [0.0, a * d, -a * c, a]
 }
 
-/// a s² (s - b) (s - c).
+/// Coefficients of s, s², s³ and s⁴ in a weight a s² (s - b) (s - c).
 const fn zeros_weight(a: f64, b: f64, c: f64) -> [f64; 4] {
     even_weight(a, b + c, b * c)
 }

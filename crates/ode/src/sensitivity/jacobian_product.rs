@@ -4,36 +4,36 @@ use super::PADDING;
 use lanes::{Kernel, Lanes};
 use std::ops::Range;
 
-/// Maximum number of rows of J in a block: their sums stay in registers.
+/// Maximum number of rows of J in a block, small enough that the sums of all rows of a block stay in registers.
 const MAX_BLOCK_ROWS: usize = 3;
 
 /// Sparsity pattern of J grouped into blocks of equal rows, for sensitivity matrices S of one row length.
 ///
-/// A row of S consists of groups, a group of lines, and a line of `PADDING` numbers.
+/// A row of S consists of groups, a group of lines, and a line of `PADDING` elements.
 pub(super) struct JacobianProduct {
     /// Blocks in increasing order of column count, so that the branch predictor learns the loop lengths.
     blocks: Vec<Block>,
     /// Index of the first group of row j of S for each column j of J in each block, block by block.
     columns: Vec<usize>,
-    /// Number of lines per group, which are summed together.
+    /// Number of lines per group; the lines of a group are accumulated together.
     lines_per_group: usize,
     /// Number of groups per row of S.
     groups_per_row: usize,
 }
 
-/// Rows of J with equal column indices: each row of S is read once for all of them.
+/// Rows of J with equal column indices: each row of S is read once for all rows of the block.
 struct Block {
     count: usize,
     /// Index of the first group of each row of dS/dt.
     rows: [usize; MAX_BLOCK_ROWS],
-    /// Index in J of the first entry of each row; the row's other entries follow.
+    /// Index in J of the first entry of each row; the other entries of the row follow it.
     entries: [usize; MAX_BLOCK_ROWS],
     /// Range of the block's columns in `JacobianProduct::columns`.
     columns: Range<usize>,
 }
 
 impl JacobianProduct {
-    /// Groups a row-ordered sparsity pattern into blocks, for rows of S of `stride` numbers, a multiple of `PADDING`.
+    /// Groups a row-ordered sparsity pattern into blocks, for rows of S of `stride` elements, a multiple of `PADDING`.
     pub fn new(pattern: &[(usize, usize)], states: usize, stride: usize) -> Self {
         let lines_per_row = stride / PADDING;
         let lines = [4, 3, 2]
@@ -97,10 +97,11 @@ impl JacobianProduct {
     }
 }
 
-/// Consecutive lines of a row of S that are summed together.
+/// Consecutive lines of a row of S that are accumulated together.
 type Group<const LINES: usize> = [[f64; PADDING]; LINES];
 
-/// SIMD kernel for all blocks, generic in the lines per group so that the sums stay in registers.
+/// SIMD kernel that computes J S for all blocks; generic in the number of lines per group so that the sums stay in
+/// registers.
 struct Sums<'a, const LINES: usize> {
     blocks: &'a [Block],
     columns: &'a [usize],

@@ -32,19 +32,20 @@ pub trait DifferentiableRhs {
     }
 }
 
-/// Row padding of S: rows are multiples of this many numbers, hence whole SIMD vectors on every machine.
+/// Row padding of S: the length of a row is a multiple of this number of elements, so that a row consists of whole SIMD
+/// vectors on every machine.
 const PADDING: usize = 8;
 
 /// Augmented right-hand side for the state x and its sensitivities S = ∂x/∂(initial states, parameters).
 ///
-/// Its state vector holds x, then S row by row, both padded with zeros; see [`SensitivityLayout`].
-/// [`initial_state`](Self::initial_state) makes the initial one. Only x is in the error norm of the step-size
+/// The augmented state vector contains x, then S row by row, both padded with zeros; see [`SensitivityLayout`].
+/// [`initial_state`](Self::initial_state) builds the initial state vector. Only x is in the error norm of the step-size
 /// control, so that the steps are those of x alone, unless
 /// [`with_sensitivity_error_control`](Self::with_sensitivity_error_control) is called.
 pub struct Sensitivities<M> {
     rhs: M,
     layout: SensitivityLayout,
-    /// State index of each of the first columns of S, which are derivatives by initial states.
+    /// State index of each leading column of S; the leading columns are derivatives with respect to initial states.
     initial: Vec<usize>,
     product: JacobianProduct,
     /// Terms that Jp adds to dS/dt: (index of the entry in Jp, index of the element in S).
@@ -55,8 +56,8 @@ pub struct Sensitivities<M> {
 }
 
 impl<M: DifferentiableRhs> Sensitivities<M> {
-    /// Sensitivities with respect to the initial values of the states `initial` (first columns of S), and to
-    /// `parameters`, by their index in Jp (following columns).
+    /// Builds the right-hand side for sensitivities with respect to the initial values of the states `initial` (first
+    /// columns of S) and to `parameters`, by their index in Jp (following columns).
     ///
     /// # Panics
     /// If an initial state does not exist, or the entries of J are not ordered by row.
@@ -119,8 +120,8 @@ impl<M: DifferentiableRhs> Sensitivities<M> {
         self.initial_state_with(x, &entries)
     }
 
-    /// Augmented initial state with the given entries (state, column, value) of S, all others 0: for sensitivities
-    /// along directions in the space of initial states.
+    /// Augmented initial state with the given entries (state, column, value) of S and all other entries 0: for
+    /// sensitivities along directions in the space of initial states.
     ///
     /// # Panics
     /// If the length of `x` is not the number of states, or a state or column does not exist.
@@ -158,7 +159,7 @@ impl<M: DifferentiableRhs> Sensitivities<M> {
         &self.layout.padded_row(augmented, state)[..self.layout.columns]
     }
 
-    /// The differentiable right-hand side that the sensitivities are taken of.
+    /// Returns the differentiable right-hand side of the state x.
     pub fn rhs(&mut self) -> &mut M {
         &mut self.rhs
     }
@@ -176,12 +177,12 @@ pub struct SensitivityLayout {
 }
 
 impl SensitivityLayout {
-    /// Indices of the state x.
+    /// Index range of the state x in the augmented state vector.
     pub fn state_range(&self) -> Range<usize> {
         0..self.states
     }
 
-    /// Indices of one state's row of S in the augmented state vector, padding included.
+    /// Index range of one state's row of S in the augmented state vector, padding included.
     pub fn row_range(&self, state: usize) -> Range<usize> {
         let first = self.first + state * self.stride;
         first..first + self.stride

@@ -24,9 +24,9 @@ pub(super) const EFFECTS: &[Effect] = &[
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Air {
-    /// Uniform wind.
+    /// Uniform horizontal wind.
     Wind,
-    /// Wind proportional to the height.
+    /// Horizontal wind proportional to the height.
     WindByHeight,
     /// Relative error of the air density.
     Density,
@@ -35,7 +35,7 @@ pub(super) enum Air {
 }
 
 impl Air {
-    /// Velocity of the air relative to the given wind, m/s, in inertial components.
+    /// Velocity that the effect adds to the given wind, m/s, in inertial components.
     pub fn velocity<T: Real>(self, values: &[T], at: &Physical<T>) -> Vector3<T> {
         let along = match self {
             Self::Wind => T::one(),
@@ -45,7 +45,7 @@ impl Air {
         Vector3::new(values[0], values[1], T::zero()) * along
     }
 
-    /// Name of the constant that the effect scales, and the factor; `None` for wind.
+    /// Name of the constant that the effect scales, and the scale factor; `None` for an effect on the wind.
     pub fn factor<T: Real>(self, values: &[T]) -> Option<(&'static str, T)> {
         let name = match self {
             Self::Density => "rho",

@@ -18,7 +18,7 @@ pub(super) enum Clock {
 }
 
 impl Clock {
-    /// Factor 1/(1 + error) on the seconds of flight per second of the clock.
+    /// Factor 1/(1 + error) by which the effect multiplies the seconds of flight per second of the measuring clock.
     pub fn factor<T: Real>(self, values: &[T]) -> T {
         match self {
             Self::Rate => T::one() / (T::one() + values[0]),

@@ -25,7 +25,7 @@ pub(super) const EFFECTS: &[Effect] = &[
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Drag {
-    /// Minimum drag at a nonzero angle of attack.
+    /// The drag has its minimum at a nonzero angle of attack.
     ZeroLiftAngle,
     /// Change of drag proportional to the absolute advance ratio.
     BySpin,

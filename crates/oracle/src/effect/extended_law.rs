@@ -1,4 +1,4 @@
-//! Reference law with active effects, evaluated for numerical values.
+//! Reference law with active effects, evaluated for given values.
 
 use super::{Effect, Flow, Kind, Load};
 use crate::physical::{Motion, Physical};
@@ -16,7 +16,7 @@ pub struct ActiveEffect<T> {
     pub values: Vec<T>,
 }
 
-/// A law with numerical constants, wind and active effects; the order of the effects does not matter.
+/// A law with values of its constants, wind and active effects; the order of the effects does not matter.
 #[derive(Clone, Debug)]
 pub struct ExtendedLaw<T> {
     /// The law of motion without effects.
@@ -32,12 +32,12 @@ pub struct ExtendedLaw<T> {
 }
 
 impl<T: Real> ExtendedLaw<T> {
-    /// Loads and accelerations of a body at state `at`; `time` since release, s.
+    /// Loads and accelerations of a body at the physical state `at`; `time` is the time since release, s.
     pub fn motion(&self, at: &Physical<T>, time: T) -> Motion<T> {
         self.motion_with(at, time, Vector3::zeros(), Vector3::zeros())
     }
 
-    /// Loads and accelerations under an additional `force`, N, and `moment`, N·m, in inertial components.
+    /// Loads and accelerations of a body under an additional `force`, N, and `moment`, N·m, in inertial components.
     pub fn motion_with(
         &self,
         at: &Physical<T>,
@@ -80,7 +80,7 @@ impl<T: Real> ExtendedLaw<T> {
         }
     }
 
-    /// Seconds of flight per second of the measuring clock.
+    /// Seconds of flight per second of the measuring clock; 1 without an effect on the clock.
     pub fn clock(&self) -> T {
         self.effects
             .iter()
@@ -90,8 +90,8 @@ impl<T: Real> ExtendedLaw<T> {
             })
     }
 
-    /// Reported position of a marker, m. `marker` is its measured position in the body frame; `which` has a 1 at the
-    /// index of the first, second or third marker, and is 0 for all others.
+    /// Position of a marker as the measurement reports it, m. `marker` is the marker's measured position in the body
+    /// frame; `which` has a 1 at the index of the first, second or third marker, and is 0 for all other markers.
     pub fn observation(
         &self,
         at: &Physical<T>,
@@ -128,7 +128,7 @@ impl<T: Real> ExtendedLaw<T> {
             })
     }
 
-    /// Constants of the law, multiplied by the factors of air-density and gravity effects.
+    /// Constants of the law, multiplied by the factors of the effects on air density and gravity.
     fn scaled_constants(&self) -> Vec<T> {
         let mut constants = self.constants.clone();
         for active in &self.effects {
@@ -147,7 +147,7 @@ impl<T: Real> ExtendedLaw<T> {
 }
 
 impl<T: Real> ActiveEffect<T> {
-    /// Force and moment of one effect, independent of all other effects.
+    /// Force and moment that the effect adds, independent of all other effects.
     fn load(&self, flow: &Flow<'_, T>) -> Load<T> {
         let values = self.values.as_slice();
         match self.effect.kind {

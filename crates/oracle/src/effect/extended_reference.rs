@@ -1,4 +1,4 @@
-//! Reference implementations of a model's law and effects, bound to the model's names.
+//! Reference implementations of a model's law and effects, bound to the names in the model.
 
 use super::{ActiveEffect, Effect, ExtendedLaw, by_name};
 use crate::error::BindError;
@@ -25,11 +25,11 @@ enum Slot {
 }
 
 impl ExtendedReference {
-    /// Binds the reference law of a model and its effects; `None` if the model claims no law.
+    /// Binds the reference law of a model and the effects in the model; `None` if the model claims no law.
     ///
     /// # Errors
-    /// As [`Reference::bind`]; [`BindError::UnknownEffect`] for an effect without a reference implementation for the
-    /// law, [`BindError::MissingEffectValue`] if a coefficient or state of one is not declared.
+    /// The errors of [`Reference::bind`]; [`BindError::UnknownEffect`] if an effect has no reference implementation for
+    /// the law, [`BindError::MissingEffectValue`] if the model does not declare a coefficient or state of an effect.
     pub fn bind(model: &Model) -> Option<Result<Self, BindError>> {
         Some(Reference::bind(model)?.and_then(|reference| Self::of(reference, model)))
     }
@@ -52,7 +52,7 @@ impl ExtendedReference {
         })
     }
 
-    /// The law with its effects, evaluated with the values of a point.
+    /// Returns the law with its effects, with the values at a point.
     pub fn at<T: Real>(&self, point: &Point<T>) -> ExtendedLaw<T> {
         let value = |slot: &Slot| match *slot {
             Slot::Coefficient(i) => point.coefficients[i],
@@ -71,7 +71,7 @@ impl ExtendedReference {
         }
     }
 
-    /// Derivative of every state with respect to the time of the measuring clock.
+    /// Computes the derivative of every state with respect to the time of the measuring clock.
     pub fn derivatives<T: Real>(&self, point: &Point<T>) -> Vec<T> {
         let law = self.at(point);
         let chart = &self.reference.chart;
@@ -81,7 +81,7 @@ impl ExtendedReference {
         rates.into_iter().map(|rate| rate * clock_rate).collect()
     }
 
-    /// Reported position of the marker, m, including observation effects.
+    /// Position of the marker as the measurement reports it, m, including effects on the observation.
     pub fn observation<T: Real>(&self, point: &Point<T>) -> Vector3<T> {
         let at = self.reference.chart.physical(&point.states);
         let which = self.input(self.marker_is, point);
@@ -93,7 +93,7 @@ impl ExtendedReference {
     }
 }
 
-/// Indices of an effect's values in a model: its coefficients, then its states.
+/// Indices of an effect's values in a model: first its coefficients, then its states.
 fn slots(effect: &'static Effect, model: &Model) -> Result<Vec<Slot>, BindError> {
     let missing = |name| BindError::MissingEffectValue {
         effect: effect.name,

@@ -1,4 +1,4 @@
-//! State of the body in the air, and constants of the law: the arguments of an effect.
+//! State of a body in the air, and constants of its law: the arguments of an effect.
 
 use crate::physical::Physical;
 use crate::reference::Law;
@@ -6,7 +6,7 @@ use crate::reference::spinning::Stream;
 use crate::scalar::Real;
 use nalgebra::Vector3;
 
-/// State of the body relative to the air, with the constants of the law.
+/// State of a body relative to the air, with the constants of its law.
 pub struct Flow<'a, T> {
     law: Law,
     constants: &'a [T],
@@ -20,7 +20,8 @@ pub struct Flow<'a, T> {
 }
 
 impl<'a, T: Real> Flow<'a, T> {
-    /// A body in air of velocity `air`; constants in the order of [`Law::constants`].
+    /// Combines the physical state of a body with the velocity `air` of the surrounding air, m/s; `constants` are in
+    /// the order of [`Law::constants`].
     pub fn new(
         law: Law,
         constants: &'a [T],
@@ -42,7 +43,7 @@ impl<'a, T: Real> Flow<'a, T> {
     /// Value of the law's constant with the given name.
     ///
     /// # Panics
-    /// If the law has no such constant, which an effect's `laws` excludes.
+    /// If the law has no such constant; the list `laws` of an effect excludes this.
     pub fn constant(&self, name: &str) -> T {
         let place = self.law.constants().iter().position(|n| *n == name);
         self.constants[place.expect("a constant of the law")]
@@ -87,13 +88,14 @@ impl<'a, T: Real> Flow<'a, T> {
         rim / self.speed()
     }
 
-    /// Force q A C along `direction`, N; q dynamic pressure, A area, C coefficient.
+    /// Force q A C along `direction`, N, where q is the dynamic pressure, A the area and C the coefficient.
     pub fn pressure_force(&self, coefficient: T, direction: Vector3<T>) -> Vector3<T> {
         let half = self.constant("rho") * self.constant("A") / T::lit(2.0);
         direction * (half * coefficient * self.speed() * self.speed())
     }
 
-    /// Moment q A d C about `axis`, N·m; q dynamic pressure, A area, d diameter, C coefficient.
+    /// Moment q A d C about `axis`, N·m, where q is the dynamic pressure, A the area, d the diameter and C the
+    /// coefficient.
     pub fn pressure_moment(&self, coefficient: T, axis: Vector3<T>) -> Vector3<T> {
         self.pressure_force(coefficient, axis) * self.constant("d")
     }
@@ -109,7 +111,7 @@ impl<'a, T: Real> Flow<'a, T> {
         -self.through_air() * (half * coefficient * self.speed())
     }
 
-    /// v × `axis` / V.
+    /// Unit vector of the velocity relative to the air, crossed with `axis`: v × `axis` / V; 0 without airspeed.
     fn across_flow(&self, axis: Vector3<T>) -> Vector3<T> {
         if self.speed().re() == 0.0 {
             return Vector3::zeros();

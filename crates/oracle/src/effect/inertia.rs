@@ -28,16 +28,16 @@ pub(super) const EFFECTS: &[Effect] = &[
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Inertia {
-    /// Products of inertia I₁₃ and I₂₃.
+    /// Products of inertia I₁₃ and I₂₃ of a disc with an imbalance.
     Imbalance,
-    /// Unequal moments of inertia about two diameters.
+    /// Unequal moments of inertia about two diameters of the disc.
     UnequalDiameters,
-    /// Added mass of the air, along the axis.
+    /// Added mass of the air for motion along the disc's axis.
     AddedMass,
 }
 
 impl Inertia {
-    /// Change of the inertia tensor in the body frame, kg·m².
+    /// Inertia tensor that the effect adds, in the body frame, kg·m².
     pub fn added<T: Real>(self, values: &[T]) -> Matrix3<T> {
         let mut inertia = Matrix3::zeros();
         match self {
@@ -56,10 +56,10 @@ impl Inertia {
         inertia
     }
 
-    /// Reaction of the added mass μ, where all other forces sum to `force` and the body has the mass `mass`.
+    /// Force on a body of mass `mass` by the reaction of the added mass μ, N; all other forces sum to `force`.
     ///
-    /// The momentum of the air is p = μ (v·n) n; the force −dp/dt depends on the acceleration to which it contributes,
-    /// so that the equation is solved for the component along n.
+    /// The momentum of the air is p = μ (v·n) n. The force −dp/dt depends on the acceleration to which it contributes,
+    /// so the equation is solved for the component of the acceleration along n.
     pub fn added_mass_force<T: Real>(
         self,
         values: &[T],

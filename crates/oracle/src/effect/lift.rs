@@ -24,7 +24,7 @@ pub(super) const EFFECTS: &[Effect] = &[
 pub(super) enum Lift {
     /// Quadratic loss of lift above the stall angle.
     Stall,
-    /// Proportional to the absolute advance ratio.
+    /// Change of lift proportional to the absolute advance ratio.
     BySpin,
     /// Additional lift near the ground.
     NearGround,

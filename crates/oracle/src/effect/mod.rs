@@ -1,8 +1,9 @@
-//! Reference implementations of the built-in effects: what each changes in a reference law, in vectors, from the
-//! physics.
+//! Reference implementations of the built-in effects: the change that each effect makes to a reference law, formulated
+//! in vectors from the physics.
 //!
-//! The texts in `model-spec/effects` are checked against these; nothing here reads them. Names, coefficients and the
-//! fixed constants of an effect's form (stall angle, height of the ground effect) are the same in both.
+//! The texts in `model-spec/effects` are checked against these implementations, which do not read them. Names,
+//! coefficients and the fixed constants of an effect's form (stall angle, height of the ground effect) are the same in
+//! both.
 //!
 //! A new effect is a row of `EFFECTS` and a variant with its law in the file of its kind; a new kind is a file, listed
 //! in `Kind` and in `KINDS`.
@@ -30,7 +31,7 @@ use crate::reference::Law;
 use crate::scalar::Real;
 use nalgebra::Vector3;
 
-/// Effects of each kind.
+/// Built-in effects, one slice per kind.
 static KINDS: [&[Effect]; 11] = [
     drag::EFFECTS,
     pitch::EFFECTS,
@@ -50,9 +51,10 @@ static KINDS: [&[Effect]; 11] = [
 pub struct Effect {
     /// Name of the effect in the model language.
     pub name: &'static str,
-    /// Names of the effect's coefficients; all null values are 0.
+    /// Names of the effect's coefficients, whose null values are 0.
     pub coefficients: &'static [&'static str],
-    /// Names of states that the effect adds: constant during a flight, estimated per flight, null value 0.
+    /// Names of the states that the effect adds. They are constant during a flight and estimated per flight; their null
+    /// values are 0.
     pub states: &'static [&'static str],
     /// Laws to which the effect applies.
     pub laws: &'static [Law],
@@ -96,13 +98,13 @@ const fn effect(
 }
 
 impl Effect {
-    /// Number of values of the effect: coefficients and states.
+    /// Number of values of the effect: coefficients plus states.
     pub fn values(&self) -> usize {
         self.coefficients.len() + self.states.len()
     }
 }
 
-/// Every effect with a reference implementation.
+/// All effects with a reference implementation.
 pub fn all() -> impl Iterator<Item = &'static Effect> + Clone {
     KINDS.iter().copied().flatten()
 }

@@ -60,22 +60,23 @@ pub(super) const EFFECTS: &[Effect] = &[
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Observation {
-    /// The measurement axes are rotated about x, then y.
+    /// The measurement axes are rotated about x, then about y.
     Tilted,
-    /// Relative error of all lengths.
+    /// All measured lengths have a common relative error.
     Scale,
     /// Markers are sampled one after the other.
     TimeOffset,
     /// Position error on the body of the marker with this index, from 0.
     Misplaced(usize),
-    /// Common height error of all markers.
+    /// All markers have a common error of their height on the body.
     Height,
-    /// Relative radius error of all markers.
+    /// All markers have a common relative error of their radius on the body.
     Radius,
 }
 
 impl Observation {
-    /// Displacement of the marker in the body frame, m. `which` has a 1 at the index of the observed marker.
+    /// Displacement of a marker from its measured position on the body, in the body frame, m. `which` has a 1 at the
+    /// index of the observed marker.
     pub fn displacement<T: Real>(
         self,
         values: &[T],
@@ -91,7 +92,8 @@ impl Observation {
         }
     }
 
-    /// Motion of the marker until it is sampled, m; `arm` points to it from the mass centre.
+    /// Displacement of a marker by the motion of the body until the marker is sampled, m; `arm` points from the mass
+    /// centre to the marker.
     pub fn motion_until_sampled<T: Real>(
         self,
         values: &[T],
@@ -109,7 +111,7 @@ impl Observation {
         (at.velocity + omega.cross(&arm)) * later + centripetal * (later * later / T::lit(2.0))
     }
 
-    /// Reported position, m.
+    /// Converts the position of a marker to the one that the measurement reports, m.
     pub fn reported<T: Real>(self, values: &[T], position: Vector3<T>) -> Vector3<T> {
         match self {
             Self::Tilted => {

@@ -3,7 +3,7 @@
 use super::{DISCS, Effect, Flow, Kind, Load, effect};
 use crate::scalar::Real;
 
-/// Centre and half-width of the transition above which the low-angle moment vanishes, degrees.
+/// Centre and half-width of the transition in angle of attack above which the low-angle moment vanishes, degrees.
 const LOW_ANGLE_END: (f64, f64) = (10.0, 2.0);
 
 /// Built-in effects on the rolling moment of a disc.
@@ -31,7 +31,7 @@ pub(super) const EFFECTS: &[Effect] = &[
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Roll {
-    /// Damping proportional to the angular rate about d1.
+    /// Damping moment proportional to the angular rate about d1.
     Damping,
     /// Rolling moment proportional to the angle of attack.
     ByAngle,

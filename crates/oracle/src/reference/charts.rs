@@ -1,4 +1,4 @@
-//! Charts of the reference laws, by the state names that the contract fixes.
+//! Charts of the reference laws, by the state names that the model contract fixes.
 
 use crate::chart::{Chart, Step, defaults};
 use crate::error::BindError;
@@ -19,7 +19,8 @@ fn states<const N: usize>(
     Ok(indices)
 }
 
-/// Chart of a body with attitude: the angles of the paper, or a quaternion from the inertial frame to the body frame.
+/// Chart of a body with attitude: the angles phi, theta and gamma, or a quaternion from the inertial frame to the body
+/// frame.
 pub(super) fn with_attitude(model: &Model) -> Result<Chart, BindError> {
     if model.states.iter().any(|s| s.name == "q0") {
         return quaternion(model);
@@ -38,7 +39,8 @@ pub(super) fn with_attitude(model: &Model) -> Result<Chart, BindError> {
     })
 }
 
-/// Velocity in inertial components, angular velocity in components of the body frame.
+/// Chart with an attitude quaternion: velocity in inertial components, angular velocity in components of the body
+/// frame.
 fn quaternion(model: &Model) -> Result<Chart, BindError> {
     Ok(Chart {
         steps: vec![Step::Quaternion(states(model, ["q0", "q1", "q2", "q3"])?)],

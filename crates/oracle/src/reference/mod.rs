@@ -1,4 +1,4 @@
-//! Reference implementations of the laws of motion, one per kind of body: the physics that a model claims by
+//! Reference implementations of the laws of motion, one per kind of body. A model claims the physics of one of them by
 //! `reference NAME;`.
 
 mod ball;
@@ -16,10 +16,10 @@ use crate::scalar::Real;
 use model_spec::model::{Model, Parameter};
 use nalgebra::Vector3;
 
-/// Law of motion with a reference implementation.
+/// A law of motion that has a reference implementation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Law {
-    /// Disc of Hubbard and Hummel (2000), eight coefficients.
+    /// Disc of Hubbard and Hummel (2000) with eight aerodynamic coefficients.
     Disc,
     /// Point mass with weight and drag.
     Ball,
@@ -35,12 +35,12 @@ pub(crate) const NAMES: [&str; 3] = ["hubbard_hummel_disc", "ball_with_drag", "f
 pub struct Reference {
     /// The reference law of motion.
     pub law: Law,
-    /// Physical meaning of the states, by the state names of the model contract.
+    /// Chart that maps the states to a physical state, by the state names of the model contract.
     pub chart: Chart,
-    /// Indices of the model's coefficients that the law does not contain: those of effects or user terms.
+    /// Indices of the model's coefficients that do not occur in the law: those of effects or user terms.
     pub unknown: Vec<usize>,
     constants: Vec<Slot>,
-    /// Index of the input `wind`; `None` in still air.
+    /// Index of the model's input `wind`; `None` if the model has no such input, so that the air is still.
     wind: Option<usize>,
 }
 
@@ -70,7 +70,7 @@ impl Law {
         }
     }
 
-    /// Whether the body of the law has an attitude.
+    /// Whether the body of the law has an attitude; false for a point mass.
     pub fn has_attitude(self) -> bool {
         self != Self::Ball
     }
@@ -94,10 +94,11 @@ impl Law {
 }
 
 impl Reference {
-    /// Binds the reference law that a model claims; `None` if it claims none.
+    /// Binds the reference law that a model claims to the names in the model; `None` if the model claims no law.
     ///
     /// # Errors
-    /// [`BindError::UnknownReference`], or the first name of the law that the model does not declare.
+    /// [`BindError::UnknownReference`] if there is no law of the claimed name; [`BindError::MissingConstant`] or
+    /// [`BindError::MissingState`] for the first name of the law that the model does not declare.
     pub fn bind(model: &Model) -> Option<Result<Self, BindError>> {
         let name = model.reference.as_ref()?;
         let law =
@@ -134,7 +135,7 @@ impl Reference {
         })
     }
 
-    /// Index and null value of each coefficient that the law does not contain.
+    /// Index and null value of each model coefficient that does not occur in the law.
     pub fn null_values(&self, model: &Model) -> Vec<(usize, f64)> {
         let of_effects = model.effects.iter().flat_map(|e| &e.coefficients);
         let null_value = |i| {
@@ -157,7 +158,7 @@ impl Reference {
             .motion(&self.values(point), physical, self.wind(point))
     }
 
-    /// Whether the model has an input `wind`; the reference is one of still air without it.
+    /// Whether the model has an input `wind`; without it the reference assumes still air.
     pub fn has_wind(&self) -> bool {
         self.wind.is_some()
     }
@@ -168,7 +169,7 @@ impl Reference {
             .map_or_else(Vector3::zeros, |wind| point.inputs[wind])
     }
 
-    /// Mass and inertia in the body frame.
+    /// Mass and inertia in the body frame, with the values of the constants at a point.
     pub fn mass_properties<T: Real>(&self, point: &Point<T>) -> MassProperties<T> {
         self.law.mass_properties(&self.values(point))
     }
@@ -182,12 +183,12 @@ impl Reference {
         self.constants.iter().map(value).collect()
     }
 
-    /// Derivative of every state with respect to the time of flight.
+    /// Computes the derivative of every state with respect to the time of flight.
     pub fn derivatives<T: Real>(&self, point: &Point<T>) -> Vec<T> {
         self.chart.derivatives(&point.states, &self.motion(point))
     }
 
-    /// Position of the marker, fixed in the body, in inertial components, m.
+    /// Position of the body-fixed marker in inertial components, m.
     pub fn observation<T: Real>(&self, point: &Point<T>) -> Vector3<T> {
         let physical = self.chart.physical(&point.states);
         physical.position + physical.attitude.carry(point.marker)

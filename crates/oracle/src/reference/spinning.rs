@@ -16,7 +16,7 @@ pub(crate) struct Stream<T> {
     pub through_air: Vector3<T>,
     /// Airspeed, m/s.
     pub speed: T,
-    /// Magnitude of the airspeed component in the plane of the body, m/s.
+    /// Magnitude of the velocity relative to the air, projected onto the plane of the body, m/s.
     pub in_plane: T,
     /// Component of the velocity relative to the air along the axis of the body, m/s.
     pub axial_velocity: T,
@@ -28,24 +28,24 @@ pub(crate) struct Stream<T> {
     pub d2: Vector3<T>,
     /// Spin about the axis, rad/s.
     pub spin: T,
-    /// Angular velocity without the spin, rad/s; 0 if `d1` is 0.
+    /// Angular velocity without its component along the axis (the spin), rad/s; 0 if `d1` is 0.
     pub transverse_rate: Vector3<T>,
 }
 
-/// Dimensionless coefficients of forces and moments, except `damping` and `spin_down`.
+/// Coefficients of forces and moments; dimensionless, except `damping` and `spin_down`.
 pub(super) struct Coefficients<T> {
     pub lift: T,
     pub drag: T,
-    /// Coefficient of the rolling moment, about d1.
+    /// Coefficient of the rolling moment about d1.
     pub roll: T,
     pub pitch: T,
     /// Damping coefficient of the angular rates about d1 and d2, s.
     pub damping: T,
-    /// Moment about the axis per spin, N·m·s, independent of the airspeed.
+    /// Moment about the axis per unit of spin, N·m·s; independent of the airspeed.
     pub spin_down: T,
 }
 
-/// Mass, inertia, dimensions and surroundings of a body of revolution.
+/// Mass, inertia and dimensions of a body of revolution, with air density and gravity.
 #[derive(Clone, Copy)]
 pub(super) struct Body<T> {
     pub mass: T,

@@ -13,7 +13,7 @@ pub const STEP: f64 = 1e-120;
 pub struct ComplexStep(pub Complex<f64>);
 
 impl ComplexStep {
-    /// Complex number for a value and its derivative.
+    /// Complex number that represents a value and its derivative.
     pub fn new(value: f64, derivative: f64) -> Self {
         Self(Complex::new(value, derivative * STEP))
     }

@@ -1,4 +1,4 @@
-//! Dual numbers over any scalar; over [`ErrorBound`](super::ErrorBound) they give a derivative with its error bound.
+//! Dual numbers over any scalar; over [`ErrorBound`](super::ErrorBound) they yield a derivative with its error bound.
 
 use super::table::Interpolant;
 use super::{Elementary, Field, Real};
@@ -23,7 +23,7 @@ impl<T: Field> Dual<T> {
         }
     }
 
-    /// Dual number for a value and its derivative.
+    /// Creates a dual number from a value and its derivative.
     pub fn new(value: T, derivative: T) -> Self {
         Self { value, derivative }
     }

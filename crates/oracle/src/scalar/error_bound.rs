@@ -1,8 +1,8 @@
 //! Numbers with a running error bound.
 //!
 //! `magnitude` is the sum of the absolute values of all summed terms, propagated to first order through every
-//! operation. Without cancellation it is |value|; where terms of size 1 cancel to 1e-9 it stays 2. Errors relative to
-//! it are therefore comparable with the rounding unit, whether or not terms cancel.
+//! operation. Without cancellation it is |value|; where terms of size 1 cancel to 1e-9 it stays 2. An error relative to
+//! the magnitude is therefore comparable with the rounding unit, whether or not terms cancel.
 
 use super::table::Interpolant;
 use super::{Elementary, Field, Real};
@@ -14,12 +14,13 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 pub struct ErrorBound {
     /// Computed value.
     pub value: f64,
-    /// Sum of the absolute values of the terms; at least |value|.
+    /// Sum of the absolute values of the terms that sum to the value; at least |value|.
     pub magnitude: f64,
 }
 
 impl ErrorBound {
-    /// Error of `other` relative to the magnitude: |`other` − value| / magnitude; infinite if either is NaN.
+    /// Error of `other` relative to the magnitude of this number: |`other` − value| / magnitude; infinite if either is
+    /// NaN.
     pub fn relative_error(self, other: f64) -> f64 {
         let difference = (other - self.value).abs();
         if difference == 0.0 {

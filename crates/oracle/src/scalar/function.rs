@@ -1,7 +1,7 @@
 //! The functions of the model language: value, derivative, and behaviour at singular points.
 //!
-//! A new function is added to this file; the scalars that bring implementations of their own ([`NumDual`] and
-//! [`ComplexStep`]) may add one.
+//! A new function is added to this file; scalar types with their own implementations ([`NumDual`] and [`ComplexStep`])
+//! may add one.
 //!
 //! [`NumDual`]: super::NumDual
 //! [`ComplexStep`]: super::ComplexStep
@@ -11,7 +11,8 @@ use model_spec::model::Function;
 use num_dual::DualNum;
 use std::f64::consts::FRAC_PI_2;
 
-/// A function of one argument that each scalar type implements; the other functions of the language are composed.
+/// A function of one argument that each scalar type implements; the other functions of the model language are composed
+/// of these.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Elementary {
     /// Square root; 0 with derivative 0 for arguments ≤ 0.
@@ -90,7 +91,8 @@ impl Elementary {
         }
     }
 
-    /// Derivative at `x`, where the value is `y` and the function is not [constant](Self::is_constant_at).
+    /// Derivative of the function at `x`; `y` is its value at `x`, where the function must not be
+    /// [constant](Self::is_constant_at).
     pub fn derivative<T: Real>(self, x: T, y: T) -> T {
         let one = T::one();
         match self {
@@ -105,7 +107,8 @@ impl Elementary {
         }
     }
 
-    /// Whether the language defines the derivative at `x` as 0: outside the function's domain, and at its ends.
+    /// Whether the language defines the derivative at `x` as 0: outside the domain of the function, and at the ends of
+    /// the domain.
     pub fn is_constant_at(self, x: f64) -> bool {
         match self {
             Self::Sqrt | Self::Log => x <= 0.0,

@@ -29,7 +29,7 @@ macro_rules! binary {
     ($($trait:ident $method:ident)*) => {$(
         impl<A: Field, B: Field> $trait for Lockstep<A, B> {
             type Output = Self;
-            // A call keeps the code of an instantiation small; the operations themselves are long.
+            // A call keeps the code of an instantiation small; the code of the operations is long.
             #[inline(never)]
             fn $method(self, o: Self) -> Self {
                 self.map(|a| a.$method(o.first), |b| b.$method(o.second))

@@ -25,7 +25,7 @@ use ::num_traits::{One, Zero};
 use ops::{assign_ops, wrapped_ops};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// An algebraic field: sums, differences, products and quotients.
+/// An algebraic field: scalars with sums, differences, products and quotients.
 pub trait Field:
     nalgebra::Scalar
     + Copy
@@ -41,10 +41,11 @@ pub trait Field:
     + MulAssign
     + DivAssign
 {
-    /// The image of an integer in the field.
+    /// Image of an integer in the field.
     fn integer(value: i64) -> Self;
 
-    /// Field element of a literal, from (numerator, denominator) if `exact`; `None` if it cannot be represented.
+    /// Field element of a literal; `exact` is its value as (numerator, denominator) if known. `None` if the field
+    /// cannot represent the literal.
     fn literal(value: f64, exact: Option<(i64, i64)>) -> Option<Self>;
 }
 
@@ -54,12 +55,12 @@ pub trait Real: Field {
     fn lit(value: f64) -> Self;
     /// The real value, without derivatives or error bounds.
     fn re(self) -> f64;
-    /// An elementary function; see [`Elementary`] for its values at singular points.
+    /// Value of an elementary function at `self`; see [`Elementary`] for its values at singular points.
     fn elementary(self, function: Elementary) -> Self;
     /// Polar angle of the point (`x`, `self`), rad; 0 with derivative 0 at the origin.
     fn atan2(self, x: Self) -> Self;
 
-    /// Value of a table (`order` 0) or of its derivative of an order.
+    /// Value of a table at `self` (`order` 0), or its derivative of the given order.
     fn interpolated(self, table: &Interpolant, order: u8) -> Self {
         table.at(self, order)
     }
@@ -98,7 +99,7 @@ pub trait Real: Field {
         }
     }
 
-    /// Integer power.
+    /// Integer power `self`ⁿ; for n < 0 the reciprocal of the positive power.
     fn powi(self, n: i32) -> Self {
         let mut product = Self::one();
         for _ in 0..n.unsigned_abs() {

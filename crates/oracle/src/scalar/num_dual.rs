@@ -1,4 +1,4 @@
-//! The dual numbers of the crate `num-dual`: an independent implementation of forward differentiation.
+//! Dual numbers of the crate `num-dual`: an independent implementation of forward differentiation.
 
 use super::{Elementary, Field, Real};
 use num_dual::{Dual64, DualNum};
@@ -6,17 +6,17 @@ use num_traits::{One, Zero};
 use std::f64::consts::FRAC_PI_2;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// A dual number of `num-dual`.
+/// A dual number of the crate `num-dual`, as a scalar type of the oracle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NumDual(pub Dual64);
 
 impl NumDual {
-    /// A value with the given derivative.
+    /// Creates a dual number from a value and its derivative.
     pub fn new(value: f64, derivative: f64) -> Self {
         Self(Dual64::new(value, derivative))
     }
 
-    /// Derivative.
+    /// Derivative part of the dual number.
     pub fn derivative(self) -> f64 {
         self.0.eps
     }

@@ -1,6 +1,6 @@
 //! Macros that implement arithmetic operators in terms of other operators.
 
-/// Implements `+=`, `-=`, `*=` and `/=` by `+`, `-`, `*` and `/`.
+/// Implements `+=`, `-=`, `*=` and `/=` of a type by its `+`, `-`, `*` and `/`.
 macro_rules! assign_ops {
     ([$($generics:tt)*] $type:ty) => {
         impl<$($generics)*> AddAssign for $type {
@@ -26,7 +26,7 @@ macro_rules! assign_ops {
     };
 }
 
-/// Implements `+`, `-`, `*`, `/` and negation of a newtype by those of its inner type.
+/// Implements `+`, `-`, `*`, `/` and negation of a newtype by the operators of its inner type.
 macro_rules! wrapped_ops {
     ($type:ident($inner:ty)) => {
         impl Add for $type {

@@ -1,4 +1,4 @@
-//! `f64` as a scalar of the oracle.
+//! `f64` as a scalar type of the oracle.
 
 use super::{Elementary, Field, Real};
 

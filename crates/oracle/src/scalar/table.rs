@@ -1,11 +1,12 @@
 //! Tables of a model, interpolated by Hermite cubics.
 //!
-//! A second way to the same curve as the compiler's: the unknowns are the slopes at the knots, not the second derivatives.
+//! The curve is that of the compiler, computed in a different way: the unknowns are the slopes at the knots, not the
+//! second derivatives.
 
 use super::Real;
 use model_spec::model::{Continuation, Interpolation, Table};
 
-/// A table with its slopes at the knots.
+/// Interpolated table: the knots and the slopes at the knots.
 #[derive(Clone, Debug)]
 pub struct Interpolant {
     /// Hash of the curve ([`Table::fingerprint`]).
@@ -15,7 +16,7 @@ pub struct Interpolant {
 }
 
 impl Interpolant {
-    /// Interpolant of a table of a model.
+    /// Creates the interpolant of a table of a model.
     pub fn new(table: &Table) -> Self {
         let is_flat = table.continuation == Continuation::Constant;
         let slopes = match table.interpolation {
@@ -29,7 +30,7 @@ impl Interpolant {
         }
     }
 
-    /// Value (`order` 0) or derivative at `x`.
+    /// Value (`order` 0) or derivative of the given order at `x`.
     pub fn at<T: Real>(&self, x: T, order: u8) -> T {
         let last = self.knots.len() - 1;
         let line = |end: usize| {
@@ -75,7 +76,7 @@ impl Interpolant {
         }
     }
 
-    /// Sum of the sizes of what the value near `x` is made of.
+    /// Sum of the magnitudes of the terms from which the value near `x` is computed.
     pub fn magnitude_near(&self, x: f64) -> f64 {
         let right = self.knots.iter().position(|&(knot, _)| x < knot);
         let right = right.unwrap_or(self.knots.len() - 1).max(1);
@@ -94,7 +95,8 @@ fn intervals(knots: &[(f64, f64)]) -> Vec<(f64, f64)> {
     knots.windows(2).map(of).collect()
 }
 
-/// Slopes of the spline whose second derivative is continuous, and 0 at the ends unless its slope is.
+/// Slopes at the knots of the cubic spline with continuous second derivative. At the ends the slope is 0 if `is_flat`,
+/// otherwise the second derivative is 0.
 fn spline_slopes(knots: &[(f64, f64)], is_flat: bool) -> Vec<f64> {
     let intervals = intervals(knots);
     let n = knots.len();
@@ -125,7 +127,7 @@ fn spline_slopes(knots: &[(f64, f64)], is_flat: bool) -> Vec<f64> {
     slopes
 }
 
-/// Slopes that keep the curve monotone wherever the values are (Fritsch and Butland 1984).
+/// Slopes at the knots that keep the curve monotone wherever the values are (Fritsch and Butland 1984).
 fn monotone_slopes(knots: &[(f64, f64)], is_flat: bool) -> Vec<f64> {
     let intervals = intervals(knots);
     let last = intervals.len();

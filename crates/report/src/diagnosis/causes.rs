@@ -1,4 +1,5 @@
-//! Tables of the hypotheses (sets of effects that explain the model error) and of the throw that discriminates them.
+//! Tables of the accepted hypotheses (sets of effects that explain the misfit) and of the throw that would best
+//! distinguish them.
 
 use diagnose::{Cause, CauseEffect, NextThrow};
 use model_spec::compose::ModelTree;
@@ -10,21 +11,23 @@ use crate::fit::flights::short;
 use crate::fit::numbers::{Digits, millimetres, percent, plain, significant, stated, unit};
 use crate::fit::page::sentence;
 
-/// Maximum number of hypotheses that are shown.
+/// Maximum number of hypotheses shown on the page.
 pub(super) const MOST: usize = 12;
 
-/// Hypothesis of the report, formatted text.
+/// Accepted hypothesis, with all values formatted as text.
 #[derive(Serialize)]
 pub(super) struct Explanation {
     name: String,
-    /// Decrease of the weighted sum of squares χ².
+    /// Decrease of the weighted sum of squares, χ², formatted.
     gain: String,
-    /// Share of the misfit that it explains, and what remains beyond the noise; `None` if not computed.
+    /// Formatted fraction of the misfit that the hypothesis explains, and remaining RMS beyond the noise; `None` if
+    /// not computed.
     explained: Option<[String; 2]>,
-    /// Strongest remaining candidate effect: name and p-value, formatted.
+    /// Name and formatted p-value of the strongest remaining candidate effect; `None` if no other candidate can be
+    /// tested.
     rival: Option<[String; 2]>,
     effects: Vec<Effect>,
-    /// Rows of the coefficients of the hypothesis' effects.
+    /// Table rows of the coefficients of the hypothesis' effects.
     rows: Vec<Row>,
 }
 
@@ -32,13 +35,13 @@ pub(super) struct Explanation {
 struct Effect {
     name: String,
     doc: String,
-    /// Equations that it adds or replaces, MathML.
+    /// Equations that the effect adds or replaces, as MathML.
     equations: Vec<String>,
 }
 
 #[derive(Serialize)]
 struct Row {
-    /// Name of the effect and its row span; `None` in further rows of the same effect.
+    /// Name of the effect and its number of rows; `None` in further rows of the same effect.
     effect: Option<(String, usize)>,
     site: String,
     variables: String,
@@ -51,13 +54,14 @@ struct Row {
     immaterial: bool,
 }
 
-/// Hypotheses of the report, the best first.
+/// Formats the accepted hypotheses of the report, best fit first; at most [`MOST`].
 pub(super) fn explanations(page: &DiagnosisPage<'_>) -> Vec<Explanation> {
     let causes = page.report.causes.iter().take(MOST);
     causes.map(|cause| explanation(page, cause)).collect()
 }
 
-/// Equations of an effect as MathML: in the extended model, or in the model with this effect alone.
+/// Equations of an effect as MathML, from the extended model, or from the model extended by this effect only. Empty
+/// if the fits are not available.
 fn equations(page: &DiagnosisPage<'_>, name: &str) -> Vec<String> {
     let Some(fits) = &page.fits else {
         return Vec::new();
@@ -131,17 +135,17 @@ fn rows(effect: &CauseEffect) -> Vec<Row> {
     all
 }
 
-/// Discriminating throw, formatted text.
+/// Proposed next throw, formatted as text.
 #[derive(Serialize)]
 pub(super) struct Throw {
     says: String,
-    /// Release quantities: name and value.
+    /// Release quantities: pairs of name and formatted value.
     rows: Vec<(&'static str, String)>,
     separation: String,
     separation_now: String,
 }
 
-/// Formats the throw that discriminates the hypotheses, in the quantities common for disc throws.
+/// Formats the throw that would best distinguish the hypotheses, in the quantities common for disc throws.
 pub(super) fn throw(next: &NextThrow) -> Throw {
     let degrees = |radians: f64| format!("{}°", plain(radians.to_degrees(), 1));
     let turns = plain(next.spin / std::f64::consts::TAU, 1);

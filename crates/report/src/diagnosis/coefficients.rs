@@ -1,21 +1,21 @@
-//! Table of the coefficients before and after the extension of the model.
+//! Table of the coefficients before and after the model is extended.
 
 use diagnose::{Coefficient, Report};
 use serde::Serialize;
 
 use crate::fit::numbers::{Digits, plain, unit};
 
-/// Change of a coefficient, in standard errors, above which its previous estimate counts as biased.
+/// Minimum change of a coefficient, in standard errors, for its estimate before the extension to count as biased.
 const BIASED: f64 = 3.0;
 
-/// Row of the coefficient table, formatted text.
+/// Row of the coefficient table, with all values formatted as text.
 #[derive(Serialize)]
 pub(super) struct Row {
     name: String,
     before: String,
     value: String,
     error: String,
-    /// Change of the estimate, in standard errors.
+    /// Change of the estimate by the extension, in standard errors, formatted.
     change: String,
     biased: bool,
     /// Whether the coefficient belongs to an effect added to the model.
@@ -23,12 +23,12 @@ pub(super) struct Row {
     unit: String,
 }
 
-/// Whether any coefficient has an estimate from before the extension of the model.
+/// Whether the model was extended: at least one coefficient has an estimate before the extension.
 pub(super) fn extended(report: &Report) -> bool {
     report.coefficients.values().any(|c| c.before.is_some())
 }
 
-/// Rows of the coefficient table: coefficients of the original model, then those of the added effects.
+/// Rows of the coefficient table: coefficients of the model under test, then those of the added effects.
 pub(super) fn rows(report: &Report) -> Vec<Row> {
     let extended = extended(report);
     let all = report.coefficients.iter();

@@ -1,4 +1,4 @@
-//! Tables of undetectable effects, minimum detectable effects, stepwise terms, score tests and flights.
+//! Tables of effects that are not identifiable, minimum detectable effects, stepwise terms, score tests and flights.
 
 use diagnose::{CandidateTest, FlightGain, LackOfFit, Report, SmoothMisfit, StepwiseTerm};
 use identify::dataset::Role;
@@ -9,10 +9,10 @@ use crate::fit::flights::short;
 use crate::fit::numbers::{Digits, millimetres, plain, significant, unit};
 use crate::fit::words::names;
 
-/// Maximum number of rows of a table.
+/// Maximum number of rows of one table.
 const MOST_ROWS: usize = 60;
 
-/// Effects that are not identifiable: name of the effect, and names of what it is confounded with.
+/// Effects that are not identifiable: name of the effect, and names of the parameters with which it is confounded.
 pub(super) fn undetectable(report: &Report) -> Vec<[String; 2]> {
     let all = report.undetectable.iter().take(MOST_ROWS);
     all.map(|u| {
@@ -27,7 +27,7 @@ pub(super) fn undetectable(report: &Report) -> Vec<[String; 2]> {
     .collect()
 }
 
-/// Minimum detectable effects: name, coefficient, size, unit.
+/// Table of minimum detectable effects: name of the effect, coefficient, size and unit.
 pub(super) fn detectable(report: &Report) -> Vec<[String; 4]> {
     let all = report.smallest_detectable.iter().take(MOST_ROWS);
     all.map(|d| {
@@ -37,7 +37,7 @@ pub(super) fn detectable(report: &Report) -> Vec<[String; 4]> {
     .collect()
 }
 
-/// Row of a term tried by stepwise regression, formatted text.
+/// Row of a library term tested by stepwise regression, with all values formatted as text.
 #[derive(Serialize)]
 pub(super) struct TermRow {
     site: String,
@@ -48,7 +48,7 @@ pub(super) struct TermRow {
     taken: bool,
 }
 
-/// Rows of the terms tried by stepwise regression, in the order of the trials.
+/// Rows of the library terms tested by stepwise regression, in the order of `terms`.
 pub(super) fn terms(terms: &[StepwiseTerm]) -> Vec<TermRow> {
     let row = |term: &StepwiseTerm| {
         let digits = Digits::of(term.value, term.std_error);
@@ -64,7 +64,7 @@ pub(super) fn terms(terms: &[StepwiseTerm]) -> Vec<TermRow> {
     terms.iter().take(MOST_ROWS).map(row).collect()
 }
 
-/// Row of a candidate's score test, formatted text.
+/// Row of a candidate's score test, with all values formatted as text.
 #[derive(Serialize)]
 pub(super) struct Score {
     name: String,
@@ -79,7 +79,7 @@ pub(super) struct Score {
     significant: bool,
 }
 
-/// Rows of the score tests, the most significant candidate first.
+/// Rows of the score tests, in the order of the report: the most significant candidate first.
 pub(super) fn scores(report: &Report) -> Vec<Score> {
     let row = |c: &CandidateTest| {
         let expected = c.one_step.iter().take(6).map(|(name, e)| {
@@ -105,26 +105,28 @@ pub(super) fn scores(report: &Report) -> Vec<Score> {
     report.candidates.iter().take(MOST_ROWS).map(row).collect()
 }
 
-/// Row of a flight: file, role, RMS residual before and after the extension of the model.
+/// Row of a flight: file, role, and RMS residual without and with the extension of the model.
 #[derive(Serialize)]
 pub(super) struct Flight {
     file: String,
     held_out: bool,
     before: String,
     after: String,
-    /// Decrease of the RMS residual; `–` without an extension.
+    /// Decrease of the RMS residual by the extension; `–` without an extension.
     gain: String,
-    /// Whether the RMS residual increases.
+    /// Whether the extension increases the RMS residual.
     worse: bool,
-    /// p-value of the lack-of-fit test; `–` if the flight was not tested.
+    /// p-value of the flight's lack-of-fit test; `–` if the flight was not tested.
     p: String,
-    /// Whether no model follows the flight, which is then not counted in the gain.
+    /// Whether the flight is set apart because neither model predicts it, and so not included in the out-of-sample
+    /// gain.
     apart: bool,
-    /// Reason for the exclusion, if the flight is excluded.
+    /// Reason why the flight was excluded; `None` if it was used.
     excluded: Option<String>,
 }
 
-/// Rows of the flights in dataset order; if there are too many, those with the largest RMS residuals.
+/// Rows of the flights in dataset order. If there are more than [`MOST_ROWS`], only the flights with the largest RMS
+/// residuals, in descending order.
 pub(super) fn flights(report: &Report) -> Vec<Flight> {
     let mut all: Vec<&FlightGain> = report.flights.iter().collect();
     if all.len() > MOST_ROWS {
@@ -159,16 +161,16 @@ pub(super) fn flights(report: &Report) -> Vec<Flight> {
     all.into_iter().map(row).collect()
 }
 
-/// Test of the residuals for lack of fit, formatted text.
+/// Lack-of-fit test of the residuals, with all values formatted as text.
 #[derive(Serialize)]
 pub(super) struct LackOfFitText {
     says: String,
     head: [&'static str; 6],
-    /// Departures, the least p-value first.
+    /// Rows of the largest smooth deviations, smallest p-value first.
     departures: Vec<[String; 6]>,
 }
 
-/// Formats the test of the residuals with its greatest departures.
+/// Formats the lack-of-fit test with a table of the largest smooth deviations.
 pub(super) fn lack_of_fit(test: &LackOfFit) -> LackOfFitText {
     let row = |d: &SmoothMisfit| {
         [

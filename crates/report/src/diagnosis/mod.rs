@@ -15,31 +15,32 @@ use identify::{Fit, FlightEvidence};
 
 pub use words::{lack_of_fit as lack_of_fit_sentence, paired as paired_gain_sentence};
 
-/// Contents of the HTML report of a diagnosis.
+/// Input of the HTML report of a diagnosis.
 #[derive(Clone, Copy, Debug)]
 pub struct DiagnosisPage<'a> {
-    /// Results of the diagnosis.
+    /// Report of the diagnosis.
     pub report: &'a Report,
-    /// Flights as predicted by the original model; at most the first twelve are drawn.
+    /// Measured flights with predictions of the model under test; at most the first twelve are drawn.
     pub before: &'a [FlightEvidence],
-    /// Flights as predicted by the extended model; empty if the model was not extended.
+    /// Measured flights with predictions of the extended model; empty if the model was not extended.
     pub after: &'a [FlightEvidence],
-    /// Fits of both models, from which curves and bands are computed; none in a page without them.
+    /// Fits of both models, from which curves and confidence bands are computed; `None` omits these figures.
     pub fits: Option<Fits<'a>>,
     /// Reasons not to rely on the diagnosis; empty if there are none.
     pub reasons_against: &'a [String],
-    /// Text of the added effect or of the extended model file, in the model language.
+    /// Text of the added effect or of the extended model file, in the model language; `None` if the model was not
+    /// extended.
     pub extended: Option<&'a str>,
-    /// What the certificate of the model says.
+    /// Verification status of the model according to its certificate.
     pub certificate: &'a CertificateNote,
 }
 
-/// Fits of a diagnosis.
+/// Fits of the model under test and of the extended model.
 #[derive(Clone, Copy)]
 pub struct Fits<'a> {
     /// Fit of the model under test.
     pub before: &'a Fit,
-    /// Fit of the extended model; none if the model was not extended.
+    /// Fit of the extended model; `None` if the model was not extended.
     pub after: Option<&'a Fit>,
 }
 
@@ -52,18 +53,18 @@ impl std::fmt::Debug for Fits<'_> {
     }
 }
 
-/// HTML report of a diagnosis with its figures.
+/// HTML report of a diagnosis, with the SVG and CSV text of its figures.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Made {
     /// Self-contained HTML page.
     pub html: String,
     /// File name and SVG text of each figure, in the order of the page.
     pub figures: Vec<(String, String)>,
-    /// File name and CSV text of the numbers behind each figure, in the same order.
+    /// File name and CSV text of the data of each figure, in the same order as `figures`.
     pub tables: Vec<(String, String)>,
 }
 
-/// Draws every figure once and renders the HTML page.
+/// Draws all figures and renders the HTML page.
 pub fn make(page: &DiagnosisPage<'_>) -> Made {
     let (finding, figure) = finding::finding(page);
     let figures = draw::Figures::of(page, figure);

@@ -17,14 +17,14 @@ use crate::fit::numbers::{millimetres, percent, plain};
 use crate::fit::page::{capitalized, plain_values, reached, rendered, sentence, table_link};
 use crate::fit::words::names;
 
-/// Maximum length of the shown text of the extended model, characters.
+/// Maximum number of characters of the extended model's text shown on the page.
 const MOST_TEXT: usize = 60_000;
-/// Maximum number of shown notes and of shown checks.
+/// Maximum number of notes, and of checks, shown on the page.
 const MOST_NOTES: usize = 40;
-/// Number of load channels and of curves that are expanded initially.
+/// Number of figures of load channels, and of curves, that are expanded when the page is opened.
 const OPEN: usize = 6;
 
-/// Renders the self-contained HTML page.
+/// Renders the self-contained HTML page of the diagnosis.
 pub(super) fn html(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figures) -> String {
     let report = page.report;
     let (curves, more_curves) = split(&figures.curves);
@@ -123,7 +123,7 @@ fn one(drawn: &Drawn) -> Value {
     }
 }
 
-/// Truncates a file's text to the maximum length shown on the page.
+/// Truncates the text of a model file to [`MOST_TEXT`] characters.
 fn beginning(text: &str) -> String {
     let mut shown: String = text.chars().take(MOST_TEXT).collect();
     if shown.len() < text.len() {
@@ -140,7 +140,7 @@ fn verified(found: &Verified) -> Value {
     context! { holds => found.holds, checks => plain_values(&checks) }
 }
 
-/// Sentence on the estimated noise.
+/// Sentence that states the estimated measurement noise.
 fn noise(report: &Report) -> String {
     let noise = &report.noise;
     format!(

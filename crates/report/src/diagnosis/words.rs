@@ -1,4 +1,4 @@
-//! Summary of a diagnosis in sentences.
+//! Sentences and formatted values of a diagnosis.
 
 use diagnose::{Cause, LackOfFit, PredictiveGain, Report, Verdict};
 use identify::wording::count;
@@ -6,7 +6,7 @@ use identify::wording::count;
 use crate::fit::numbers::{millimetres, plain, raised, significant};
 use crate::fit::words::names;
 
-/// Name of a hypothesis: the names of its effects.
+/// Name of a hypothesis: the joined names of its effects.
 pub(super) fn cause(cause: &Cause) -> String {
     let effects = names(cause.effects.iter().map(|e| e.name.as_str()));
     match cause.effects.len() {
@@ -16,12 +16,12 @@ pub(super) fn cause(cause: &Cause) -> String {
     }
 }
 
-/// Name of an effect as text: words separated by spaces.
+/// Name of an effect as words separated by spaces.
 pub(super) fn readable(name: &str) -> String {
     name.replace(['-', '_'], " ")
 }
 
-/// Sentence that states the verdict.
+/// Sentence that states the verdict of the diagnosis.
 pub(super) fn verdict(report: &Report) -> String {
     let first = report.causes.first();
     match report.verdict {
@@ -56,7 +56,7 @@ pub(super) fn verdict(report: &Report) -> String {
     }
 }
 
-/// CSS class of the verdict.
+/// CSS class of the verdict on the page.
 pub(super) fn kind(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::None => "none",
@@ -67,7 +67,7 @@ pub(super) fn kind(verdict: Verdict) -> &'static str {
     }
 }
 
-/// Sentences on the out-of-sample error reduction by the extension, or why none is known.
+/// Sentences on the out-of-sample error reduction by the extension, or the reason why it was not measured.
 pub(super) fn gain(report: &Report) -> String {
     let Some(gain) = &report.gain else {
         return match (report.extended_model.is_some(), report.verdict) {
@@ -99,7 +99,8 @@ pub(super) fn gain(report: &Report) -> String {
     )
 }
 
-/// Sentence that compares the predictions flight by flight; `None` if there is nothing to compare.
+/// Sentence that compares the predictions with and without the extension flight by flight; `None` if no flight is
+/// compared or set apart.
 pub fn paired(gain: &PredictiveGain) -> Option<String> {
     let compared = gain.improved + gain.worsened;
     if compared == 0 && gain.set_apart.is_empty() {
@@ -124,7 +125,7 @@ pub fn paired(gain: &PredictiveGain) -> Option<String> {
     Some(text.trim_start().to_owned())
 }
 
-/// Sentence on the test of the residuals for lack of fit.
+/// Sentence on the result of the lack-of-fit test.
 pub fn lack_of_fit(test: &LackOfFit) -> String {
     let p = probability(test.p);
     let floor = millimetres(test.noise_floor_m);
@@ -139,7 +140,7 @@ pub fn lack_of_fit(test: &LackOfFit) -> String {
     }
 }
 
-/// Formats the reduction of the prediction error with its standard error: `19.4 ± 0.4 mm`.
+/// Formats the reduction of the RMS prediction error with its standard error, such as `19.4 ± 0.4 mm`.
 pub(super) fn gained(gain: &PredictiveGain) -> String {
     let value = 1e3 * (gain.held_out_rms_before_m - gain.held_out_rms_after_m);
     let error = 1e3 * gain.standard_error_m;
@@ -151,7 +152,7 @@ pub(super) fn gained(gain: &PredictiveGain) -> String {
     }
 }
 
-/// Readable name of the site (force, moment or measurement) on which an effect acts.
+/// Readable name of the site (force, moment or measurement) that an effect changes.
 pub(super) fn site(site: &str) -> &str {
     match site {
         "side" => "side force",
@@ -166,7 +167,7 @@ pub(super) fn site(site: &str) -> &str {
     }
 }
 
-/// Formats a p-value; `–` if not between 0 and 1.
+/// Formats a p-value; `–` if it is not between 0 and 1.
 pub(super) fn probability(p: f64) -> String {
     if !(0.0..=1.0).contains(&p) {
         "–".to_owned()
@@ -179,7 +180,7 @@ pub(super) fn probability(p: f64) -> String {
     }
 }
 
-/// Formats a p-value given by its natural logarithm, which may be below the range of `f64`.
+/// Formats a p-value given as its natural logarithm, which may represent a value below the range of `f64`.
 pub(super) fn probability_of_ln(ln_p: f64) -> String {
     if ln_p.is_nan() || ln_p > 0.0 {
         return "–".to_owned();
@@ -194,7 +195,7 @@ pub(super) fn probability_of_ln(ln_p: f64) -> String {
     format!("10{}", raised(power.round() as i32))
 }
 
-/// Formats a z-equivalent (standard normal quantile).
+/// Formats an equivalent z (standard normal quantile).
 pub(super) fn sigmas(value: f64) -> String {
     plain(value, if value.abs() < 99.95 { 1 } else { 0 })
 }

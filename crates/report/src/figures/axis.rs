@@ -1,6 +1,6 @@
-//! Ranges, ticks and numbers of an axis.
+//! Ranges, ticks and tick labels of an axis.
 
-/// Smallest interval containing all finite values; 0 to 1 if there are none.
+/// Smallest interval (minimum, maximum) that contains all finite values; 0 to 1 if there are none.
 pub(crate) fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
     let finite = values.filter(|v| v.is_finite());
     let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
@@ -9,7 +9,7 @@ pub(crate) fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
     if low > high { (0.0, 1.0) } else { (low, high) }
 }
 
-/// Range widened by a margin; a range of zero length is widened to a positive length.
+/// Widens a range by a margin; a range of zero length becomes one of positive length.
 pub(super) fn with_room((low, high): (f64, f64)) -> (f64, f64) {
     let size = low.abs().max(high.abs());
     let least = if size == 0.0 { 1.0 } else { 1e-3 * size };
@@ -17,7 +17,7 @@ pub(super) fn with_room((low, high): (f64, f64)) -> (f64, f64) {
     (low - room, high + room)
 }
 
-/// Round tick values within a range, at most `most`, and the number of decimals of their labels.
+/// Round tick values within the range (`low`, `high`), about `most`, and the number of decimals of their labels.
 pub(crate) fn ticks((low, high): (f64, f64), most: usize) -> (Vec<f64>, usize) {
     let rough = (high - low) / most as f64;
     let power = 10_f64.powf(rough.log10().floor());
@@ -27,7 +27,7 @@ pub(crate) fn ticks((low, high): (f64, f64), most: usize) -> (Vec<f64>, usize) {
         .find(|s| *s >= rough * 0.999)
         .unwrap_or(10.0 * power);
     let (first, last) = ((low / step).ceil(), (high / step).floor());
-    // Avoids −0.
+    // Adding 0 avoids −0.
     let ticks = (0..=(last - first) as usize)
         .map(|i| (first + i as f64) * step + 0.0)
         .collect();
@@ -35,7 +35,7 @@ pub(crate) fn ticks((low, high): (f64, f64), most: usize) -> (Vec<f64>, usize) {
     (ticks, decimals)
 }
 
-/// Formats a tick label with the given number of decimals.
+/// Formats a tick label with the given number of decimals; exponential notation from 10⁶.
 pub(crate) fn number(value: f64, decimals: usize) -> String {
     if value.abs() >= 1e6 {
         return format!("{value:.1e}");

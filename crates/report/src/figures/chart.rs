@@ -1,4 +1,4 @@
-//! Chart of labelled rows: bars or dots along a common horizontal axis.
+//! Chart with labelled rows: bars or dots along a common horizontal axis.
 
 use super::Layout;
 use super::axis::{number, ticks};
@@ -6,56 +6,60 @@ use super::csv::Table;
 use super::svg::{Svg, cut};
 use crate::fit::numbers::{significant, stated};
 
-/// Scale of the horizontal axis.
+/// Scale of a chart's horizontal axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Axis {
-    /// Linear scale from 0.
+    /// Linear scale that starts at 0.
     Linear,
-    /// Logarithmic scale, starting at the given value.
+    /// Logarithmic scale that starts at the given value.
     Log(f64),
-    /// Scale of ln(1 + value): nearly linear up to 1, logarithmic far above.
+    /// Scale proportional to ln(1 + value): nearly linear up to 1, logarithmic for large values.
     Sizes,
 }
 
-/// Shape drawn in a row; each has a CSS class.
+/// Shape drawn in a row of a chart, with its CSS class.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Shape {
-    /// Bar from 0 to a value, and its CSS class.
+    /// Bar from 0 to the value; CSS class.
     Bar(f64, &'static str),
-    /// Dot at a value, and its CSS class.
+    /// Dot at the value; CSS class.
     Dot(f64, &'static str),
-    /// Line between two values, and its CSS class.
+    /// Line between the two values; CSS class.
     Span(f64, f64, &'static str),
 }
 
-/// Row of a chart.
+/// Row of a chart: a label, shapes along the axis, and a text.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Row {
     /// Label at the left end of the row.
     pub(crate) name: String,
     /// CSS class of the label.
     pub(crate) class: &'static str,
-    /// Bars, dots and lines of the row.
+    /// Bars, dots and lines drawn in the row.
     pub(crate) shapes: Vec<Shape>,
-    /// Text at the right end of the row.
+    /// Text at the right end of the row, such as the formatted value; may be empty.
     pub(crate) words: String,
 }
 
-/// Chart of labelled rows along one axis.
+/// Chart of labelled rows with a common horizontal axis.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Chart {
+    /// Title above the chart.
     pub(crate) title: String,
-    /// Legend entries: shape and its meaning.
+    /// Entries of the legend: a shape, and its meaning as text.
     pub(crate) legend: Vec<(Shape, String)>,
+    /// Rows from top to bottom.
     pub(crate) rows: Vec<Row>,
+    /// Scale of the horizontal axis.
     pub(crate) axis: Axis,
+    /// Title of the horizontal axis, with its unit.
     pub(crate) across: String,
-    /// Dashed vertical line over all rows: value and label.
+    /// Dashed vertical line across all rows: its value on the axis, and its label.
     pub(crate) level: Option<(f64, String)>,
 }
 
 impl Chart {
-    /// SVG text of the chart.
+    /// Draws the chart and returns its SVG text.
     pub(crate) fn draw(&self, layout: Layout) -> String {
         let (letters, letter) = (layout.letters, layout.letter());
         let mut svg = Svg::new();
@@ -96,7 +100,7 @@ impl Chart {
             for shape in &row.shapes {
                 draw_shape(&mut svg, shape, middle, letters, left, &place);
             }
-            // The texts at the right end have a column of their own.
+            // The texts at the right end form a separate column.
             svg.text("mark", (layout.width - 4.0, base), "end", &row.words);
         }
         for (i, row) in self.rows.iter().enumerate() {
@@ -128,7 +132,7 @@ impl Chart {
         )
     }
 
-    /// Values of the bars and dots of a row, each with its meaning after a comma.
+    /// Values of the bars and dots of a row, each with its meaning from the legend, preceded by a comma.
     fn values<'a>(&'a self, row: &'a Row) -> impl Iterator<Item = (f64, String)> + 'a {
         let of = |shape: &Shape| match *shape {
             Shape::Bar(value, class) | Shape::Dot(value, class) => Some((value, class)),
@@ -144,7 +148,7 @@ impl Chart {
         finite.map(move |(value, class)| (value, meaning(class)))
     }
 
-    /// CSV table of the chart, one line per bar, dot or span.
+    /// CSV table of the chart, with one line for each bar, dot or line.
     pub(crate) fn csv(&self) -> String {
         let mut table = Table::new(&["row", "kind", "value", "to"]);
         for row in &self.rows {
@@ -180,7 +184,7 @@ impl Chart {
         if most > 0.0 { most * 1.02 } else { 1.0 }
     }
 
-    /// Draws the legend, on as many lines as needed; returns its lower edge.
+    /// Draws the legend on as many lines as needed, from the height `top` on; returns its lower edge, SVG units.
     fn draw_legend(&self, svg: &mut Svg, layout: &Layout, top: f64) -> f64 {
         if self.legend.is_empty() {
             return top;
@@ -230,7 +234,7 @@ fn draw_shape(
 }
 
 impl Axis {
-    /// Position of a value along the axis, 0 to 1 (at `greatest`); negative below the axis.
+    /// Relative position of a value along the axis: 0 at the left end, 1 at `greatest`; negative left of the axis.
     fn part(self, value: f64, greatest: f64) -> f64 {
         let part = match self {
             Axis::Linear => value / greatest,
@@ -264,7 +268,7 @@ impl Axis {
             [1.0, 2.0, 5.0].map(unit)
         });
         let mut all: Vec<f64> = all.filter(|v| (least..=greatest).contains(v)).collect();
-        // Too many ticks: only powers of ten, then only some of those.
+        // If there are too many ticks, keeps only powers of ten, and then only every n-th of these.
         if all.len() > most + 2 {
             all.retain(|v| (v.log10() - v.log10().round()).abs() < 1e-9);
         }
@@ -278,7 +282,8 @@ impl Axis {
     }
 }
 
-/// Axis scale for positive values: linear, or logarithmic if the values differ by more than a factor of 30.
+/// Chooses the axis scale for positive values: linear, or logarithmic if the values differ by more than a factor of
+/// 30.
 pub(crate) fn axis_for(values: impl Iterator<Item = f64> + Clone) -> Axis {
     let good = values.filter(|v| v.is_finite() && *v > 0.0);
     let least = good.clone().fold(f64::INFINITY, f64::min);

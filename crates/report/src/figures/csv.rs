@@ -1,8 +1,8 @@
-//! CSV tables of the numbers behind a figure.
+//! CSV tables of the data shown in a figure.
 
 use super::panel::Panel;
 
-/// CSV table under construction.
+/// CSV table that is built cell by cell.
 pub(crate) struct Table {
     text: String,
     is_line_begun: bool,
@@ -21,7 +21,7 @@ impl Table {
         table
     }
 
-    /// Adds a cell of text, quoted where CSV needs it.
+    /// Appends a cell of text, quoted if it contains a comma, quote or line break.
     pub(crate) fn text(&mut self, cell: &str) -> &mut Table {
         self.separate();
         if cell.contains([',', '"', '\n', '\r']) {
@@ -32,7 +32,7 @@ impl Table {
         self
     }
 
-    /// Adds a number with six significant digits; an empty cell if it is not finite.
+    /// Appends a number with six significant digits, or an empty cell if it is not finite.
     pub(crate) fn number(&mut self, value: f64) -> &mut Table {
         let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(f64::NAN);
         self.separate();
@@ -47,12 +47,12 @@ impl Table {
         self
     }
 
-    /// Adds a number, or an empty cell.
+    /// Appends a number, or an empty cell if it is `None`.
     pub(crate) fn optional(&mut self, value: Option<f64>) -> &mut Table {
         self.number(value.unwrap_or(f64::NAN))
     }
 
-    /// Ends the line.
+    /// Ends the line of cells.
     pub(crate) fn end(&mut self) {
         self.text.push('\n');
         self.is_line_begun = false;
@@ -70,7 +70,7 @@ impl Table {
     }
 }
 
-/// CSV table of panels: one line per point, bar, band or level.
+/// CSV table of the data of several panels, with one line for each point, bar, band or level.
 pub(crate) fn of_panels(panels: &[Panel]) -> String {
     let mut table = Table::new(&["panel", "kind", "series", "x", "x_end", "y", "y_end"]);
     for panel in panels {

@@ -1,4 +1,4 @@
-//! Figures: panels drawn below one another as SVG.
+//! Figures: panels drawn one below the other, as SVG.
 
 use super::axis::number;
 use super::layout::{Layout, Scale};
@@ -7,15 +7,15 @@ use super::svg::{Svg, cut};
 use crate::fit::numbers::significant;
 use crate::fit::thin::stride;
 
-/// Maximum number of points of a line whose values can be shown.
+/// Maximum number of points of a line whose values are shown on pointing at them.
 const MOST_VALUES: usize = 6;
 
-/// SVG text of a figure: its panels below one another, in a single column of the default width.
+/// Draws the panels one below the other, in a column of the default width; returns the SVG text.
 pub fn figure(title: &str, panels: &[Panel]) -> String {
     figure_of(Layout::COLUMN, title, panels)
 }
 
-/// SVG text of a figure: its panels below one another, with the width and letter size of `layout`.
+/// Draws the panels one below the other, with the width and font size of `layout`; returns the SVG text.
 pub fn figure_of(layout: Layout, title: &str, panels: &[Panel]) -> String {
     let layout = layout.fitted(panels);
     let mut svg = Svg::new();
@@ -35,7 +35,7 @@ pub fn figure_of(layout: Layout, title: &str, panels: &[Panel]) -> String {
 }
 
 impl Panel {
-    /// Draws the panel with its upper edge at `top`, pixels; returns its lower edge.
+    /// Draws the panel with its upper edge at `top`, SVG units; returns the position of its lower edge.
     fn draw(&self, svg: &mut Svg, layout: &Layout, top: f64) -> f64 {
         let scale = self.scale(layout, top);
         let (width, letter) = (layout.width, layout.letter());
@@ -69,7 +69,7 @@ impl Panel {
         scale.bottom() + layout.below
     }
 
-    /// Draws the band along x.
+    /// Draws the ribbon: a shaded band whose lower and upper limits vary along x.
     fn draw_ribbon(&self, svg: &mut Svg, scale: &Scale) {
         let finite = |r: &&(f64, f64, f64)| [r.0, r.1, r.2].iter().all(|v| v.is_finite());
         let points: Vec<_> = self.ribbon.iter().filter(finite).collect();
@@ -82,7 +82,7 @@ impl Panel {
         svg.path("ribbon", upper.chain(lower));
     }
 
-    /// Marks points of the lines and the bars whose values are shown when pointed at, tapped or focused.
+    /// Adds the values of bars and of some points of the lines, which are shown when pointed at, tapped or focused.
     fn draw_values(&self, svg: &mut Svg, scale: &Scale, size: (f64, f64)) {
         let number = |v: f64| significant(v, 4);
         let mut value = |x: f64, y: f64, text: String| {
@@ -109,7 +109,7 @@ impl Panel {
         }
     }
 
-    /// Draws the background of a panel, behind the axes.
+    /// Draws the shaded background band of a panel, behind the axes.
     fn draw_ground(&self, svg: &mut Svg, scale: &Scale) {
         if let Some((low, high)) = self.band {
             let (top, bottom) = (scale.y(high), scale.y(low));

@@ -1,17 +1,17 @@
-//! Figure of a flight, as Figures 5 and 6 of Hubbard & Hummel (2000): path, and states over time.
+//! Figure of a flight like Figures 5 and 6 of Hubbard & Hummel (2000): path, and states over time.
 
 use super::figure::figure;
 use super::panel::{Line, Mark, Panel};
 use super::states::{StateLabel, groups, symbol, what};
 use ode::Trajectory;
 
-/// Number of points of a line.
+/// Number of samples of the trajectory that are drawn.
 const SAMPLES: usize = 400;
-/// Largest ratio of the peak magnitudes of two lines in one panel.
+/// Maximum ratio of the peak magnitudes of two states that share a panel.
 const APART: f64 = 8.0;
 
-/// Draws a flight as SVG: side view and top view if the states include `x`, `y` and `z`, then all states over time;
-/// states of equal unit and similar range share a panel.
+/// Draws a flight as SVG: side view and top view if the states include `x`, `y` and `z`, then all states over time.
+/// States with equal units and similar ranges share a panel.
 ///
 /// # Panics
 /// If the number of labels differs from the number of states.

@@ -1,14 +1,14 @@
-//! Layout of a figure: widths, and the map from data units to pixels.
+//! Layout of a figure: dimensions, and the map from data units to positions.
 
 use super::axis::{number, range, ticks, with_room};
 use super::panel::Panel;
 
-/// Dimensions of a figure and its text.
+/// Dimensions of a figure: width, font size, margins and heights.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Layout {
-    /// Width of the drawing, SVG units.
+    /// Width of the figure, SVG units.
     pub width: f64,
-    /// Maximum displayed width, pixels.
+    /// Maximum width at which a page displays the figure, pixels.
     pub most: f64,
     /// Font size, SVG units.
     pub letters: f64,
@@ -16,11 +16,11 @@ pub struct Layout {
     pub(super) margin: f64,
     pub(super) left: f64,
     pub(super) right: f64,
-    /// Default height of a plot, SVG units.
+    /// Default height of the plot area of a panel, SVG units.
     pub(super) height: f64,
-    /// Space above a plot for its title, SVG units.
+    /// Space above a plot area for its title, SVG units.
     pub(super) above: f64,
-    /// Space below a plot for tick labels and axis title, SVG units.
+    /// Space below a plot area for tick labels and axis title, SVG units.
     pub(super) below: f64,
 }
 
@@ -37,7 +37,7 @@ impl Layout {
         above: 36.0,
         below: 46.0,
     };
-    /// Layout of one of several figures in a row, or of a figure as wide as a phone screen.
+    /// Layout of a small figure: one of several in a row, or as wide as a phone screen.
     pub const SMALL: Layout = Layout {
         width: 360.0,
         most: 460.0,
@@ -49,7 +49,7 @@ impl Layout {
         above: 32.0,
         below: 42.0,
     };
-    /// Layout of a figure of page width.
+    /// Layout of a figure as wide as the page.
     pub const WIDE: Layout = Layout {
         width: 1080.0,
         most: 1180.0,
@@ -62,12 +62,13 @@ impl Layout {
         self.width - self.left - self.right
     }
 
-    /// Approximate width of a character, SVG units.
+    /// Approximate mean width of a character, SVG units; used to estimate the width of texts.
     pub(crate) fn letter(&self) -> f64 {
         0.56 * self.letters
     }
 
-    /// Layout with margins widened for the tick labels and line names of `panels`.
+    /// Returns the layout with left and right margins widened, if necessary, for the tick labels and line names of
+    /// `panels`.
     pub(super) fn fitted(mut self, panels: &[Panel]) -> Layout {
         let letter = self.letter();
         let (mut left, mut right) = (self.left, self.right);
@@ -88,10 +89,10 @@ impl Layout {
     }
 }
 
-/// Minimum and maximum height of a panel with equal scales, as fractions of its width.
+/// Minimum and maximum height of a panel with equal scales on both axes, as fractions of its width.
 const MAP_HEIGHTS: (f64, f64) = (0.22, 0.82);
 
-/// Map from data units to positions in the figure.
+/// Map of one panel from data units to positions in the figure, SVG units.
 pub(super) struct Scale {
     pub(super) across: (f64, f64),
     pub(super) up: (f64, f64),
@@ -123,7 +124,8 @@ impl Scale {
     }
 }
 
-/// Ticks of a range, about `most`; more if fewer than three would result.
+/// Tick values of a range, about `most`, and the number of decimals of their labels. More ticks are used if fewer
+/// than three would result.
 fn scale_of(of: (f64, f64), most: usize) -> (Vec<f64>, usize) {
     let found = ticks(of, most);
     if found.0.len() < 3 {
@@ -134,7 +136,7 @@ fn scale_of(of: (f64, f64), most: usize) -> (Vec<f64>, usize) {
 }
 
 impl Panel {
-    /// Map from data units to positions for a panel whose upper edge is at `top`.
+    /// Computes the map from data units to positions for a panel whose upper edge is at `top`, SVG units.
     pub(super) fn scale(&self, layout: &Layout, top: f64) -> Scale {
         let points = || {
             let lines = self.lines.iter().flat_map(|line| &line.points);
@@ -170,7 +172,7 @@ impl Panel {
                 .heights
                 .unwrap_or((MAP_HEIGHTS.0 * plot, MAP_HEIGHTS.1 * plot));
             height = (plot * tall / wide).clamp(least, most);
-            // The axis with spare space shows a longer range, so that both axes have equal scale.
+            // The axis with spare space is extended to a longer range, so that both axes have equal scale.
             let unit = (plot / wide).min(height / tall);
             across = about(across, plot / unit);
             up = about(up, height / unit);
@@ -188,7 +190,7 @@ impl Panel {
     }
 }
 
-/// Interval of the given length with the centre of the given interval.
+/// Interval of the given length with the same centre as (`low`, `high`).
 fn about((low, high): (f64, f64), length: f64) -> (f64, f64) {
     let middle = 0.5 * (low + high);
     (middle - 0.5 * length, middle + 0.5 * length)

@@ -1,8 +1,8 @@
-//! Figures as SVG, without a plotting library: the SVG text is deterministic, needs no font files, and never clips
-//! a label.
+//! Figures as SVG, without a plotting library. The SVG text is deterministic, needs no font files, and never clips a
+//! label.
 //!
-//! A figure is one column of panels on a light background, readable on a phone and next to a text;
-//! colours (Okabe & Ito's) are distinguishable for the colour-blind, and each line is labelled at its end.
+//! A figure is a column of panels on a light background, readable on a phone and beside a text. The colours (of Okabe
+//! & Ito) are distinguishable for the colour-blind, and each line is labelled at its end.
 
 pub(crate) mod axis;
 pub(crate) mod chart;

@@ -1,11 +1,12 @@
-//! Labels within a panel without overlaps: names of lines and of events.
+//! Labels of lines and events within a panel, placed without overlaps.
 
 use super::layout::Scale;
 use super::panel::{Line, Panel};
 use super::svg::{Svg, cut};
 
 impl Panel {
-    /// Draws line names at the ends of the lines, moved apart where they overlap and kept inside the panel.
+    /// Draws the names of the lines at their ends, moved vertically so that they do not overlap and stay inside the
+    /// panel.
     pub(super) fn draw_names(&self, svg: &mut Svg, scale: &Scale, width: f64, letter: f64) {
         // Minimum vertical distance of two names.
         let apart = 2.05 * letter;
@@ -26,7 +27,7 @@ impl Panel {
             name.0 = name.0.min(greatest);
             greatest = name.0 - apart;
         }
-        // In a map the lines may end anywhere; names are given in its title.
+        // In a map, lines can end anywhere; the title of the map gives their names.
         for (y, i) in names.into_iter().filter(|_| !self.map) {
             let x = scale.right() + 6.0;
             let name = cut(&self.lines[i].name, width - x - 2.0, 1.05 * letter);
@@ -34,7 +35,7 @@ impl Panel {
         }
     }
 
-    /// Draws events that have only a time: vertical lines behind the data, labelled above the plot.
+    /// Draws the events that have only a time as vertical lines behind the data, labelled above the plot area.
     pub(super) fn draw_marks(&self, svg: &mut Svg, scale: &Scale, width: f64, letter: f64) {
         let title = self.title.chars().count() as f64;
         let mut free = (14.0 + 1.1 * letter * title).max(scale.left - 20.0);
@@ -51,7 +52,8 @@ impl Panel {
         }
     }
 
-    /// Draws events that have a position: dots, labelled where the fewest line points are.
+    /// Draws the events that have a position as dots, with the label at the corner that covers the fewest points of
+    /// lines.
     pub(super) fn draw_places(&self, svg: &mut Svg, scale: &Scale, width: f64, letter: f64) {
         let places = self.lines.iter().flat_map(|line| &line.points);
         let places: Vec<(f64, f64)> = places.map(|(x, y)| (scale.x(*x), scale.y(*y))).collect();
@@ -89,7 +91,7 @@ impl Panel {
     }
 }
 
-/// Position of a label.
+/// Bounding box of a label, SVG units.
 struct Place {
     left: f64,
     right: f64,

@@ -1,84 +1,86 @@
-//! Contents of a panel: lines, dots and bars over one pair of axes.
+//! Contents of a panel: lines, dots and bars with one pair of axes.
 
-/// A polyline with a label.
+/// Line through several points, with a name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
-    /// Label, shown at the line's end.
+    /// Name, drawn at the line's end; may be empty.
     pub name: String,
     /// Points (x, y) in data units; the line is interrupted at points that are not finite.
     pub points: Vec<(f64, f64)>,
 }
 
-/// A labelled event.
+/// Labelled event in a panel, drawn as a dot or a vertical line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mark {
-    /// Label.
+    /// Label of the event; may be empty.
     pub name: String,
-    /// Position (x, y) in data units; a vertical line at x where y is not finite.
+    /// Position (x, y) in data units. If y is not finite, the event is drawn as a vertical line at x.
     pub at: (f64, f64),
 }
 
-/// Points of a scatter plot.
+/// Points of a scatter plot that share one style.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dots {
     /// Style of the points.
     pub look: Look,
-    /// Positions (x, y) in data units; those that are not finite are not drawn.
+    /// Positions (x, y) in data units; points that are not finite are not drawn.
     pub points: Vec<(f64, f64)>,
 }
 
 /// Style of scatter points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Look {
-    /// Dots in the colour of the line of this index.
+    /// Dots in the colour of the line with this index.
     Colour(usize),
-    /// Grey dots, behind the others.
+    /// Grey dots, behind all other dots.
     Pale,
-    /// Small crosses.
+    /// Small crosses, used for outliers.
     Cross,
 }
 
-/// A bar of a histogram.
+/// One bar of a histogram.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bar {
-    /// Left edge, data units.
+    /// Position of the left edge on the x axis, data units.
     pub from: f64,
-    /// Right edge, data units.
+    /// Position of the right edge on the x axis, data units.
     pub to: f64,
-    /// Height, data units.
+    /// Height of the bar on the y axis, data units.
     pub height: f64,
 }
 
-/// Lines, dots and bars over one pair of axes.
+/// Panel of a figure: lines, dots and bars with one pair of axes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Panel {
-    /// Title: what is shown, and its unit.
+    /// Title above the panel: the quantity on the vertical axis, with its unit.
     pub title: String,
     /// Title of the horizontal axis, with its unit.
     pub across: String,
-    /// Lines; at most four have distinct colours.
+    /// Lines of the panel; at most four have distinct colours.
     pub lines: Vec<Line>,
-    /// Whether lines are thin and solid, as a background for dots.
+    /// Whether all lines are thin and solid, as a background for dots.
     pub thin: bool,
-    /// Scatter points, drawn above the lines.
+    /// Scatter points, drawn on top of the lines.
     pub dots: Vec<Dots>,
-    /// Bars of a histogram, from 0 upwards.
+    /// Bars of a histogram, which start at 0.
     pub bars: Vec<Bar>,
     /// Labelled events.
     pub marks: Vec<Mark>,
-    /// y values of dashed horizontal lines.
+    /// Values on the vertical axis at which dashed horizontal lines are drawn.
     pub levels: Vec<f64>,
-    /// y range that is shaded.
+    /// Range (lower, upper) of the vertical axis that is shaded, such as the noise level.
     pub band: Option<(f64, f64)>,
-    /// Band along x, such as a confidence band: points (x, lower, upper) in data units, drawn behind the lines.
+    /// Band with limits that vary along x, such as a confidence band: points (x, lower, upper) in data units, drawn
+    /// behind the lines.
     pub ribbon: Vec<(f64, f64, f64)>,
-    /// Range of the vertical axis; from the data if `None`.
+    /// Range (minimum, maximum) of the vertical axis; computed from the data if `None`.
     pub up: Option<(f64, f64)>,
-    /// Height of the plot, pixels; the layout's if `None`.
+    /// Height of the plot area, SVG units; the layout's default if `None`.
     pub height: Option<f64>,
-    /// Whether both axes have the same scale.
+    /// Whether both axes have the same scale, as in a map.
     pub map: bool,
-    /// Minimum and maximum height of a panel with equal scales, pixels; fractions of its width if `None`.
+    /// Minimum and maximum height of the plot area if `map` is set, SVG units; `None` uses default fractions of its
+    /// width.
     pub heights: Option<(f64, f64)>,
     /// Whether the diagonal y = x is drawn.
     pub diagonal: bool,

@@ -1,15 +1,15 @@
-//! Labels of states: symbols of Hubbard & Hummel (2000), and the grouping of states into panels.
+//! Labels of states by symbols of Hubbard & Hummel (2000), and grouping of states into panels.
 
-/// Label of a state in a figure.
+/// Name and unit of a state, from which its label in a figure is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StateLabel<'a> {
-    /// Name, as in the model.
+    /// Name of the state in the model.
     pub name: &'a str,
-    /// Unit, as the model spells it.
+    /// Unit of the state, as written in the model.
     pub unit: &'a str,
 }
 
-/// Name of the physical quantity of a unit, such as angle for rad.
+/// Name of the physical quantity that a unit measures, such as `Angle` for rad.
 pub(crate) fn what(unit: &str) -> &'static str {
     match unit {
         "m" => "Position",
@@ -20,8 +20,8 @@ pub(crate) fn what(unit: &str) -> &'static str {
     }
 }
 
-/// Groups state indices into panels: equal unit, at most four states, peak magnitudes (except of m and m/s) within a
-/// factor `apart`.
+/// Groups state indices into panels. States in a group have equal units and, except for m and m/s, peak magnitudes
+/// within a factor `apart`; a group has at most four states.
 pub(crate) fn groups(states: &[StateLabel<'_>], rows: &[Vec<f64>], apart: f64) -> Vec<Vec<usize>> {
     let reach = |i: usize| rows.iter().map(|row| row[i].abs()).fold(0.0, f64::max);
     let mut groups: Vec<Vec<usize>> = Vec::new();
@@ -44,7 +44,7 @@ pub(crate) fn groups(states: &[StateLabel<'_>], rows: &[Vec<f64>], apart: f64) -
     groups
 }
 
-/// Symbol of a state in the notation of Hubbard & Hummel (2000).
+/// Symbol of a state in the notation of Hubbard & Hummel (2000), such as `α̇` for `alphadot`.
 pub(crate) fn symbol(name: &str) -> String {
     let (base, dot) = match name.strip_suffix("dot") {
         Some(base) if !base.is_empty() => (base, "\u{307}"),

@@ -1,8 +1,8 @@
-//! SVG writer.
+//! Writer of SVG documents.
 
 use std::fmt::Write;
 
-/// Style sheet of every figure. A page of several figures includes the sheet once; see [`without_style`].
+/// Style sheet of every figure. A page with several figures includes the style sheet once; see [`without_style`].
 pub(crate) const STYLE: &str = r##"text { font-family: system-ui, -apple-system, "Segoe UI", Roboto, "DejaVu Sans", sans-serif; fill: #333 }
 text.title { font-size: 1.2em; font-weight: 600; fill: #111 }
 text.panel { font-weight: 600; fill: #111 }
@@ -25,7 +25,7 @@ g.value circle { fill: #0072b2; fill-opacity: 0 } g.value text { display: none; 
 g.value { outline: none; cursor: default } g.value:hover text, g.value:focus text { display: inline } g.value:hover circle, g.value:focus circle { fill-opacity: .45 }
 "##;
 
-/// SVG document under construction, y axis downwards.
+/// SVG document that is built element by element. Coordinates are in SVG units, with the y axis downwards.
 pub(crate) struct Svg {
     body: String,
 }
@@ -44,7 +44,7 @@ impl Svg {
         );
     }
 
-    /// Draws text at (x, y); `anchor` is `start`, `middle` or `end`; `class` sets the colour.
+    /// Draws text at (x, y). `anchor` is `start`, `middle` or `end`; `class` is the CSS class, which sets the style.
     pub(crate) fn text(&mut self, class: &str, (x, y): (f64, f64), anchor: &str, text: &str) {
         let text = escape(text);
         let _ = writeln!(
@@ -60,8 +60,8 @@ impl Svg {
         );
     }
 
-    /// Marks a point; its text is shown when the point is pointed at, tapped or focused. `size`: width of the figure and
-    /// of a character, SVG units.
+    /// Adds a point whose text is shown when the point is pointed at, tapped or focused. `size` is the width of the
+    /// figure and of one character, SVG units.
     pub(crate) fn value(&mut self, (x, y): (f64, f64), size: (f64, f64), text: &str) {
         let half = 0.53 * size.1 * text.chars().count() as f64;
         let middle = x.clamp(half + 2.0, (size.0 - half - 2.0).max(half + 2.0));
@@ -73,7 +73,7 @@ impl Svg {
         );
     }
 
-    /// Draws a rectangle at (x, y), filled by the style of `class`.
+    /// Draws a rectangle with its upper left corner at (x, y), filled according to the CSS class.
     pub(crate) fn block(&mut self, class: &str, (x, y): (f64, f64), (wide, tall): (f64, f64)) {
         let (wide, tall) = (wide.max(0.0), tall.max(0.0));
         let _ = writeln!(
@@ -82,7 +82,8 @@ impl Svg {
         );
     }
 
-    /// Draws a translucent rectangle filled by the style of `class`; `cover` is the opacity, 0 to 1.
+    /// Draws a translucent rectangle with its upper left corner at (x, y), filled according to the CSS class; `cover`
+    /// is the opacity, 0 to 1.
     pub(crate) fn veil(
         &mut self,
         class: &str,
@@ -96,7 +97,7 @@ impl Svg {
         );
     }
 
-    /// Draws a rectangle at (x, y) filled with `colour`.
+    /// Draws a rectangle with its upper left corner at (x, y), filled with `colour`.
     pub(crate) fn cell(&mut self, colour: &str, (x, y): (f64, f64), (wide, tall): (f64, f64)) {
         let _ = writeln!(
             self.body,
@@ -104,7 +105,7 @@ impl Svg {
         );
     }
 
-    /// Draws a polyline, interrupted at points that are not finite.
+    /// Draws a polyline through the points, interrupted at points that are not finite.
     pub(crate) fn path(&mut self, class: &str, points: impl Iterator<Item = (f64, f64)>) {
         let mut data = String::new();
         let mut pen = 'M';
@@ -119,7 +120,7 @@ impl Svg {
         let _ = writeln!(self.body, r#"<path class="{class}" d="{data}"/>"#);
     }
 
-    /// Draws dots as one path, which needs a tenth of the text of circles.
+    /// Draws dots as a single path element, which needs a tenth of the text of separate circles.
     pub(crate) fn dots(&mut self, class: &str, points: impl Iterator<Item = (f64, f64)>) {
         let mut data = String::new();
         for (x, y) in points.filter(|(x, y)| x.is_finite() && y.is_finite()) {
@@ -130,7 +131,7 @@ impl Svg {
         }
     }
 
-    /// Draws small crosses at the given points.
+    /// Draws a small cross at each of the given points.
     pub(crate) fn crosses(&mut self, class: &str, points: impl Iterator<Item = (f64, f64)>) {
         let mut data = String::new();
         for (x, y) in points.filter(|(x, y)| x.is_finite() && y.is_finite()) {
@@ -142,7 +143,8 @@ impl Svg {
         }
     }
 
-    /// Completes the SVG document; the displayed width grows with the page up to `most` pixels.
+    /// Completes the document and returns its text. The displayed width adapts to the page, up to `most` pixels;
+    /// `letters` is the font size.
     pub(crate) fn finish(
         self,
         title: &str,
@@ -164,12 +166,13 @@ impl Svg {
     }
 }
 
-/// SVG text without the style sheet, for a page that includes [`STYLE`] itself.
+/// Removes the style sheet [`STYLE`] from an SVG text, for a page that already includes it.
 pub(crate) fn without_style(svg: &str) -> String {
     svg.replacen(&format!("<style>\n{STYLE}</style>\n"), "", 1)
 }
 
-/// Shortens a text to the width `room`, ending in `…` where cut; `letter` is the width of a character.
+/// Truncates a text to the width `room`, with `…` at the end if it is shortened; `letter` is the width of one
+/// character.
 pub(crate) fn cut(text: &str, room: f64, letter: f64) -> String {
     // Wide East Asian characters count twice; combining marks have no width.
     let wide = |c: char| match c {

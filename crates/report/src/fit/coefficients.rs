@@ -1,4 +1,4 @@
-//! Table of the estimated coefficients, with values from the literature.
+//! Table of the estimated coefficients, compared with values from the literature.
 
 use identify::Coefficient;
 use serde::Serialize;
@@ -7,7 +7,7 @@ use super::FitPage;
 use super::numbers::{Digits, stated, unit};
 use crate::literature::{Source, sources};
 
-/// Row of the coefficient table, formatted text.
+/// Row of the coefficient table, with all values formatted as text.
 #[derive(Serialize)]
 pub(super) struct Row {
     name: String,
@@ -16,18 +16,18 @@ pub(super) struct Row {
     interval: String,
     error: String,
     clustered: String,
-    /// Whether the cluster-robust standard error exceeds the Cramér–Rao one by more than half.
+    /// Whether the cluster-robust standard error is more than 1.5 times the Cramér–Rao standard error.
     doubtful: bool,
     unit: String,
     at_bound: bool,
-    /// Notes on the estimate: fixed, or with a Gaussian prior.
+    /// Notes on the estimate: whether it was fixed, and its Gaussian prior.
     notes: Vec<String>,
     picture: Option<Picture>,
-    /// Value in the model file, then the value of each literature source.
+    /// Value in the model file, followed by the value in each literature source.
     literature: Vec<String>,
 }
 
-/// Confidence interval and value on an axis that includes 0; positions from 0 to 100.
+/// Confidence interval and estimate drawn on an axis that includes 0; positions in percent of the axis, 0 to 100.
 #[derive(Serialize)]
 struct Picture {
     zero: f64,
@@ -37,7 +37,7 @@ struct Picture {
     model: Option<f64>,
 }
 
-/// Rows of the coefficient table in the order of the model; names unknown to the model come last.
+/// Rows of the coefficient table in the order of the model, followed by coefficients that the model does not declare.
 pub(super) fn rows(page: &FitPage<'_>) -> Vec<Row> {
     let sources = sources(page.model.reference.as_deref());
     let found = page.coefficients().into_iter();
@@ -92,7 +92,7 @@ fn picture(found: &Coefficient) -> Option<Picture> {
     if !all.iter().all(|v| v.is_finite()) || low > high {
         return None;
     }
-    // The default value of the model is drawn unless it would compress the interval too much.
+    // The value in the model file is drawn unless the axis would have to be much longer for it.
     let near = all.iter().fold(0.0_f64, |a, v| a.max(v.abs()));
     let model = Some(model).filter(|m| m.is_finite() && m.abs() <= 2.0 * near);
     let values = || all.into_iter().chain(model);

@@ -1,4 +1,4 @@
-//! Tables of the flights: fitted (the worst first if there are many), held out, and excluded.
+//! Tables of the flights on the fit page: fitted flights, held-out flights, and excluded flights.
 
 use identify::FlightReport;
 use identify::dataset::Role;
@@ -7,17 +7,17 @@ use serde::Serialize;
 use super::FitPage;
 use super::numbers::{millimetres, plain};
 
-/// Maximum number of rows of a table.
+/// Maximum number of rows of one table.
 const MOST_ROWS: usize = 50;
-/// Maximum length of a note, characters.
+/// Maximum number of characters of a note.
 const MOST_LETTERS: usize = 300;
 
-/// Table of flights for the HTML template.
+/// Table of flights, as input of the HTML template.
 #[derive(Serialize)]
 pub(super) struct Table {
     /// Total number of flights, including those not listed.
     all: usize,
-    /// Whether only the flights with the largest RMS residuals are listed.
+    /// Whether only the flights with the largest RMS residuals are listed, in descending order.
     worst: bool,
     rows: Vec<Row>,
 }
@@ -25,7 +25,7 @@ pub(super) struct Table {
 #[derive(Serialize)]
 struct Row {
     file: String,
-    /// Anchors of the flight's figures on the page: name and what it shows.
+    /// Anchors of the flight's figures on the page: pairs of anchor name and link text.
     figures: Vec<(String, &'static str)>,
     samples: usize,
     rms: String,
@@ -34,7 +34,8 @@ struct Row {
     notes: String,
 }
 
-/// Table of the flights of one role: in dataset order, or, if there are too many, the largest RMS residuals first.
+/// Table of the flights with one role, in dataset order. If there are more than [`MOST_ROWS`], only the flights with
+/// the largest RMS residuals, in descending order.
 pub(super) fn table(page: &FitPage<'_>, role: Role) -> Table {
     let mut flights: Vec<&FlightReport> = page.report.used(role).collect();
     let number = flights.len();
@@ -58,7 +59,7 @@ pub(super) fn table(page: &FitPage<'_>, role: Role) -> Table {
     }
 }
 
-/// Table of the excluded flights, limited to the maximum number of rows.
+/// Table of the excluded flights, limited to [`MOST_ROWS`] rows.
 pub(super) fn left_out(page: &FitPage<'_>) -> Table {
     Table {
         all: page.report.excluded().count(),
@@ -72,7 +73,7 @@ pub(super) fn left_out(page: &FitPage<'_>) -> Table {
     }
 }
 
-/// Anchors of the figures of a flight, where it is drawn.
+/// Anchors of the figures of a flight: pairs of anchor name and link text; empty if the flight is not drawn.
 fn figures(page: &FitPage<'_>, file: &str) -> Vec<(String, &'static str)> {
     let drawn = || page.evidence.iter().take(super::draw::MOST_FLIGHTS);
     let mut figures = Vec::new();
@@ -106,7 +107,7 @@ fn row(page: &FitPage<'_>, flight: &FlightReport) -> Row {
     }
 }
 
-/// Truncates a text to the maximum length of a note.
+/// Truncates a text to [`MOST_LETTERS`] characters.
 pub(crate) fn short(text: &str) -> String {
     if text.chars().count() <= MOST_LETTERS {
         return text.to_owned();

@@ -13,31 +13,32 @@ use crate::certificate::CertificateNote;
 use identify::{Coefficient, Fit, FitReport, FlightEvidence};
 use model_spec::model::Model;
 
-/// Contents of the HTML report of a fit.
+/// Input of the HTML report of a fit.
 #[derive(Clone, Copy)]
 pub struct FitPage<'a> {
-    /// Results of the fit.
+    /// Report of the fit.
     pub report: &'a FitReport,
-    /// The fit, from which bands of predictions are computed; none in a page without them.
+    /// The fit, from which confidence bands of predictions are computed; `None` omits the figures of predictions.
     pub fit: Option<&'a Fit>,
-    /// Measurements and predictions of the flights to draw; at most the first twelve are drawn.
+    /// Measurements and predictions of the flights; at most the first twelve are drawn.
     pub evidence: &'a [FlightEvidence],
-    /// Fitted model.
+    /// The fitted model.
     pub model: &'a Model,
     /// Name of the dataset.
     pub dataset: &'a str,
-    /// What the certificate of the model says.
+    /// Verification status of the model according to its certificate.
     pub certificate: &'a CertificateNote,
 }
 
 impl FitPage<'_> {
-    /// Rank of a coefficient or parameter in the order of declaration; names unknown to the model come last.
+    /// Index of a coefficient or parameter in the order of declaration; names that the model does not declare come
+    /// last.
     fn place(&self, name: &str) -> usize {
         let known = self.model.coefficients.iter().chain(&self.model.params);
         known.take_while(|known| known.name != name).count()
     }
 
-    /// Estimated coefficients with their names, in the order of the model.
+    /// Coefficients of the fit with their names, in the order of the model, including fixed ones.
     fn coefficients(&self) -> Vec<(&str, &Coefficient)> {
         let all = self.report.coefficients.iter();
         let mut all: Vec<(&str, &Coefficient)> = all.map(|(n, c)| (n.as_str(), c)).collect();
@@ -46,38 +47,38 @@ impl FitPage<'_> {
     }
 }
 
-/// Figure of the report as an SVG file.
+/// Figure of the report, written as an SVG file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Figure {
-    /// File name without `.svg`: letters, digits and hyphens.
+    /// File name without `.svg`; consists of letters, digits and hyphens.
     pub name: String,
     /// Title of the figure.
     pub title: String,
-    /// Caption of the figure: how to read the figure.
+    /// Caption, which explains how to read the figure.
     pub caption: String,
     /// SVG text of the figure.
     pub svg: String,
-    /// CSV table of the numbers behind the figure.
+    /// CSV table of the data shown in the figure.
     pub csv: String,
 }
 
-/// Self-contained HTML report of a fit.
+/// Renders the HTML report of a fit as one self-contained page.
 pub fn html(page: &FitPage<'_>) -> String {
     page::written(page, &Figures::of(page))
 }
 
-/// All figures of the HTML report, in the order of the page.
+/// Draws all figures of the HTML report, in the order of the page.
 pub fn figures(page: &FitPage<'_>) -> Vec<Figure> {
     Figures::of(page).in_order()
 }
 
-/// HTML report and all of its figures, each figure drawn once.
+/// Renders the HTML report and returns it with its figures; each figure is drawn only once.
 pub fn html_and_figures(page: &FitPage<'_>) -> (String, Vec<Figure>) {
     let figures = Figures::of(page);
     (page::written(page, &figures), figures.in_order())
 }
 
-/// Figures of the report, grouped by section.
+/// Figures of the report, grouped by section of the page.
 struct Figures {
     precision: Option<Drawn>,
     predictions: Vec<Drawn>,
@@ -108,7 +109,7 @@ impl Figures {
         }
     }
 
-    /// All figures in the order of the page.
+    /// Returns all figures in the order of the page.
     fn in_order(self) -> Vec<Figure> {
         let all = [
             self.precision.into_iter().collect(),
@@ -125,14 +126,14 @@ impl Figures {
     }
 }
 
-/// Figure, with a second version for narrow screens (`None` if the figure is narrow itself).
+/// A figure, with a second SVG version for narrow screens (`None` if the first version fits narrow screens).
 pub(crate) struct Drawn {
     pub(crate) figure: Figure,
     pub(crate) narrow: Option<String>,
 }
 
 impl Drawn {
-    /// Figure with the given texts: caption, SVG and CSV.
+    /// Creates a figure without a narrow version from its name, title, and texts: caption, SVG and CSV.
     pub(crate) fn new(name: String, title: String, [caption, svg, csv]: [String; 3]) -> Drawn {
         let figure = Figure {
             name,

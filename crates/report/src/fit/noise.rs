@@ -1,21 +1,21 @@
-//! Table of the estimated noise.
+//! Table of the estimated noise on the fit page.
 
 use identify::FitReport;
 use serde::Serialize;
 
 use super::numbers::{millimetres, plain};
 
-/// Noise along one axis, formatted text.
+/// Estimated noise along one axis, with all values formatted as text.
 #[derive(Serialize)]
 pub(super) struct Row {
     axis: String,
     sigma: String,
     ar1: String,
-    /// Correlation time of the noise, after which the correlation has fallen to 1/e.
+    /// Correlation time of the noise: the lag at which the autocorrelation has fallen to 1/e.
     memory: String,
 }
 
-/// Rows of the noise table: each axis, then all axes together.
+/// Rows of the noise table: one for each axis, then one for all axes together.
 pub(super) fn rows(report: &FitReport) -> Vec<Row> {
     let noise = &report.noise;
     let row = |axis: &str, sigma: f64, ar1: f64| Row {

@@ -1,6 +1,7 @@
-//! Number formatting: digits according to the standard error, a true minus sign, and a dash for values not finite.
+//! Formatting of numbers: number of digits by the standard error, minus sign U+2212, and a dash for values that are
+//! not finite.
 
-/// Formats a number with the given number of decimals; `–` if not finite.
+/// Formats a number with the given number of decimals; `–` if it is not finite.
 pub(crate) fn plain(value: f64, decimals: usize) -> String {
     if !value.is_finite() {
         return "–".to_owned();
@@ -15,7 +16,7 @@ pub(crate) fn plain(value: f64, decimals: usize) -> String {
     text.replace('-', "−")
 }
 
-/// Number format of a value and its standard error: power of ten and number of decimals.
+/// Format for a value and its standard error: common power of ten, and number of decimals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Digits {
     exponent: i32,
@@ -23,7 +24,8 @@ pub(crate) struct Digits {
 }
 
 impl Digits {
-    /// Format with two significant digits of the standard error; five digits of the value if there is no error.
+    /// Chooses the format with two significant digits of the standard error; five significant digits of the value if
+    /// `error` is not positive.
     pub(crate) fn of(value: f64, error: f64) -> Digits {
         let value = if value.is_finite() { value.abs() } else { 0.0 };
         let known = error.is_finite() && error > 0.0;
@@ -34,7 +36,7 @@ impl Digits {
                 decimals: 1,
             };
         }
-        // An error of 0.0996 is rounded to 0.10.
+        // For example, an error of 0.0996 is rounded to 0.10.
         let last = if known {
             (error * 1.005).log10().floor() as i32 - 1
         } else {
@@ -49,7 +51,7 @@ impl Digits {
         }
     }
 
-    /// Formats the mantissa, without the power of ten.
+    /// Formats the number divided by the power of ten, without the power.
     fn mantissa(self, value: f64) -> String {
         // Division by 1e5 is correctly rounded; multiplication by 1e-5 is not.
         let scaled = if self.exponent < 0 {
@@ -60,7 +62,7 @@ impl Digits {
         plain(scaled, self.decimals)
     }
 
-    /// Formats a number with its power of ten.
+    /// Formats a number with its power of ten, if any.
     pub(crate) fn one(self, value: f64) -> String {
         let text = self.mantissa(value);
         if self.exponent == 0 || !value.is_finite() {
@@ -70,7 +72,7 @@ impl Digits {
         }
     }
 
-    /// Formats a range of two numbers.
+    /// Formats an interval (lower, upper) with a common power of ten, if any.
     pub(crate) fn range(self, [low, high]: [f64; 2]) -> String {
         let (low, high) = (self.mantissa(low), self.mantissa(high));
         if self.exponent == 0 {
@@ -87,7 +89,7 @@ pub(crate) fn significant(value: f64, digits: i32) -> String {
     Digits::of(value, unit).one(value)
 }
 
-/// Formats a length, given in m, in mm with three significant digits.
+/// Formats a length in m as mm with three significant digits; `–` if it is not finite.
 pub(crate) fn millimetres(metres: f64) -> String {
     if !metres.is_finite() {
         return "–".to_owned();
@@ -95,7 +97,7 @@ pub(crate) fn millimetres(metres: f64) -> String {
     format!("{}\u{a0}mm", significant(1e3 * metres, 3))
 }
 
-/// Formats a fraction (0 to 1) as a percentage.
+/// Formats a fraction (0 to 1) as a percentage; `–` if it is not finite.
 pub(crate) fn percent(share: f64) -> String {
     if !share.is_finite() {
         return "–".to_owned();
@@ -104,7 +106,7 @@ pub(crate) fn percent(share: f64) -> String {
     format!("{}\u{a0}%", plain(100.0 * share, decimals))
 }
 
-/// Typeset unit, such as `m²`; empty for dimensionless quantities.
+/// Typesets a unit, such as `m²` for `m^2`; empty for dimensionless quantities.
 pub(crate) fn unit(text: &str) -> String {
     if matches!(text, "1" | "[1]") {
         return String::new();
@@ -113,7 +115,7 @@ pub(crate) fn unit(text: &str) -> String {
     text.replace('*', "\u{a0}")
 }
 
-/// Formats a number as in a model file, without trailing zeros.
+/// Formats a number as in a model file, without trailing zeros; `–` if it is not finite.
 pub(crate) fn stated(value: f64) -> String {
     let size = value.abs();
     if !value.is_finite() {

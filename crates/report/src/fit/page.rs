@@ -14,24 +14,24 @@ use crate::data_faults;
 use crate::figures::svg::{STYLE, without_style};
 use crate::literature::sources;
 
-/// Number of flights whose state figures are expanded initially.
+/// Number of flights whose figures of states are expanded when the page is opened.
 const OPEN: usize = 3;
-/// Number of flights whose marker-path figures are expanded initially.
+/// Number of flights whose figures of marker paths are expanded when the page is opened.
 const OPEN_TRACKS: usize = 6;
-/// Maximum number of listed non-identifiable directions.
+/// Maximum number of non-identifiable directions listed on the page.
 const MOST_UNDETERMINED: usize = 20;
 
-/// Direction in parameter space that the flights do not determine.
+/// Non-identifiable direction in parameter space, with all values formatted as text.
 #[derive(Serialize)]
 struct Undetermined {
     names: String,
-    /// Linear combination, if of several coefficients: `0.71 C_L0 − 0.70 C_La`.
+    /// Linear combination of coefficients, such as `0.71 C_L0 − 0.70 C_La`; empty for a single coefficient.
     direction: String,
     error: String,
     why: String,
 }
 
-/// Renders the HTML page with the given figures.
+/// Renders the HTML page of the fit with the given figures.
 pub(super) fn written(page: &FitPage<'_>, figures: &Figures) -> String {
     let (first, rest) = figures.states.split_at(OPEN.min(figures.states.len()));
     let (tracks, more_tracks) = figures
@@ -95,7 +95,7 @@ pub(super) fn written(page: &FitPage<'_>, figures: &Figures) -> String {
     rendered(include_str!("page.html"), context)
 }
 
-/// Reasons not to rely on the fit, as sentences; empty for a reliable fit.
+/// Reasons not to rely on the fit, as sentences; empty if the fit is reliable.
 fn reasons_against(report: &FitReport) -> Vec<String> {
     match report.reliable {
         true => Vec::new(),
@@ -107,7 +107,7 @@ fn reasons_against(report: &FitReport) -> Vec<String> {
     }
 }
 
-/// Renders a template of this crate with the given values.
+/// Renders a template of this crate with the given values; panics if the template is invalid.
 pub(crate) fn rendered(template: &str, context: Value) -> String {
     let mut environment = Environment::new();
     environment.set_undefined_behavior(UndefinedBehavior::Strict);
@@ -127,7 +127,7 @@ pub(crate) fn rendered(template: &str, context: Value) -> String {
         })
 }
 
-/// Template value whose texts the template engine escapes.
+/// Converts a serializable value to a template value; the template engine escapes its texts.
 pub(crate) fn plain_values(of: &impl Serialize) -> Value {
     Value::from(Serde(of))
 }
@@ -136,7 +136,7 @@ pub(crate) fn shown(drawn: &[Drawn]) -> Vec<Value> {
     drawn.iter().map(one).collect()
 }
 
-/// Figure of the opening of a page, whose values are reached by the keyboard too.
+/// Copy of a figure in which the keyboard focus reaches the values that are shown on pointing at them.
 pub(crate) fn reached(drawn: &Drawn) -> Drawn {
     let reached = |svg: &str| svg.replace("tabindex=\"-1\"", "tabindex=\"0\"");
     Drawn {
@@ -161,10 +161,10 @@ pub(crate) fn one(drawn: &Drawn) -> Value {
     }
 }
 
-/// Maximum length of a table that the page holds itself, bytes; the page links to the file of a longer one.
+/// Maximum size in bytes of a CSV table that is embedded in the page; for a larger table, the page links to its file.
 const MOST_EMBEDDED: usize = 10_000;
 
-/// Link to the table of a figure: a data URI, or the file of a long table.
+/// Link to the CSV table of a figure: a data URI, or the path of the file if the table is large.
 pub(crate) fn table_link(figure: &Figure) -> String {
     match figure.csv.len() <= MOST_EMBEDDED {
         true => format!("data:text/csv;charset=utf-8,{}", encoded(&figure.csv)),
@@ -172,7 +172,7 @@ pub(crate) fn table_link(figure: &Figure) -> String {
     }
 }
 
-/// Percent-encodes what a data URI may not hold.
+/// Percent-encodes the characters that a data URI must not contain; control characters are dropped.
 fn encoded(text: &str) -> String {
     let mut encoded = String::with_capacity(text.len() + text.len() / 8);
     for c in text.chars() {
@@ -187,7 +187,7 @@ fn encoded(text: &str) -> String {
     encoded
 }
 
-/// Truncates a text to the length of a note and ends it with a full stop.
+/// Truncates a text to the maximum length of a note and ends it with a full stop.
 pub(crate) fn sentence(text: &str) -> String {
     let text = flights::short(text.trim_end().trim_end_matches(':'));
     if text.ends_with(['.', '…', '!', '?']) {
@@ -197,7 +197,7 @@ pub(crate) fn sentence(text: &str) -> String {
     }
 }
 
-/// Formats a text as a sentence that begins with a capital letter.
+/// Formats a text as a sentence that begins with a capital letter and ends with a full stop.
 pub(crate) fn capitalized(text: &str) -> String {
     let sentence = sentence(text);
     let mut letters = sentence.chars();

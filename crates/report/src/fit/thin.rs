@@ -1,16 +1,16 @@
-//! Reduction of the number of points of a figure, so that pages of long flights remain small.
+//! Reduction of the number of points in figures, so that pages of long flights remain small.
 
-/// Maximum number of points of a curve.
+/// Maximum number of points of a curve in a figure.
 pub(crate) const MOST: usize = 400;
 
-/// Every n-th point, with the smallest n that gives at most `most` points.
+/// Every n-th of the points, with the smallest n for which at most `most` points remain.
 pub(crate) fn stride<T: Copy>(points: &[T], most: usize) -> Vec<T> {
     let step = points.len().div_ceil(most.max(1)).max(1);
     points.iter().copied().step_by(step).collect()
 }
 
-/// Thins a curve over time: of each segment the first, the lowest and the highest point remain, so that peaks remain
-/// visible. Gaps (NaN) remain gaps.
+/// Thins a curve over time to about `most` points: of each segment, the first, the lowest and the highest point are
+/// retained, so that peaks remain visible. Gaps (NaN) are retained.
 pub(crate) fn curve(points: &[(f64, f64)], most: usize) -> Vec<(f64, f64)> {
     if points.len() <= most {
         return points.to_vec();
@@ -19,7 +19,7 @@ pub(crate) fn curve(points: &[(f64, f64)], most: usize) -> Vec<(f64, f64)> {
     let mut kept = Vec::with_capacity(most);
     for part in points.chunks(length) {
         let by = |a: &usize, b: &usize| part[*a].1.total_cmp(&part[*b].1);
-        // NaN is an extreme in the total order; it remains and interrupts the line.
+        // NaN is an extreme in the total order; it is retained and interrupts the line.
         let extremes = [
             0,
             (0..part.len()).min_by(by).unwrap_or(0),

@@ -1,4 +1,4 @@
-//! Summary of a fit in sentences: method, determined and undetermined coefficients, warnings.
+//! Summary of a fit in sentences: data, goodness of fit, precision of the coefficients, and warnings.
 
 use identify::dataset::Role;
 use identify::wording::{count, listed};
@@ -8,14 +8,14 @@ use super::FitPage;
 use super::flights::short;
 use super::numbers::{millimetres, percent, plain};
 
-/// Relative standard error below which a coefficient counts as well determined.
+/// Maximum relative standard error of a coefficient that counts as well determined.
 const GOOD: f64 = 0.1;
-/// Ratio of a held-out flight's RMS residual to the noise above which the flight counts as badly predicted.
+/// Minimum ratio of a held-out flight's RMS residual to the noise for the flight to count as badly predicted.
 const FAR: f64 = 3.0;
-/// Maximum number of names in a sentence.
+/// Maximum number of names listed in a sentence.
 const MOST_NAMES: usize = 24;
 
-/// Sentences on the fitted data, the noise and the goodness of fit.
+/// Sentences on the fitted data, the noise, the goodness of fit and the precision of the coefficients.
 pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
     let report = page.report;
     let number = |role: Role| report.used(role).count();
@@ -64,7 +64,7 @@ pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
     all
 }
 
-/// Sentence on the prediction error of the held-out flights; `None` without such flights.
+/// Sentence on the RMS prediction errors of the held-out flights; `None` if there are no held-out flights.
 fn held_out_words(report: &FitReport) -> Option<String> {
     let held_out = report.used(Role::HeldOut);
     let mut rms: Vec<f64> = held_out
@@ -86,7 +86,7 @@ fn held_out_words(report: &FitReport) -> Option<String> {
     })
 }
 
-/// What the flights determine, and what they do not: the first sentences of the page.
+/// First sentences of the page: which coefficients the flights determine well, roughly, or not at all.
 pub(super) fn opening(page: &FitPage<'_>) -> Vec<String> {
     let mut kinds: [Vec<&str>; 4] = Default::default();
     for (name, found) in page.coefficients() {
@@ -111,7 +111,7 @@ pub(super) fn opening(page: &FitPage<'_>) -> Vec<String> {
     sentences
 }
 
-/// Sentences that list well determined, loosely determined, undetermined and fixed coefficients.
+/// Sentences that list the well determined, roughly determined, undetermined and fixed coefficients.
 fn determined(page: &FitPage<'_>) -> Vec<String> {
     let mut kinds: [Vec<&str>; 4] = Default::default();
     for (name, found) in page.coefficients() {
@@ -247,7 +247,7 @@ fn were(flights: usize) -> String {
     )
 }
 
-/// Joins names as `a, b and c`; shortens long lists.
+/// Joins names as `a, b and c`; beyond [`MOST_NAMES`] names, only the number of further names is stated.
 pub(crate) fn names<'a>(names: impl Iterator<Item = &'a str>) -> String {
     let all: Vec<&str> = names.collect();
     let more = all.len().saturating_sub(MOST_NAMES);

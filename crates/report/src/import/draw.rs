@@ -1,4 +1,4 @@
-//! Figures of an import: each flight over the time of its take, and the whole take.
+//! Figures of an import: each flight over the time of its take, and each whole take.
 
 use super::{Curve, Distance, ImportedFlight, ImportedTake};
 use crate::figures::csv::of_panels;
@@ -6,12 +6,13 @@ use crate::figures::{Dots, Layout, Line, Look, Mark, Panel, figure_of};
 use crate::fit::Drawn;
 use crate::fit::thin;
 
-/// Maximum number of pairs whose distances are drawn: the number of distinct colours.
+/// Maximum number of marker pairs whose distances are drawn: the number of distinct line colours.
 const MOST_PAIRS: usize = 4;
-/// Maximum number of dots of a curve outside the flight.
+/// Maximum number of dots of a curve before and after the flight.
 const MOST_DOTS: usize = 150;
 
-/// Curves and distances of a flight: the flight as lines, what was cut away as grey dots.
+/// Draws the curves and marker distances of a flight: lines during the flight, grey dots for the recording before and
+/// after it.
 pub(super) fn flight(number: usize, flight: &ImportedFlight) -> Drawn {
     let mut panels: Vec<Panel> = flight.curves.iter().map(|it| curve(flight, it)).collect();
     if let Some(panel) = distances(flight) {
@@ -32,7 +33,7 @@ pub(super) fn flight(number: usize, flight: &ImportedFlight) -> Drawn {
     )
 }
 
-/// Height over a whole take, with its flights.
+/// Draws the height of the body over a whole take, with release and end of each flight.
 pub(super) fn take(number: usize, take: &ImportedTake) -> Drawn {
     let inside = |time: f64| take.flights.iter().any(|flight| flight.holds(time));
     let mut panel = split(&take.heights, inside);
@@ -66,7 +67,7 @@ fn marks<'a>(of: impl IntoIterator<Item = (f64, &'a str)>) -> Vec<Mark> {
     of.into_iter().map(mark).collect()
 }
 
-/// Points within as a line, the others as grey dots.
+/// Panel in which points with times `inside` form a line and all other points are grey dots.
 fn split(points: &[(f64, f64)], inside: impl Fn(f64) -> bool) -> Panel {
     let line = points.iter().map(|&(time, value)| match inside(time) {
         true => (time, value),
@@ -98,7 +99,8 @@ fn curve(flight: &ImportedFlight, curve: &Curve) -> Panel {
     }
 }
 
-/// Distances less those of the template: a pair whose markers were exchanged or came loose jumps.
+/// Panel of the marker distances minus those in the template, in mm. A pair whose markers were swapped or came loose
+/// shows a jump. `None` if there are no pairs.
 fn distances(flight: &ImportedFlight) -> Option<Panel> {
     let mut pairs: Vec<&Distance> = flight.distances.iter().collect();
     pairs.sort_by(|a, b| spread(flight, b).total_cmp(&spread(flight, a)));
@@ -111,7 +113,7 @@ fn distances(flight: &ImportedFlight) -> Option<Panel> {
         });
         let off: Vec<(f64, f64)> = off.collect();
         Line {
-            // Blanks widen the margin: bold letters of a name may be wide.
+            // Spaces widen the margin, because bold letters of a name can be wide.
             name: format!("{}   ", pair.name),
             points: thin::curve(&off, thin::MOST),
         }
@@ -130,7 +132,8 @@ fn distances(flight: &ImportedFlight) -> Option<Panel> {
     })
 }
 
-/// Median of a pair's distance in the flight, and its greatest departure from it, m.
+/// Median of a pair's distance during the flight, and maximum absolute deviation from the median, m; `None` if the
+/// pair was never measured.
 pub(super) fn median_and_departure(flight: &ImportedFlight, pair: &Distance) -> Option<(f64, f64)> {
     let seen = pair
         .points

@@ -1,94 +1,96 @@
-//! HTML page of an import: what was decided about each recording, and each flight as it was cut.
+//! HTML page of an import: decisions made on each recording, and each flight that was cut from it.
 
 mod draw;
 mod page;
 
-/// Contents of the page of an import.
+/// Input of the HTML page of an import.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImportPage {
-    /// Name of the dataset.
+    /// Name of the imported dataset.
     pub dataset: String,
-    /// Name of its model.
+    /// Name of the model of the dataset.
     pub model: String,
-    /// The recordings, in the order in which they were read.
+    /// Imported recordings, in the order in which they were read.
     pub takes: Vec<ImportedTake>,
 }
 
-/// What was decided about one recording.
+/// Decisions, notes and flights of one imported recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImportedTake {
-    /// File of the recording.
+    /// File name of the recording.
     pub file: String,
-    /// Decisions: what about, and what was decided.
+    /// Decisions made by the import: pairs of subject and decision, as text.
     pub decisions: Vec<(String, String)>,
-    /// What was set aside, left out or doubted.
+    /// Notes on parts of the recording that were excluded or are uncertain.
     pub notes: Vec<String>,
-    /// Height of the followed body over the take: time, s, and height, m; not finite where it was not seen.
+    /// Height of the tracked body over the take: pairs of time, s, and height, m; the height is not finite where it
+    /// is missing.
     pub heights: Vec<(f64, f64)>,
-    /// Its flights.
+    /// Flights that were cut from the recording.
     pub flights: Vec<ImportedFlight>,
 }
 
-/// One flight that was cut from a recording.
+/// One flight cut from a recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImportedFlight {
-    /// Table in the dataset.
+    /// File name of the flight's table in the dataset.
     pub file: String,
-    /// Number of samples.
+    /// Number of samples of the flight.
     pub samples: usize,
-    /// Its beginning.
+    /// Beginning of the flight, with the reason why it was chosen.
     pub release: Edge,
-    /// Its end.
+    /// End of the flight, with the reason why it was chosen.
     pub end: Edge,
-    /// Times of the first and the last sample, s.
+    /// Times of the first and the last sample, s since the start of the recording.
     pub span: (f64, f64),
-    /// Gaps in which the body was not seen: from and to, s.
+    /// Gaps in which no marker of the body was measured: pairs of begin and end, s.
     pub gaps: Vec<(f64, f64)>,
-    /// Markers that were not seen in every sample, with the number of samples without them.
+    /// Markers with missing samples: pairs of marker name and number of missing samples.
     pub missing: Vec<(String, usize)>,
-    /// Curves over the time of the take around the flight.
+    /// Quantities over the time of the take, during the flight and shortly before and after it.
     pub curves: Vec<Curve>,
-    /// Distances between pairs of markers.
+    /// Distances between pairs of markers over time.
     pub distances: Vec<Distance>,
 }
 
-/// Where a flight begins or ends.
+/// Begin or end of a flight in a recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edge {
-    /// Time, s.
+    /// Time in the recording, s.
     pub time: f64,
-    /// Why the flight was cut there.
+    /// Reason why the flight begins or ends at this time, as text.
     pub reason: String,
 }
 
-/// A quantity over the time of a take.
+/// Curve of a quantity over the time of a take.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
-    /// What it is, with its unit.
+    /// Name of the quantity, with its unit.
     pub title: String,
-    /// Time, s, and value; not finite where there is none.
+    /// Pairs of time, s, and value; the value is not finite where it is missing.
     pub points: Vec<(f64, f64)>,
 }
 
-/// The distance between two markers of a rigid body.
+/// Distance between two markers of a rigid body over time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Distance {
-    /// Name of the pair.
+    /// Name of the marker pair.
     pub name: String,
-    /// Distance in the template, m.
+    /// Distance of the two markers in the rigid-body definition, m.
     pub template: f64,
-    /// Time, s, and measured distance, m, around the flight; not finite where one was not seen.
+    /// Pairs of time, s, and measured distance, m, during the flight and shortly before and after it; the distance is
+    /// not finite where a marker is missing.
     pub points: Vec<(f64, f64)>,
 }
 
 impl ImportedFlight {
-    /// Whether a time is within the flight.
+    /// Whether a time, s, is between the first and the last sample of the flight.
     fn holds(&self, time: f64) -> bool {
         self.span.0 <= time && time <= self.span.1
     }
 }
 
-/// Self-contained page of an import.
+/// Renders the self-contained HTML page of an import.
 pub fn html(page: &ImportPage) -> String {
     page::html(page)
 }

@@ -12,12 +12,14 @@ use crate::fit::numbers::plain;
 use crate::fit::page::{capitalized, one, plain_values, rendered};
 use crate::fit::words::names;
 
-/// Maximum number of flights that are drawn, of gaps of a flight and of pairs of a take that are listed.
+/// Maximum number of flights drawn, over all takes.
 const MOST_FLIGHTS: usize = 60;
+/// Maximum number of gaps listed for each flight.
 const MOST_GAPS: usize = 5;
+/// Maximum number of marker pairs listed for each take.
 const MOST_PAIRS: usize = 30;
 
-/// A recording for the template.
+/// A recording, as input of the HTML template.
 #[derive(Serialize)]
 struct Take {
     file: String,
@@ -27,7 +29,7 @@ struct Take {
     pairs: Vec<Pair>,
 }
 
-/// A flight for the template.
+/// A flight, as input of the HTML template; all values are formatted as text.
 #[derive(Serialize)]
 struct Row {
     file: String,
@@ -39,7 +41,7 @@ struct Row {
     unseen: String,
 }
 
-/// A pair of markers for the template, lengths in mm.
+/// A pair of markers, as input of the HTML template; all lengths are formatted in mm.
 #[derive(Serialize)]
 struct Pair {
     name: String,
@@ -49,7 +51,7 @@ struct Pair {
     file: String,
 }
 
-/// Renders the page.
+/// Renders the HTML page of an import.
 pub(super) fn html(page: &ImportPage) -> String {
     let flights: usize = page.takes.iter().map(|take| take.flights.len()).sum();
     let mut takes = Vec::new();
@@ -116,7 +118,8 @@ fn row(flight: &ImportedFlight) -> Row {
     }
 }
 
-/// The pairs of markers of a take, each in the flight where its distance departs farthest from its median.
+/// Marker pairs of a take, largest deviation first. Each pair is listed with the flight in which its distance
+/// deviates most from the median.
 fn pairs(take: &ImportedTake) -> Vec<Pair> {
     let mut worst: Vec<(&str, f64, f64, f64, &str)> = Vec::new();
     for flight in &take.flights {

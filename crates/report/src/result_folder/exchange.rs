@@ -1,4 +1,4 @@
-//! Two folders change places; what interrupted runs leave beside a folder is recognised and removed.
+//! Atomic exchange of two folders, and removal of the remains of interrupted runs beside a folder.
 
 use std::fs;
 use std::io;
@@ -7,16 +7,16 @@ use std::path::{Path, PathBuf};
 use super::keep::discard;
 use super::manifest::MANIFEST;
 
-/// Suffix of an earlier folder on file systems that cannot exchange two folders.
+/// Suffix of the renamed earlier folder, on file systems that cannot exchange two folders in one step.
 const OLD: &str = ".old";
 
-/// Name of the hidden folder in which this process prepares results for the folder `name`.
+/// Name of the hidden folder in which this process prepares the results for the folder `name`.
 pub(super) fn part_name(name: &str) -> String {
     format!(".{name}.hyzer-{}", std::process::id())
 }
 
-/// Exchanges the names of two folders, in one step where the file system can; returns the new path of the folder that
-/// was at `target`.
+/// Exchanges the names of two folders, in one step if the file system supports it. Returns the new path of the folder
+/// that was at `target`.
 pub(super) fn exchange(part: &Path, target: &Path) -> io::Result<PathBuf> {
     match in_one_step(part, target) {
         Ok(()) => Ok(part.to_path_buf()),
@@ -47,7 +47,8 @@ fn in_two_steps(part: &Path, target: &Path) -> io::Result<PathBuf> {
     Ok(old)
 }
 
-/// Removes what interrupted runs left beside the folder `name`, and gives back a folder that such a run had renamed.
+/// Removes the remains of interrupted runs beside the folder `name`. If such a run had renamed the target and not
+/// replaced it, the target is restored.
 pub(super) fn recover(parent: &Path, name: &str, target: &Path) {
     let prefix = format!(".{name}.hyzer-");
     let entries = fs::read_dir(parent).into_iter().flatten().flatten();
@@ -60,13 +61,13 @@ pub(super) fn recover(parent: &Path, name: &str, target: &Path) {
             (!is_running(id)).then(|| (is_old, entry.path()))
         })
         .collect();
-    // Earlier folders first: they may be what is to be given back.
+    // Renamed earlier folders come first, since one of them may have to be restored.
     remains.sort_by(|a, b| b.cmp(a));
     for (is_old, folder) in remains {
-        // What fails here is tried again by the next run.
+        // If this fails, the next run tries again.
         let _ = match (is_old, target.exists()) {
             (true, false) => fs::rename(&folder, target),
-            // Without a manifest it was never complete: all of it is the program's.
+            // A folder without a manifest was never completed, so all its files were written by this program.
             _ if !folder.join(MANIFEST).is_file() => fs::remove_dir_all(&folder),
             (_, true) => discard(&folder, target),
             (false, false) => fs::remove_dir_all(&folder),
@@ -74,7 +75,7 @@ pub(super) fn recover(parent: &Path, name: &str, target: &Path) {
     }
 }
 
-/// Whether a process of this number runs; true where that cannot be known.
+/// Whether a process with this id is running; true if unknown, false for the current process.
 #[cfg(unix)]
 fn is_running(id: u32) -> bool {
     let id = i32::try_from(id)

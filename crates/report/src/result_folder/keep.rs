@@ -1,4 +1,4 @@
-//! Files in a folder of results that the program did not write: they are carried over, never deleted.
+//! Preservation of files in a folder of results that the program did not write: they are carried over, never deleted.
 
 use std::fs;
 use std::io;
@@ -7,7 +7,8 @@ use std::path::{Path, PathBuf};
 use super::ResultFile;
 use super::manifest::{MANIFEST, Manifest};
 
-/// Relative paths below a folder: files and symbolic links, then folders; each sorted.
+/// Relative paths of all entries below a folder, recursively: first files and symbolic links, then folders, each
+/// sorted.
 pub(super) fn entries_below(folder: &Path) -> io::Result<(Vec<PathBuf>, Vec<PathBuf>)> {
     let (mut files, mut folders) = (Vec::new(), Vec::new());
     let mut left = vec![PathBuf::new()];
@@ -28,14 +29,14 @@ pub(super) fn entries_below(folder: &Path) -> io::Result<(Vec<PathBuf>, Vec<Path
     Ok((files, folders))
 }
 
-/// Whether the program wrote a file, and nobody changed it.
+/// Whether the program wrote the file at `path` and its contents are unchanged; always true for the manifest.
 fn is_own(folder: &Path, manifest: &Manifest, path: &Path) -> bool {
     let name = path.to_string_lossy().replace('\\', "/");
     name == MANIFEST || manifest.wrote(folder, &name)
 }
 
-/// Carries the files of `target` that `earlier` does not list over to `part`: by hard links where the file system has them, else
-/// by copies. A file with the name of a new result is renamed to `NAME.kept`.
+/// Carries all files of `target` over to `part`, except unchanged results that `earlier` lists, by hard links if
+/// possible, otherwise by copies. A file with the name of a new result is renamed to `NAME.kept`.
 pub(super) fn keep_foreign(target: &Path, earlier: &Manifest, part: &Path) -> io::Result<()> {
     let (files, folders) = entries_below(target)?;
     for folder in &folders {
@@ -59,7 +60,7 @@ pub(super) fn keep_foreign(target: &Path, earlier: &Manifest, part: &Path) -> io
     Ok(())
 }
 
-/// Renames results that were edited and would be overwritten to `NAME.kept`.
+/// Renames results in `target` to `NAME.kept` if they were edited and would be overwritten by `files`.
 pub(super) fn set_edited_aside(
     target: &Path,
     earlier: &Manifest,
@@ -74,7 +75,8 @@ pub(super) fn set_edited_aside(
     Ok(())
 }
 
-/// Removes a replaced folder: what the program wrote, and what `current` has too. Anything else is moved to `current`.
+/// Removes a replaced folder with its unchanged results and all files that `current` also contains. All other files
+/// are moved to `current`.
 pub(super) fn discard(old: &Path, current: &Path) -> io::Result<()> {
     let manifest = Manifest::read(old);
     let (files, folders) = entries_below(old)?;
@@ -100,7 +102,8 @@ pub(super) fn discard(old: &Path, current: &Path) -> io::Result<()> {
     fs::remove_dir(old)
 }
 
-/// Whether `current` has the file too, under its name or the name it was kept by.
+/// Whether `current` contains a file with the same contents, under the same name or one of the names for preserved
+/// files.
 fn is_kept(file: &Path, current: &Path, path: &Path) -> bool {
     let same = |other: &Path| match (fs::read(file), fs::read(other)) {
         (Ok(a), Ok(b)) => a == b,
@@ -112,10 +115,10 @@ fn is_kept(file: &Path, current: &Path, path: &Path) -> bool {
     })
 }
 
-/// Maximum number of earlier files of one name that are looked for.
+/// Maximum number of names of preserved files that are checked.
 const MAX_KEPT: usize = 100;
 
-/// Names under which a file is kept: its own, `NAME.kept`, `NAME.kept2`, ….
+/// Names under which a file can be preserved: `NAME`, `NAME.kept`, `NAME.kept2`, and so on.
 fn kept_names(path: &Path) -> impl Iterator<Item = PathBuf> {
     (0_usize..).map(move |k| {
         let mut name = path.as_os_str().to_owned();
@@ -128,14 +131,14 @@ fn kept_names(path: &Path) -> impl Iterator<Item = PathBuf> {
     })
 }
 
-/// First of the names of a kept file that is free in `folder`.
+/// Path in `folder` with the first name for the preserved file that no other file has.
 fn free_name(folder: &Path, path: &Path) -> PathBuf {
     let mut names = kept_names(path).map(|name| folder.join(name));
     let is_free = |name: &PathBuf| fs::symlink_metadata(name).is_err();
     names.find(is_free).unwrap_or_else(|| folder.join(path))
 }
 
-/// Removes the folders that a removed file leaves empty.
+/// Removes the parent folders of a removed file that are empty, up to `root`.
 pub(super) fn remove_empty_folders(root: &Path, file: &Path) {
     for folder in file.ancestors().skip(1) {
         if folder.as_os_str().is_empty() || fs::remove_dir(root.join(folder)).is_err() {

@@ -1,4 +1,4 @@
-//! The list of the files that a run wrote, with their fingerprints.
+//! Manifest of a folder of results: the files that a run wrote, with hashes of their contents.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -6,14 +6,14 @@ use std::path::Path;
 
 use super::ResultFile;
 
-/// Name of the manifest in a folder of results.
+/// Name of the manifest file in a folder of results.
 pub const MANIFEST: &str = ".hyzer-results";
 
-/// First line of a manifest.
+/// First line of a manifest file, a comment.
 const HEAD: &str =
     "# Files that hyzer wrote here, and replaces. Other files in this folder are kept.";
 
-/// Files written by a run: relative path and fingerprint of the contents.
+/// Files written by a run: relative path and hash of the contents.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Manifest {
     files: BTreeMap<String, u64>,
@@ -29,8 +29,8 @@ impl Manifest {
         }
     }
 
-    /// The manifest of a folder; empty if there is none that can be read. Lines that are malformed are ignored, and so
-    /// are paths that lead out of the folder.
+    /// Reads the manifest of a folder; empty if it cannot be read. Malformed lines are ignored, as are paths that
+    /// lead out of the folder.
     pub fn read(folder: &Path) -> Manifest {
         let text = std::fs::read_to_string(folder.join(MANIFEST)).unwrap_or_default();
         let lines = text.lines().filter_map(|line| {
@@ -54,12 +54,12 @@ impl Manifest {
         text
     }
 
-    /// Relative paths of the files, sorted.
+    /// Relative paths of the files in the manifest, sorted.
     pub fn paths(&self) -> impl Iterator<Item = &str> {
         self.files.keys().map(String::as_str)
     }
 
-    /// Whether the file of this relative path in `folder` has the contents that were written.
+    /// Whether the file at the relative `path` in `folder` still has the contents that were written.
     pub fn wrote(&self, folder: &Path, path: &str) -> bool {
         let contents = || std::fs::read(folder.join(path)).ok();
         self.files
@@ -68,7 +68,7 @@ impl Manifest {
     }
 }
 
-/// FNV-1a hash of a file's contents, the same on every machine.
+/// FNV-1a hash of a file's contents, identical on every machine.
 fn fingerprint(contents: &[u8]) -> u64 {
     let start = 0xcbf2_9ce4_8422_2325_u64;
     contents.iter().fold(start, |hash, &byte| {

@@ -1,8 +1,8 @@
-//! A folder of results that is replaced as a whole: at any moment it holds the earlier results or the new ones.
+//! Folder of results that is replaced as a whole: at any time it contains either the earlier results or the new ones.
 //!
-//! The files are written to a hidden folder beside the target, which then changes places with it. A manifest in the
-//! folder lists what was written, so that a later run removes it again. Other files in the folder, and results that
-//! were edited, stay.
+//! The files are written to a hidden folder beside the target, and the two folders are then exchanged. A manifest in
+//! the folder lists the files written, so that a later run can remove them. All other files in the folder, and
+//! results that were edited, are preserved.
 
 mod exchange;
 mod keep;
@@ -17,20 +17,20 @@ use keep::{discard, keep_foreign};
 pub use manifest::MANIFEST;
 use manifest::Manifest;
 
-/// Maximum number of foreign files that a message names.
+/// Maximum number of files named in an error about a folder with foreign files.
 const MAX_NAMED: usize = 3;
 
-/// A file of results: path relative to the folder, with `/` between names, and contents.
+/// A result file to be written to a folder.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ResultFile {
-    /// Path relative to the folder.
+    /// Path relative to the folder of results, with `/` between names.
     pub path: String,
     /// Contents of the file.
     pub contents: Vec<u8>,
 }
 
 impl ResultFile {
-    /// A file with this relative path and these contents.
+    /// Creates a result file from its path relative to the folder and its contents.
     pub fn new(path: impl Into<String>, contents: impl Into<Vec<u8>>) -> ResultFile {
         ResultFile {
             path: path.into(),
@@ -39,17 +39,17 @@ impl ResultFile {
     }
 }
 
-/// Why a folder cannot take results.
+/// Reason why results cannot be written to a folder.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ResultFolderError {
-    /// A file has the path of the folder, or of a folder that would contain it.
+    /// The path is that of a file, or leads through a file, instead of a folder.
     #[error("{} is a file, expected a folder", path.display())]
     IsFile {
         /// Path of the file.
         path: PathBuf,
     },
-    /// The folder holds files, none of them results.
+    /// The folder contains files, but no results of an earlier run.
     #[error(
         "{} holds files that hyzer did not write ({}); expected a new or empty folder, or one of earlier results",
         path.display(), names.join(", ")
@@ -57,40 +57,41 @@ pub enum ResultFolderError {
     Foreign {
         /// Path of the folder.
         path: PathBuf,
-        /// Names of some of the files.
+        /// Names of some of the files, sorted.
         names: Vec<String>,
     },
-    /// The path ends in no name of a folder, such as `x/..`.
+    /// The last component of the path is not a folder name, as in `x/..`.
     #[error("{} is no name of a folder", path.display())]
     NoName {
-        /// Path that was given.
+        /// Path as given by the caller.
         path: PathBuf,
     },
     /// A file or folder cannot be read or written.
     #[error("{} cannot be written: {source}", path.display())]
     Io {
-        /// Path of the folder.
+        /// Path of the folder of results.
         path: PathBuf,
-        /// Error of the operating system.
+        /// Error reported by the operating system.
         source: io::Error,
     },
 }
 
-/// A folder that can take results; nothing in it changes before [`ResultFolder::replace`].
+/// Folder that was checked to accept results. Its contents change only when [`ResultFolder::replace`] is called.
 #[derive(Clone, Debug)]
 pub struct ResultFolder {
-    /// The folder, with symbolic links resolved.
+    /// Absolute path of the folder, with symbolic links resolved.
     target: PathBuf,
-    /// Hidden folder beside the target; `None` where the target cannot be renamed, such as the current folder.
+    /// Hidden folder beside the target in which results are prepared; `None` if the target cannot be renamed, such as
+    /// the current folder.
     part: Option<PathBuf>,
 }
 
 impl ResultFolder {
-    /// Tries a folder before any work: it must be new, empty, or hold earlier results, and be writable. Remains of
-    /// interrupted runs are removed.
+    /// Checks a folder before any computation: it must be writable, and either new, empty, or contain earlier
+    /// results. Remains of interrupted runs beside it are removed.
     ///
     /// # Errors
-    /// [`ResultFolderError`].
+    /// [`ResultFolderError`] if the folder cannot accept results.
     pub fn open(path: &Path) -> Result<ResultFolder, ResultFolderError> {
         let failed = |source| ResultFolderError::Io {
             path: path.to_path_buf(),
@@ -130,12 +131,12 @@ impl ResultFolder {
         })
     }
 
-    /// Replaces the results in the folder by these files. An interruption at any moment leaves either the earlier
-    /// results or the new ones; only in a folder that cannot be renamed (the current folder, a mount point) files are
-    /// replaced one by one.
+    /// Replaces the results in the folder by `files`. An interruption at any time leaves either the earlier results
+    /// or the new ones. Only if the folder cannot be renamed (the current folder, a mount point), files are replaced
+    /// one by one.
     ///
     /// # Errors
-    /// [`ResultFolderError::Io`]; the earlier results are then unchanged.
+    /// [`ResultFolderError::Io`] if a file cannot be written; the earlier results are then unchanged.
     pub fn replace(&self, files: &[ResultFile]) -> Result<(), ResultFolderError> {
         let done = match &self.part {
             Some(part) => self.swap(part, files).or_else(|error| {
@@ -167,7 +168,7 @@ impl ResultFolder {
             }
             write_synced(&path, &file.contents)?;
         }
-        // Last: a part without a manifest is known to be incomplete.
+        // The manifest is written last: a folder without a manifest is known to be incomplete.
         std::fs::write(part.join(MANIFEST), Manifest::of(files).text())?;
         if !self.target.exists() {
             return std::fs::rename(part, &self.target);
@@ -176,7 +177,7 @@ impl ResultFolder {
         std::fs::set_permissions(part, std::fs::metadata(&self.target)?.permissions())?;
         keep_foreign(&self.target, &earlier, part)?;
         let old = exchange(part, &self.target)?;
-        // The results are there; remains of the earlier ones are removed by the next run at the latest.
+        // The new results are complete; the next run removes remains of the earlier ones if this fails.
         let _ = discard(&old, &self.target);
         Ok(())
     }
@@ -202,10 +203,10 @@ impl ResultFolder {
     }
 }
 
-/// Number of bytes that are written to the disk at a time, which takes well below a second.
+/// Number of bytes written to the disk at a time; small enough that a write takes well below a second.
 const CHUNK: usize = 1 << 20;
 
-/// Writes a new file through to the disk, in chunks: a process cannot end while one is on its way.
+/// Writes a new file through to the disk, in chunks: a process cannot be ended during a write.
 fn write_synced(path: &Path, contents: &[u8]) -> io::Result<()> {
     let mut file = std::fs::File::create(path)?;
     for chunk in contents.chunks(CHUNK) {
@@ -215,7 +216,7 @@ fn write_synced(path: &Path, contents: &[u8]) -> io::Result<()> {
     Ok(())
 }
 
-/// The absolute path, with symbolic links resolved as far as the path exists.
+/// Absolute path, with symbolic links resolved in the part of the path that exists.
 fn absolute(path: &Path) -> io::Result<PathBuf> {
     match path.canonicalize() {
         Err(error) if error.kind() == io::ErrorKind::NotFound => {
@@ -225,14 +226,14 @@ fn absolute(path: &Path) -> io::Result<PathBuf> {
                 _ => Err(error),
             }
         }
-        // A file among the parents is reported as such.
+        // A file among the parent folders is reported later.
         Err(error) if error.kind() == io::ErrorKind::NotADirectory => std::path::absolute(path),
         found => found,
     }
 }
 
 fn is_folder(path: &Path) -> Result<(), ResultFolderError> {
-    // Of `file/out`, the file is what exists.
+    // For `file/out`, the existing ancestor is `file`.
     let existing = path.ancestors().find(|path| path.exists());
     match existing {
         Some(path) if !path.is_dir() => Err(ResultFolderError::IsFile {
@@ -242,7 +243,7 @@ fn is_folder(path: &Path) -> Result<(), ResultFolderError> {
     }
 }
 
-/// Returns an error if a folder holds files and no manifest of results.
+/// Returns an error if a folder contains files but no manifest of results. `shown` is the path named in the error.
 fn refuse_foreign(target: &Path, shown: &Path) -> Result<(), ResultFolderError> {
     if target.join(MANIFEST).is_file() {
         return Ok(());
@@ -271,7 +272,7 @@ fn refuse_foreign(target: &Path, shown: &Path) -> Result<(), ResultFolderError> 
     })
 }
 
-/// Creates a temporary folder in `folder` and removes it again.
+/// Checks that `folder` is writable by creating a temporary folder in it, which is removed again.
 fn try_writing(folder: &Path) -> io::Result<()> {
     let prefix = ".hyzer-trial-";
     tempfile::Builder::new()
@@ -280,7 +281,8 @@ fn try_writing(folder: &Path) -> io::Result<()> {
         .close()
 }
 
-/// Whether a folder is the current one or contains it: it cannot change places under those who are in it.
+/// Whether a folder is the current working directory or contains it. Such a folder must not be renamed, because
+/// processes may be using it.
 fn is_current(folder: &Path) -> bool {
     let current = std::env::current_dir().and_then(|current| current.canonicalize());
     current.is_ok_and(|current| current.starts_with(folder))

@@ -15,7 +15,7 @@ fn open(path: &Path) -> ResultFolder {
     ResultFolder::open(path).unwrap()
 }
 
-/// Paths of the files in a folder, without the manifest, and their contents.
+/// Paths and contents of all files in a folder, without the manifest.
 fn contents(folder: &Path) -> Vec<(String, String)> {
     let (files, _) = entries_below(folder).unwrap();
     let each = files.iter().filter(|path| path.as_os_str() != MANIFEST);
@@ -46,7 +46,7 @@ fn results_of_an_earlier_run_are_gone_and_files_of_the_user_stay() {
     fs::write(folder.join("notes.txt"), "mine").unwrap();
     fs::create_dir_all(folder.join("plots/empty")).unwrap();
     fs::write(folder.join("plots/mine.svg"), "mine too").unwrap();
-    // A result that was edited is the user's.
+    // A result that was edited is preserved.
     fs::write(folder.join("stall.hyz"), "edited").unwrap();
     open(&folder)
         .replace(&files(&[("report.json", "2"), ("stall.hyz", "t")]))
@@ -63,7 +63,7 @@ fn results_of_an_earlier_run_are_gone_and_files_of_the_user_stay() {
     // Nothing remains beside the folder.
     let beside: Vec<_> = fs::read_dir(around.path().join("a")).unwrap().collect();
     assert_eq!(beside.len(), 1);
-    // What was kept stays, again and again.
+    // Preserved files remain in every later run.
     open(&folder)
         .replace(&files(&[("report.json", "3")]))
         .unwrap();
@@ -82,7 +82,7 @@ fn a_folder_of_other_files_and_a_file_are_refused_before_anything_is_written() {
         assert!(matches!(error, ResultFolderError::IsFile { .. }), "{error}");
         assert!(error.to_string().contains("notes.txt is a file"), "{error}");
     }
-    // Trying a new folder creates nothing.
+    // Checking a new folder creates nothing.
     open(&around.path().join("new/results"));
     assert_eq!(contents(around.path()), pairs(&[("notes.txt", "mine")]));
     assert!(!around.path().join("new").exists());
@@ -132,16 +132,16 @@ fn remains_of_interrupted_runs_are_removed_and_an_earlier_folder_is_given_back()
     let around = tempfile::tempdir().unwrap();
     let folder = around.path().join("found");
     open(&folder).replace(&files(&[("a.csv", "1")])).unwrap();
-    // Numbers of processes that do not run.
+    // Ids of processes that are not running.
     let left = |id: &str| around.path().join(format!(".found.hyzer-{id}"));
-    // Interrupted while it was filled.
+    // Interrupted while the new folder was written.
     fs::create_dir(left("2000000001")).unwrap();
     fs::write(left("2000000001").join("a.csv"), "ha").unwrap();
-    // Interrupted between two renames, where two folders cannot be exchanged.
+    // Interrupted between the two renames, on a file system that cannot exchange folders.
     fs::rename(&folder, left("2000000002.old")).unwrap();
     fs::create_dir(left("2000000002")).unwrap();
     fs::write(left("2000000002").join("a.csv"), "2").unwrap();
-    // Of another folder, and of a run under way.
+    // A folder of another target, and of a running process.
     let other = around.path().join(".other.hyzer-2000000001");
     fs::create_dir(&other).unwrap();
     #[cfg(unix)]

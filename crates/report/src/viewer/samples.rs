@@ -1,4 +1,4 @@
-//! Samples of a flight for the viewer: position, attitude, markers and numbers at each time.
+//! Samples of a flight for the viewer: position, attitude, markers and further quantities at each time.
 
 use flight::{BoundModel, CompiledModel};
 use identify::FlightEvidence;
@@ -11,34 +11,38 @@ use crate::figures::symbol;
 use crate::fit::numbers::unit;
 use crate::fit::thin::stride;
 
-/// Maximum numbers of shown numbers and of shown markers.
+/// Maximum number of quantities shown for a flight.
 const MOST_NUMBERS: usize = 10;
+/// Maximum number of markers shown for a flight.
 const MOST_MARKERS: usize = 12;
-/// Units of the quantities that are shown after the angles.
+/// Units of the quantities that are shown after the angles, in this order.
 const UNITS: [&str; 2] = ["m/s", "rad/s"];
 
-/// A flight, lengths in m and times in s.
+/// Data of a flight for the viewer, with lengths in m and times in s.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(super) struct Flight {
     pub(super) name: String,
-    /// What is shown, in a few words.
+    /// Short description of the flight, such as whether it was fitted.
     pub(super) note: String,
     times: Vec<f64>,
-    /// Position of the body's origin.
+    /// Positions of the origin of the body frame, inertial frame, one for each time.
     position: Vec<[f64; 3]>,
-    /// Rotation matrices from the body to the inertial frame, row by row; none for a point mass.
+    /// Rotation matrices from the body frame to the inertial frame, row by row, one for each time; `None` for a point
+    /// mass.
     attitude: Option<Vec<[f64; 9]>>,
-    /// Measured and predicted positions of the markers.
+    /// Measured positions of the markers, by time and marker; `None` if missing.
     measured: Vec<Vec<Option<[f64; 3]>>>,
+    /// Predicted positions of the markers, by time and marker.
     predicted: Vec<Vec<[f64; 3]>>,
-    /// Times and positions of the mean of the measured markers, where all are measured.
+    /// Times at which all markers are measured.
     trail_times: Vec<f64>,
+    /// Mean position of the measured markers at each of `trail_times`.
     trail: Vec<[f64; 3]>,
     arrows: Vec<Arrow>,
     numbers: Vec<Number>,
 }
 
-/// Constant vector that is given with a flight, such as the wind.
+/// Constant vector input of a flight, such as the wind, in the inertial frame.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 struct Arrow {
     name: String,
@@ -46,7 +50,7 @@ struct Arrow {
     unit: String,
 }
 
-/// Number shown over time.
+/// Scalar quantity shown over time; one value for each time of the flight, `None` if not finite.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 struct Number {
     name: String,
@@ -54,7 +58,7 @@ struct Number {
     values: Vec<Option<f64>>,
 }
 
-/// A model with the parameters of one flight, which says where the body is in a state.
+/// A model with the parameters of one flight, from which position and attitude of the body are computed.
 pub(super) struct Place<'m> {
     model: &'m Model,
     body: &'m CompiledModel,
@@ -70,7 +74,8 @@ impl<'m> Place<'m> {
         }
     }
 
-    /// Flight at these times and states, without what was measured; samples without a finite position are left out.
+    /// Flight at the given times and states, without measurements. Samples without a finite position are left out;
+    /// the second value states for each sample whether it was retained.
     fn flight(&self, name: &str, samples: &[(f64, &[f64])]) -> (Flight, Vec<bool>) {
         let bound = self.body.bind(self.parameters.clone());
         let has_attitude = self.model.marker.as_ref().is_some_and(|m| m.frame != 0);
@@ -106,8 +111,9 @@ impl<'m> Place<'m> {
         (flight, kept)
     }
 
-    /// Position and attitude of the body, as the measurement equation sees its origin and its axes; the states `x`, `y`, `z`
-    /// of a model that observes nothing.
+    /// Position and attitude of the body at a state, from the measurement equation applied to the origin and the axes
+    /// of the body frame. A model without a measurement equation uses its states `x`, `y`, `z`. `None` if a value is
+    /// missing or not finite.
     fn seen(&self, bound: &BoundModel<'_>, t: f64, state: &[f64]) -> Option<([f64; 3], [f64; 9])> {
         if self.model.observation.is_none() {
             let layout = self.body.layout();
@@ -131,7 +137,7 @@ impl<'m> Place<'m> {
         all.all(|v| v.is_finite()).then_some((origin, attitude))
     }
 
-    /// Inputs in the inertial frame that do not vanish.
+    /// Vector inputs in the inertial frame that are not zero.
     fn arrows(&self) -> Vec<Arrow> {
         let layout = self.body.layout();
         let given = self.model.inputs.iter().filter(|input| input.frame == 0);
@@ -152,7 +158,7 @@ impl<'m> Place<'m> {
             .collect()
     }
 
-    /// Height, distance, and the model's angles, speeds and rates.
+    /// Quantities shown over time: height, distance, and the model's angles, speeds and rates.
     fn numbers(
         &self,
         bound: &BoundModel<'_>,
@@ -208,7 +214,8 @@ impl<'m> Place<'m> {
     }
 }
 
-/// Length or other number to a hundredth of a millimetre, and at least six digits where it is small.
+/// Rounds a value to five decimals (a hundredth of a millimetre for lengths), or to six significant digits if it is
+/// below 0.1.
 fn rounded(value: f64) -> f64 {
     match value.abs() {
         size if size >= 0.1 => (value * 1e5).round() / 1e5,
@@ -216,7 +223,7 @@ fn rounded(value: f64) -> f64 {
     }
 }
 
-/// A simulated flight.
+/// Viewer data of a simulated flight, with at most about `most` samples.
 pub(super) fn flown(place: &Place<'_>, name: &str, flown: &Trajectory, most: usize) -> Flight {
     let length = flown.end - flown.start;
     let rate = (most.saturating_sub(2).max(1)) as f64 / length.max(f64::MIN_POSITIVE);
@@ -228,7 +235,7 @@ pub(super) fn flown(place: &Place<'_>, name: &str, flown: &Trajectory, most: usi
     flight
 }
 
-/// A measured flight with its prediction.
+/// Viewer data of a measured flight with its prediction, with at most `most` samples.
 pub(super) fn recorded(place: &Place<'_>, evidence: &FlightEvidence, most: usize) -> Flight {
     let lengths = [
         evidence.states.len(),

@@ -1,23 +1,24 @@
-//! Lift, drag and pitching moment of the discs over the angle of attack, by the oracle.
+//! Lift, drag and pitching-moment coefficients of the built-in discs over the angle of attack, computed by the oracle.
 
 use oracle::{Point, Tree, Value};
 
 use super::DISCS;
 use crate::error::StudyError;
 
-/// Speed at which the coefficients are taken, m/s; they do not depend on it.
+/// Airspeed at which the coefficients are evaluated, m/s. The coefficients do not depend on it.
 const SPEED: f64 = 20.0;
 
-/// Coefficients of a disc.
+/// Lift, drag and pitching-moment coefficients of one disc over the angle of attack.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
-    /// Name of the model.
+    /// Name of the disc's model.
     pub name: &'static str,
-    /// Angle of attack, deg, with lift, drag and pitching moment (nose-up positive).
+    /// Angle of attack, deg, with the coefficients `[C_L, C_D, C_M]` at that angle (C_M nose-up positive).
     pub points: Vec<(f64, [f64; 3])>,
 }
 
-/// Coefficients of every disc from `least` to `greatest`, whole degrees.
+/// Computes the coefficients of every disc in [`super::DISCS`] at whole degrees of angle of attack, `least` to
+/// `greatest` inclusive.
 ///
 /// # Errors
 /// [`StudyError`] if a model lacks a coefficient.

@@ -1,5 +1,5 @@
-//! Three throws of a driver, filmed from above (Giljarhus and others 2022), flown by the model `golf_driver` on the program's own
-//! integrator.
+//! Three throws of a driver, filmed from above (Giljarhus and others 2022), and their simulation with the model
+//! `golf_driver` by hyzer's own integrator.
 
 use std::path::Path;
 
@@ -11,29 +11,31 @@ use serde::Serialize;
 use crate::error::StudyError;
 use crate::real_data::{LAUNCH_NAMES, Launch, UNCERTAINTY, filmed_throws, rms_distance};
 
-/// A filmed throw, and the flight of its stated launch.
+/// A filmed throw, compared with the flight that is simulated from its published launch.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Filmed {
-    /// Number of the throw in the data.
+    /// Number of the throw in the published data.
     pub number: u32,
-    /// End of the track over the ground, m.
+    /// Last measured ground position (x, y) of the track, m.
     pub track_end: [f64; 2],
-    /// Where the flight is at that time, or has landed, m.
+    /// Simulated ground position (x, y) at the time of the track's last point, or the landing position if the flight
+    /// ends earlier, m.
     pub flight_end: [f64; 2],
-    /// Distance between the two, m.
+    /// Horizontal distance between `track_end` and `flight_end`, m.
     pub miss: f64,
-    /// RMS difference of a coordinate over the track, m.
+    /// RMS difference of simulated and measured positions per coordinate over the track, m.
     pub rms: f64,
-    /// Quantity of the launch, its stated uncertainty as text, and how far the end moves by that, m.
+    /// For each launch quantity: its name, its published uncertainty as text, and the distance by which `flight_end`
+    /// moves if the quantity changes by that uncertainty, m.
     pub moves: Vec<(&'static str, String, f64)>,
-    /// Root of the sum of the squares of those, m.
+    /// Root sum of squares of the distances in `moves`, m.
     pub all_moves: f64,
 }
 
-/// Flies the throws in a folder with `throw_params.csv` and the tracks.
+/// Simulates the filmed throws of a folder that contains `throw_params.csv` and the tracks.
 ///
 /// # Errors
-/// [`StudyError`] if a file cannot be read.
+/// [`StudyError`] if a file cannot be read or a throw cannot be simulated.
 pub fn filmed(folder: &Path) -> Result<Vec<Filmed>, StudyError> {
     let wind = EffectTree::parse("log_wind.hyz", include_str!("log_wind.hyz"))?;
     let model = ModelTree::load("golf_driver")?.with(&wind)?.check()?;
@@ -75,7 +77,8 @@ pub fn filmed(folder: &Path) -> Result<Vec<Filmed>, StudyError> {
     all.collect()
 }
 
-/// Positions over the ground at `times` after a launch; constant after the landing.
+/// Ground positions (x, y) at `times` (s) of the flight from a launch. Times after the landing give the landing
+/// position.
 fn track(
     body: &ThrownBody,
     launch: &Launch,
@@ -90,7 +93,7 @@ fn track(
         parameters[x.index()] = tailwind;
         parameters[y.index()] = crosswind;
     }
-    // As the program of the paper defines them: the pitch is added to the attitude of a rolled disc.
+    // As in the program of the paper, the pitch is added to the attitude of the rolled disc.
     let bank = roll + roll.sin() * nose.sin() * pitch;
     let rise = nose + roll.cos() * pitch;
     let turned = |[x, y, z]: [f64; 3]| {

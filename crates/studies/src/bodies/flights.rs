@@ -1,4 +1,4 @@
-//! Level launches of every disc: turn to one side, fade to the other.
+//! Simulated flights of every disc from a level launch: the turn to one side and the fade back to the other.
 
 use design::{ThrowFlightError, ThrownBody};
 use flight::throw::Throw;
@@ -8,31 +8,32 @@ use serde::Serialize;
 use super::DISCS;
 use crate::error::StudyError;
 
-/// Number of times at which a path is sampled.
+/// Number of intervals into which a flight is divided for sampling.
 const SAMPLES: usize = 1000;
 
-/// What a level launch to the ground does, thrown by a right hand (backhand).
+/// Turn and fade of one disc, thrown level (zero hyzer and nose angle) by a right-handed backhand, down to the ground.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct TurnAndFade {
-    /// Name of the model.
+    /// Name of the disc's model.
     pub disc: &'static str,
     /// Speed at release, m/s.
     pub speed: f64,
-    /// Distance along the launch, m.
+    /// Distance of the landing point along the launch direction, m.
     pub length: f64,
-    /// Time to the ground, s.
+    /// Time of flight, s.
     pub time: f64,
-    /// Greatest departure to the right of the launch, m.
+    /// Maximum lateral displacement to the right of the launch direction, m.
     pub turn: f64,
-    /// Where it lands, to the left of the launch, m.
+    /// Lateral position of the landing point, m; positive to the left of the launch direction.
     pub landing: f64,
-    /// Greatest angle by which the path's heading is right of the launch, deg.
+    /// Maximum deviation of the path's heading to the right of the launch direction, deg.
     pub turned: f64,
-    /// By how much the path turns back to the left from there, deg.
+    /// Change of the heading back to the left between its rightmost value and the landing, deg.
     pub faded: f64,
 }
 
-/// Flies every disc at several speeds, launched at 10° without tilt, with a spin of `sign` 1 (a right hand's backhand) or -1.
+/// Simulates every disc at several release speeds (m/s), launched at 10° with zero hyzer and nose angle. `sign` is the
+/// sign of the spin: 1 for a right-handed backhand, -1 for the opposite spin.
 ///
 /// # Errors
 /// [`StudyError`] if a model cannot be flown.
@@ -47,7 +48,7 @@ pub fn turns_and_fades(speeds: &[f64], sign: f64) -> Result<Vec<TurnAndFade>, St
                 height: 1.5,
                 nose: Some(0.0),
                 hyzer: Some(0.0),
-                // Faster throws spin more: the rim at half the speed of the flight.
+                // Spin grows with the speed: the rim moves at half the release speed.
                 spin: Some(sign * speed / 0.21 * 30.0 / std::f64::consts::PI),
                 ..Throw::at_speed(speed)
             };

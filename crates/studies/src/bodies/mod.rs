@@ -1,4 +1,5 @@
-//! The bodies of the program that are not discs of the paper: their coefficients, their flights, and the filmed throws of a driver.
+//! Study of the built-in bodies that are not discs of the paper: their coefficients, their flights, and the filmed
+//! throws of a driver. Writes docs/bodies.md.
 
 mod curves;
 mod filmed;
@@ -10,7 +11,7 @@ pub use filmed::{Filmed, filmed};
 pub use flights::{TurnAndFade, turns_and_fades};
 pub use page::bodies_page;
 
-/// Discs that fly in the page's tables and figures.
+/// Models of the discs that the study simulates and whose coefficients it plots.
 pub const DISCS: [&str; 4] = [
     "golf_putter",
     "golf_midrange",

@@ -1,4 +1,4 @@
-//! docs/bodies.md.
+//! Renders docs/bodies.md.
 
 use model_spec::load::BODIES;
 use model_spec::model::{Model, Parameter};
@@ -16,11 +16,11 @@ struct Results<'r> {
     filmed: &'r [Filmed],
 }
 
-/// A body as its model file states it.
+/// Description, constants and tables of a body, as its model file states them.
 #[derive(Serialize)]
 struct Body {
     name: String,
-    /// First sentence, then where its numbers are from.
+    /// First paragraph of the model file's documentation.
     title: String,
     sources: Vec<String>,
     constants: Vec<[String; 3]>,
@@ -60,7 +60,7 @@ impl Body {
     }
 }
 
-/// The page of the study; `filmed` is empty without the measured data.
+/// Renders docs/bodies.md and its figure of coefficients. `filmed` is empty if the measured data are not available.
 ///
 /// # Errors
 /// [`StudyError`] for a body that does not load, or a template that does not fit the results.

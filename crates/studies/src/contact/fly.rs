@@ -1,4 +1,4 @@
-//! A flight over level ground at height 0.
+//! Simulates a disc's flight over level ground at height 0, with an impulse at each ground contact.
 
 use model_spec::model::Model;
 use oracle::{Physical, Point, Reference};
@@ -6,19 +6,21 @@ use oracle::{Physical, Point, Reference};
 use super::impulse::{Disc, Surface};
 use crate::oracle_flights::integrate;
 
-/// Time between checks for a touch, s.
+/// Time between tests for ground contact, s.
 const STEP: f64 = 1.0 / 1200.0;
 
-/// A flight and its touches.
+/// A simulated flight, with its first contact with the ground.
 #[derive(Clone, Debug)]
 pub(crate) struct Touched {
-    /// Body states at the sample times.
+    /// States of the body at the sample times.
     pub(crate) states: Vec<Physical<f64>>,
-    /// Time of the first touch, s, and the speed at which the lowest point met the ground, m/s; `None` without a touch.
+    /// Time of the first contact, s, and the downward speed of the rim's lowest point at that time, m/s; `None` if the
+    /// disc does not touch the ground.
     pub(crate) first: Option<(f64, f64)>,
 }
 
-/// A flight of a disc from time 0, sampled at `times` (s, increasing), with an impulse at each touch.
+/// Simulates a disc from the state `start` at time 0, sampled at `times` (s, increasing). Each ground contact applies
+/// an impulse.
 pub(crate) fn fly(
     model: &Model,
     (reference, constants): (&Reference, &Point<f64>),
@@ -48,7 +50,7 @@ pub(crate) fn fly(
                 body = disc.after_impulse(&body, surface);
                 first = first.or(Some((now, -falling)));
             }
-            // The last step of an interval ends at the sample, whatever the rounding.
+            // Avoids a tiny extra step if rounding leaves the last step of an interval just before the sample time.
             if time - now < 1e-9 {
                 now = time;
             }

@@ -1,18 +1,18 @@
-//! The impulse of the ground on a disc.
+//! Impulse of the ground on a touching disc.
 
 use nalgebra::{Matrix3, Vector3};
 use oracle::Physical;
 
-/// How the ground gives way.
+/// Contact properties of the ground.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Surface {
-    /// Coefficient of restitution.
+    /// Coefficient of restitution: rebound speed / impact speed of the contact point, along the vertical.
     pub(crate) restitution: f64,
-    /// Coefficient of friction.
+    /// Coefficient of Coulomb friction.
     pub(crate) friction: f64,
 }
 
-/// Mass and size of a disc, SI.
+/// Mass (kg), moments of inertia (kg m²) and radius (m) of a disc.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Disc {
     pub(super) mass: f64,
@@ -22,7 +22,8 @@ pub(super) struct Disc {
 }
 
 impl Disc {
-    /// Lowest point of the rim relative to the mass centre, m, inertial.
+    /// Position of the rim's lowest point relative to the centre of mass, m, in inertial axes; zero if the disc is
+    /// level.
     pub(super) fn lowest_point(&self, body: &Physical<f64>) -> Vector3<f64> {
         let normal = body.attitude.carry(Vector3::z());
         let down = -Vector3::z() + normal * normal.z;
@@ -33,8 +34,8 @@ impl Disc {
         }
     }
 
-    /// Velocity of a body after the impulse on its lowest point, which moves downwards; the point sticks unless that takes
-    /// more friction than there is.
+    /// Body state after the ground's impulse on the rim's lowest point, which must be moving downwards. The contact
+    /// point sticks unless that requires more friction than the surface supplies; then it slides.
     pub(super) fn after_impulse(&self, body: &Physical<f64>, surface: Surface) -> Physical<f64> {
         let arm = self.lowest_point(body);
         let velocity = body.velocity + body.angular_velocity.cross(&arm);

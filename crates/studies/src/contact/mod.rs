@@ -1,4 +1,4 @@
-//! Flights of a disc that touch the ground: rigid-body impulses with restitution and Coulomb friction.
+//! Simulation of disc flights with ground contact: rigid-body impulses with restitution and Coulomb friction.
 
 mod fly;
 mod impulse;

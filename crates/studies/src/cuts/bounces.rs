@@ -1,4 +1,4 @@
-//! Flights of a disc that bounce: each is to be truncated within two samples of its first touch.
+//! Flights of a disc that bounce. A fit is expected to truncate each within two samples of its first ground contact.
 
 use std::time::Duration;
 
@@ -15,20 +15,20 @@ use crate::oracle_flights::{
     reference_of,
 };
 
-/// Number of flights of a dataset.
+/// Number of flights per dataset.
 const FLIGHTS: usize = 20;
 
-/// Longest time of a fit.
+/// Time limit of fitting one dataset.
 const LIMIT: Duration = Duration::from_secs(60);
 
-/// Observed time, s, and rate, Hz.
+/// Observed time of a flight, s; `RATE` is the sampling rate, Hz.
 const DURATION: f64 = 1.0;
 const RATE: f64 = 120.0;
 
-/// Earliest and latest first touch, s.
+/// Range in which the time of the first ground contact has to lie, s.
 const TOUCH: (f64, f64) = (0.3, 0.85);
 
-/// Downward throws from low heights.
+/// Ranges of the launches: slow to moderate throws, level or downward.
 const LOW: Throws = Throws {
     speed: (6.0, 18.0),
     launch: (-0.35, 0.0),
@@ -39,34 +39,35 @@ const LOW: Throws = Throws {
     wobble: 2.0,
 };
 
-/// A flight that bounces, as the fit used it.
+/// A simulated flight that bounces, and the samples of it that a fit used.
 #[derive(Clone, Debug)]
 pub struct Bounce {
-    /// Seed of the dataset.
+    /// Seed of the simulated dataset.
     pub seed: u64,
-    /// File name.
+    /// File name of the flight.
     pub file: String,
-    /// Time of the first touch, s.
+    /// Time of the first ground contact, s.
     pub time: f64,
-    /// Speed at which the rim met the ground, m/s.
+    /// Downward speed of the rim's lowest point at the first ground contact, m/s.
     pub speed: f64,
-    /// Number of samples before the touch.
+    /// Number of samples before the first ground contact.
     pub before: usize,
-    /// Number of samples that the fit used; `None` if it used none.
+    /// Number of samples that the fit used; `None` if the flight was excluded or the fit failed.
     pub used: Option<usize>,
-    /// Why the flight was excluded, or the fit failed; `None` if it was used.
+    /// Why the flight was excluded, or why the fit failed; `None` if the flight was used.
     pub excluded: Option<String>,
 }
 
 impl Bounce {
-    /// Whether the flight ends within two samples of its touch.
+    /// Whether the fit truncated the flight within two samples of its first ground contact.
     pub fn is_cut_there(&self) -> bool {
         self.used
             .is_some_and(|used| used.abs_diff(self.before) <= 2)
     }
 }
 
-/// Fits `datasets` datasets of twenty flights that bounce.
+/// Simulates and fits `datasets` datasets of twenty flights that bounce. `progress` is called with the numbers of
+/// finished datasets and of all datasets.
 pub fn bounces(
     datasets: usize,
     threads: usize,
@@ -112,7 +113,8 @@ fn of_dataset(seed: u64) -> Vec<Bounce> {
     each.collect()
 }
 
-/// Flights that bounce, and the time (s) and speed (m/s) of each first touch.
+/// Simulates a dataset of flights that bounce. Also returns the time (s) and downward speed (m/s) of each first ground
+/// contact.
 fn dataset(seed: u64) -> (Dataset, Vec<(f64, f64)>) {
     let mut random = ChaCha12Rng::seed_from_u64(seed);
     let noises = noise_conditions();
@@ -128,7 +130,8 @@ fn dataset(seed: u64) -> (Dataset, Vec<(f64, f64)>) {
     (dataset, touches)
 }
 
-/// A flight without noise whose first touch comes in time, and that touch.
+/// Simulates a flight without noise, redrawn until its first ground contact lies in the range `TOUCH`. Also returns the
+/// time (s) and downward speed (m/s) of that contact.
 pub(crate) fn bouncing_flight(index: usize, random: &mut impl Rng) -> (Flight, (f64, f64)) {
     let model = disc();
     let reference = reference_of(&model);

@@ -1,4 +1,4 @@
-//! Flights that touch nothing: none of them is to be truncated.
+//! Flights that touch nothing. A fit is expected to truncate none of them.
 
 use std::f64::consts::PI;
 use std::time::Duration;
@@ -11,13 +11,13 @@ use crate::bounded_fit::bounded_fit;
 use crate::oracle_flights::{Plan, TRUTH, Throws, disc, flights, noise_conditions};
 use crate::seeded::{SeededEffects, ball};
 
-/// Number of flights of a dataset.
+/// Number of flights per dataset.
 const FLIGHTS: usize = 20;
 
-/// Longest time of a fit.
+/// Time limit of fitting one dataset.
 const LIMIT: Duration = Duration::from_secs(60);
 
-/// Fast and slow throws at any angle of attack up to 35 degrees, upwards and downwards.
+/// Ranges of launches: fast and slow throws at angles of attack up to about 35 degrees, upwards and downwards.
 const WILD: Throws = Throws {
     speed: (5.0, 32.0),
     launch: (-0.6, 1.0),
@@ -28,7 +28,7 @@ const WILD: Throws = Throws {
     wobble: 6.0,
 };
 
-/// Fast throws at a high angle of attack, which are lifted by several g at first.
+/// Ranges of launches: fast throws at a high angle of attack, with an initial lift of several times the weight.
 const LIFTED: Throws = Throws {
     speed: (18.0, 30.0),
     launch: (-0.1, 0.3),
@@ -39,22 +39,22 @@ const LIFTED: Throws = Throws {
     wobble: 2.0,
 };
 
-/// A flight that touches nothing, as the fit used it.
+/// A simulated flight that touches nothing, and how a fit treated it.
 #[derive(Clone, Debug)]
 pub struct FreeFlight {
-    /// Group of throws.
+    /// Name of the group of throws to which the flight belongs.
     pub group: &'static str,
-    /// Seed of the dataset.
+    /// Seed of the simulated dataset.
     pub seed: u64,
-    /// File name.
+    /// File name of the flight.
     pub file: String,
-    /// Why the flight was truncated; `None` if it was not.
+    /// Reason for which the fit truncated the flight; `None` if it did not.
     pub cut: Option<String>,
-    /// Why the flight was excluded, or the fit failed; `None` if it was used.
+    /// Why the flight was excluded, or why the fit failed; `None` if the flight was used.
     pub excluded: Option<String>,
 }
 
-/// Groups of throws that touch nothing.
+/// Names of the groups of throws that touch nothing.
 const GROUPS: [&str; 4] = [
     "usual throws of a disc",
     "wild throws of a disc",
@@ -62,7 +62,8 @@ const GROUPS: [&str; 4] = [
     "balls",
 ];
 
-/// Fits `datasets` datasets of twenty flights that touch nothing, in equal numbers of each group.
+/// Simulates and fits `datasets` datasets of twenty flights that touch nothing, cycling through the groups of throws.
+/// `progress` is called with the numbers of finished datasets and of all datasets.
 pub fn free_flights(
     datasets: usize,
     threads: usize,
@@ -107,7 +108,7 @@ fn of_dataset(index: usize) -> Vec<FreeFlight> {
     each.collect()
 }
 
-/// A dataset without a touch, under one of the kinds of noise.
+/// Simulates a dataset of flights without ground contact. `index` selects the group of throws and the noise condition.
 fn dataset(index: usize, seed: u64) -> Dataset {
     let noises = noise_conditions();
     let noise = noises[(index / GROUPS.len()) % noises.len()].noise;

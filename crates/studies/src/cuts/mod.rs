@@ -1,4 +1,5 @@
-//! Study of truncation at the ground: flights that touch nothing, and flights that bounce. A section of docs/spoiled.md.
+//! Study of truncation at ground contact: flights that touch nothing, and flights that bounce. Writes a section of
+//! docs/spoiled.md.
 
 mod bounces;
 mod free;

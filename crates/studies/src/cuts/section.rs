@@ -1,24 +1,24 @@
-//! Section of docs/spoiled.md on truncation.
+//! Section of docs/spoiled.md on truncation at ground contact.
 
 use serde::Serialize;
 
 use super::bounces::Bounce;
 use super::free::FreeFlight;
 
-/// Greatest number of examples that the section lists; further ones are only counted.
+/// Maximum number of examples that the section lists for each kind of flight. Further ones are only counted.
 const MAX_EXAMPLES: usize = 12;
 
-/// Limits between the classes of bounces, m/s.
+/// Boundaries of the classes of impact speed, m/s.
 const CLASSES: [f64; 4] = [0.0, 1.0, 2.5, f64::INFINITY];
 
-/// Counts and examples of both kinds of flights.
+/// Data of the section: counts and examples of flights that touch nothing and of flights that bounce.
 #[derive(Clone, Debug, Serialize)]
 pub struct CutSection {
     free: Vec<FreeRow>,
-    /// Flights that touch nothing: all, truncated, excluded.
+    /// Numbers of flights that touch nothing: all, truncated, excluded.
     totals: [usize; 3],
     bounces: Vec<BounceRow>,
-    /// Flights that bounce: all, truncated within two samples.
+    /// Numbers of flights that bounce: all, truncated within two samples of the first contact.
     bounce_totals: [usize; 2],
     examples: Vec<String>,
 }
@@ -42,7 +42,7 @@ struct BounceRow {
 }
 
 impl CutSection {
-    /// Counts the flights.
+    /// Counts the truncated and excluded flights per group, and the bounces per class of impact speed.
     pub fn new(free: &[FreeFlight], bounces: &[Bounce]) -> Self {
         let mut groups: Vec<&'static str> = Vec::new();
         for flight in free {

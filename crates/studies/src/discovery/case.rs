@@ -1,4 +1,4 @@
-//! One run of a row: throws, sizes, signs and noise, all from its own seed.
+//! One run of a row: its throws, effect sizes, signs and noise, all derived from the run's own seed.
 
 use identify::dataset::Dataset;
 use model_spec::load::load;
@@ -9,35 +9,35 @@ use super::row::{Body, Row, Size};
 use crate::oracle_flights::{Plan, TWELVE};
 use crate::seeded::{self, InputErrors, SeededEffects, ball};
 
-/// Number of flights of a disc, and of held-out ones among them.
+/// Number of flights in a disc dataset, and how many of them are held out.
 const DISC_FLIGHTS: (usize, usize) = (20, 4);
 
-/// Number of flights of a ball, and of held-out ones among them.
+/// Number of flights in a ball dataset, and how many of them are held out.
 const BALL_FLIGHTS: (usize, usize) = (12, 3);
 
-/// Least ratio of a size to the row's; the greatest is twice it.
+/// Minimum ratio of a run's effect size to the nominal size of its row. The maximum ratio is twice this.
 const MIN_SIZE: f64 = 0.7;
 
-/// Random stream of sizes and signs; streams of flights are numbered from 1.
+/// ChaCha stream of the random sizes and signs. The streams of the flights are numbered from 1.
 const SIZE_STREAM: u64 = u64::MAX;
 
-/// One run of a row.
+/// Simulation settings of one run of a row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Case {
     /// Body that is thrown.
     pub body: Body,
-    /// Seeded effects, noise, held-out flights.
+    /// Seeded effects, noise, and the number of held-out flights.
     pub seeded: SeededEffects,
-    /// Number of flights.
+    /// Number of flights in the dataset.
     pub flights: usize,
-    /// Errors in the stated spins.
+    /// Errors put into the spins that the dataset states; `None` if they are exact.
     pub input_errors: Option<InputErrors>,
-    /// Seed of the run.
+    /// Seed from which the run's settings, throws and noise are drawn.
     pub seed: u64,
 }
 
 impl Case {
-    /// A run of a row; it depends on the row's key and the number of the run alone.
+    /// Draws the settings of run `run` of a row. They depend only on the row's key and `run`.
     ///
     /// # Panics
     /// If a built-in effect does not load.
@@ -78,7 +78,7 @@ impl Case {
         }
     }
 
-    /// The flights of the run.
+    /// Simulates the flights of the run and adds noise and input errors.
     pub fn dataset(&self) -> Dataset {
         let flights = self.flights;
         let ball = |plan| {
@@ -99,7 +99,7 @@ impl Case {
         dataset
     }
 
-    /// Names of the seeded effects of the catalogue, sorted.
+    /// Names of the seeded effects of the catalogue, sorted; effects outside the catalogue are left out.
     pub(super) fn truth(&self) -> Vec<String> {
         let names = self.seeded.listed.iter().map(|(name, _)| name.clone());
         let mut names: Vec<String> = names.collect();
@@ -108,8 +108,8 @@ impl Case {
     }
 }
 
-/// Values of an effect of the catalogue with drawn ratios and signs. A sign is kept where the opposite value is out of
-/// bounds; standard deviations of states have none.
+/// Draws the values of an effect of the catalogue, with random ratios to the nominal size and random signs. A negative
+/// sign is dropped if the value would be out of the coefficient's bounds, and for standard deviations of states.
 fn listed_values(
     body: Body,
     name: &str,
@@ -141,7 +141,8 @@ fn default_flights(body: Body) -> (usize, usize) {
     }
 }
 
-/// FNV-1a hash of a row's key and the number of a run, of 40 bits: seeds are multiplied by 1000 elsewhere.
+/// Seed of a run: 40-bit FNV-1a hash of the row's key and the index of the run. It is not wider because other code
+/// multiplies seeds by 1000.
 fn seed(key: &str, run: usize) -> u64 {
     let bytes = key.bytes().chain((run as u64).to_le_bytes());
     let hash = bytes.fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {

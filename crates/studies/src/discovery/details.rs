@@ -1,9 +1,10 @@
-//! One line for each run of a row, for `--details`.
+//! Formats one line per run of a row, for the option `--details`.
 
 use super::outcome::Outcome;
 use super::run::RowResult;
 
-/// A heading, a line for each run, and after it what the diagnosis answers with the truth in the model, where known.
+/// Lines of a row: a heading and one line per run. For a run with a text in `rejections`, a second line states the
+/// diagnosis with the seeded effects in the model.
 pub fn details(result: &RowResult, rejections: &[Option<String>]) -> Vec<String> {
     let mut lines = vec![result.row.key()];
     for (run, outcome) in result.outcomes.iter().enumerate() {
@@ -61,7 +62,7 @@ fn mark(outcome: &Outcome) -> &'static str {
     }
 }
 
-/// Seeded effects with their values.
+/// Names of the seeded effects, with their values in parentheses.
 fn truth(outcome: &Outcome) -> String {
     let seeded = &outcome.case.seeded;
     let listed = seeded.listed.iter().map(|(name, values)| {

@@ -1,7 +1,8 @@
 //! Study of the diagnosis: how often it finds seeded effects. Writes docs/discovery.md.
 //!
-//! The oracle computes flights with seeded effects ([`crate::seeded`]); the diagnosis has the flights and the model without
-//! those effects. Neither the flights nor the truth pass through anything that is tested.
+//! The oracle simulates flights with seeded effects ([`crate::seeded`]). The diagnosis receives the flights and the
+//! model without these effects. The code that simulates the flights and scores the answers shares nothing with the code
+//! under test.
 
 mod case;
 mod details;

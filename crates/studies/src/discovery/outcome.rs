@@ -1,68 +1,71 @@
-//! Outcome of one run: what the diagnosis answered, and how that compares with the truth.
+//! Outcome of one run: the answer of the diagnosis, scored against the seeded effects.
 
 use diagnose::Verdict;
 
 use super::case::Case;
 
-/// Outcome of one run.
+/// Answer of the diagnosis in one run, scored against the seeded effects.
 #[derive(Clone, Debug)]
 pub struct Outcome {
-    /// The run.
+    /// Settings with which the run was simulated.
     pub case: Case,
-    /// Verdict of the diagnosis; `None` if it failed.
+    /// Verdict of the diagnosis; `None` if the diagnosis failed.
     pub verdict: Option<Verdict>,
-    /// Why the diagnosis failed.
+    /// Error message of the diagnosis; `None` if it succeeded.
     pub failure: Option<String>,
-    /// Effects of each hypothesis in the answer, sorted, with underscores.
+    /// Names of the effects of each hypothesis in the answer, sorted; words are joined by underscores.
     pub hypotheses: Vec<Vec<String>>,
-    /// Strongest remaining candidate of each hypothesis, with its p-value.
+    /// For each hypothesis, the strongest remaining candidate and its p-value; `None` if no candidate remains.
     pub strongest_remaining: Vec<Option<(String, f64)>>,
-    /// Whether the truth is among the hypotheses; for an unlisted effect, whether the verdict is `outside`.
+    /// Whether the seeded effects are among the hypotheses. For an effect outside the catalogue: whether the verdict is
+    /// `Unattributed`, or a hypothesis names a nearly equivalent effect of the catalogue.
     pub in_set: bool,
-    /// Whether the answer is one single hypothesis that is not the truth.
+    /// Whether the answer is one single hypothesis, and it is wrong.
     pub uniquely_wrong: bool,
-    /// Whether the report lists a seeded effect as not identifiable from these flights.
+    /// Whether the report lists a seeded effect as not identifiable from the run's flights.
     pub not_identifiable: bool,
-    /// Seeded size / minimum detectable effect; of two effects the lesser, 0 if not identifiable.
+    /// Seeded size / minimum detectable effect: the minimum over the seeded effects, 0 if one is not identifiable.
+    /// `None` if the ratio is not known, as for effects outside the catalogue.
     pub detectability: Option<f64>,
-    /// Equivalent z of the seeded effect's score test; of two effects the lesser.
+    /// z-equivalent of the seeded effect's score test, the minimum over the seeded effects; `None` if no seeded effect
+    /// was tested.
     pub z: Option<f64>,
-    /// Flights that the report lists as discordant.
+    /// Numbers of flights that the report lists as discordant.
     pub discordant: Discordant,
-    /// Number of terms that the diagnosis wrote.
+    /// Number of library terms that the diagnosis selected.
     pub terms: usize,
-    /// Sites of the terms that the diagnosis wrote for an unlisted effect.
+    /// Sites of the library terms that the diagnosis selected.
     pub sites: Vec<String>,
-    /// Errors of prediction on the held-out flights.
+    /// RMS prediction errors on the held-out flights.
     pub held_out: HeldOutErrors,
-    /// Time of the diagnosis, s.
+    /// Computing time of the diagnosis, s; NaN if the diagnosis failed.
     pub seconds: f64,
-    /// Number of threads of the diagnosis.
+    /// Number of threads on which the diagnosis ran.
     pub threads: usize,
 }
 
-/// Flights that a report lists as discordant.
+/// Counts of the flights that a report lists as discordant.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Discordant {
-    /// Number of listed flights.
+    /// Number of discordant flights in the report.
     pub listed: usize,
-    /// Those among them whose stated spin is another flight's.
+    /// Number of discordant flights whose stated spin was exchanged with another flight's.
     pub exchanged: usize,
 }
 
-/// Root mean squares of the prediction error on held-out flights, m.
+/// RMS prediction errors on the held-out flights, m, of three models.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldOutErrors {
-    /// Of the model without an extension.
+    /// Error of the model without an extension.
     pub before: f64,
-    /// Of the extended model.
+    /// Error of the model that the diagnosis extended; equal to `before` if it found no extension.
     pub after: f64,
-    /// Of the model with the seeded effects; `None` if no model has them.
+    /// Error of the model with the seeded effects; `None` if there is no such model or its fit failed.
     pub truth: Option<f64>,
 }
 
 impl Outcome {
-    /// An outcome of which nothing is known yet.
+    /// Initial outcome of a run before the diagnosis: no verdict, all errors NaN.
     pub(super) fn unknown(case: &Case) -> Self {
         Self {
             case: case.clone(),
@@ -88,7 +91,7 @@ impl Outcome {
         }
     }
 
-    /// Number of effects of the first hypothesis that are not seeded, and of library terms in its place.
+    /// Number of effects in the first hypothesis that were not seeded, plus the number of selected library terms.
     pub fn terms_too_many(&self) -> usize {
         let truth = self.case.truth();
         let first = self.hypotheses.first().map_or(&[][..], Vec::as_slice);
@@ -96,23 +99,24 @@ impl Outcome {
         extra + self.terms
     }
 
-    /// Whether the verdict is other than `none`.
+    /// Whether the diagnosis succeeded with a verdict other than `None`.
     pub fn is_detected(&self) -> bool {
         self.verdict.is_some_and(|verdict| verdict != Verdict::None)
     }
 
-    /// Held-out error of the extended model / that of the model with the seeded effects.
+    /// Held-out error of the extended model relative to the model with the seeded effects; `None` if the latter is not
+    /// known.
     pub fn held_out_ratio(&self) -> Option<f64> {
         Some(self.held_out.after / self.held_out.truth?)
     }
 
-    /// Whether the seeded effect has at least `ratio` times the minimum detectable size; false without a seeded effect of
-    /// the catalogue.
+    /// Whether the seeded effect has at least `ratio` times the minimum detectable size; false if no effect of the
+    /// catalogue was seeded.
     pub fn is_detectable(&self, ratio: f64) -> bool {
         self.detectability.is_some_and(|found| found >= ratio)
     }
 
-    /// The verdict and its hypotheses in words.
+    /// Formats the verdict and its hypotheses as text.
     pub fn answer(&self) -> String {
         let hypotheses = self.hypotheses.iter().map(|effects| effects.join("+"));
         let hypotheses: Vec<String> = hypotheses.collect();

@@ -1,4 +1,4 @@
-//! docs/discovery.md.
+//! Renders docs/discovery.md.
 
 use diagnose::Verdict;
 use serde::Serialize;
@@ -14,16 +14,16 @@ use crate::error::StudyError;
 use crate::page::{Page, render};
 use crate::seeded::unlisted;
 
-/// Greatest number of answers listed for a row that fails.
+/// Maximum number of answers listed for a failing row.
 const MAX_ANSWERS: usize = 3;
 
-/// Fraction of a row's runs that may miss a detectable truth before the row is listed: one in ten.
+/// Divisor of the number of runs: a row is listed as failing if more than one run in ten misses a detectable effect.
 const MISSED_DIVISOR: usize = 10;
 
-/// Greatest median time of a diagnosis of the disc's standard number of flights, s.
+/// Upper bound of the median time of a diagnosis of 20 disc flights, s.
 const MAX_MEDIAN: f64 = 1.0;
 
-/// Greatest time of such a diagnosis, s.
+/// Upper bound of the longest time of a diagnosis of 20 disc flights, s.
 const MAX_SLOWEST: f64 = 20.0;
 
 #[derive(Serialize)]
@@ -33,7 +33,7 @@ struct Results {
     held_out_pooled: Option<f64>,
     held_out: (usize, usize),
     held_out_median: Option<f64>,
-    /// Number of threads of each diagnosis.
+    /// Number of threads on which each diagnosis ran.
     threads: usize,
     times: Vec<TimeLimit>,
     failed: (usize, usize),
@@ -46,11 +46,11 @@ struct Results {
     rows: Vec<TableRow>,
 }
 
-/// A rate and the bound that it has to meet.
+/// A measured rate, and the bound that it has to satisfy.
 #[derive(Serialize)]
 struct Criterion {
     what: String,
-    /// "at most" or "at least".
+    /// Direction of the bound: "at most" or "at least".
     relation: &'static str,
     bound: f64,
     rate: Option<f64>,
@@ -89,7 +89,7 @@ impl Criterion {
     }
 }
 
-/// Runs of a row that fail in one way, and what was answered instead.
+/// Runs of a row that fail in the same way, with the answers that the diagnosis gave instead.
 #[derive(Serialize)]
 struct Failure {
     row: String,
@@ -99,8 +99,7 @@ struct Failure {
     answers: Vec<(String, usize)>,
 }
 
-/// Runs with two or three effects, or with a severe one.
-/// A time with its greatest value, s.
+/// A computing time and its upper bound, s.
 #[derive(Serialize)]
 struct TimeLimit {
     what: &'static str,
@@ -108,6 +107,7 @@ struct TimeLimit {
     seconds: Option<f64>,
 }
 
+/// Results of a row with two or three seeded effects, or with a severe one.
 #[derive(Serialize)]
 struct SeveralRow {
     seeded: String,
@@ -118,7 +118,7 @@ struct SeveralRow {
     mean_set_size: Option<f64>,
     uniquely_wrong: usize,
     failed: usize,
-    /// Greatest number over the runs.
+    /// Maximum over the runs of the row.
     terms_too_many: usize,
     seconds: Option<f64>,
     slowest: f64,
@@ -144,7 +144,7 @@ struct UnlistedRow {
     runs: usize,
     detected: usize,
     in_set: usize,
-    /// Runs with a written term at the effect's site.
+    /// Number of runs with a selected term at the effect's site.
     at_its_site: usize,
     sites: String,
     uniquely_wrong: usize,
@@ -175,7 +175,7 @@ struct TableRow {
     runs: usize,
     detectability: Option<f64>,
     detected: usize,
-    /// `None` without a seeded effect.
+    /// `None` for a row without a seeded effect.
     in_set: Option<usize>,
     mean_set_size: Option<f64>,
     uniquely_wrong: usize,
@@ -183,10 +183,10 @@ struct TableRow {
     seconds: Option<f64>,
 }
 
-/// The page of all rows.
+/// Renders docs/discovery.md from the results of all rows.
 ///
 /// # Errors
-/// [`StudyError::Page`] if the template does not go with the results.
+/// [`StudyError::Page`] if the template cannot be rendered with the results.
 pub fn discovery_page(results: &[RowResult]) -> Result<Page, StudyError> {
     let rates = Rates::of(results);
     let of = |group: Group| results.iter().filter(move |r| r.row.group == group);
@@ -265,7 +265,8 @@ fn criteria(rates: &Rates) -> Vec<Criterion> {
     criteria
 }
 
-/// Runs with a single wrong hypothesis, and rows that miss a detectable truth in more than one run of ten.
+/// Failures of all rows: runs whose answer is a single wrong hypothesis, and rows that miss a detectable effect in more
+/// than one run of ten.
 fn failures(results: &[RowResult]) -> Vec<Failure> {
     let wrong = results.iter().filter_map(|result| {
         let failure = failure(result, "one single hypothesis, wrong,", |o| {

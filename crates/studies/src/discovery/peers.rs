@@ -1,16 +1,16 @@
-//! Tables of docs/discovery-peers.md, which benches/discovery writes, as a section of docs/discovery.md.
+//! Copies tables of docs/discovery-peers.md, which benches/discovery writes, into a section of docs/discovery.md.
 
-/// Heading before which the section is inserted.
+/// Heading of docs/discovery.md before which the section is inserted.
 const BEFORE: &str = "## Every row";
 
-/// Headings of the tables that are copied.
+/// Headings of the tables that are copied from docs/discovery-peers.md.
 const TABLES: [&str; 3] = [
     "## A strong effect is seeded",
     "## A weak effect is seeded",
     "## No effect is seeded",
 ];
 
-/// The section made from the page of the peers; `None` if a table is missing there.
+/// Builds the section from the text of docs/discovery-peers.md; `None` if a table is missing there.
 pub fn peer_section(peers: &str) -> Option<String> {
     let mut text = include_str!("peers.md").to_owned();
     for heading in TABLES {
@@ -25,7 +25,7 @@ pub fn peer_section(peers: &str) -> Option<String> {
     Some(text)
 }
 
-/// A page with the section, in the place of an earlier one if it has one.
+/// Returns the page with the section inserted; an earlier version of the section is replaced.
 pub fn with_peer_section(page: &str, section: &str) -> String {
     let title = section.lines().next().unwrap_or_default();
     let without = match page.split_once(title) {

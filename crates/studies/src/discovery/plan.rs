@@ -1,4 +1,4 @@
-//! The plan: all rows of the study.
+//! Plan of the discovery study: all its rows.
 
 use oracle::{Law, effect};
 use rand::{RngExt, SeedableRng};
@@ -8,10 +8,10 @@ use super::row::{Body, Group, Row, Size};
 use crate::oracle_flights::{NoiseCondition, noise_conditions};
 use crate::seeded::{InputErrors, UNLISTED};
 
-/// Runs of a row of each group, for every 100 of a row without a seeded effect.
+/// Number of runs of a row in each group, per 100 runs of a row without a seeded effect.
 struct Share {
     single: usize,
-    /// One effect under noise that is not white.
+    /// Rows with one effect under noise that is not white.
     single_noisy: usize,
     pair: usize,
     several: usize,
@@ -36,22 +36,22 @@ const SHARE: Share = Share {
     input_errors: 10,
 };
 
-/// Number of pairs that are drawn.
+/// Number of random pairs of effects.
 const PAIRS: usize = 12;
 
-/// Seed of the draw of pairs.
+/// Seed of the random pairs.
 const PAIR_SEED: u64 = 12;
 
-/// Numbers of combinations of two and of three effects that are drawn.
+/// Number of effects of a combination, with the number of random combinations of that size.
 const SEVERAL: [(usize, usize); 2] = [(2, 10), (3, 10)];
 
-/// Seed of the draw of combinations.
+/// Seed of the random combinations.
 const SEVERAL_SEED: u64 = 23;
 
-/// Effects that are seeded severely: the model is badly wrong.
+/// Effects that are also seeded at severe size, where the model is badly wrong.
 const SEVERE: [&str; 3] = ["stall", "zero_lift_drag_angle", "cubic_pitching_moment"];
 
-/// Effects, and what imitates each.
+/// Effects that flights cannot distinguish from another cause, each with that cause.
 const CONFOUNDED: [(&str, &str); 7] = [
     ("gravity", "clock_rate"),
     ("clock_rate", "gravity"),
@@ -62,7 +62,7 @@ const CONFOUNDED: [(&str, &str); 7] = [
     ("wind", "tilted_vertical"),
 ];
 
-/// Effects seeded into flights of a ball.
+/// Effects seeded into flights of a ball, and the ball.
 const BALL_EFFECTS: [(&[&str], Body); 5] = [
     (&["magnus"], Body::TableTennis),
     (&["drag_crisis"], Body::Football),
@@ -71,15 +71,15 @@ const BALL_EFFECTS: [(&[&str], Body); 5] = [
     (&["buoyancy"], Body::TableTennis),
 ];
 
-/// Number of flights in rows with many.
+/// Number of flights per dataset in rows with many flights.
 const MANY_FLIGHTS: usize = 48;
 
-/// Errors in the stated spins: relative error, fraction exchanged.
+/// Errors put into the stated spins: relative error, fraction of flights whose spins are exchanged.
 const INPUT_ERRORS: [(f64, f64); 4] = [(0.2, 0.0), (0.0, 0.33), (0.2, 0.33), (0.0, 1.0)];
 
 const BOTH_SIZES: [Size; 2] = [Size::Weak, Size::Strong];
 
-/// Makes rows; `seeds` is the number of runs of a row without a seeded effect.
+/// Builds rows. `seeds` is the number of runs of a row without a seeded effect.
 struct Planner {
     seeds: usize,
     noises: Vec<NoiseCondition>,
@@ -92,7 +92,7 @@ impl Planner {
         found.expect("a noise of that name").clone()
     }
 
-    /// A row with `share` runs for every 100 seeds, under white noise, with strong effects.
+    /// A row with strong effects under white noise, and `share` runs per 100 `seeds`.
     fn row(&self, group: Group, body: Body, effects: &[&'static str], share: usize) -> Row {
         Row {
             group,
@@ -174,7 +174,7 @@ impl Planner {
     }
 }
 
-/// All rows: `seeds` runs of each row without a seeded effect, fewer of the others.
+/// Returns all rows of the study: `seeds` runs for each row without a seeded effect, fewer for the others.
 ///
 /// # Panics
 /// If a built-in effect does not load.
@@ -218,7 +218,7 @@ pub fn plan(seeds: usize) -> Vec<Row> {
     rows
 }
 
-/// Random pairs of effects that act at different sites, without repetition.
+/// Draws random pairs of effects that act at different sites, without repetition.
 fn pairs(names: &[&'static str]) -> Vec<[&'static str; 2]> {
     let mut random = ChaCha12Rng::seed_from_u64(PAIR_SEED);
     let mut pairs: Vec<[&'static str; 2]> = Vec::new();
@@ -237,7 +237,8 @@ fn pairs(names: &[&'static str]) -> Vec<[&'static str; 2]> {
     pairs
 }
 
-/// Random combinations of effects that act at different sites and are not imitated by another, without repetition.
+/// Draws `count` random combinations of `number` effects that act at different sites, without repetition. Effects that
+/// another cause imitates are left out.
 fn combinations(names: &[&'static str], number: usize, count: usize) -> Vec<Vec<&'static str>> {
     let mut random = ChaCha12Rng::seed_from_u64(SEVERAL_SEED + number as u64);
     let imitated = |name: &str| CONFOUNDED.iter().any(|(of, _)| *of == name);

@@ -1,4 +1,4 @@
-//! Rates and medians over runs, and the criteria that they have to meet.
+//! Rates and medians over runs, and the bounds that they have to satisfy.
 
 use std::collections::BTreeMap;
 
@@ -7,33 +7,36 @@ use super::row::{Body, Group};
 use super::run::RowResult;
 use crate::statistics::median;
 
-/// Greatest fraction of runs with one single hypothesis that is wrong.
+/// Upper bound of the fraction of runs whose answer is a single wrong hypothesis.
 pub(super) const MAX_UNIQUELY_WRONG: f64 = 0.005;
 
-/// Least fraction of runs with the truth in the set, where it is detectable.
+/// Lower bound of the fraction of runs with the seeded effects among the hypotheses, over runs with a detectable
+/// effect.
 pub(super) const MIN_IN_SET: f64 = 0.97;
 
-/// Least fraction of runs with the truth in the set, where its size is [`STRONG`] times the minimum detectable.
+/// Lower bound of the fraction of runs with the seeded effects among the hypotheses, over runs whose effect has at
+/// least [`STRONG`] times the minimum detectable size.
 pub(super) const MIN_IN_SET_STRONG: f64 = 0.97;
 
-/// Greatest fraction of false alarms under each noise.
+/// Upper bound of the false-alarm rate under each noise condition.
 pub(super) const MAX_FALSE_ALARMS: f64 = 0.05;
 
-/// Greatest held-out error, relative to that of the true model.
+/// Upper bound of the held-out error of the extended model, relative to the model with the seeded effects.
 pub(super) const MAX_HELD_OUT_RATIO: f64 = 1.05;
 
-/// Least fraction of runs with the truth in the set, where it is two or three detectable effects.
+/// Lower bound of the fraction of runs with the seeded effects among the hypotheses, for two and for three detectable
+/// effects: (number of effects, bound).
 pub(super) const MIN_IN_SET_SEVERAL: [(usize, f64); 2] = [(2, 0.95), (3, 0.85)];
 
 /// Multiple of the minimum detectable size from which an effect counts as strong.
 pub(super) const STRONG: f64 = 5.0;
 
-/// A count of runs among a total.
+/// Number of runs with a property, out of a total.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Count {
-    /// Runs that were examined.
+    /// Number of runs examined.
     pub(super) total: usize,
-    /// Runs that have the property.
+    /// Number of runs that have the property.
     pub(super) count: usize,
 }
 
@@ -45,30 +48,30 @@ impl Count {
         })
     }
 
-    /// Count / total; `None` if nothing was examined.
+    /// Fraction of the runs that have the property; `None` if no run was examined.
     pub(super) fn fraction(&self) -> Option<f64> {
         (self.total > 0).then(|| self.count as f64 / self.total as f64)
     }
 }
 
-/// Counts and medians over the runs of one row.
+/// Statistics over the runs of one row: counts, means and medians.
 #[derive(Clone, Debug)]
 pub(super) struct RowRates {
-    /// Runs with a verdict other than `none`.
+    /// Number of runs with a verdict other than `None`.
     pub(super) detected: usize,
-    /// Runs with the truth in the set.
+    /// Number of runs with the seeded effects among the hypotheses.
     pub(super) in_set: usize,
-    /// Mean number of hypotheses of the runs that detected something.
+    /// Mean number of hypotheses over the runs with a verdict other than `None`; `None` without such a run.
     pub(super) mean_set_size: Option<f64>,
-    /// Runs with one single hypothesis that is wrong.
+    /// Number of runs whose answer is a single wrong hypothesis.
     pub(super) uniquely_wrong: usize,
-    /// Median of seeded size / minimum detectable effect.
+    /// Median over the runs of seeded size / minimum detectable effect; `None` if no run has this ratio.
     pub(super) detectability: Option<f64>,
-    /// Median held-out error relative to the true model.
+    /// Median held-out error of the extended model relative to the model with the seeded effects.
     pub(super) held_out_ratio: Option<f64>,
-    /// Median held-out error of the extended model relative to the plain one.
+    /// Median held-out error of the extended model relative to the model without an extension.
     pub(super) held_out_change: Option<f64>,
-    /// Median time, s.
+    /// Median computing time of a diagnosis, s.
     pub(super) seconds: Option<f64>,
 }
 
@@ -94,39 +97,44 @@ impl RowRates {
     }
 }
 
-/// Rates over all rows.
+/// Rates over the runs of all rows.
 #[derive(Clone, Debug)]
 pub(super) struct Rates {
-    /// One single hypothesis that is wrong, of all runs.
+    /// Runs whose answer is a single wrong hypothesis, out of all runs.
     pub(super) uniquely_wrong: Count,
-    /// Truth in the set, of runs with a detectable effect of the catalogue.
+    /// Runs with the seeded effects among the hypotheses, out of the runs with a detectable effect of the catalogue.
     pub(super) in_set: Count,
-    /// Truth in the set, of runs with an effect of [`STRONG`] times the minimum detectable size.
+    /// Runs with the seeded effects among the hypotheses, out of the runs with an effect of at least [`STRONG`] times
+    /// the minimum detectable size.
     pub(super) in_set_strong: Count,
-    /// Truth in the set, of runs with that many effects of [`Group::Several`], all of them detectable.
+    /// For each number of effects in [`Group::Several`]: the number, the lower bound of the rate, and the runs with the
+    /// seeded effects among the hypotheses, out of those where all effects are detectable.
     pub(super) in_set_several: Vec<(usize, f64, Count)>,
-    /// Verdict other than `none` without a seeded effect, by noise.
+    /// For each noise condition: its name, and the runs with a verdict other than `None`, out of the runs without a
+    /// seeded effect.
     pub(super) false_alarms: Vec<(&'static str, Count)>,
-    /// Runs with an effect of the catalogue whose held-out error is at most [`MAX_HELD_OUT_RATIO`] times that of the true model.
+    /// Runs whose held-out error is at most [`MAX_HELD_OUT_RATIO`] times that of the model with the seeded effects, out
+    /// of all runs with an effect of the catalogue for which this ratio is known.
     pub(super) held_out: Count,
-    /// Median of the held-out ratio of those runs.
+    /// Median of the held-out ratio over the runs counted in `held_out`.
     pub(super) held_out_median: Option<f64>,
-    /// Root mean square held-out error over all those runs, relative to that of the true models.
+    /// RMS held-out error of the extended models over all runs with an effect of the catalogue, divided by that of the
+    /// models with the seeded effects; `None` without such a run.
     pub(super) held_out_pooled: Option<f64>,
-    /// Runs whose diagnosis failed.
+    /// Runs whose diagnosis failed, out of all runs.
     pub(super) failed: Count,
-    /// Times of diagnoses of the disc's standard number of flights.
+    /// Computing times of the diagnoses of disc datasets with the default number of flights.
     pub(super) times: Times,
 }
 
-/// Times of diagnoses, s.
+/// Computing times of diagnoses, s.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Times {
-    /// Number of threads of each diagnosis.
+    /// Number of threads on which each diagnosis ran.
     pub(super) threads: usize,
-    /// Median.
+    /// Median time; `None` without a run.
     pub(super) median: Option<f64>,
-    /// Greatest.
+    /// Maximum time; `None` without a run.
     pub(super) slowest: Option<f64>,
 }
 
@@ -189,7 +197,8 @@ impl Rates {
     }
 }
 
-/// Root mean square held-out error relative to that of the true models.
+/// RMS held-out error of the extended models over all runs, divided by that of the models with the seeded effects;
+/// `None` if no run has both.
 fn pooled<'a>(outcomes: impl Iterator<Item = &'a Outcome>) -> Option<f64> {
     let squares = outcomes.filter_map(|o| {
         let (after, truth) = (o.held_out.after, o.held_out.truth?);
@@ -199,7 +208,7 @@ fn pooled<'a>(outcomes: impl Iterator<Item = &'a Outcome>) -> Option<f64> {
     (truth > 0.0).then(|| f64::sqrt(after / truth))
 }
 
-/// Answers of the outcomes that have a property, with their counts, the most frequent first.
+/// Counts the answers of the outcomes for which `has` is true, in descending order of the count.
 pub(super) fn answers(
     outcomes: &[Outcome],
     has: impl Fn(&Outcome) -> bool,

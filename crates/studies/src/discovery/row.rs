@@ -1,33 +1,34 @@
-//! Rows of the study: runs that differ only in their seeds.
+//! Rows of the discovery study. A row is a set of runs that differ only in their seeds.
 
 use crate::oracle_flights::NoiseCondition;
 use crate::seeded::InputErrors;
 
-/// Kind of a row.
+/// Kind of a row: which effects or errors its runs contain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Group {
-    /// No seeded effect.
+    /// No effect is seeded.
     Null,
-    /// One effect of the catalogue.
+    /// One effect of the catalogue is seeded.
     Single,
-    /// Two effects of the catalogue.
+    /// Two effects of the catalogue are seeded, drawn without regard to their identifiability.
     Pair,
-    /// Two or three effects of the catalogue that flights can tell apart, in other combinations than the pairs.
+    /// Two or three effects of the catalogue are seeded, none of which another cause imitates. Drawn separately from
+    /// `Pair`.
     Several,
-    /// An effect that another one imitates.
+    /// The seeded effect cannot be distinguished from another cause by these flights.
     Confounded,
-    /// An effect outside the catalogue.
+    /// An effect outside the catalogue is seeded.
     Unlisted,
-    /// Effects of a ball.
+    /// Effects are seeded into flights of a ball.
     Ball,
-    /// An effect outside the catalogue, in 48 flights.
+    /// An effect outside the catalogue is seeded into 48 flights instead of the default number.
     UnlistedManyFlights,
-    /// Errors in the spins that the dataset states.
+    /// The spins that the dataset states contain errors.
     InputErrors,
 }
 
 impl Group {
-    /// Name in pages.
+    /// Name of the group on pages.
     pub(super) fn label(self) -> &'static str {
         match self {
             Group::Null => "no effect",
@@ -42,7 +43,7 @@ impl Group {
         }
     }
 
-    /// Name in [`Row::key`], from which the seeds follow: another one would give other datasets.
+    /// Name of the group in [`Row::key`]. The seeds are derived from it, so changing it would change the datasets.
     fn key(self) -> &'static str {
         match self {
             Group::Null => "null",
@@ -58,22 +59,22 @@ impl Group {
     }
 }
 
-/// Size of a seeded effect.
+/// Size of a seeded effect, relative to what is met in practice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Size {
-    /// Near the least that is met in practice.
+    /// Near the minimum that is met in practice.
     Weak,
-    /// Near the greatest that is met in practice.
+    /// Near the maximum that is met in practice.
     Strong,
-    /// Four times that: the model is badly wrong.
+    /// Four times the strong size: the model without the effect is badly wrong.
     Severe,
 }
 
-/// Size of a severe effect over that of a strong one.
+/// Ratio of a severe size to a strong one.
 const SEVERE: f64 = 4.0;
 
 impl Size {
-    /// Name in pages and keys.
+    /// Name of the size on pages and in keys.
     pub(super) fn label(self) -> &'static str {
         match self {
             Size::Weak => "weak",
@@ -82,7 +83,7 @@ impl Size {
         }
     }
 
-    /// The value of this size, of an effect with a weak and a strong one.
+    /// Value of an effect at this size, from the effect's weak and strong values.
     pub(super) fn of(self, weak: f64, strong: f64) -> f64 {
         match self {
             Size::Weak => weak,
@@ -92,19 +93,19 @@ impl Size {
     }
 }
 
-/// Body that is thrown; the names of the variants are part of [`Row::key`].
+/// Body that is thrown. The names of the variants are part of [`Row::key`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Body {
-    /// Disc.
+    /// A disc with the paper's constants, model `disc`.
     Disc,
-    /// Table-tennis ball.
+    /// A table-tennis ball, model `ball`.
     TableTennis,
-    /// Football.
+    /// A football, model `ball`.
     Football,
 }
 
 impl Body {
-    /// Name of the built-in model.
+    /// Name of the built-in model of the body.
     pub(super) fn model(self) -> &'static str {
         match self {
             Body::Disc => "disc",
@@ -113,33 +114,34 @@ impl Body {
     }
 }
 
-/// Runs that differ only in their seeds.
+/// A row of the study: settings of a set of runs that differ only in their seeds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// Kind of the row.
+    /// Kind of effects or errors that the runs contain.
     pub group: Group,
     /// Body that is thrown.
     pub body: Body,
-    /// Seeded effects of the catalogue.
+    /// Names of the seeded effects of the catalogue.
     pub effects: Vec<&'static str>,
-    /// Seeded effect outside the catalogue.
+    /// Name of the seeded effect outside the catalogue, if any.
     pub unlisted: Option<&'static str>,
-    /// What imitates the effect; only of [`Group::Confounded`].
+    /// Name of the effect or quantity that imitates the seeded effect; `None` unless the group is
+    /// [`Group::Confounded`].
     pub confounded_with: Option<&'static str>,
-    /// Size of the effects; `None` without a seeded effect.
+    /// Size of the seeded effects; `None` without a seeded effect.
     pub size: Option<Size>,
-    /// Noise.
+    /// Noise condition.
     pub noise: NoiseCondition,
-    /// Number of flights; `None` for the default of the body.
+    /// Number of flights per dataset; `None` for the default of the body.
     pub flights: Option<usize>,
-    /// Errors in the stated spins.
+    /// Errors put into the stated spins; `None` if they are exact.
     pub input_errors: Option<InputErrors>,
-    /// Number of runs.
+    /// Number of runs of the row, each with its own seed.
     pub runs: usize,
 }
 
 impl Row {
-    /// Names of the seeded effects.
+    /// Names of the seeded effects as one text; "nothing" if none is seeded.
     pub(super) fn seeded(&self) -> String {
         let mut names: Vec<&str> = self.effects.clone();
         names.extend(self.unlisted);
@@ -149,7 +151,7 @@ impl Row {
         names.join(" with ")
     }
 
-    /// Text that identifies the row among all; the seeds of its runs follow from it.
+    /// Unique text of the row. The seeds of the row's runs are derived from it.
     pub fn key(&self) -> String {
         let size = self.size.map_or("", Size::label);
         let (group, seeded, noise) = (self.group.key(), self.seeded(), self.noise.name);
@@ -164,7 +166,8 @@ impl Row {
         key.to_lowercase()
     }
 
-    /// Whether all words occur in the key or the group's name in pages; hyphens match underscores.
+    /// Whether all `words` occur in the key or in the page name of the group. Case is ignored, and hyphens match
+    /// underscores.
     pub fn has(&self, words: &str) -> bool {
         let text = format!("{} {}", self.key(), self.group.label());
         words

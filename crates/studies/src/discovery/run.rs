@@ -1,4 +1,4 @@
-//! Runs: flights are made and diagnosed, and the answer is compared with the truth.
+//! Executes the runs: simulates the flights, diagnoses them, and compares the answer with the seeded effects.
 
 use std::collections::BTreeMap;
 use std::sync::Mutex;
@@ -15,17 +15,17 @@ use super::outcome::{HeldOutErrors, Outcome};
 use super::row::Row;
 use super::score::{hypotheses, score};
 
-/// A row with the outcomes of its runs.
+/// Settings of a row, with the outcomes of its runs.
 #[derive(Clone, Debug)]
 pub struct RowResult {
-    /// The row.
+    /// Settings of the row.
     pub row: Row,
-    /// Outcomes in the order of the runs.
+    /// Outcomes of the row's runs, in order of the run index.
     pub outcomes: Vec<Outcome>,
 }
 
-/// Runs all rows, `at_a_time` diagnoses in parallel, which share the processors; calls `progress` with the number of finished runs
-/// and of all.
+/// Executes the runs of all rows, `at_a_time` diagnoses in parallel, which share the processors. Calls `progress` with
+/// the number of finished runs and of all runs.
 pub fn run_rows(
     rows: &[Row],
     at_a_time: usize,
@@ -52,8 +52,8 @@ pub fn run_rows(
     results.collect()
 }
 
-/// For each run that detected something but missed a detectable truth: what the diagnosis answers with the truth in the
-/// model.
+/// Diagnoses again, with the seeded effects in the model, each run that detected something but missed a detectable
+/// effect. Returns a text per run and row; `None` for the other runs.
 pub fn rejections(results: &[RowResult]) -> Vec<Vec<Option<String>>> {
     let models = Models::default();
     let all: Vec<&Outcome> = results.iter().flat_map(|result| &result.outcomes).collect();
@@ -69,13 +69,15 @@ pub fn rejections(results: &[RowResult]) -> Vec<Vec<Option<String>>> {
     rows.collect()
 }
 
-/// Built-in models with effects, each loaded once.
+/// Cache of the built-in models with effects, so that each is loaded once.
 #[derive(Default)]
 struct Models(Mutex<BTreeMap<String, Model>>);
 
 impl Models {
+    /// Returns a clone of a built-in model with built-in effects, which is loaded at the first call.
+    ///
     /// # Panics
-    /// If the built-in effects cannot be switched on together.
+    /// If the effects cannot be combined with the model.
     fn get(&self, model: &str, effects: &[&str]) -> Model {
         let key = format!("{model} {}", effects.join(" "));
         let mut models = self
@@ -94,7 +96,7 @@ fn fit_options(threads: usize) -> FitOptions<'static> {
     }
 }
 
-/// Makes the flights of a run, diagnoses them, and scores the answer.
+/// Simulates the flights of a run, diagnoses them, and scores the answer.
 fn outcome(case: &Case, models: &Models, threads: usize) -> Outcome {
     let dataset = case.dataset();
     let base = models.get(case.body.model(), &[]);
@@ -115,7 +117,8 @@ fn outcome(case: &Case, models: &Models, threads: usize) -> Outcome {
     outcome
 }
 
-/// Prediction errors on held-out flights: of the plain model, the extended model, and the model with the seeded effects.
+/// RMS prediction errors on the held-out flights: of the plain model, the extended model, and the model with the seeded
+/// effects.
 fn held_out(
     outcome: &Outcome,
     found: &Diagnosis,
@@ -132,7 +135,7 @@ fn held_out(
     } else if truth.is_empty() {
         Some(before)
     } else if extended.is_some() && outcome.hypotheses.first() == Some(&truth) {
-        // The extended model is the true one.
+        // The diagnosis has found the true model.
         extended
     } else {
         let names: Vec<&str> = truth.iter().map(String::as_str).collect();
@@ -147,7 +150,7 @@ fn held_out(
     }
 }
 
-/// Root mean square residual of the held-out flights, m.
+/// RMS residual over the held-out flights, m.
 fn prediction_error(fitted: &Fit) -> f64 {
     let flights = fitted.report.flights.iter();
     let held_out = flights.filter(|f| f.role == Role::HeldOut && !f.initial.is_empty());
@@ -155,8 +158,8 @@ fn prediction_error(fitted: &Fit) -> f64 {
     (squares.iter().sum::<f64>() / squares.len() as f64).sqrt()
 }
 
-/// What the diagnosis answers with the seeded effects in the model, and its strongest candidate; `None` if it has none, or
-/// if no model has the effects.
+/// Text on the diagnosis with the seeded effects in the model: its verdict, hypotheses and strongest candidate. `None`
+/// if there is no candidate, if no model has the effects, or if the diagnosis fails.
 fn rejection(case: &Case, models: &Models) -> Option<String> {
     let with = case.truth();
     let names: Vec<&str> = with.iter().map(String::as_str).collect();

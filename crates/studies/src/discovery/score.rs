@@ -1,4 +1,4 @@
-//! Comparison of a diagnosis with the seeded effects.
+//! Scores a diagnosis against the seeded effects.
 
 use diagnose::{Report, Verdict};
 
@@ -7,10 +7,11 @@ use super::outcome::{Discordant, Outcome};
 use crate::oracle_flights::file_name;
 use crate::seeded::{self, InputErrors};
 
-/// Standard normal quantile of 0.9: an effect whose expected z exceeds a threshold by it is found with power 0.9.
+/// Standard normal quantile of 0.9. An effect whose expected z exceeds the threshold by this amount is found with power
+/// 0.9.
 const POWER_QUANTILE: f64 = 1.281_551_565_544_6;
 
-/// Effects of each hypothesis, sorted, with underscores.
+/// Names of the effects of each hypothesis in a report, sorted; words are joined by underscores.
 pub(super) fn hypotheses(report: &Report) -> Vec<Vec<String>> {
     let each = report.causes.iter().map(|hypothesis| {
         let names = hypothesis.effects.iter();
@@ -21,7 +22,7 @@ pub(super) fn hypotheses(report: &Report) -> Vec<Vec<String>> {
     each.collect()
 }
 
-/// Takes the answer over from a report, and scores it.
+/// Copies the answer from a report to `outcome`, and scores it against the seeded effects.
 pub(super) fn score(outcome: &mut Outcome, report: &Report) {
     outcome.verdict = Some(report.verdict);
     outcome.seconds = report.seconds.get("total").copied().unwrap_or(f64::NAN);
@@ -50,9 +51,10 @@ pub(super) fn score(outcome: &mut Outcome, report: &Report) {
     }
 }
 
-/// The right verdict on an unlisted effect is `outside`; any single hypothesis is wrong.
+/// Scores a run with an effect outside the catalogue. The right verdict is `Unattributed`; a single hypothesis is
+/// wrong, unless it is the effect's near equivalent.
 fn score_unlisted(outcome: &mut Outcome, report: &Report, is_single: bool) {
-    // Another effect of the catalogue may come so near that it is as right.
+    // An effect of the catalogue may be so similar that it is an equally right answer.
     let mut seeded = outcome.case.seeded.unlisted.iter();
     let near = seeded.find_map(|(name, _)| seeded::unlisted(name)?.near);
     let is_near = |hypothesis: &Vec<String>| near.is_some_and(|near| *hypothesis == [near]);
@@ -70,7 +72,7 @@ fn score_input_errors(
     let truth = outcome.case.truth();
     outcome.discordant = discordant(&outcome.case, errors, report);
     outcome.in_set = outcome.hypotheses.contains(&truth);
-    // If every spin is another flight's, no hypothesis is right.
+    // If every spin is exchanged with another flight's, no hypothesis is right.
     let is_wrong = || outcome.hypotheses[0] != truth || errors.exchanged == 1.0;
     outcome.uniquely_wrong = is_single && is_wrong();
 }
@@ -94,14 +96,14 @@ fn score_listed(outcome: &mut Outcome, report: &Report, is_single: bool) {
     }
     detectable.sort();
     outcome.in_set = !truth.is_empty() && outcome.hypotheses.contains(&truth);
-    // If one effect of a pair is below the minimum detectable size, the other alone is right.
+    // If one effect of a pair is below the minimum detectable size, the other effect alone is right.
     let is_right = |hypothesis: &Vec<String>| {
         *hypothesis == truth || (!detectable.is_empty() && *hypothesis == detectable)
     };
     outcome.uniquely_wrong = is_single && !is_right(&outcome.hypotheses[0]);
 }
 
-/// Discordant flights of a report, and those of them whose spins were exchanged.
+/// Counts the discordant flights of a report, and how many of them have exchanged spins.
 fn discordant(case: &Case, errors: InputErrors, report: &Report) -> Discordant {
     let exchanged = errors.exchanged_flights(case.flights, case.seed);
     let exchanged: Vec<String> = exchanged.into_iter().map(file_name).collect();
@@ -115,8 +117,9 @@ fn discordant(case: &Case, errors: InputErrors, report: &Report) -> Discordant {
     }
 }
 
-/// Seeded size / minimum detectable effect, the greatest over the coefficients. For an effect with states alone, which has
-/// no minimum detectable size: its z / the z that is found with power 0.9.
+/// Seeded size / minimum detectable effect, the maximum over the effect's coefficients. An effect that has states but
+/// no coefficients has no minimum detectable size; for it, returns its z / the z that is found with power 0.9. `None`
+/// if the report lacks the values.
 fn detectability(report: &Report, name: &str, values: &[f64]) -> Option<f64> {
     let effect = oracle::effect::by_name(name)?;
     let coefficients = effect.coefficients.iter().zip(values);
@@ -135,14 +138,14 @@ fn detectability(report: &Report, name: &str, values: &[f64]) -> Option<f64> {
     Some(z(report, name)? / (report.threshold.z + POWER_QUANTILE))
 }
 
-/// Equivalent z of a candidate's score test.
+/// z-equivalent of a candidate's score test; `None` if the report has no such candidate.
 fn z(report: &Report, name: &str) -> Option<f64> {
     let mut candidates = report.candidates.iter();
     let candidate = candidates.find(|candidate| underscored(&candidate.name) == name)?;
     Some(candidate.z)
 }
 
-/// Reports write names of effects with hyphens, models with underscores.
+/// Replaces hyphens by underscores: reports write the names of effects with hyphens, models with underscores.
 fn underscored(name: &str) -> String {
     name.replace('-', "_")
 }

@@ -1,4 +1,4 @@
-//! One random fit: effects of the catalogue and their sizes, from a seed.
+//! One random fit: effects of the catalogue and their sizes, drawn from a seed.
 
 use identify::dataset::Dataset;
 use identify::synthesize::Corruption;
@@ -11,47 +11,48 @@ use rand_chacha::ChaCha12Rng;
 use crate::oracle_flights::{Plan, TWELVE};
 use crate::seeded::{self, SeededEffects, greatest_angle_of_attack, strength};
 
-/// Least and greatest displacement (m, RMS over the marker coordinates) by one effect: just detectable in twelve flights,
-/// and a metre.
+/// Range of the displacement of the markers by one effect (m, RMS over the marker coordinates): from just detectable in
+/// twelve flights to one metre.
 const DISPLACEMENT: (f64, f64) = (5e-4, 1.0);
 
-/// Greatest number of effects.
+/// Maximum number of effects in a case.
 const MAX_EFFECTS: usize = 3;
 
-/// Greatest multiple of the strong size of the discovery study.
+/// Maximum size of an effect, as a multiple of its strong size in the discovery study.
 const MAX_MULTIPLE: f64 = 12.0;
 
-/// Greatest angle of attack in the flights of a case, rad: where the disc falls flat, the stream in its plane vanishes, and
-/// with it the axis along which the forces are declared; strong negative lift holds the disc there.
+/// Maximum angle of attack in the flights of a case, rad. A disc near 90° has no airspeed in its plane, so the axis in
+/// which the forces are declared is undefined there; a strong negative lift can hold the disc at 90°.
 const MAX_ANGLE: f64 = 1.3;
 
-/// Number of flights from which the size of one effect is chosen.
+/// Number of flights simulated to choose the size of one effect.
 const PROBE_FLIGHTS: usize = 4;
 
-/// Relative error of a displacement that ends the search for a size.
+/// Relative error of a displacement at which the search for an effect size ends.
 const CLOSE: f64 = 0.25;
 
-/// Greatest number of steps of that search.
+/// Maximum number of iterations of the search for an effect size.
 const STEPS: usize = 7;
 
-/// Random stream of effects and sizes; streams of flights are numbered from 1.
+/// ChaCha stream of the random effects and sizes. The streams of the flights are numbered from 1.
 const SIZE_STREAM: u64 = u64::MAX - 3;
 
-/// One random fit.
+/// Seeded effects of one random fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FitCase {
     /// Seed of the effects, the throws and the noise.
     pub seed: u64,
-    /// Seeded effects with their values, SI.
+    /// Names of the seeded effects, with their values, SI.
     pub effects: Vec<(String, Vec<f64>)>,
-    /// Displacement of the markers by all effects together, without a fit, m: RMS over the coordinates.
+    /// Displacement of the markers by all effects together, RMS over the coordinates, m. Flights with and without the
+    /// effects start from the same releases.
     pub displacement: f64,
 }
 
 impl FitCase {
-    /// The fit of a seed: one to three effects of the disc, whose displacements are log-uniform over a range as far as
-    /// bounds allow; all are halved while together they displace the markers of all flights by more than a metre, or a disc
-    /// falls flat.
+    /// Draws the case of a seed: one to three effects of the disc, each with a log-uniform displacement as far as the
+    /// coefficients' bounds allow. The values of all effects are halved until together they displace the markers by at
+    /// most one metre and no disc exceeds the maximum angle of attack.
     ///
     /// # Panics
     /// If the built-in disc does not load.
@@ -73,7 +74,7 @@ impl FitCase {
             ((*name).to_owned(), values)
         });
         let mut effects: Vec<(String, Vec<f64>)> = each.collect();
-        // Effects that are small one by one can make a body tumble or an equation diverge together.
+        // Effects that are small one by one can together make a body tumble or an equation diverge.
         let exact = flights(&[], TWELVE.flights, seed);
         loop {
             let displacement = displacement(&exact, &effects, seed);
@@ -90,12 +91,12 @@ impl FitCase {
         }
     }
 
-    /// Names of the effects.
+    /// Names of the seeded effects.
     pub fn names(&self) -> Vec<&str> {
         self.effects.iter().map(|(name, _)| name.as_str()).collect()
     }
 
-    /// Flights without noise, and with white noise.
+    /// Simulates the flights twice: without noise, and with white noise.
     pub fn datasets(&self) -> [Dataset; 2] {
         let seeded = listed(&self.effects);
         [
@@ -109,7 +110,7 @@ impl FitCase {
     }
 }
 
-/// One to three effects of the disc that can be switched on together, and the model with them.
+/// Draws one to three effects of the disc that can be combined, and returns their names and the model with them.
 fn effects(random: &mut impl Rng) -> (Vec<&'static str>, Model) {
     let all = effect::all().filter(|effect| effect.laws.contains(&Law::Disc));
     let all: Vec<&'static str> = all.map(|effect| effect.name).collect();
@@ -127,7 +128,8 @@ fn effects(random: &mut impl Rng) -> (Vec<&'static str>, Model) {
     }
 }
 
-/// Values in the proportions of `strong` that displace the markers by about `wanted`, m, within bounds.
+/// Values proportional to `strong`, within their bounds, that displace the markers by about `wanted` (m). Found by a
+/// bracketed search.
 fn sized(
     model: &Model,
     name: &str,
@@ -160,8 +162,8 @@ fn sized(
     at(multiple)
 }
 
-/// A multiple of `strong`; each value stays within the bounds of its coefficient, and a sign is kept where the opposite
-/// value is out of bounds.
+/// Multiplies `strong` by `multiple` and restricts each value to the bounds of its coefficient. If the bounds exclude
+/// one sign, the value gets the other.
 fn within_bounds(model: &Model, name: &str, strong: &[f64], multiple: f64) -> Vec<f64> {
     let effect = model.effects.iter().find(|effect| effect.name == name);
     let coefficients = effect.map_or(&[][..], |effect| &effect.coefficients);
@@ -180,7 +182,7 @@ fn within_bounds(model: &Model, name: &str, strong: &[f64], multiple: f64) -> Ve
     each.collect()
 }
 
-/// The first flights of a seed without noise.
+/// Simulates the first `flights` flights of a seed, without noise.
 fn flights(effects: &[(String, Vec<f64>)], flights: usize, seed: u64) -> Dataset {
     let plan = Plan { flights, ..TWELVE };
     seeded::dataset(&plan, &listed(effects), seed)
@@ -193,13 +195,13 @@ fn listed(effects: &[(String, Vec<f64>)]) -> SeededEffects {
     }
 }
 
-/// RMS distance per coordinate between flights with effects and without, m; infinite if a flight is not finite.
+/// RMS distance per coordinate between flights with and without the effects, m; infinite if a flight is not finite.
 fn displacement(plain: &Dataset, effects: &[(String, Vec<f64>)], seed: u64) -> f64 {
     let with = flights(effects, plain.flights.len(), seed);
     rms_distance(plain, &with).unwrap_or(f64::INFINITY)
 }
 
-/// RMS distance per coordinate between the same points of two datasets, m; `None` if it is not finite.
+/// RMS distance per coordinate between corresponding points of two datasets, m; `None` if it is not finite.
 pub(super) fn rms_distance(a: &Dataset, b: &Dataset) -> Option<f64> {
     let points = |dataset: &Dataset| -> Vec<[f64; 3]> {
         let rows = dataset.flights.iter().flat_map(|f| f.positions.iter());

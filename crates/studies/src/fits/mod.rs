@@ -1,5 +1,5 @@
-//! Study of the fit: how often, and how fast, a model with the right effects reaches the noise from its own start. Writes
-//! docs/fits.md.
+//! Study of the fit: how often, and how fast, a model with the right effects reaches the noise level from its default
+//! initial values. Writes docs/fits.md.
 
 mod case;
 mod page;

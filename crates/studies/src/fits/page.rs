@@ -1,4 +1,4 @@
-//! docs/fits.md.
+//! Renders docs/fits.md.
 
 use serde::Serialize;
 
@@ -7,10 +7,10 @@ use crate::error::StudyError;
 use crate::page::{Page, render};
 use crate::statistics::median;
 
-/// Greatest number of fits listed one by one.
+/// Maximum number of failed fits that the page lists.
 const MAX_LISTED: usize = 40;
 
-/// Limits between the classes of displacement, m.
+/// Boundaries of the classes of displacement, m.
 const CLASSES: [f64; 5] = [0.0, 0.005, 0.05, 0.3, f64::INFINITY];
 
 #[derive(Serialize)]
@@ -49,10 +49,10 @@ struct Row {
     what: String,
 }
 
-/// The page of random fits.
+/// Renders docs/fits.md from the outcomes of the random fits.
 ///
 /// # Errors
-/// [`StudyError::Page`] if the template does not go with the results.
+/// [`StudyError::Page`] if the template cannot be rendered with the results.
 pub fn fits_page(outcomes: &[FitOutcome]) -> Result<Page, StudyError> {
     let all: Vec<&FitOutcome> = outcomes.iter().collect();
     let total = class(String::new(), &all);
@@ -108,7 +108,7 @@ fn class(name: String, of: &[&FitOutcome]) -> Class {
     }
 }
 
-/// Fits without a result come first, then those with the greatest residuals.
+/// Sort key of failed fits, in descending order: fits without a result first, then those with the largest residuals.
 fn severity(outcome: &FitOutcome) -> f64 {
     outcome.ratio.unwrap_or(f64::INFINITY)
 }

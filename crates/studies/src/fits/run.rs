@@ -1,4 +1,4 @@
-//! Random fits: flights of the oracle, fitted from the model's own start.
+//! Random fits: flights simulated by the oracle, fitted from the model's default initial values.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -7,35 +7,36 @@ use identify::{FitOptions, FitStatus, fit};
 
 use super::case::{FitCase, rms_distance};
 
-/// Greatest RMS residual of a fit that has reached the noise, relative to the expected one.
+/// Maximum RMS residual, relative to the expected one, of a fit that counts as having reached the noise level.
 const MAX_RATIO: f64 = 1.02;
 
-/// Greatest fraction of points that a fit may take for outliers, where there are none.
+/// Maximum fraction of points that a fit may classify as outliers. The flights contain none.
 const MAX_OUTLIERS: f64 = 0.005;
 
 /// Outcome of one random fit.
 #[derive(Clone, Debug)]
 pub struct FitOutcome {
-    /// The fit.
+    /// Seeded effects of the fit.
     pub case: FitCase,
-    /// Error of a fit that ended without a result.
+    /// Error message if the fit ended without a result; `None` otherwise.
     pub failure: Option<String>,
-    /// RMS residual over that of the true model: of the noise, less the degrees of freedom; `None` without a result.
+    /// RMS residual / the RMS residual expected of the true model, which is the RMS noise corrected for the degrees of
+    /// freedom; `None` without a result.
     pub ratio: Option<f64>,
-    /// Fraction of the points taken for outliers.
+    /// Fraction of the points that the fit classified as outliers.
     pub outliers: f64,
-    /// Numbers of excluded and of truncated flights.
+    /// Number of excluded flights, and number of truncated flights.
     pub lost: [usize; 2],
-    /// Why the iteration ended; `None` without a result.
+    /// Reason for which the iteration ended; `None` without a result.
     pub status: Option<FitStatus>,
-    /// Time, s, on this number of threads.
+    /// Elapsed time of the fit on `threads` threads, s.
     pub seconds: f64,
-    /// Number of threads of the fit.
+    /// Number of threads on which the fit ran.
     pub threads: usize,
 }
 
 impl FitOutcome {
-    /// Whether the residuals of all flights, whole, are those of the true model.
+    /// Whether the fit used all flights in full and its residuals are at the noise level of the true model.
     pub fn is_reached(&self) -> bool {
         self.ratio.is_some_and(|ratio| ratio <= MAX_RATIO)
             && self.outliers <= MAX_OUTLIERS
@@ -43,7 +44,8 @@ impl FitOutcome {
     }
 }
 
-/// Fits the datasets of the seeds, this number of them at a time, each on its part of the processors; calls `progress` after each with its number.
+/// Runs the random fits of `seeds`, `threads` of them in parallel, which share the processors equally. Calls `progress`
+/// after each fit with the numbers of finished fits and of all fits.
 pub fn fits(
     seeds: &[u64],
     threads: usize,
@@ -59,7 +61,7 @@ pub fn fits(
     })
 }
 
-/// Makes the flights of a random fit and fits them on this number of threads.
+/// Simulates the flights of a random fit, and fits them on `threads` threads.
 ///
 /// # Panics
 /// If the built-in effects do not load.

@@ -1,4 +1,4 @@
-//! Coverage of the fit's 95 % intervals over datasets of other throws and other noise.
+//! Coverage of the fit's 95 % confidence intervals over simulated datasets with different throws and noise.
 
 use flight::batch;
 use identify::interval;
@@ -8,43 +8,44 @@ use serde::Serialize;
 
 use crate::oracle_flights::{NoiseCondition, Plan, disc, flights, truth};
 
-/// Coverage of one coefficient; its errors z are in units of their standard errors.
+/// Coverage of the confidence intervals of one coefficient, and statistics of z = (estimate - true value) / standard
+/// error.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct CoefficientCoverage {
     /// Name of the coefficient.
     pub name: String,
-    /// Number of datasets whose 95 % interval contains the true value.
+    /// Number of datasets whose 95 % confidence interval contains the true value.
     pub covered: usize,
-    /// Number of datasets whose cluster-robust (by flight) 95 % interval contains the true value.
+    /// Number of datasets whose cluster-robust 95 % interval (clusters are flights) contains the true value.
     pub covered_clustered: usize,
-    /// Mean of z.
+    /// Mean of z over the datasets.
     pub mean_z: f64,
-    /// Root mean square of z: 1 if the standard errors are right.
+    /// RMS of z over the datasets; 1 if the standard errors are right.
     pub rms_z: f64,
-    /// Greatest absolute z.
+    /// Maximum of |z| over the datasets.
     pub max_z: f64,
 }
 
-/// Coverage of all coefficients under one noise.
+/// Coverage of the confidence intervals of all coefficients under one noise condition.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Coverage {
-    /// The noise.
+    /// The noise condition.
     pub condition: NoiseCondition,
-    /// Number of datasets.
+    /// Number of simulated datasets.
     pub seeds: usize,
-    /// Number of fits that failed or did not converge; they count as not covered.
+    /// Number of fits that failed or did not converge. Their intervals count as not containing the true value.
     pub failed: usize,
-    /// Each coefficient, in the model's order.
+    /// Coverage of each coefficient, in the model's order.
     pub coefficients: Vec<CoefficientCoverage>,
 }
 
 impl Coverage {
-    /// Fraction of all intervals, over datasets and coefficients, that contain the true value.
+    /// Fraction of the 95 % intervals, over all datasets and coefficients, that contain the true value.
     pub fn covered(&self) -> f64 {
         self.fraction(|coefficient| coefficient.covered)
     }
 
-    /// Fraction of all cluster-robust intervals that contain the true value.
+    /// Fraction of the cluster-robust 95 % intervals, over all datasets and coefficients, that contain the true value.
     pub fn covered_clustered(&self) -> f64 {
         self.fraction(|coefficient| coefficient.covered_clustered)
     }
@@ -55,8 +56,8 @@ impl Coverage {
     }
 }
 
-/// Makes and fits `seeds` datasets of a plan under a noise, each of other throws, and compares the estimates with the
-/// truth.
+/// Simulates and fits `seeds` datasets of a plan under a noise condition, each with different throws, and compares the
+/// estimates with the true values.
 pub fn coverage(plan: &Plan<'_>, condition: &NoiseCondition, seeds: u64) -> Coverage {
     let model = disc();
     let truth = truth(&model, plan);
@@ -67,7 +68,7 @@ pub fn coverage(plan: &Plan<'_>, condition: &NoiseCondition, seeds: u64) -> Cove
             let noise_seed = 1000 * seed + index as u64;
             corrupt(&mut flight.positions, &condition.noise, noise_seed);
         }
-        // Datasets are fitted in parallel: one thread for each.
+        // Datasets are fitted in parallel, each on one thread.
         let options = FitOptions {
             threads: Some(1),
             ..FitOptions::default()

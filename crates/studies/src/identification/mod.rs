@@ -1,5 +1,5 @@
-//! Study of the fit: coverage of its intervals, and fits of the paper's two flights one by one. Writes
-//! docs/identification.md.
+//! Study of the fit: coverage of its confidence intervals, and fits of the paper's two flights, one by one and
+//! together. Writes docs/identification.md.
 
 mod coverage;
 mod page;

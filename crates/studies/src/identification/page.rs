@@ -1,4 +1,4 @@
-//! docs/identification.md.
+//! Renders docs/identification.md.
 
 use serde::Serialize;
 
@@ -25,7 +25,7 @@ struct CoverageSection<'r> {
     coefficients: &'r [CoefficientCoverage],
 }
 
-/// Coverage under one noise, as fractions.
+/// Coverage under one noise condition, as fractions of the datasets.
 #[derive(Serialize)]
 struct ConditionRow<'r> {
     name: &'r str,
@@ -43,7 +43,8 @@ struct PaperSection<'r> {
     scenarios: Vec<ScenarioRow<'r>>,
     coefficients: Vec<CoefficientRow<'r>>,
     messages: &'r [String],
-    /// Least ratio, over coefficients, of the standard deviation from fssh3 alone to that from twelve throws.
+    /// Coefficient whose standard deviation falls least from fssh3 alone to twelve throws, and the ratio of these
+    /// standard deviations.
     least_improvement: (&'r str, f64),
     last: ScenarioRow<'r>,
 }
@@ -53,7 +54,7 @@ struct ScenarioRow<'r> {
     name: &'r str,
     implausible: usize,
     non_identifiable: usize,
-    /// Coefficients that most seeds report as non-identifiable.
+    /// Names of the coefficients that more than half of the seeds report as non-identifiable.
     which: String,
     failed: usize,
 }
@@ -63,18 +64,18 @@ struct CoefficientRow<'r> {
     name: &'r str,
     truth: f64,
     printed: [f64; 2],
-    /// Standard deviation of each scenario's estimates.
+    /// Standard deviation of the estimates in each scenario.
     deviations: Vec<f64>,
-    /// Absolute difference of the printed values.
+    /// Absolute difference of the values that the paper prints for its two flights.
     difference: f64,
-    /// Standard deviation of the difference of two fits of half a second.
+    /// Standard deviation of the difference between a fit of fssh3 and a fit of bffl8, both of half a second.
     expected: f64,
 }
 
-/// The page of coverage and fits of the paper's flights.
+/// Renders docs/identification.md from the coverages and the fits of the paper's flights.
 ///
 /// # Errors
-/// [`StudyError::Page`] if the template does not go with the results.
+/// [`StudyError::Page`] if the template cannot be rendered with the results.
 pub fn identification_page(coverages: &[Coverage], fits: &PaperFits) -> Result<Page, StudyError> {
     let results = Results {
         coverage: coverage_section(coverages),

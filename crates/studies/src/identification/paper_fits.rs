@@ -1,4 +1,5 @@
-//! Fits of the paper's two flights, one by one and together, and of twelve different throws, under the paper's noise.
+//! Fits of the paper's two flights, one by one and together, and of twelve different throws, all under the paper's
+//! noise.
 
 use flight::batch;
 use identify::dataset::Dataset;
@@ -9,54 +10,54 @@ use model_spec::model::Model;
 use crate::oracle_flights::{Plan, SAMPLE_RATE, Throws, disc, flights, paper_flight};
 use crate::statistics::mean_and_deviation;
 
-/// Standard deviation of the paper's marker positions about its best fit, m.
+/// Standard deviation of the paper's marker positions about its best fit, m; used for the simulated noise.
 const SIGMA: f64 = 0.0014;
 
-/// Estimates from one set of flights under one noise, over seeds of the noise.
+/// Estimates from one set of flights under one noise condition, over many seeds of the noise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scenario {
-    /// Flights and noise, in words.
+    /// Description of the flights and the noise.
     pub name: &'static str,
-    /// Estimates (SI) by coefficient, in the model's order, and seed.
+    /// Estimates (SI), indexed by coefficient (in the model's order) and by seed.
     pub estimates: Vec<Vec<f64>>,
-    /// Number of seeds with a physically implausible estimate; see `is_plausible`.
+    /// Number of seeds with a physically implausible estimate, such as negative drag.
     pub implausible: usize,
-    /// Number of seeds whose report names the coefficient as practically non-identifiable, by coefficient.
+    /// For each coefficient, the number of seeds whose report names it as practically non-identifiable.
     pub non_identifiable: Vec<usize>,
-    /// Number of seeds whose report names any coefficient so.
+    /// Number of seeds whose report names any coefficient as practically non-identifiable.
     pub any_non_identifiable: usize,
     /// Number of seeds whose fit failed.
     pub failed: usize,
-    /// What the report of the first seed says of each non-identifiable combination.
+    /// Explanations of each non-identifiable combination in the report of the first seed.
     pub messages: Vec<String>,
 }
 
 impl Scenario {
-    /// Mean and standard deviation of a coefficient's estimates, SI.
+    /// Mean and standard deviation over the seeds of the estimates of a coefficient, SI.
     pub(crate) fn mean_and_deviation(&self, coefficient: usize) -> (f64, f64) {
         mean_and_deviation(&self.estimates[coefficient])
     }
 }
 
-/// Scenarios on the paper's flights.
+/// All scenarios: fits of the paper's flights and of twelve throws.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PaperFits {
     /// Name and true value (SI) of each coefficient.
     pub truth: Vec<(String, f64)>,
     /// Number of seeds of each scenario.
     pub seeds: usize,
-    /// Each flight alone, both together, and twelve different throws, which is last.
+    /// Scenarios: each flight alone, both flights together, and last twelve different throws.
     pub scenarios: Vec<Scenario>,
 }
 
-/// The scenario of fssh3 that [`PaperFits::scenarios`] has under this name.
+/// Name in [`PaperFits::scenarios`] of the fit of fssh3 alone under autocorrelated noise.
 pub(super) const FSSH3_HALF: &str = "fssh3 alone, 0.5 s, AR(0.6)";
 
-/// The scenario of bffl8 that [`PaperFits::scenarios`] has under this name.
+/// Name in [`PaperFits::scenarios`] of the fit of the first half second of bffl8 alone under autocorrelated noise.
 pub(super) const BFFL8_HALF: &str = "bffl8 alone, its first 0.5 s, AR(0.6)";
 
-/// Whether an estimate is physically plausible: drag is not negative, lift does not fall with the angle of attack, damping
-/// moments damp.
+/// Whether an estimate is physically plausible: drag coefficients are not negative, lift does not fall with the angle
+/// of attack, damping moments oppose the rotation.
 fn is_plausible(name: &str, value: f64) -> bool {
     match name {
         "C_D0" | "C_Da" | "C_La" => value >= 0.0,
@@ -65,7 +66,8 @@ fn is_plausible(name: &str, value: f64) -> bool {
     }
 }
 
-/// Fits simulated flights with the releases of the paper; the coefficients of the built-in disc are their true values.
+/// Fits simulated flights with the releases of the paper, `seeds` times with different noise. The coefficients of the
+/// built-in disc are the true values.
 ///
 /// # Panics
 /// If a built-in model or release does not load.
@@ -105,7 +107,7 @@ pub fn paper_fits(seeds: u64) -> PaperFits {
     }
 }
 
-/// The first `duration` seconds of every flight.
+/// Truncates every flight after `duration` (s).
 fn truncated(dataset: &Dataset, duration: f64) -> Dataset {
     let mut dataset = dataset.clone();
     for flight in &mut dataset.flights {
@@ -117,8 +119,8 @@ fn truncated(dataset: &Dataset, duration: f64) -> Dataset {
     dataset
 }
 
-/// Fits exact flights under the paper's noise with a lag-1 correlation `ar1`, without the bounds of the coefficients (the
-/// paper had none), over `seeds` seeds of the noise.
+/// Adds the paper's noise with a lag-1 correlation `ar1` to exact flights and fits them, for `seeds` seeds. As in the
+/// paper, the coefficients are unbounded.
 pub(crate) fn scenario(
     model: &Model,
     name: &'static str,

@@ -1,13 +1,13 @@
-//! Figure of the estimates of each scenario, seed by seed.
+//! Scatter plot of the estimates of each scenario, one dot per seed.
 
 use report::figures::{Dots, Line, Look, Panel, figure};
 
 use super::paper_fits::{PaperFits, Scenario};
 
-/// Greatest number of dots drawn for one scenario.
+/// Maximum number of dots drawn for one scenario.
 const MAX_DOTS: usize = 100;
 
-/// One panel for each coefficient, one column of dots for each scenario. SVG.
+/// Draws the scatter plot as SVG: one panel per coefficient, one column of dots per scenario.
 pub(super) fn scatter(fits: &PaperFits) -> String {
     let panels = fits.truth.iter().enumerate().map(|(k, (name, truth))| {
         let ends = [0.5, fits.scenarios.len() as f64 + 0.5];
@@ -28,7 +28,8 @@ pub(super) fn scatter(fits: &PaperFits) -> String {
     figure("Estimates of single seeds", &panels)
 }
 
-/// Estimates of one coefficient, spread within their column by multiples of the golden ratio.
+/// Dots of one coefficient's estimates in a column. Horizontal offsets by multiples of the golden ratio keep the dots
+/// apart.
 fn dots(column: usize, scenario: &Scenario, coefficient: usize) -> Dots {
     let offset = |index: usize| 0.6 * ((index as f64 * 0.618_034).fract() - 0.5);
     let estimates = scenario.estimates[coefficient].iter().take(MAX_DOTS);

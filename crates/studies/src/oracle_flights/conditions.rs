@@ -1,11 +1,12 @@
-//! Throws, true coefficients and kinds of noise that the studies share.
+//! Throws, true coefficients and noise conditions shared by the studies.
 
 use identify::synthesize::Corruption;
 
 use super::dataset::Plan;
 use super::throws::Throws;
 
-/// True coefficients of the disc, SI: plausible, and different from the model's own, where a fit starts.
+/// True coefficients of the disc in the studies, SI. They are plausible and differ from the model file's values, which
+/// are the initial values of a fit.
 pub const TRUTH: [(&str, f64); 8] = [
     ("C_L0", 0.15),
     ("C_La", 2.8),
@@ -17,7 +18,7 @@ pub const TRUTH: [(&str, f64); 8] = [
     ("C_Nr", -5e-5),
 ];
 
-/// Twelve throws of a disc with the coefficients [`TRUTH`], each observed for 1 s at 120 Hz.
+/// Plan of twelve throws of a disc with the coefficients [`TRUTH`], each observed for 1 s at 120 Hz.
 pub const TWELVE: Plan<'static> = Plan {
     truth: &TRUTH,
     throws: Throws::SPREAD,
@@ -26,17 +27,18 @@ pub const TWELVE: Plan<'static> = Plan {
     rate: 120.0,
 };
 
-/// Noise of a row of the study, with the name that pages give it.
+/// A named noise condition.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NoiseCondition {
-    /// Its name in pages. It is part of the seeds of the discovery study: another name gives other datasets.
+    /// Name of the condition on pages. The seeds of the discovery study are derived from it, so another name would give
+    /// other datasets.
     pub name: &'static str,
-    /// The noise of the marker positions.
+    /// Noise of the marker positions.
     pub noise: Corruption,
 }
 
-/// Kinds of noise, all of 1.5 mm: white; with a lag-1 correlation of 0.6; with 1 % of outliers of 5 cm; with both; with 12 %
-/// of the marker positions missing.
+/// Returns the noise conditions of the studies, all with a standard deviation of 1.5 mm: white; lag-1 correlation of
+/// 0.6; 1 % outliers of 5 cm; both; 12 % of the marker positions missing.
 pub fn noise_conditions() -> Vec<NoiseCondition> {
     let white = Corruption {
         sigma: 0.0015,

@@ -1,9 +1,9 @@
-//! A model's law of motion in the oracle, and values of its coefficients there.
+//! A model's law of motion in the oracle, and the values of its coefficients.
 
 use model_spec::model::Model;
 use oracle::{Physical, Point, Reference};
 
-/// The oracle's law of motion for a built-in model.
+/// Returns the oracle's law of motion for a built-in model.
 ///
 /// # Panics
 /// If the oracle has no law for the model.
@@ -12,15 +12,16 @@ pub(crate) fn reference_of(model: &Model) -> Reference {
     bound.expect("the model has the names of its reference")
 }
 
-/// Sets a coefficient by name; without effect if the model has none of that name.
+/// Sets a coefficient by name; does nothing if the model has no coefficient of that name.
 pub(crate) fn set_coefficient(model: &Model, constants: &mut Point<f64>, name: &str, value: f64) {
     if let Some(index) = model.coefficients.iter().position(|c| c.name == name) {
         constants.coefficients[index] = value;
     }
 }
 
-/// Sets lift, drag and pitching moment of the disc so that the model's curves have the given coefficients at the angle
-/// of attack `alpha` (rad). The model's moment is a multiple of the angle: it stays 0 below `min_alpha`.
+/// Sets lift, drag and pitching-moment coefficients of the disc so that the model's curves take the given values at the
+/// angle of attack `alpha` (rad). The model's moment is proportional to the angle, so it is set to 0 for |alpha| below
+/// `min_alpha`.
 pub(crate) fn set_curves(
     model: &Model,
     constants: &mut Point<f64>,
@@ -43,7 +44,7 @@ pub(crate) fn set_curves(
     }
 }
 
-/// Angle of attack (rad) of a body in air that moves with `wind` (m/s, inertial).
+/// Angle of attack (rad) of a body in air that moves with `wind` (m/s, inertial axes).
 pub(crate) fn angle_of_attack(body: &Physical<f64>, wind: nalgebra::Vector3<f64>) -> f64 {
     let airspeed = body.attitude.bring_back(body.velocity - wind);
     (-airspeed.z).atan2(airspeed.x.hypot(airspeed.y))

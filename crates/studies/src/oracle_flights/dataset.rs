@@ -1,4 +1,4 @@
-//! Datasets of a disc whose flights the oracle computed.
+//! Datasets of a disc with flights simulated by the oracle.
 
 use identify::dataset::{Dataset, Flight, Role};
 use identify::synthesize::{MARKERS, default_markers};
@@ -11,22 +11,22 @@ use super::constants::reference_of;
 use super::integrate::{integrate, marker_positions};
 use super::throws::Throws;
 
-/// A set of throws of a disc, and how they are observed.
+/// A set of random throws of a disc, and how they are observed.
 #[derive(Clone, Copy, Debug)]
 pub struct Plan<'a> {
-    /// True coefficients by name, SI; any other has the value of the model's file.
+    /// True coefficients by name, SI. Coefficients that are not listed have the values of the model file.
     pub truth: &'a [(&'a str, f64)],
-    /// Distribution of the throws.
+    /// Distribution of the launches.
     pub throws: Throws,
-    /// Number of flights.
+    /// Number of flights in the dataset.
     pub flights: usize,
-    /// Least and greatest duration of a flight, s; drawn uniformly.
+    /// Minimum and maximum duration of a flight, s. Durations are uniformly distributed.
     pub duration: (f64, f64),
-    /// Sample rate, Hz.
+    /// Sample rate of the marker positions, Hz.
     pub rate: f64,
 }
 
-/// The built-in model `disc`, by which the flights are made and fitted.
+/// Loads the built-in model `disc`, with which the studies' flights are simulated and fitted.
 ///
 /// # Panics
 /// If the built-in model does not load.
@@ -45,7 +45,7 @@ pub fn truth(model: &Model, plan: &Plan<'_>) -> Vec<(String, f64)> {
         .collect()
 }
 
-/// The disc's parameters and the true coefficients of a plan.
+/// The disc's default parameters with the true coefficients of a plan.
 pub(crate) fn disc_constants(model: &Model, plan: &Plan<'_>) -> Point<f64> {
     let mut constants = Point::defaults(model);
     for ((_, value), place) in truth(model, plan).iter().zip(&mut constants.coefficients) {
@@ -54,7 +54,7 @@ pub(crate) fn disc_constants(model: &Model, plan: &Plan<'_>) -> Point<f64> {
     constants
 }
 
-/// Flights of a plan without noise; the same seed gives the same flights.
+/// Simulates the flights of a plan, without noise. The same seed gives the same flights.
 ///
 /// # Panics
 /// If the oracle has no law for the model.
@@ -85,7 +85,7 @@ pub fn flights(model: &Model, plan: &Plan<'_>, seed: u64) -> Dataset {
     }
 }
 
-/// A dataset without flights, with [`MARKERS`].
+/// An empty dataset of a model, with the model's default markers.
 pub(crate) fn empty(model: &Model) -> Dataset {
     Dataset {
         model: model.name.clone(),
@@ -99,12 +99,12 @@ pub(crate) fn empty(model: &Model) -> Dataset {
     }
 }
 
-/// File name of the flight with this index, which counts from 0.
+/// File name of the flight with the given index (from 0).
 pub(crate) fn file_name(index: usize) -> String {
     format!("flight{:03}.csv", index + 1)
 }
 
-/// Sample times (s, from 0) of a flight whose duration (s) is drawn uniformly from a range.
+/// Sample times (s, from 0) of a flight whose duration (s) is drawn uniformly from a range; `rate` in Hz.
 pub(crate) fn sample_times(duration: (f64, f64), rate: f64, random: &mut impl Rng) -> Vec<f64> {
     let fraction: f64 = random.random();
     let duration = duration.0 + fraction * (duration.1 - duration.0);

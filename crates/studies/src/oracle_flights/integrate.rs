@@ -1,12 +1,13 @@
-//! Integration of the oracle's equations of motion by the classic Runge–Kutta method with a fixed small step.
+//! Integration of the oracle's equations of motion by the classic Runge–Kutta method with a small constant step.
 
 use nalgebra::Vector3;
 use oracle::{Motion, Physical, Point, Quaternion, Reference};
 
-/// Longest step, s: the relative error of a nutation of 100 rad/s stays below 1e-9 for a second.
+/// Maximum step size, s. With it, the relative error of a nutation of 100 rad/s stays below 1e-9 for a second.
 const MAX_STEP: f64 = 4e-4;
 
-/// Body states at `times` (s, increasing) of a motion that starts at time 0, with constant parameters and coefficients.
+/// Integrates a motion from the state `start` at time 0, with constant parameters and coefficients. Returns the states
+/// at `times` (s, increasing).
 ///
 /// # Panics
 /// If `times` decrease.
@@ -19,8 +20,9 @@ pub fn integrate(
     integrate_with_constants(reference, &|_| constants.clone(), start, times)
 }
 
-/// Body states at `times` (s, increasing), with parameters and coefficients that are functions of the body state:
-/// tabulated aerodynamic curves can take the place of the model's polynomials.
+/// Integrates a motion from the state `start` at time 0, with parameters and coefficients that are functions of the
+/// state. Tabulated aerodynamic curves can thus replace the model's polynomials. Returns the states at `times` (s,
+/// increasing).
 ///
 /// # Panics
 /// If `times` decrease.
@@ -37,20 +39,21 @@ pub fn integrate_with_constants(
     integrate_law(&law, start, 0.0, times)
 }
 
-/// Value of a law of motion at one time.
+/// Time derivatives that a law of motion gives at one time.
 #[derive(Clone, Copy, Debug)]
 pub struct Derivatives {
-    /// Linear and angular acceleration.
+    /// Linear (m/s²) and angular (rad/s²) acceleration of the body.
     pub motion: Motion<f64>,
-    /// Rate of change of the law's internal state, in its unit per second.
+    /// Rate of change of the law's internal state, in that state's unit per second.
     pub internal_rate: f64,
 }
 
-/// A law of motion: a function of the body state, the time (s) and one scalar internal state (a lagged angle of attack,
-/// say).
+/// A law of motion: a function of the body state, the time (s) and one scalar internal state (for example a lagged
+/// angle of attack).
 type Law<'l> = &'l dyn Fn(&Physical<f64>, f64, f64) -> Derivatives;
 
-/// Body states at `times` (s, increasing) under any law of motion, which has one scalar internal state.
+/// Integrates a law of motion with one scalar internal state, from the state `start` and the value `internal` at time
+/// 0. Returns the body states at `times` (s, increasing).
 ///
 /// # Panics
 /// If `times` decrease.
@@ -78,7 +81,7 @@ pub fn integrate_law(
     states.collect()
 }
 
-/// Positions (m, inertial) of markers that are fixed in the body (m, body frame).
+/// Positions (m, inertial axes) of markers that are fixed to the body at `markers` (m, body axes).
 pub fn marker_positions(body: &Physical<f64>, markers: &[[f64; 3]]) -> Vec<[f64; 3]> {
     let position = |marker: &[f64; 3]| body.position + body.attitude.carry((*marker).into());
     let each = markers.iter().map(|marker| position(marker).into());
@@ -92,7 +95,7 @@ struct State {
     internal: f64,
 }
 
-/// Time derivative of a [`State`].
+/// Time derivative of a [`State`], component by component.
 struct Rate {
     velocity: Vector3<f64>,
     acceleration: Vector3<f64>,
@@ -116,7 +119,7 @@ fn rate(law: Law<'_>, at: &State) -> Rate {
     }
 }
 
-/// The state after a step of `h` seconds at a constant rate; the quaternion is not normalised.
+/// The state advanced by `h` seconds at a constant rate. The quaternion is not normalised.
 fn advanced(from: &State, h: f64, rate: &Rate) -> State {
     let body = &from.body;
     State {
@@ -134,7 +137,7 @@ fn advanced(from: &State, h: f64, rate: &Rate) -> State {
     }
 }
 
-/// One Runge–Kutta step of `h` seconds; normalises the quaternion.
+/// One classic Runge–Kutta step of `h` seconds. Normalises the quaternion.
 fn step(law: Law<'_>, x: &State, h: f64) -> State {
     let k1 = rate(law, x);
     let k2 = rate(law, &advanced(x, h / 2.0, &k1));

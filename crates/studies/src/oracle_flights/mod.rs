@@ -1,4 +1,4 @@
-//! Flights computed by the oracle, with an integrator and throws of this crate.
+//! Flights simulated with the oracle's laws of motion, an integrator of this crate, and random throws.
 
 mod conditions;
 mod constants;

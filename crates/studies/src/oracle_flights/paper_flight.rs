@@ -1,4 +1,4 @@
-//! The paper's two flights, computed by the oracle.
+//! The paper's two flights, simulated by the oracle.
 
 use flight::release;
 use identify::dataset::{Dataset, Flight, Role};
@@ -14,14 +14,15 @@ use super::integrate::{integrate_with_constants, marker_positions};
 /// Sample rate of the paper's flights, Hz.
 pub(crate) const SAMPLE_RATE: f64 = 120.0;
 
-/// Below this angle of attack (rad) a tabulated pitching moment is taken as 0.
+/// Angle of attack (rad) below which a tabulated pitching moment is set to 0.
 const MIN_ALPHA: f64 = 1e-3;
 
-/// Coefficients of lift, drag and pitching moment (nose-down positive as in the model) by angle of attack, rad.
+/// Lift, drag and pitching-moment coefficients (moment nose-down positive, as in the model) as a function of the angle
+/// of attack, rad.
 pub type Curves<'c> = &'c dyn Fn(f64) -> [f64; 3];
 
-/// A flight of the paper's Table 3 (`fssh3` or `bffl8`) with the disc of its Table 2, without noise: with the model's own
-/// coefficients, or with the given curves of lift, drag and pitching moment.
+/// Simulates a flight of the paper's Table 3 (`fssh3` or `bffl8`) with the disc of Table 2, without noise. `curves`
+/// replaces the model's coefficients of lift, drag and pitching moment; `None` keeps them.
 ///
 /// # Panics
 /// If the built-in release or the model's law in the oracle is missing.
@@ -72,7 +73,7 @@ fn built_in_release(model: &Model, name: &str) -> release::Release {
     release::read(name, text, |_| Ok(vocabulary)).expect("a valid release")
 }
 
-/// Angle of attack (rad) at which a flight of the paper is released.
+/// Angle of attack (rad) at the release of a flight of the paper.
 ///
 /// # Panics
 /// If the built-in release or the model's law in the oracle is missing.

@@ -1,15 +1,15 @@
-//! Random throws of a disc.
+//! Random throws of a disc, drawn from ranges of speed, angles and spin.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use oracle::{Physical, Quaternion};
 use rand::{Rng, RngExt};
 
-/// Distribution of a throw: each quantity is uniform over a range.
+/// Distribution of throws: each quantity is uniform over a range (minimum, maximum).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Throws {
-    /// Speed, m/s.
+    /// Speed at release, m/s.
     pub speed: (f64, f64),
-    /// Launch angle: of the velocity above the horizontal, rad.
+    /// Launch angle of the velocity above the horizontal, rad.
     pub launch: (f64, f64),
     /// Angle of attack, positive nose up, rad.
     pub nose: (f64, f64),
@@ -17,14 +17,14 @@ pub struct Throws {
     pub hyzer: (f64, f64),
     /// Magnitude of the spin, rad/s.
     pub spin: (f64, f64),
-    /// Fraction of the throws whose spin is positive about the upward axis (counter-clockwise seen from above).
+    /// Fraction of the throws with positive spin about the disc's upward axis (counter-clockwise seen from above).
     pub counter_clockwise: f64,
-    /// Greatest magnitude of the angular rate about each of two diameters, rad/s.
+    /// Maximum magnitude of the angular rate about each of two diameters, rad/s.
     pub wobble: f64,
 }
 
 impl Throws {
-    /// A range of throws that a careful experimenter would choose.
+    /// Moderate variety of throws, as a careful experimenter would choose.
     pub const SPREAD: Throws = Throws {
         speed: (9.0, 18.0),
         launch: (-0.05, 0.25),
@@ -35,7 +35,8 @@ impl Throws {
         wobble: 2.0,
     };
 
-    /// Draws a throw, released 1.0 to 1.8 m above the origin. The order of the draws fixes the flights of each seed.
+    /// Draws a throw released 1.0 to 1.8 m above the origin. The order of the random draws must not change: it
+    /// determines the flights of each seed.
     pub(crate) fn draw(&self, random: &mut impl Rng) -> Physical<f64> {
         let mut uniform = |(low, high): (f64, f64)| low + (high - low) * random.random::<f64>();
         let speed = uniform(self.speed);

@@ -1,16 +1,16 @@
-//! Flights of a model with stated equations, integrated from the oracle's derivatives.
+//! Simulates flights of a model with stated equations, from the oracle's derivatives.
 
 use model_spec::model::Model;
 use nalgebra::Vector3;
 use ode::Method;
 use oracle::{ClaimedBody, Point, Tree, derivatives};
 
-/// Duration of a flight, s.
+/// Duration of the simulated flights, s.
 pub const DURATION: f64 = 2.0;
-/// Number of instants at which a flight is evaluated, the release and the end among them.
+/// Number of output times of a flight, including the release and the end.
 const INSTANTS: usize = 41;
 
-/// Points along a flight from a point, at equal intervals of time; `None` if the flight fails.
+/// Integrates a flight from a point and returns its points at equal time intervals; `None` if the integration fails.
 pub fn fly(model: &Model, from: &Point<f64>) -> Option<Vec<Point<f64>>> {
     let mut at = from.clone();
     let mut moving = ode::rhs_from_fn(&[], |t, x: &Vec<f64>, dx: &mut Vec<f64>| {
@@ -40,7 +40,7 @@ pub fn fly(model: &Model, from: &Point<f64>) -> Option<Vec<Point<f64>>> {
     Some(points)
 }
 
-/// Position of the claimed body at a point, m.
+/// Position of the claimed body at a point, m; `None` if the model claims no body.
 pub fn position(model: &Model, point: &Point<f64>) -> Option<Vector3<f64>> {
     Some(ClaimedBody::of(&Tree::new(model, point))?.position)
 }

@@ -1,8 +1,9 @@
-//! Study of other simulators of discs: which laws of motion their equations break, which changes mend them, and what that
-//! does to a throw. Writes docs/others.md.
+//! Study of other disc simulators: which laws of motion their equations violate, which changes correct them, and how
+//! the changes alter a throw. Writes docs/others.md.
 //!
-//! Each simulator's equations are a built-in model that claims a body; [`Simulator`] lists the changes that mend it, each an
-//! edit of the model's text. The judgement is that of `hyzer verify`; flights are integrated from the oracle's derivatives.
+//! Each simulator's equations are a built-in model that claims a body. [`Simulator`] lists the changes that correct
+//! them, as edits of the model's text. The verdicts are those of `hyzer verify`; flights are integrated from the
+//! oracle's derivatives.
 
 mod flight;
 mod page;

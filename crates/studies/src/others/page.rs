@@ -1,4 +1,4 @@
-//! docs/others.md.
+//! Renders docs/others.md.
 
 use serde::Serialize;
 
@@ -51,17 +51,17 @@ struct StageRow {
     moved: String,
     broken: String,
     end: [f64; 3],
-    /// Distance of the end from that of the published equations, m.
+    /// Distance between the end position of the flight and that with the published equations, m.
     apart: f64,
 }
 
-/// Largest difference of the two sides of a law, relative to its cause, that is rounding.
+/// Maximum relative difference of the two sides of a law that is attributed to rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// The page of the study.
+/// Renders docs/others.md from the verdicts about all simulators.
 ///
 /// # Errors
-/// [`StudyError::Page`] if the template does not go with the results.
+/// [`StudyError::Page`] if the template cannot be rendered with the results.
 pub fn others_page(all: &[Verdicts]) -> Result<Page, StudyError> {
     let results = Results {
         duration: DURATION,
@@ -140,7 +140,7 @@ fn broken(stage: &Stage) -> String {
     laws.join(", ")
 }
 
-/// A number with two significant digits.
+/// Formats a value with two significant digits.
 fn short(value: f64) -> String {
     if (0.01..1e4).contains(&value) {
         let digits = (1 - value.log10().floor() as i32).max(0) as usize;

@@ -1,32 +1,33 @@
-//! The simulators, and the changes of their equations that mend them.
+//! The simulators under study, and the changes that correct their equations.
 
-/// A published simulator.
+/// A published simulator of disc flight.
 #[derive(Clone, Copy, Debug)]
 pub struct Simulator {
-    /// Name of the built-in model with its equations.
+    /// Name of the built-in model with the simulator's equations.
     pub model: &'static str,
-    /// Name and version.
+    /// Name and version of the simulator.
     pub title: &'static str,
-    /// The flight that is flown, in words; it starts from the defaults of the model's states.
+    /// Description of the simulated throw, which starts from the default values of the model's states.
     pub throw: &'static str,
-    /// What has to be known to read its equations; empty if nothing.
+    /// Explanation needed to read the simulator's equations; empty if none is needed.
     pub note: &'static str,
-    /// Changes that together mend the equations, in order.
+    /// Changes that together correct the equations, in the order in which they are applied.
     pub changes: &'static [Change],
 }
 
-/// One change of a model's text.
+/// One correction of a simulator's equations, as edits of the model's text.
 #[derive(Clone, Copy, Debug)]
 pub struct Change {
-    /// What is changed, in words.
+    /// Description of the change.
     pub says: &'static str,
-    /// Pieces of the text, each with what stands in its place.
+    /// Replacements in the model's text: (old text, new text).
     pub edits: &'static [(&'static str, &'static str)],
-    /// States that the change adds, each with the vector of the model before it and the component from which it starts.
+    /// Initial values of states that the change adds: name of the state, and the vector of the model before the change
+    /// and its component (index from 0) that give the value.
     pub starts: &'static [(&'static str, &'static str, usize)],
 }
 
-/// The simulators of the page.
+/// The simulators that the page covers.
 pub const SIMULATORS: [Simulator; 2] = [
     Simulator {
         model: "frispy",

@@ -1,4 +1,4 @@
-//! Judgement of each simulator: as published, and after each of its changes.
+//! Verdicts about each simulator: as published, and after each change.
 
 use model_spec::load::inspect_text;
 use model_spec::model::{Expr, Model};
@@ -12,7 +12,7 @@ use super::flight::{fly, position};
 use super::simulator::{SIMULATORS, Simulator};
 use crate::error::StudyError;
 
-/// Options of the verification: few points are enough, as a broken law is broken nearly everywhere.
+/// Options of the verification. A few points suffice, because a violated law is violated nearly everywhere.
 const OPTIONS: verify::Options = verify::Options {
     seed: 1,
     cases: 24,
@@ -20,62 +20,64 @@ const OPTIONS: verify::Options = verify::Options {
     effects: false,
 };
 
-/// What was found about one simulator.
+/// Results of the study for one simulator.
 #[derive(Clone, Debug)]
 pub struct Verdicts {
-    /// The simulator.
+    /// Simulator that was judged.
     pub simulator: Simulator,
-    /// Both sides of each law along the flight, of the published equations.
+    /// Both sides of each law along the flight of the published equations.
     pub laws: Vec<LawInFlight>,
-    /// Rates of the states along the flight, where the laws determine them all and differ from the published ones.
+    /// Published and implied rates along the flight, for the states where they differ. Empty if no rates satisfy all
+    /// laws.
     pub rates: Vec<RateInFlight>,
-    /// The published equations, then those after each change, the changes before it included.
+    /// Results for the published equations, then after each change; the changes are cumulative.
     pub stages: Vec<Stage>,
 }
 
-/// A law along a flight.
+/// Maximum imbalance of a law of motion along a flight.
 #[derive(Clone, Copy, Debug)]
 pub struct LawInFlight {
-    /// The law.
+    /// Balance law, such as momentum and force.
     pub law: BalanceLaw,
-    /// Largest size of the cause, in its SI unit.
+    /// Maximum magnitude of the law's right-hand side (the force or moment that causes a change), SI.
     pub cause: f64,
-    /// Largest difference of change and cause, in the same unit.
+    /// Maximum magnitude of the difference between the two sides of the law, SI.
     pub difference: f64,
 }
 
-/// The rate of a state along a flight, SI.
+/// Stated and implied rate of a state along a flight, SI.
 #[derive(Clone, Debug)]
 pub struct RateInFlight {
-    /// Name of the state.
+    /// Name of the state whose rates are compared.
     pub state: String,
-    /// Unit of the rate's state.
+    /// Unit of the state; the rates are in this unit per second.
     pub unit: String,
-    /// Largest size of the stated rate.
+    /// Maximum magnitude of the rate that the model states.
     pub stated: f64,
-    /// Largest size of the rate that the laws imply at the same states.
+    /// Maximum magnitude of the rate that the laws of motion imply at the same states.
     pub implied: f64,
-    /// Largest difference of the two.
+    /// Maximum magnitude of the difference between the stated and the implied rate.
     pub difference: f64,
 }
 
-/// The equations at one stage of the changes.
+/// The equations after one of the changes, with their verdict and flight.
 #[derive(Clone, Debug)]
 pub struct Stage {
-    /// The last change, in words; `None` for the published equations.
+    /// Description of the last change; `None` for the published equations.
     pub change: Option<&'static str>,
-    /// Lines of `hyzer verify` on the claimed body; empty if it obeys every law.
+    /// Violations of laws that `hyzer verify` reports for the claimed body, one line each; empty if the body obeys
+    /// every law.
     pub broken: Vec<String>,
-    /// Whether no check of `hyzer verify` is refuted.
+    /// Whether `hyzer verify` refutes none of its checks.
     pub holds: bool,
-    /// Largest change that this stage makes to the rate of each state whose equation it changes, along the flight of the
-    /// stage before: name of the state, largest rate before, largest difference.
+    /// States whose rates the change alters: name, maximum rate before the change, maximum difference, along the flight
+    /// of the previous stage.
     pub moved: Vec<(String, f64, f64)>,
-    /// Position after the flight, m.
+    /// Position at the end of the flight, m.
     pub end: Vector3<f64>,
 }
 
-/// Judges every simulator.
+/// Verifies and simulates every simulator of [`SIMULATORS`].
 ///
 /// # Errors
 /// [`StudyError`] if a model or a change of it does not load, or its flight fails.
@@ -83,7 +85,7 @@ pub fn others() -> Result<Vec<Verdicts>, StudyError> {
     SIMULATORS.iter().map(judge).collect()
 }
 
-/// Judges one simulator.
+/// Verifies and simulates one simulator, as published and after each change.
 ///
 /// # Errors
 /// [`StudyError`] if the model or a change of it does not load, or its flight fails.
@@ -131,7 +133,8 @@ pub fn judge(simulator: &Simulator) -> Result<Verdicts, StudyError> {
     })
 }
 
-/// A component of a vector of a model at a point, in the frame of the vector.
+/// Component of a vector of a model at a point, in the vector's own frame; `None` if the model has no vector of that
+/// name.
 fn started(model: &Model, point: &Point<f64>, name: &str, component: usize) -> Option<f64> {
     let tree = Tree::new(model, point);
     let index = { model.aux_variables.iter() }.position(|v| v.name == name)?;
@@ -169,7 +172,7 @@ fn stage(
     })
 }
 
-/// Both sides of each law at the points of a flight.
+/// Maximum imbalance of each law over the points of a flight.
 fn laws(model: &Model, flight: &[Point<f64>]) -> Vec<LawInFlight> {
     let mut out: Vec<LawInFlight> = Vec::new();
     for point in flight {
@@ -198,7 +201,8 @@ fn laws(model: &Model, flight: &[Point<f64>]) -> Vec<LawInFlight> {
     out
 }
 
-/// Stated and implied rates at the points of a flight, of the states where they differ; empty if no rates obey the laws.
+/// Stated and implied rates over the points of a flight, for the states where they differ. Empty if no rates satisfy
+/// all laws.
 fn rates(model: &Model, flight: &[Point<f64>]) -> Vec<RateInFlight> {
     let mut out: Vec<RateInFlight> = model
         .states
@@ -228,7 +232,8 @@ fn rates(model: &Model, flight: &[Point<f64>]) -> Vec<RateInFlight> {
     out
 }
 
-/// What a change of the equations does to the rates of the states that both models have, along the flight of the first.
+/// States whose rates differ between two models along the flight of the first: name, maximum rate in `before`, maximum
+/// difference. Empty if the models have different numbers of states.
 fn moved(before: &Model, flight: &[Point<f64>], after: &Model) -> Vec<(String, f64, f64)> {
     let stated = |model: &Model, name: &str| -> Option<Expr> {
         let state = model.states.iter().position(|s| s.name == name)?;

@@ -1,48 +1,49 @@
-//! An effect that is hidden in the flights of a model.
+//! An effect that is added to simulated flights without the knowledge of the diagnosed model.
 
 use nalgebra::Vector3;
 
-/// Where a body is, for a hidden load or wind: inertial vectors, SI.
+/// Time, position and motion of a body at which a hidden effect is evaluated: inertial axes, SI.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scene {
     pub(super) time: f64,
     pub(super) position: Vector3<f64>,
     pub(super) velocity: Vector3<f64>,
-    /// Axes of the body, as columns; the inertial ones for a point.
+    /// Axes of the body, as columns; the identity for a point mass.
     pub(super) axes: nalgebra::Matrix3<f64>,
     pub(super) angular_velocity: Vector3<f64>,
 }
 
-/// Rate that is added to a state: a function of the time (s) and of the states by name.
+/// Rate that is added to a state, as a function of the time (s) and of a lookup of state values by name.
 type AddedRate = fn(f64, &dyn Fn(&str) -> f64) -> f64;
 
-/// What a hidden effect of size 1 does.
+/// Action of a hidden effect of size 1.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Action {
-    /// Acceleration of the mass centre, m/s².
+    /// Additional acceleration of the centre of mass, m/s².
     Force(fn(&Scene) -> Vector3<f64>),
-    /// Angular acceleration, rad/s².
+    /// Additional angular acceleration, rad/s².
     Moment(fn(&Scene) -> Vector3<f64>),
-    /// Velocity of the air, m/s.
+    /// Velocity of the air, m/s, inertial axes.
     Wind(fn(&Scene) -> Vector3<f64>),
-    /// Relative change of a parameter of the model, as a function of the time, s.
+    /// Name of a parameter of the model, and its relative change as a function of the time, s.
     Parameter(&'static str, fn(f64) -> f64),
-    /// Rate that is added to a state, by the state's name.
+    /// Name of a state, and the rate that is added to the state's derivative.
     Rate(&'static str, AddedRate),
-    /// The clock runs fast by a fraction.
+    /// The clock of the measured times runs fast by a fraction equal to the size.
     Clock,
-    /// Displacement of a measured position (m) of a marker, by its index.
+    /// Displacement (m) of a marker's measured position, as a function of the scene, the position and the marker's
+    /// index.
     Observation(fn(&Scene, Vector3<f64>, usize) -> Vector3<f64>),
 }
 
-/// An effect that is hidden in the flights of a model.
+/// An effect hidden in the flights of a model, which the diagnosis is expected to detect.
 #[derive(Clone, Copy, Debug)]
 pub struct Hidden {
-    /// Name of the effect.
+    /// Name of the hidden effect.
     pub name: &'static str,
-    /// Sites at which it may be found, by the names of `report.json`.
+    /// Sites at which the effect may be found, by their names in `report.json`.
     pub sites: &'static [&'static str],
-    /// A weak and a strong size; the action is linear in it.
+    /// A weak and a strong size of the effect. The action is proportional to the size.
     pub sizes: [f64; 2],
     pub(super) action: Action,
 }

@@ -1,14 +1,15 @@
-//! The hidden effects: twenty for a point, twenty for a body that turns, twenty for each model of stated equations.
+//! Tables of the hidden effects: twenty for a point mass, twenty for a rigid body, twenty for each model of stated
+//! equations.
 
 use nalgebra::Vector3;
 
 use super::hidden::{Action, Hidden, Scene};
 use super::subjects::Subject;
 
-/// Gravity, m/s²: forces are stated in weights.
+/// Gravitational acceleration, m/s². Hidden forces are scaled by the body's weight.
 const G: f64 = 9.81;
 
-/// Speed at which a force by the speed has its stated size, m/s.
+/// Speed at which a speed-dependent hidden force has its nominal size, m/s.
 const V_0: f64 = 12.0;
 
 const fn hide(
@@ -25,7 +26,7 @@ const fn hide(
     }
 }
 
-/// The twenty effects of a model.
+/// Returns the twenty hidden effects of a model.
 pub fn hidden_of(subject: &Subject) -> Vec<Hidden> {
     match subject.name {
         "glider" => [MEASURED, GLIDER].concat(),
@@ -41,7 +42,7 @@ fn along(at: &Scene) -> Vector3<f64> {
         .unwrap_or_else(Vector3::zeros)
 }
 
-/// Horizontal unit vector to the left of the velocity.
+/// Horizontal unit vector to the left of the velocity; zero for a vertical velocity.
 fn left(at: &Scene) -> Vector3<f64> {
     let left = Vector3::z().cross(&at.velocity);
     left.try_normalize(1e-9).unwrap_or_else(Vector3::zeros)
@@ -51,12 +52,12 @@ fn speed(at: &Scene) -> f64 {
     at.velocity.norm() / V_0
 }
 
-/// Unit vector across the velocity, upwards.
+/// Upward unit vector perpendicular to the velocity, in the vertical plane of the velocity.
 fn up(at: &Scene) -> Vector3<f64> {
     along(at).cross(&left(at))
 }
 
-/// Any load at which no site can be expected but the channels of a force.
+/// Sites that count as right for a force that is not specific to one site: all sites of forces.
 const FORCES: &[&str] = &[
     "drag", "lift", "side", "wind", "gravity", "vertical", "unknown",
 ];
@@ -104,7 +105,7 @@ const TURNING: &[Hidden] = &[
     hide("moment_by_speed", MOMENTS, [0.5, 5.0], Action::Moment(|at| at.axes.column(0).cross(&left(at)) * speed(at).powi(2))),
 ];
 
-/// Sites that count as right for a hidden rate of a stated equation: the equation itself, or what enters it.
+/// Sites that count as right for a hidden rate of a stated equation: the equation itself, or a quantity that enters it.
 const RATES: &[&str] = &[
     "equation", "unknown", "drag", "lift", "wind", "gravity", "vertical",
 ];

@@ -1,8 +1,8 @@
-//! Study of models that a user wrote: whether effects hidden in their flights are detected, and found at the right site.
-//! Writes docs/own-models.md.
+//! Study of models that a user wrote: whether effects hidden in their flights are detected, and attributed to the right
+//! site. Writes docs/own-models.md.
 //!
-//! The flights are those of the model's vector tree, which the oracle evaluates, with each hidden effect added by hand
-//! and an integrator of this crate.
+//! The flights are integrated by this crate from the model's vector tree, as the oracle evaluates it, with each hidden
+//! effect added in hand-written code.
 
 mod hidden;
 mod hidden_lists;

@@ -1,4 +1,4 @@
-//! docs/own-models.md.
+//! Renders docs/own-models.md.
 
 use serde::Serialize;
 
@@ -8,10 +8,10 @@ use crate::error::StudyError;
 use crate::page::{Page, render};
 use crate::statistics::median;
 
-/// Multiple of the detectable size from which an effect must not be missed.
+/// Multiple of the minimum detectable size from which a hidden effect must be detected.
 const CLEAR: f64 = 5.0;
 
-/// Greatest length of a quoted answer, characters.
+/// Maximum length of a quoted answer, characters.
 const MAX_QUOTE: usize = 140;
 
 #[derive(Serialize)]
@@ -25,7 +25,7 @@ struct Results {
     runs: usize,
     median: Option<f64>,
     slowest: f64,
-    /// Number of threads of each diagnosis.
+    /// Number of threads on which each diagnosis ran.
     threads: usize,
     models: Vec<ModelRow>,
     rows: Vec<Row>,
@@ -54,10 +54,10 @@ struct Row {
     seconds: f64,
 }
 
-/// The page of own models.
+/// Renders docs/own-models.md from the outcomes of all diagnoses.
 ///
 /// # Errors
-/// [`StudyError::Page`] if the template does not go with the results.
+/// [`StudyError::Page`] if the template cannot be rendered with the results.
 pub fn own_models_page(outcomes: &[Outcome]) -> Result<Page, StudyError> {
     let models = SUBJECTS.iter().map(|subject| {
         let of = outcomes

@@ -1,4 +1,5 @@
-//! Runs: flights with a hidden effect are made and diagnosed, and the answer is compared with what was hidden.
+//! Executes the runs: simulates flights with a hidden effect, diagnoses them, and compares the answer with the hidden
+//! effect.
 
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -18,66 +19,69 @@ use super::subjects::{SUBJECTS, Subject};
 use super::world::dataset;
 use crate::bounded_fit::bounded_fit;
 
-/// Longest time of a diagnosis or a fit.
+/// Time limit of a diagnosis or a fit.
 const LIMIT: Duration = Duration::from_secs(60);
 
-/// Root of the χ² that a diagnosis detects with power 0.9, about: a threshold of 4.4 for some thirty candidates, and 1.3.
+/// Approximate root of the χ² that a diagnosis detects with power 0.9: the threshold 4.4 for about thirty candidates,
+/// plus the 0.9 quantile 1.3.
 const DETECTABLE: f64 = 5.7;
 
-/// One diagnosis of the study.
+/// Settings of one diagnosis of the study.
 #[derive(Clone, Copy, Debug)]
 pub struct Task {
-    /// The model.
+    /// Model that is diagnosed.
     pub subject: &'static Subject,
-    /// The hidden effect with its size and the label of the size; `None` where nothing is hidden.
+    /// Hidden effect, its signed size, and the label of the size ("weak" or "strong"); `None` if nothing is hidden.
     pub hidden: Option<(Hidden, f64, &'static str)>,
     /// Seed of the throws and the noise.
     pub seed: u64,
 }
 
 impl Task {
-    /// Name of the hidden effect.
+    /// Name of the hidden effect; "nothing" if nothing is hidden.
     pub fn hidden_name(&self) -> &'static str {
         self.hidden.map_or("nothing", |(hidden, _, _)| hidden.name)
     }
 
-    /// Label of the size.
+    /// Label of the size of the hidden effect; empty if nothing is hidden.
     pub fn size(&self) -> &'static str {
         self.hidden.map_or("", |(_, _, label)| label)
     }
 }
 
-/// What a diagnosis answered.
+/// Answer of one diagnosis, and how detectable the hidden effect was.
 #[derive(Clone, Debug)]
 pub struct Outcome {
-    /// The diagnosis.
+    /// The diagnosis that was run.
     pub task: Task,
-    /// Verdict; `None` if it failed.
+    /// Verdict of the diagnosis; `None` if the diagnosis failed.
     pub verdict: Option<Verdict>,
-    /// Why it failed.
+    /// Error message of the diagnosis; `None` if it succeeded.
     pub failure: Option<String>,
-    /// Effects and sites of the causes, or of the terms that were written.
+    /// Effects of the answer, as pairs (name, site). Without a named effect, the selected library terms or the load
+    /// channel that explains most.
     pub answer: Vec<(String, String)>,
-    /// Size of the hidden effect over the smallest detectable: what the model without it leaves of exact flights.
+    /// Size of the hidden effect / minimum detectable size, from the χ² that the model without the effect leaves in
+    /// exact flights. `None` if nothing is hidden or that fit fails.
     pub detectability: Option<f64>,
-    /// Computing time, s.
+    /// Elapsed time of the diagnosis, s.
     pub seconds: f64,
-    /// Number of threads of the diagnosis.
+    /// Number of threads on which the diagnosis ran.
     pub threads: usize,
 }
 
 impl Outcome {
-    /// Whether the verdict is other than `none`.
+    /// Whether the diagnosis succeeded with a verdict other than `None`.
     pub fn is_detected(&self) -> bool {
         self.verdict.is_some_and(|verdict| verdict != Verdict::None)
     }
 
-    /// Whether the hidden effect is at least this many times detectable.
+    /// Whether the hidden effect has at least `times` times the minimum detectable size.
     pub fn is_detectable(&self, times: f64) -> bool {
         self.detectability.is_some_and(|ratio| ratio >= times)
     }
 
-    /// Whether a cause or a term acts at a site of the hidden effect, or changes the equation in which it is hidden.
+    /// Whether an effect of the answer acts at one of the sites that count as right for the hidden effect.
     pub fn is_site_right(&self) -> bool {
         let Some((hidden, _, _)) = self.task.hidden else {
             return false;
@@ -86,7 +90,7 @@ impl Outcome {
         self.answer.iter().any(|(_, site)| is_right(site))
     }
 
-    /// The verdict with effects and sites, in words.
+    /// Formats the verdict, or the failure, with effects and sites as text.
     pub fn says(&self) -> String {
         let answer = self
             .answer
@@ -101,7 +105,8 @@ impl Outcome {
     }
 }
 
-/// The diagnoses that have all of the words: of each model `seeds` without a hidden effect for each hidden one.
+/// Lists the diagnoses whose model, effect and size contain all of `words`. Each model has `10 * seeds` runs without a
+/// hidden effect, and `seeds` runs for each hidden effect and size.
 pub fn tasks(seeds: u64, words: &str) -> Vec<Task> {
     let mut tasks = Vec::new();
     for subject in &SUBJECTS {
@@ -142,7 +147,8 @@ pub fn tasks(seeds: u64, words: &str) -> Vec<Task> {
     tasks
 }
 
-/// Makes the flights of each task and diagnoses them, `threads` in parallel, which share the processors.
+/// Simulates and diagnoses the flights of each task, `threads` diagnoses in parallel, which share the processors. Calls
+/// `progress` with the numbers of finished tasks and of all tasks.
 pub fn own_models(
     tasks: &[Task],
     threads: usize,
@@ -188,7 +194,7 @@ fn outcome(task: Task, model: &Model, threads: usize) -> Outcome {
     outcome
 }
 
-/// A diagnosis for at most about [`LIMIT`].
+/// Diagnoses a dataset and cancels the diagnosis after [`LIMIT`]. The error is the message of the diagnosis.
 fn bounded_diagnosis(model: &Model, observed: &Dataset, threads: usize) -> Result<Report, String> {
     let token = CancellationToken::default();
     let options = DiagnosisOptions {
@@ -217,8 +223,8 @@ fn bounded_diagnosis(model: &Model, observed: &Dataset, threads: usize) -> Resul
     })
 }
 
-/// Root of the χ² that the best fit of the plain model leaves of exact flights, over the detectable one; `None` if the fit
-/// fails.
+/// Root of the χ² that the best fit of the model without the effect leaves in exact flights, divided by the detectable
+/// value. `None` if the fit fails.
 fn detectability(model: &Model, mut exact: Dataset, sigma: f64) -> Option<f64> {
     exact.sigma = Some(sigma);
     let fitted = bounded_fit(model, &exact, LIMIT).result.ok()?;
@@ -233,8 +239,8 @@ fn detectability(model: &Model, mut exact: Dataset, sigma: f64) -> Option<f64> {
     Some(chi2.sqrt() / DETECTABLE)
 }
 
-/// Effects of the causes with their sites; the written terms where there is no cause; without terms, the load channel that
-/// explains most of the misfit, which the report states.
+/// Pairs (name, site) of the report's answer: the effects of all causes, then the selected library terms. If there are
+/// none, the load channel that explains most of the misfit.
 fn answer(report: &Report) -> Vec<(String, String)> {
     let causes = report.causes.iter().flat_map(|cause| &cause.effects);
     let mut answer: Vec<(String, String)> = causes

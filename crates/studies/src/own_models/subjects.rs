@@ -1,25 +1,25 @@
-//! The models, how they are thrown and where they are marked.
+//! The user models of the study, with their random throws and marker positions.
 
 use model_spec::model::Model;
 use nalgebra::{UnitQuaternion, Vector3};
 use rand::{Rng, RngExt};
 
-/// Draws a uniform number between two limits.
+/// Draws a uniform random value between a lower and an upper limit.
 type Uniform<'u> = &'u mut dyn FnMut(f64, f64) -> f64;
 
-/// A model of a user, with its throws.
+/// A user model, with its throws and markers.
 #[derive(Clone, Copy, Debug)]
 pub struct Subject {
-    /// Name of the model.
+    /// Name of the user model.
     pub name: &'static str,
     text: &'static str,
-    /// What kind of model it is, in words.
+    /// Kind of model, for the page.
     pub kind: &'static str,
-    /// Factors on the model's coefficients: the truth is not where a fit starts.
+    /// Factor on all coefficients of the model, so that the true values differ from the initial values of a fit.
     pub(super) truth: f64,
-    /// Positions of the markers, m.
+    /// Positions of the markers in the body, m.
     pub(super) markers: &'static [[f64; 3]],
-    /// Observed time, s.
+    /// Observed duration of a flight, s.
     pub(super) duration: f64,
     draw: fn(Uniform<'_>) -> Vec<(&'static str, f64)>,
 }
@@ -28,7 +28,7 @@ const POINT: &[[f64; 3]] = &[[0.0, 0.0, 0.0]];
 const BALL: &[[f64; 3]] = &[[0.12, 0.0, 0.0], [-0.05, 0.08, 0.0], [-0.05, -0.04, 0.07]];
 const DART: &[[f64; 3]] = &[[0.05, 0.0, 0.0], [-0.06, 0.03, 0.0], [-0.06, -0.015, 0.026]];
 
-/// The six models.
+/// The six models of the study.
 pub const SUBJECTS: [Subject; 6] = [
     Subject {
         name: "shuttlecock",
@@ -87,15 +87,16 @@ pub const SUBJECTS: [Subject; 6] = [
 ];
 
 impl Subject {
-    /// The model.
+    /// Loads the model.
     ///
     /// # Panics
-    /// If its text has an error.
+    /// If the model's text has an error.
     pub fn model(&self) -> Model {
         model_spec::load::from_text(self.name, self.text, &[]).expect("a model without errors")
     }
 
-    /// Initial states of a random throw, in the model's order.
+    /// Draws the initial states of a random throw, in the model's order. States that are not drawn have the model's
+    /// default.
     pub(super) fn start(&self, model: &Model, random: &mut impl Rng) -> Vec<f64> {
         let mut uniform = |low: f64, high: f64| low + (high - low) * random.random::<f64>();
         let drawn = (self.draw)(&mut uniform);
@@ -111,7 +112,7 @@ impl Subject {
     }
 }
 
-/// Velocity of a throw.
+/// Draws the velocity of a throw (m/s, inertial axes) from a range of speeds (m/s) and of launch angles (rad).
 fn velocity(uniform: Uniform<'_>, speed: (f64, f64), launch: (f64, f64)) -> [f64; 3] {
     let (speed, launch) = (uniform(speed.0, speed.1), uniform(launch.0, launch.1));
     let heading = uniform(-0.6, 0.6);

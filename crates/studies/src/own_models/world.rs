@@ -1,5 +1,5 @@
-//! Flights of any model with a hidden effect: the oracle's evaluation of the model's tree, the effect, and Runge–Kutta
-//! steps.
+//! Simulates flights of any model with a hidden effect: the oracle evaluates the model's tree, this module adds the
+//! effect and integrates by Runge–Kutta steps.
 
 use identify::dataset::{Dataset, Flight, Marker, Role};
 use identify::synthesize::{Corruption, corrupt};
@@ -13,16 +13,16 @@ use super::hidden::{Action, Hidden, Scene};
 use super::subjects::Subject;
 use crate::oracle_flights::file_name;
 
-/// Longest step, s.
+/// Maximum step size, s.
 const MAX_STEP: f64 = 1e-3;
 
-/// Sample rate, Hz.
+/// Sample rate of the simulated measurements, Hz.
 const RATE: f64 = 120.0;
 
-/// Numbers of flights, and of held-out ones among them.
+/// Number of flights per dataset, and how many of them are held out.
 const FLIGHTS: (usize, usize) = (16, 4);
 
-/// A model with its true coefficients and a hidden effect of some size.
+/// A model with its true coefficients, and a hidden effect with its size.
 struct World<'w> {
     model: &'w Model,
     chart: Option<Chart>,
@@ -30,7 +30,8 @@ struct World<'w> {
     hidden: Option<(Hidden, f64)>,
 }
 
-/// Flights of a subject with a hidden effect of a size, under a noise; the same seed gives the same throws.
+/// Simulates the flights of a subject with an optional hidden effect (effect, size) and optional noise. The same seed
+/// gives the same throws.
 ///
 /// # Panics
 /// If the oracle does not support the model.
@@ -96,7 +97,7 @@ pub(super) fn dataset(
 }
 
 impl World<'_> {
-    /// Measured positions at the times (s) of the measuring clock.
+    /// Measured marker positions at `times` (s) of the measuring clock, indexed by sample and marker.
     fn observed(
         &self,
         start: Vec<f64>,
@@ -149,7 +150,7 @@ impl World<'_> {
         })
     }
 
-    /// Measured position of a marker, m.
+    /// Measured position of a marker, m, including a hidden effect on observations.
     fn position(
         &self,
         states: &[f64],
@@ -203,7 +204,8 @@ impl World<'_> {
             Action::Force(of) => linear = of(&scene) * size,
             Action::Moment(of) => angular = of(&scene) * size,
             Action::Wind(of) => {
-                // Loads depend on the velocity through the air alone: those of a body without the wind's velocity.
+                // The loads depend only on the velocity relative to the air, so they are evaluated with the wind
+                // velocity subtracted.
                 assert_eq!(chart.velocity_after, 0, "a velocity in the inertial frame");
                 let mut there = states.to_vec();
                 for (k, wind) in chart.velocity.into_iter().zip((of(&scene) * size).iter()) {
@@ -226,7 +228,7 @@ impl World<'_> {
         chart.derivatives(states, &motion)
     }
 
-    /// A Runge–Kutta step of `h` seconds.
+    /// One classic Runge–Kutta step of `h` seconds from the states `x`.
     fn step(&self, x: &[f64], time: f64, h: f64) -> Vec<f64> {
         let ahead = |rates: &[f64], h: f64| -> Vec<f64> {
             x.iter().zip(rates).map(|(x, rate)| x + h * rate).collect()

@@ -1,21 +1,21 @@
-//! Outcomes that the paper states for its two flights.
+//! Numerical outcomes that the paper states for its two flights.
 
 use serde::Deserialize;
 
-/// One stated outcome of a flight.
+/// One outcome that the paper states for a flight.
 #[derive(Clone, Debug, Deserialize)]
 pub struct Claim {
-    /// `fssh3` or `bffl8`.
+    /// Name of the flight: `fssh3` or `bffl8`.
     pub flight: String,
-    /// Time of the flight, s; absent if the quantity is itself a time.
+    /// Time in the flight at which the quantity is stated, s; `None` if the quantity is itself a time.
     pub at: Option<f64>,
-    /// Name of a field of [`Outcome`].
+    /// Name of the field of [`Outcome`] that the claim is about.
     pub quantity: String,
     /// Stated value, in `unit`.
     pub value: f64,
-    /// Greatest departure of a faithful reproduction that the paper's wording admits, in `unit`.
+    /// Maximum deviation from `value` that the paper's wording allows for a faithful reproduction, in `unit`.
     pub tolerance: f64,
-    /// Unit of value and tolerance; `1` if dimensionless.
+    /// Unit of `value` and `tolerance`; `1` if dimensionless.
     pub unit: String,
 }
 
@@ -24,37 +24,37 @@ struct File {
     claim: Vec<Claim>,
 }
 
-/// All claims, in the order of data/claims.toml.
+/// Returns all claims, in the order of data/claims.toml.
 pub(super) fn all() -> Vec<Claim> {
     let file: File =
         toml::from_str(include_str!("data/claims.toml")).expect("the built-in claims are valid");
     file.claim
 }
 
-/// Outcome of one simulated flight.
+/// Quantities of one simulated flight that the paper's claims refer to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outcome {
-    /// Displacement along x, m.
+    /// Displacement along x between release and end, m.
     pub delta_x: f64,
-    /// Height gained, m; negative if the flight ends lower.
+    /// Height gained, m; negative if the flight ends below its start.
     pub delta_z: f64,
-    /// phi at the end, rad.
+    /// Angle phi at the end, rad.
     pub phi: f64,
-    /// theta at the end, rad.
+    /// Angle theta at the end, rad.
     pub theta: f64,
-    /// gammadot at the end, rad/s.
+    /// Spin gammadot at the end, rad/s.
     pub gammadot: f64,
-    /// Change of |gammadot| as a fraction of its value at release.
+    /// Change of |gammadot| between release and end, as a fraction of its value at release.
     pub gammadot_change_fraction: f64,
-    /// Time of the greatest height, s.
+    /// Time of maximum height, s.
     pub time_of_highest_z: f64,
 }
 
 impl Outcome {
-    /// The field of this name, in its unit.
+    /// Value of the field of the given name, in that field's unit.
     ///
     /// # Panics
-    /// If there is no such field: the names are those of the built-in claims.
+    /// If no field has this name. Only the names of the built-in claims are valid.
     pub(super) fn quantity(&self, name: &str) -> f64 {
         match name {
             "delta_x" => self.delta_x,
@@ -68,7 +68,7 @@ impl Outcome {
         }
     }
 
-    /// Departure (simulated − stated) from a claim, in units of its tolerance.
+    /// Deviation (simulated − stated) from a claim, in units of the claim's tolerance.
     pub(super) fn departure(&self, claim: &Claim) -> f64 {
         (self.quantity(&claim.quantity) - claim.value) / claim.tolerance
     }

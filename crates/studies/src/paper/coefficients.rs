@@ -1,28 +1,30 @@
-//! Coefficients of the model `disc` that a reading makes of a printed row.
+//! Converts a printed row of Table 1 to coefficients of the model `disc`, as a reading prescribes.
 
 use super::columns::Columns;
 use super::conventions::{Conventions, RollSpin, SpinDown};
 
-/// Revolutions per second in 1 rad/s.
+/// Conversion factor from rad/s to revolutions per second.
 const REV_PER_RAD: f64 = 0.5 / std::f64::consts::PI;
 
-/// Coefficients of the model `disc`, SI, with pitch and roll damping apart: their signs are separate hypotheses.
+/// Coefficients of the model `disc`, SI. Pitch and roll damping are separate because their signs are separate
+/// hypotheses.
 pub(super) struct Coefficients {
-    /// C_L0, C_La, C_D0, C_Da.
+    /// Coefficients `[C_L0, C_La, C_D0, C_Da]`.
     pub(super) lift_and_drag: [f64; 4],
-    /// C_Ma.
+    /// Pitching-moment slope C_Ma.
     pub(super) pitching_moment: f64,
-    /// C_Mq of pitch.
+    /// Pitch damping C_Mq.
     pub(super) pitch_damping: f64,
-    /// C_Mq of roll.
+    /// Roll damping, the value of C_Mq about the roll axis.
     pub(super) roll_damping: f64,
-    /// Roll moment due to spin: C_Rr in s, or the number that multiplies the advance ratio where the reading takes it so.
+    /// Roll moment due to spin: C_Rr in s, or the factor of the advance ratio under [`RollSpin::SpinRatio`].
     pub(super) roll_spin: f64,
-    /// Spin damping: C_Nr in N m s, or the number that multiplies ρ V² A d/2 where the reading takes it so.
+    /// Spin damping: C_Nr in N m s, or the factor of ρ V² A d/2 under [`SpinDown::TimesDynamicPressure`].
     pub(super) spin_down: f64,
 }
 
-/// The coefficients that a reading makes of a printed row; `d` in m, `g` in m/s².
+/// Converts a printed row to coefficients by the order of columns and the conventions of a reading; `d` in m, `g` in
+/// m/s².
 pub(super) fn coefficients(
     row: &[f64; 8],
     columns: Columns,
@@ -46,7 +48,7 @@ pub(super) fn coefficients(
         pitch_damping: sign(conventions.pitch_damping_reversed) * row[5],
         roll_damping: sign(conventions.roll_damping_reversed) * row[5],
         roll_spin: sign(conventions.roll_spin_reversed) * row[6] * roll_scale,
-        // The paper's coefficient slows the spin where positive, the model's where negative.
+        // A positive coefficient slows the spin in the paper, a negative one in the model.
         spin_down: -sign(conventions.spin_down_reversed) * row[7] * spin_down_scale,
     }
 }

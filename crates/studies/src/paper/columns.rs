@@ -1,13 +1,13 @@
-//! Orders in which the lift and drag columns of Table 1 may have been printed.
+//! Possible orders of the lift and drag columns of Table 1.
 
-/// An order of the four lift and drag columns: `columns[i]` is the printed column that holds the `i`-th of C_L0, C_La, C_D0,
-/// C_Da.
+/// Order of the four lift and drag columns: `columns[i]` is the index of the printed column that contains the `i`-th of
+/// C_L0, C_La, C_D0, C_Da.
 pub type Columns = [u8; 4];
 
-/// The printed order.
+/// Order of the columns as printed.
 pub(super) const PRINTED: Columns = [0, 1, 2, 3];
 
-/// All 24 orders, sorted.
+/// Returns all 24 orders of the columns, sorted.
 pub(super) fn orders() -> Vec<Columns> {
     let mut orders = Vec::with_capacity(24);
     for code in 0..256_u16 {
@@ -22,7 +22,7 @@ pub(super) fn orders() -> Vec<Columns> {
     orders
 }
 
-/// Least number of interchanges of two columns that make this order; each counts as one hypothesis.
+/// Minimum number of transpositions of two columns that produce an order. Each transposition counts as one hypothesis.
 pub(super) fn interchanges(order: Columns) -> usize {
     let mut order = order;
     let mut count = 0;
@@ -36,8 +36,8 @@ pub(super) fn interchanges(order: Columns) -> usize {
     count
 }
 
-/// What an order changes; `None` for the printed one. Two interchanged columns are written `C_L0 ↔ C_La`, a longer cycle
-/// `C_L0 from C_D0`.
+/// Describes how an order differs from the printed one; `None` if it does not. Two interchanged columns are written
+/// `C_L0 ↔ C_La`, a longer cycle `C_L0 from C_D0`.
 pub(super) fn describe(order: Columns) -> Option<String> {
     let names = ["C_L0", "C_La", "C_D0", "C_Da"];
     let mut changes = Vec::new();

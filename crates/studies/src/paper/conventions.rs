@@ -1,6 +1,6 @@
-//! Signs and units of Table 1 that a reading may assume, for both flights alike.
+//! Signs and units of Table 1 that a reading may assume. They are the same for both flights.
 
-/// What the coefficient of the rolling moment by spin multiplies.
+/// Measure of the spin that is multiplied by the coefficient of the rolling moment due to spin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum RollSpin {
     /// Spin in rad/s, as printed.
@@ -9,40 +9,41 @@ pub enum RollSpin {
     RevPerSecond,
     /// Spin made dimensionless with √(d/g), as in Hummel's later program.
     RootDOverG,
-    /// Advance ratio r d/(2 V).
+    /// Advance ratio r d/(2 V), where r is the spin.
     SpinRatio,
 }
 
-/// Unit of the spin-down coefficient.
+/// Unit of the spin-damping coefficient C_Nr.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum SpinDown {
-    /// N m s, as printed.
+    /// N m s, as printed: a moment per rad/s of spin.
     NewtonMetreSecond,
     /// N m per revolution per second.
     PerRevPerSecond,
-    /// s, multiplied by ρ V² A d/2 as the other moments are.
+    /// s; the coefficient is multiplied by ρ V² A d/2 like the other moments.
     TimesDynamicPressure,
 }
 
-/// Signs and units that a reading assumes for both flights.
+/// Combination of signs and units that a reading assumes for both flights.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Conventions {
-    /// The pitching moment by α̇ has the opposite sign.
+    /// Whether the pitching moment due to α̇ has the opposite sign to the printed one.
     pub pitch_damping_reversed: bool,
-    /// The rolling moment by ω·d1 has the opposite sign.
+    /// Whether the rolling moment due to ω·d1 has the opposite sign to the printed one.
     pub roll_damping_reversed: bool,
-    /// The rolling moment by spin has the opposite sign.
+    /// Whether the rolling moment due to spin has the opposite sign to the printed one.
     pub roll_spin_reversed: bool,
-    /// The spin-down moment has the opposite sign: a positive coefficient accelerates.
+    /// Whether the spin-damping moment has the opposite sign to the printed one, so that a positive coefficient
+    /// increases the spin.
     pub spin_down_reversed: bool,
-    /// What the coefficient of the rolling moment by spin multiplies.
+    /// Measure of the spin that is multiplied by the coefficient of the rolling moment due to spin.
     pub roll_spin: RollSpin,
-    /// Unit of the spin-down coefficient.
+    /// Unit of the spin-damping coefficient C_Nr.
     pub spin_down: SpinDown,
 }
 
 impl Conventions {
-    /// As printed: M1 and M2 add `C_Mα̇` times the rates, and a positive C_Nr slows the spin.
+    /// Conventions as printed: the moments M1 and M2 add `C_Mα̇` times the rates, and a positive C_Nr slows the spin.
     pub const PRINTED: Self = Self {
         pitch_damping_reversed: false,
         roll_damping_reversed: false,
@@ -52,7 +53,7 @@ impl Conventions {
         spin_down: SpinDown::NewtonMetreSecond,
     };
 
-    /// All 192 combinations.
+    /// Returns all 192 combinations of signs and units.
     pub(super) fn all() -> Vec<Self> {
         let mut all = Vec::new();
         for signs in 0..16_u8 {
@@ -81,7 +82,7 @@ impl Conventions {
         all
     }
 
-    /// Descriptions of the hypotheses: of every departure from the print.
+    /// Descriptions of the hypotheses, one for each deviation from the printed conventions.
     pub(super) fn hypotheses(&self) -> Vec<&'static str> {
         let signs = [
             (self.pitch_damping_reversed, "pitch damping reversed"),

@@ -1,4 +1,4 @@
-//! Simulation of one of the paper's flights under a reading.
+//! Simulates one of the paper's flights under a reading.
 
 use flight::CompiledModel;
 use flight::release::{Vocabulary, built_in, read};
@@ -10,13 +10,14 @@ use super::coefficients::Coefficients;
 use super::conventions::{Conventions, RollSpin, SpinDown};
 use crate::error::StudyError;
 
-/// Effect with the coefficients that readings need beyond the disc's eight.
+/// Text of an effect that adds the coefficients that some readings need beyond the disc's eight.
 const READINGS: &str = include_str!("data/readings.hyz");
 
-/// Relative tolerance of the integration; a hundredth of the narrowest tolerance of a claim is 1e-4.
+/// Relative tolerance of the integration. The accuracy needed is 1e-4, a hundredth of the smallest tolerance of a
+/// claim.
 const TOLERANCE: f64 = 1e-7;
 
-/// One release of the paper, for simulation under any reading.
+/// One release of the paper, compiled for simulation under any reading.
 pub(super) struct Flyer {
     body: CompiledModel,
     parameters: Vec<f64>,
@@ -25,7 +26,7 @@ pub(super) struct Flyer {
 }
 
 impl Flyer {
-    /// Loads the built-in release `name`, to be simulated for `duration` s.
+    /// Loads the built-in release `name`, to be simulated for `duration` (s).
     pub(super) fn new(name: &str, duration: f64) -> Result<Self, StudyError> {
         let model = model()?;
         let body = CompiledModel::new(&model);
@@ -43,7 +44,7 @@ impl Flyer {
         })
     }
 
-    /// Diameter of the disc (m) and gravitational acceleration (m/s²).
+    /// Diameter of the disc (m) and gravitational acceleration (m/s²) of the release.
     pub(super) fn scales(&self) -> (f64, f64) {
         (self.parameter("d"), self.parameter("g"))
     }
@@ -55,7 +56,7 @@ impl Flyer {
             .map_or(f64::NAN, |id| self.parameters[id.index()])
     }
 
-    /// Simulates the flight; `None` if the integration fails.
+    /// Simulates the flight with the given coefficients; `None` if the integration fails.
     pub(super) fn fly(
         &self,
         coefficients: &Coefficients,
@@ -112,7 +113,7 @@ impl Flyer {
             |name| Some(flight.end_state[layout.state(name)?.index()]),
         );
         let (initial_spin, spin): (f64, f64) = (start("gammadot")?, end("gammadot")?);
-        // The highest point is the start, the end, or an apex in between.
+        // The maximum height occurs at the start, at the end, or at an apex in between.
         let mut highest = (0.0, self.initial[z]);
         for (time, height) in [(flight.end, flight.end_state[z])].into_iter().chain(
             flight
@@ -136,7 +137,7 @@ impl Flyer {
     }
 }
 
-/// The disc with the effect [`READINGS`].
+/// Loads the model `disc` with the effect [`READINGS`].
 fn model() -> Result<Model, StudyError> {
     let (name, disc) = model_spec::load::MODELS
         .iter()

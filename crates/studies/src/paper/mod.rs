@@ -1,8 +1,8 @@
-//! Study of the paper: Hubbard & Hummel (2000) against hypotheses on what its tables mean. Writes docs/paper.md.
+//! Study of the paper: Hubbard & Hummel (2000) against hypotheses on the meaning of its tables. Writes docs/paper.md.
 //!
-//! With its tables as printed, the paper's own account of its two flights does not come out. The study flies both flights
-//! under every combination of declared hypotheses ([`Reading`]), compares the outcomes with the paper's claims
-//! ([`Claim`]) and ranks the readings ([`Study`]).
+//! With the tables as printed, simulations do not reproduce the paper's own description of its two flights. The study
+//! simulates both flights under every combination of declared hypotheses ([`Reading`]), compares the outcomes with the
+//! paper's claims ([`Claim`]), and ranks the readings ([`Study`]).
 
 mod claims;
 mod coefficients;

@@ -1,4 +1,4 @@
-//! docs/paper.md.
+//! Renders docs/paper.md.
 
 use serde::Serialize;
 
@@ -10,7 +10,7 @@ use super::table::Table1;
 use crate::error::StudyError;
 use crate::page::{Page, render};
 
-/// Number of readings shown in the ranking.
+/// Number of readings in the page's ranking.
 const SHOWN: usize = 20;
 
 #[derive(Serialize)]
@@ -33,11 +33,11 @@ struct Results {
 struct ClaimRow {
     flight: String,
     claim: String,
-    /// Stated value and tolerance.
+    /// Stated value of the claim, and its tolerance.
     stated: [f64; 2],
     /// Unit with a leading space; empty if dimensionless.
     unit: String,
-    /// Simulated value and departure in tolerances; `None` if the integration fails.
+    /// Simulated value, and deviation in units of the tolerance; `None` if the integration fails.
     simulated: Option<(f64, f64)>,
 }
 
@@ -51,7 +51,7 @@ struct ReadingRow {
     description: String,
 }
 
-/// The best reading without one of the hypotheses of the best of all.
+/// Score of the best reading that does not use a given hypothesis of the overall best reading.
 #[derive(Serialize)]
 struct HypothesisRow {
     description: &'static str,
@@ -60,22 +60,22 @@ struct HypothesisRow {
     loss: f64,
 }
 
-/// A reading that is as good as the best and differs from it in one answer.
+/// A reading that is as good as the best one and differs from it in one hypothesis.
 #[derive(Serialize)]
 struct Alternative {
     best_has: String,
     alternative: String,
-    /// Whether both give exactly the same outcomes.
+    /// Whether both readings give exactly the same outcomes.
     is_equivalent: bool,
     misfit: f64,
     best_misfit: f64,
     hypotheses: usize,
 }
 
-/// The page of a study.
+/// Renders docs/paper.md from the results of the study.
 ///
 /// # Errors
-/// [`StudyError::Page`] if the template does not go with the results.
+/// [`StudyError::Page`] if the template cannot be rendered with the results.
 pub fn paper_page(study: &Study) -> Result<Page, StudyError> {
     let best = &study.ranking[0];
     let indistinguishable = study.indistinguishable();
@@ -134,7 +134,7 @@ fn describe(claim: &Claim) -> String {
     }
 }
 
-/// The first [`SHOWN`] readings, and the print itself if it is not among them.
+/// Rows of the first [`SHOWN`] readings, and of the tables as printed if these rank lower.
 fn ranking(study: &Study) -> Vec<ReadingRow> {
     let ranked = study.ranking.iter().enumerate();
     let shown = ranked.filter(|(k, scored)| *k < SHOWN || scored.reading == Reading::PRINTED);
@@ -149,7 +149,7 @@ fn ranking(study: &Study) -> Vec<ReadingRow> {
     rows.collect()
 }
 
-/// Lift and drag coefficients of both flights under a reading.
+/// Names of the flights, each with its lift and drag coefficients `[C_L0, C_La, C_D0, C_Da]` under a reading.
 fn columns(reading: &Reading) -> Vec<(&'static str, [f64; 4])> {
     let table = Table1::printed();
     let flight = |row: [f64; 8], order: Columns| order.map(|column| row[column as usize]);
@@ -165,7 +165,7 @@ fn capitalised(text: &str) -> String {
     first.chain(characters).collect()
 }
 
-/// Whether a reading uses a hypothesis.
+/// Predicate: whether a reading uses a certain hypothesis.
 type Uses = Box<dyn Fn(&Reading) -> bool>;
 
 fn hypotheses(study: &Study, best: &Scored) -> Vec<HypothesisRow> {

@@ -1,28 +1,28 @@
-//! Readings of the paper's tables: one combination of hypotheses on what they mean.
+//! Readings of the paper's tables: combinations of hypotheses on their meaning.
 
 use super::columns::{Columns, PRINTED, describe, interchanges};
 use super::conventions::Conventions;
 
-/// One combination of hypotheses on Table 1.
+/// One interpretation of Table 1: a combination of hypotheses on its signs, units and columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Reading {
-    /// Signs and units.
+    /// Signs and units that the reading assumes.
     pub conventions: Conventions,
-    /// Order of the columns for fssh3.
+    /// Order of the lift and drag columns for fssh3.
     pub fssh3: Columns,
-    /// Order of the columns for bffl8.
+    /// Order of the lift and drag columns for bffl8.
     pub bffl8: Columns,
 }
 
 impl Reading {
-    /// The tables as printed.
+    /// The tables as printed, without any hypothesis.
     pub const PRINTED: Self = Self {
         conventions: Conventions::PRINTED,
         fssh3: PRINTED,
         bffl8: PRINTED,
     };
 
-    /// Number of hypotheses; an interchange of columns that is made in both flights counts once.
+    /// Number of hypotheses of the reading. An interchange of columns that applies to both flights counts once.
     pub fn hypotheses(&self) -> usize {
         let columns = if self.fssh3 == self.bffl8 {
             interchanges(self.fssh3)
@@ -32,8 +32,8 @@ impl Reading {
         columns + self.conventions.hypotheses().len()
     }
 
-    /// Descriptions (of this reading, of the other) of the one question that they answer differently; `None` if they
-    /// differ in several.
+    /// Descriptions (of `self`, of `other`) of the one hypothesis in which the two readings differ; `None` if they
+    /// differ in more than one.
     pub(super) fn difference(&self, other: &Self) -> Option<(String, String)> {
         let columns = |reading: &Self| {
             let reading = Self {
@@ -58,7 +58,7 @@ impl Reading {
         }
     }
 
-    /// Its hypotheses in words, or "as printed".
+    /// Describes the hypotheses of the reading; "as printed" if it has none.
     pub fn description(&self) -> String {
         let mut parts: Vec<String> = Vec::new();
         let mut columns = |flights: &str, order: Columns| {

@@ -1,4 +1,5 @@
-//! Both flights under every reading, ranked by how well the outcomes agree with the paper's claims.
+//! Simulates both flights under every reading and ranks the readings by the agreement of the outcomes with the paper's
+//! claims.
 
 use super::claims::{self, Claim, Outcome};
 use super::coefficients::coefficients;
@@ -9,45 +10,46 @@ use super::reading::Reading;
 use super::table::Table1;
 use crate::error::StudyError;
 
-/// A claim that is missed by more counts as missed by this much in the misfit of a reading, in tolerances of the claim.
+/// Upper bound of the deviation from a claim that enters a misfit, in units of the claim's tolerance. Larger deviations
+/// are clipped to it.
 const MAX_DEPARTURE: f64 = 10.0;
 
-/// Cost of a hypothesis in squared tolerances: Akaike's penalty of one more parameter.
+/// Penalty per hypothesis, in squared tolerances: Akaike's penalty for one more parameter.
 pub(super) const PENALTY: f64 = 2.0;
 
-/// A reading and how well it agrees with the claims.
+/// A reading, with its agreement with the claims.
 #[derive(Clone, Debug)]
 pub struct Scored {
-    /// The reading.
+    /// Reading that was simulated.
     pub reading: Reading,
-    /// Sum of squared departures from the claims in tolerances, each at most 100.
+    /// Sum over the claims of the squared deviations in units of the tolerance, each clipped to 100.
     pub misfit: f64,
-    /// Number of claims within their tolerance.
+    /// Number of claims whose deviation is within the tolerance.
     pub held: usize,
 }
 
 impl Scored {
-    /// Misfit plus the penalty of the hypotheses; the best reading has the least.
+    /// Misfit plus the penalty of the hypotheses; the lowest score is the best.
     pub fn score(&self) -> f64 {
         self.misfit + PENALTY * self.reading.hypotheses() as f64
     }
 }
 
-/// Outcomes of both flights under all readings.
+/// Outcomes of both flights under all readings, and the ranking of the readings.
 pub struct Study {
-    /// The claims.
+    /// Claims of the paper.
     pub claims: Vec<Claim>,
-    /// Every reading, best first.
+    /// All readings with their misfit, sorted by score, best first.
     pub ranking: Vec<Scored>,
     orders: Vec<Columns>,
     conventions: Vec<Conventions>,
-    /// Outcomes `[convention][order]` of each flight; `None` if the integration fails.
+    /// Outcomes of the flight fssh3, indexed `[convention][order]`; `None` if the integration fails.
     fssh3: Vec<Vec<Option<Outcome>>>,
     bffl8: Vec<Vec<Option<Outcome>>>,
 }
 
 impl Study {
-    /// Flies both flights under every reading.
+    /// Simulates both flights under every reading and ranks the readings.
     ///
     /// # Errors
     /// [`StudyError`] if the built-in model or a release does not load.
@@ -144,15 +146,15 @@ impl Study {
         outcomes[convention][self.orders.iter().position(|&known| known == order)?]
     }
 
-    /// The score of a reading.
+    /// Score of a reading; `None` if the reading is not part of the study.
     pub(super) fn score_of(&self, reading: &Reading) -> Option<&Scored> {
         self.ranking
             .iter()
             .find(|scored| scored.reading == *reading)
     }
 
-    /// The best reading, then all with as many claims within tolerance and a misfit less than one squared tolerance
-    /// above its: the claims do not tell them apart.
+    /// Returns the readings that the claims cannot distinguish from the best one: those with the same number of claims
+    /// within tolerance and a misfit less than one squared tolerance above the minimum. The best reading is first.
     pub(super) fn indistinguishable(&self) -> Vec<&Scored> {
         let best = &self.ranking[0];
         let near = |scored: &&Scored| scored.held == best.held && scored.misfit < best.misfit + 1.0;
@@ -160,7 +162,7 @@ impl Study {
     }
 }
 
-/// Time of the last claim about a flight, s.
+/// Time of the latest claim about a flight, s.
 fn duration(claims: &[Claim], flight: &str) -> f64 {
     claims
         .iter()

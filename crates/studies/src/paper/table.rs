@@ -1,8 +1,8 @@
-//! Table 1 of the paper.
+//! Table 1 of the paper (Hubbard & Hummel 2000): printed coefficients of the two flights.
 
 use serde::Deserialize;
 
-/// Table 1 as printed: eight numbers for each flight, in the printed order of columns.
+/// Table 1 as printed: eight coefficients for each flight, in the printed order of columns.
 #[derive(Clone, Debug, Deserialize)]
 pub(super) struct Table1 {
     pub(super) fssh3: [f64; 8],
@@ -10,14 +10,14 @@ pub(super) struct Table1 {
 }
 
 impl Table1 {
-    /// The built-in copy.
+    /// Parses the built-in copy of the table.
     pub(super) fn printed() -> Self {
         toml::from_str(include_str!("data/table1.toml")).expect("the built-in table is valid")
     }
 }
 
-/// The model's coefficients in the order of the columns, and the sign that takes the printed value to the model's
-/// convention, in which negative `C_Mq` and `C_Nr` damp.
+/// Coefficient of the model `disc` for each printed column, and the factor that converts the printed sign to the
+/// model's convention, in which negative `C_Mq` and `C_Nr` damp.
 const MODEL_COLUMNS: [(&str, f64); 8] = [
     ("C_L0", 1.0),
     ("C_La", 1.0),
@@ -29,7 +29,8 @@ const MODEL_COLUMNS: [(&str, f64); 8] = [
     ("C_Nr", -1.0),
 ];
 
-/// A coefficient of the model `disc` as Table 1 has it for fssh3 and bffl8, SI, with the model's sign.
+/// Values of a coefficient of the model `disc` in Table 1, for fssh3 and bffl8, SI, with the model's sign; `None` if
+/// the table has no such coefficient.
 pub(crate) fn printed_coefficient(name: &str) -> Option<[f64; 2]> {
     let column = MODEL_COLUMNS.iter().position(|(of, _)| *of == name)?;
     let table = Table1::printed();

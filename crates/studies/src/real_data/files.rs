@@ -1,10 +1,10 @@
-//! Text files of measured data.
+//! Helpers to read text files of measured data.
 
 use std::path::Path;
 
 use crate::error::StudyError;
 
-/// Text of a file.
+/// Reads a file as text.
 pub(super) fn text_of(file: &Path) -> Result<String, StudyError> {
     std::fs::read_to_string(file).map_err(|source| StudyError::Unreadable {
         file: file.to_owned(),
@@ -12,20 +12,20 @@ pub(super) fn text_of(file: &Path) -> Result<String, StudyError> {
     })
 }
 
-/// Lines with their numbers, from 1, without empty ones and the first `header` lines.
+/// Lines of a text with their numbers (from 1), without the first `header` lines and without empty lines.
 pub(super) fn rows(text: &str, header: usize) -> impl Iterator<Item = (usize, &str)> {
     let lines = text.lines().enumerate().skip(header);
     let lines = lines.filter(|(_, line)| !line.trim().is_empty());
     lines.map(|(index, line)| (index + 1, line))
 }
 
-/// All numbers of a line, separated by commas.
+/// All comma-separated cells of a line that are numbers.
 pub(super) fn numbers(line: &str) -> Vec<f64> {
     let cells = line.split(',');
     cells.filter_map(|cell| cell.trim().parse().ok()).collect()
 }
 
-/// A line that is not as expected.
+/// Builds the error for a line that does not have the expected form.
 pub(super) fn bad_line(
     file: &Path,
     (line, text): (usize, &str),
@@ -39,7 +39,7 @@ pub(super) fn bad_line(
     }
 }
 
-/// Something that a file lacks.
+/// Builds the error for a file that lacks a required part.
 pub(super) fn absent(file: &Path, expected: impl Into<String>) -> StudyError {
     StudyError::Absent {
         file: file.to_owned(),

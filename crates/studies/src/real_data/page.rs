@@ -1,4 +1,4 @@
-//! docs/real-data.md.
+//! Renders docs/real-data.md.
 
 use super::balls::{balls_figure, balls_section};
 use super::disc_golf::disc_golf_section;
@@ -9,10 +9,10 @@ use super::wind_tunnel::{effects_section, paper_flights_section, tunnel_figure, 
 use crate::error::StudyError;
 use crate::page::Page;
 
-/// The page of all measured data.
+/// Renders the page of all measured data, with its figures.
 ///
 /// # Errors
-/// [`StudyError`] if a template does not go with the results, or a fit is missing.
+/// [`StudyError`] if a template cannot be rendered with the results, or a required fit is missing.
 pub fn real_data_page(data: &RealData) -> Result<Page, StudyError> {
     let sections = [
         include_str!("page.md").to_owned(),

@@ -1,4 +1,4 @@
-//! All results on measured data.
+//! Collects the results on all measured data.
 
 use std::path::Path;
 
@@ -13,20 +13,20 @@ use super::wind_tunnel::{Measured, read};
 use crate::error::StudyError;
 use crate::oracle_flights::disc;
 
-/// All results on measured data.
+/// Results on all measured data.
 pub struct RealData {
     pub(super) balls: Balls,
     pub(super) spin_decay: SpinDecay,
     pub(super) disc_pose: DiscPose,
     pub(super) disc_golf: DiscGolf,
-    /// The wind tunnel's table.
+    /// Rows of the wind tunnel's table.
     pub(super) table: Vec<Measured>,
-    /// The model `disc`.
+    /// The model `disc`, with the coefficients of its file.
     pub(super) disc: Model,
 }
 
 impl RealData {
-    /// Fits the data in the folders `spindoe`, `spindown`, `disc-pose`, `windtunnel` and `discgolf` of a folder.
+    /// Fits the data in the subfolders `spindoe`, `spindown`, `disc-pose`, `windtunnel` and `discgolf` of `folder`.
     ///
     /// # Errors
     /// [`StudyError`] if a file is missing or malformed, or if a fit fails.
@@ -48,17 +48,19 @@ impl RealData {
         &self.balls.plain
     }
 
-    /// Agreement of the balls' lifts with their stated spins: of all flights, of the agreeing stretches, of the others.
+    /// Agreement of the balls' lifts with their stated spins: for all flights, for the agreeing stretches, and for the
+    /// remaining flights.
     pub fn agreement(&self) -> [Agreement; 3] {
         self.balls.agreement
     }
 
-    /// Fits of the agreeing stretches: gravity and drag, with lift by spin, with its square.
+    /// Fits of the agreeing stretches of the ball recording: with gravity and drag, then with lift proportional to the
+    /// spin, then with its square too.
     pub fn lift_by_spin(&self) -> &[FitReport; 3] {
         &self.balls.lift_by_spin
     }
 
-    /// Fits of the disc-golf launches, without and with factors on the aerodynamic table.
+    /// Fits of each disc-golf launch, without and with factors on the aerodynamic table; `None` if a fit is singular.
     pub fn launches(&self) -> impl Iterator<Item = &[Option<LaunchFit>; 2]> {
         self.disc_golf.fits()
     }
@@ -68,7 +70,7 @@ impl RealData {
         self.disc_pose.ratio()
     }
 
-    /// Fit of a form of the spin's decay.
+    /// Fit of a form of the spin's decay; `None` if that fit failed.
     pub fn spin_down(&self, form: Form) -> Option<&DecayFit> {
         self.spin_decay.fit(form)
     }

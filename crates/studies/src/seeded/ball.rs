@@ -1,4 +1,4 @@
-//! Datasets of a ball of known spin, with seeded effects.
+//! Simulates datasets of a ball of known spin, with seeded effects.
 
 use identify::dataset::{Dataset, KnownValue, Marker};
 use model_spec::model::Model;
@@ -12,35 +12,35 @@ use super::effects::SeededEffects;
 use super::flight::{FlightPlace, seeded_flight};
 use crate::oracle_flights::{reference_of, sample_times};
 
-/// Distribution of a ball's throw: each quantity is uniform over a range.
+/// Distribution of the throws of a ball: each quantity is uniform over a range (minimum, maximum).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Throws {
-    /// Speed, m/s.
+    /// Speed at release, m/s.
     pub speed: (f64, f64),
-    /// Launch angle: of the velocity above the horizontal, rad.
+    /// Launch angle of the velocity above the horizontal, rad.
     pub launch: (f64, f64),
-    /// Magnitude of the spin, rad/s; its direction is uniform over the sphere.
+    /// Magnitude of the spin, rad/s. Its direction is uniform over the sphere.
     pub spin: (f64, f64),
 }
 
-/// A set of throws of a ball, and how they are observed.
+/// A set of random throws of a ball, and how they are observed.
 #[derive(Clone, Copy, Debug)]
 pub struct Plan<'a> {
-    /// Parameters of the ball by name, SI; any other has the value of the model's file.
+    /// Parameters of the ball by name, SI. Parameters that are not listed have the values of the model file.
     pub parameters: &'a [(&'a str, f64)],
-    /// True coefficients by name, SI; any other has the value of the model's file.
+    /// True coefficients by name, SI. Coefficients that are not listed have the values of the model file.
     pub truth: &'a [(&'a str, f64)],
-    /// Distribution of the throws.
+    /// Distribution of the releases.
     pub throws: Throws,
-    /// Number of flights.
+    /// Number of flights in the dataset.
     pub flights: usize,
-    /// Least and greatest duration of a flight, s; drawn uniformly.
+    /// Minimum and maximum duration of a flight, s. Durations are uniformly distributed.
     pub duration: (f64, f64),
-    /// Sample rate, Hz.
+    /// Sample rate of the marker positions, Hz.
     pub rate: f64,
 }
 
-/// Twelve throws of a table-tennis ball, of up to a second each.
+/// Plan of twelve throws of a table-tennis ball, of up to one second each.
 pub const TABLE_TENNIS: Plan<'static> = Plan {
     parameters: &[],
     truth: &[("C_D", 0.5)],
@@ -54,7 +54,7 @@ pub const TABLE_TENNIS: Plan<'static> = Plan {
     rate: 120.0,
 };
 
-/// Twelve kicks of a football at speeds on both sides of its drag crisis.
+/// Plan of twelve kicks of a football, at speeds on both sides of its drag crisis.
 pub const FOOTBALL: Plan<'static> = Plan {
     parameters: &[("m", 0.43), ("radius", 0.11)],
     truth: &[("C_D", 0.45)],
@@ -72,10 +72,10 @@ fn model() -> Model {
     model_spec::load::load("ball", &[]).expect("the built-in ball")
 }
 
-/// Flights of a ball with seeded effects; the dataset states the spin of each.
+/// Simulates flights of a ball with seeded effects. The dataset states the true spin of each flight.
 ///
 /// # Panics
-/// If an effect does not act on a ball, or has another number of values.
+/// If an effect does not act on a ball, or if its number of values is wrong.
 pub fn dataset(plan: &Plan<'_>, seeded: &SeededEffects, seed: u64) -> Dataset {
     let model = model();
     let reference = reference_of(&model);
@@ -129,7 +129,8 @@ pub fn dataset(plan: &Plan<'_>, seeded: &SeededEffects, seed: u64) -> Dataset {
 }
 
 impl Throws {
-    /// Draws a throw and its spin vector, rad/s; the order of the draws fixes the flights of each seed.
+    /// Draws the release of a throw and its spin vector (rad/s). The order of the random draws must not change: it
+    /// determines the flights of each seed.
     fn draw(&self, random: &mut impl Rng) -> (Physical<f64>, Vector3<f64>) {
         let mut uniform = |(low, high): (f64, f64)| low + (high - low) * random.random::<f64>();
         let (speed, launch, spin) = (

@@ -1,4 +1,4 @@
-//! Datasets of the disc with seeded effects.
+//! Simulates datasets of the disc with seeded effects.
 
 use identify::dataset::Dataset;
 use identify::synthesize::MARKERS;
@@ -12,10 +12,11 @@ use super::effects::SeededEffects;
 use super::flight::{FlightPlace, seeded_flight};
 use crate::oracle_flights::{Plan, disc, disc_constants, empty, reference_of, sample_times};
 
-/// Flights of the disc with seeded effects. Without any they are those of [`crate::oracle_flights::flights`].
+/// Simulates flights of the disc with seeded effects. Without effects and noise they equal those of
+/// [`crate::oracle_flights::flights`].
 ///
 /// # Panics
-/// If an effect does not act on a disc, or has another number of values.
+/// If an effect does not act on a disc, or if its number of values is wrong.
 pub fn dataset(plan: &Plan<'_>, seeded: &SeededEffects, seed: u64) -> Dataset {
     let flights = each_flight(plan, seed, |world, place, start, times| {
         seeded_flight(world, seeded, place, start, times, &MARKERS)
@@ -26,10 +27,10 @@ pub fn dataset(plan: &Plan<'_>, seeded: &SeededEffects, seed: u64) -> Dataset {
     }
 }
 
-/// Greatest angle of attack in the flights of [`dataset`], rad.
+/// Maximum magnitude of the angle of attack over the flights that [`dataset`] simulates, rad.
 ///
 /// # Panics
-/// Those of [`dataset`].
+/// If an effect does not act on a disc, or if its number of values is wrong.
 pub fn greatest_angle_of_attack(plan: &Plan<'_>, seeded: &SeededEffects, seed: u64) -> f64 {
     let angles = each_flight(plan, seed, |world, place, start, times| {
         let world = place.world(world, seeded);

@@ -1,23 +1,23 @@
-//! Effects and noise added to a simulated dataset.
+//! Specification of the effects and noise that are added to a simulated dataset.
 
 use identify::synthesize::Corruption;
 
-/// Effects and noise added to a simulated dataset.
+/// Effects and noise that are added to a simulated dataset.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SeededEffects {
-    /// Effects of the catalogue: name, and its coefficients (SI) in their order. An effect with states has their standard
-    /// deviations over the flights after its coefficients.
+    /// Effects of the catalogue: name, and values (SI) of the coefficients in order. If the effect has states, the
+    /// standard deviations of the states over the flights follow.
     pub listed: Vec<(String, Vec<f64>)>,
     /// Effects outside the catalogue: name and size; see [`super::UnlistedEffect`] for the units.
     pub unlisted: Vec<(String, f64)>,
     /// Noise of the marker positions; `None` leaves them exact.
     pub noise: Option<Corruption>,
-    /// Number of held-out flights, the last ones of the dataset.
+    /// Number of held-out flights, which are the last ones of the dataset.
     pub held_out: usize,
 }
 
 impl SeededEffects {
-    /// One effect of the catalogue, without noise.
+    /// Creates a specification with one effect of the catalogue, without noise.
     pub fn listed(name: &str, values: &[f64]) -> Self {
         Self {
             listed: vec![(name.to_owned(), values.to_vec())],
@@ -25,7 +25,7 @@ impl SeededEffects {
         }
     }
 
-    /// One effect outside the catalogue, without noise.
+    /// Creates a specification with one effect outside the catalogue, without noise.
     pub fn unlisted(name: &str, size: f64) -> Self {
         Self {
             unlisted: vec![(name.to_owned(), size)],
@@ -33,7 +33,7 @@ impl SeededEffects {
         }
     }
 
-    /// The effects under a noise.
+    /// Returns the same effects with the given noise of the marker positions.
     pub fn with_noise(self, noise: Corruption) -> Self {
         Self {
             noise: Some(noise),

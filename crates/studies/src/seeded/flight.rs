@@ -1,4 +1,4 @@
-//! One flight with seeded effects.
+//! Simulates one flight with seeded effects.
 
 use identify::dataset::{Flight, Role};
 use identify::synthesize::corrupt;
@@ -11,19 +11,19 @@ use super::effects::SeededEffects;
 use super::world::SeededWorld;
 use crate::oracle_flights::file_name;
 
-/// Position of a flight in a dataset, which determines its random stream.
+/// Seed and index of a flight in a dataset, which determine its random stream.
 #[derive(Clone, Copy)]
 pub(super) struct FlightPlace {
     /// Seed of the dataset.
     pub(super) seed: u64,
-    /// Index of the flight.
+    /// Index of the flight, from 0.
     pub(super) index: usize,
-    /// Number of flights of the dataset.
+    /// Number of flights in the dataset.
     pub(super) flights: usize,
 }
 
 impl FlightPlace {
-    /// The world of the flight, with the states that differ from flight to flight.
+    /// Law of motion of the flight with the seeded effects, including the randomly drawn states of this flight.
     pub(super) fn world(self, world: &ExtendedLaw<f64>, seeded: &SeededEffects) -> SeededWorld {
         let mut random = ChaCha12Rng::seed_from_u64(self.seed);
         random.set_stream(1 + self.index as u64);
@@ -31,8 +31,8 @@ impl FlightPlace {
     }
 }
 
-/// Computes and observes a flight at `times` (s); `markers` are in the body frame, m. The random stream depends on the
-/// flight alone: the throws are the same whatever is seeded.
+/// Simulates a flight and its measurement at `times` (s); `markers` are in the body frame, m. The random stream depends
+/// only on the flight, so the throws are the same for any seeded effects.
 pub(super) fn seeded_flight(
     world: &ExtendedLaw<f64>,
     seeded: &SeededEffects,

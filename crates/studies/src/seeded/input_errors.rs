@@ -1,4 +1,4 @@
-//! Errors in the spins that a dataset states for a ball's flights: noise, and spins of other flights.
+//! Errors in the spins that a dataset states for a ball's flights: noise, and exchanges between flights.
 
 use identify::dataset::{Dataset, Flight, KnownValue};
 use rand::seq::SliceRandom;
@@ -6,23 +6,23 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 use rand_distr::StandardNormal;
 
-/// How the stated spins depart from the true ones.
+/// Errors that are put into the stated spins.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InputErrors {
     /// Standard deviation of the error of each component, relative to the magnitude of the spin.
     pub relative_error: f64,
-    /// Fraction of the flights whose spins are passed on in a cycle, each to the next.
+    /// Fraction of the flights whose stated spins are permuted cyclically among them.
     pub exchanged: f64,
 }
 
-/// Random stream of the errors; streams of flights are numbered from 1.
+/// ChaCha stream of the errors. The streams of the flights are numbered from 1.
 const ERROR_STREAM: u64 = u64::MAX - 1;
 
-/// Random stream that chooses the exchanged flights.
+/// ChaCha stream that selects the flights with exchanged spins.
 const EXCHANGE_STREAM: u64 = u64::MAX - 2;
 
 impl InputErrors {
-    /// Puts the errors into the stated spins of a dataset.
+    /// Puts the errors into the stated spins of a dataset. Flights without a stated spin are not changed.
     pub(crate) fn apply(&self, dataset: &mut Dataset, seed: u64) {
         let mut random = ChaCha12Rng::seed_from_u64(seed);
         random.set_stream(ERROR_STREAM);
@@ -46,7 +46,7 @@ impl InputErrors {
         }
     }
 
-    /// Indices of the flights whose spins are exchanged, in the order of the cycle.
+    /// Indices of the flights whose spins are exchanged, in the order of the cyclic permutation.
     pub(crate) fn exchanged_flights(&self, flights: usize, seed: u64) -> Vec<usize> {
         let mut random = ChaCha12Rng::seed_from_u64(seed);
         random.set_stream(EXCHANGE_STREAM);

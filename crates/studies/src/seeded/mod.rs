@@ -1,7 +1,8 @@
-//! Flights with seeded effects: some of the catalogue, by the oracle's implementation, and some that no catalogue lists.
+//! Simulates flights with seeded effects, some of them from the catalogue (in the oracle's implementation) and some
+//! that are in no catalogue.
 //!
-//! Neither the compiler nor the text of an effect takes part: forces, integration and observation are the oracle's and
-//! this crate's own.
+//! Neither the compiler nor the text of an effect is used: forces, integration and observation are implemented by the
+//! oracle and this crate.
 
 pub mod ball;
 mod disc;

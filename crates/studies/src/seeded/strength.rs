@@ -1,13 +1,14 @@
-//! Values of each effect of the catalogue in the discovery study: a weak and a strong one.
+//! A weak and a strong value of each effect of the catalogue, for the discovery study.
 
-/// Weak and strong values of an effect, SI: its coefficients, then the standard deviations of its states over flights.
+/// Weak and strong values of an effect, SI: its coefficients, followed by the standard deviations of its states over
+/// flights.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Strength {
     /// Name of the effect.
     pub effect: &'static str,
-    /// Values near the least that is met in practice.
+    /// Values near the minimum that is met in practice.
     pub weak: &'static [f64],
-    /// Values near the greatest that is met in practice.
+    /// Values near the maximum that is met in practice.
     pub strong: &'static [f64],
 }
 
@@ -19,7 +20,7 @@ const fn row(effect: &'static str, weak: &'static [f64], strong: &'static [f64])
     }
 }
 
-/// A strength for every effect of the catalogue.
+/// Weak and strong values of every effect of the catalogue.
 #[rustfmt::skip]
 pub const STRENGTHS: &[Strength] = &[
     row("zero_lift_drag_angle", &[-0.02], &[-0.07]),
@@ -63,7 +64,7 @@ pub const STRENGTHS: &[Strength] = &[
     row("buoyancy", &[0.3], &[1.0]),
 ];
 
-/// The strength of an effect, by its name in the catalogue.
+/// Looks up the weak and strong values of an effect by its name in the catalogue; `None` for an unknown name.
 pub fn strength(effect: &str) -> Option<&'static Strength> {
     STRENGTHS.iter().find(|row| row.effect == effect)
 }

@@ -1,34 +1,34 @@
-//! Effects that the catalogue does not list, implemented in this file alone.
+//! Effects that are not in the catalogue. They are implemented only in this file.
 
 use nalgebra::Vector3;
 use oracle::Law;
 use oracle::effect::Flow;
 
-/// Time constant with which the angle of attack of `lagging_lift` follows, s.
+/// Time constant of the first-order lag of the angle of attack in `lagging_lift`, s.
 pub(super) const LAG: f64 = 0.15;
 /// Climb rate at which `drag_by_climb` saturates, m/s.
 const CLIMB_SCALE: f64 = 2.0;
 /// Angular frequency of `gusts`, rad/s.
 const GUST_FREQUENCY: f64 = 8.0;
-/// Speed at which `drag_by_power_of_speed` changes nothing, m/s.
+/// Speed at which `drag_by_power_of_speed` leaves the drag unchanged, m/s.
 const REFERENCE_SPEED: f64 = 14.0;
-/// Power of the speed by which `drag_by_power_of_speed` changes the coefficient of drag.
+/// Exponent of the speed in the drag coefficient of `drag_by_power_of_speed`.
 const SPEED_POWER: f64 = -0.4;
-/// Length by which the phase of `swerve` advances by a radian, m.
+/// Distance over which the phase of `swerve` advances by one radian, m.
 const SWERVE_LENGTH: f64 = 1.0;
 
-/// An effect outside the catalogue.
+/// An effect that can be seeded but is not in the catalogue.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UnlistedEffect {
-    /// Name, as in rows of the discovery study.
+    /// Name of the effect, as in the rows of the discovery study.
     pub name: &'static str,
-    /// Site at which it acts, by the names of `report.json`.
+    /// Site at which the effect acts, by its name in `report.json`.
     pub site: &'static str,
-    /// Sizes: a weak and a strong one, in the units that [`UNLISTED`] gives.
+    /// A weak and a strong size, in the units listed at [`UNLISTED`].
     pub strength: [f64; 2],
-    /// Laws of motion on which it can act.
+    /// Laws of motion on which the effect can act.
     pub laws: &'static [Law],
-    /// Effect of the catalogue so similar to this one that naming it counts as right; `None` if there is none.
+    /// Name of an effect of the catalogue that is so similar that it counts as a right answer; `None` if there is none.
     pub near: Option<&'static str>,
     kind: Kind,
 }
@@ -70,8 +70,9 @@ const fn row(
     }
 }
 
-/// All effects outside the catalogue. Units of their sizes: 1 for aerodynamic coefficients (moments have the lever d; those
-/// by time 1/s), N·m·s/m for `spin_down_by_speed`, 1/m for `drag_by_height`, m/s for `gusts` and `updraft`, N for `swerve`.
+/// All effects outside the catalogue. Units of their sizes: 1 for aerodynamic coefficients (moments have the lever d),
+/// 1/s for `pitching_moment_by_time`, N·m·s/m for `spin_down_by_speed`, 1/m for `drag_by_height`, m/s for `gusts` and
+/// `updraft`, N for `swerve`.
 #[rustfmt::skip]
 pub const UNLISTED: &[UnlistedEffect] = &[
     row("roll_by_angle_squared", "roll", [0.02, 0.1], DISCS, Kind::RollByAngleSquared),
@@ -91,13 +92,14 @@ pub const UNLISTED: &[UnlistedEffect] = &[
     row("drag_by_height", "drag", [0.02, 0.1], BALL, Kind::DragByHeight),
 ];
 
-/// The effect of that name outside the catalogue.
+/// Looks up an effect outside the catalogue by name; `None` for an unknown name.
 pub fn unlisted(name: &str) -> Option<&'static UnlistedEffect> {
     UNLISTED.iter().find(|effect| effect.name == name)
 }
 
 impl UnlistedEffect {
-    /// Velocity that it adds to the air, m/s, inertial; `time` in s.
+    /// Velocity that the effect adds to the air at `time` (s), m/s, inertial axes; zero for an effect that is not a
+    /// wind.
     pub(super) fn wind(&self, size: f64, time: f64) -> Vector3<f64> {
         match self.kind {
             Kind::Gusts => Vector3::new(0.0, size * (GUST_FREQUENCY * time).sin(), 0.0),
@@ -106,7 +108,8 @@ impl UnlistedEffect {
         }
     }
 
-    /// Force (N) and moment (N·m) that it adds, inertial; `lagged_alpha` (rad) follows the angle of attack with [`LAG`].
+    /// Force (N) and moment (N·m) that the effect adds, inertial axes. `lagged_alpha` (rad) is the angle of attack
+    /// after a first-order lag with the time constant [`LAG`].
     pub(super) fn load(
         &self,
         size: f64,

@@ -1,4 +1,4 @@
-//! The oracle's law of motion with seeded effects, and the observation of a flight under it.
+//! The oracle's law of motion with seeded effects, and the simulated measurement of a flight under it.
 
 use nalgebra::Vector3;
 use oracle::Physical;
@@ -10,17 +10,17 @@ use super::effects::SeededEffects;
 use super::unlisted::{LAG, UnlistedEffect, unlisted};
 use crate::oracle_flights::{Derivatives, integrate_law};
 
-/// True model and conditions from which one flight is simulated.
+/// Law of motion and conditions under which one flight is simulated.
 pub(super) struct SeededWorld {
     world: ExtendedLaw<f64>,
     unlisted: Vec<(&'static UnlistedEffect, f64)>,
 }
 
 impl SeededWorld {
-    /// Adds the seeded effects to a world, and draws the states that differ from flight to flight.
+    /// Adds the seeded effects to a law of motion, and draws the effects' states for one flight.
     ///
     /// # Panics
-    /// If an effect does not act on this body, or has another number of values.
+    /// If an effect does not act on this body, or if its number of values is wrong.
     pub(super) fn draw(
         world: &ExtendedLaw<f64>,
         seeded: &SeededEffects,
@@ -48,7 +48,7 @@ impl SeededWorld {
         }
     }
 
-    /// Measured marker positions, m, `[sample][marker]`, at the times (s) that the measuring clock shows.
+    /// Simulated marker positions, m, indexed `[sample][marker]`, at `times` (s) of the measuring clock. Without noise.
     pub(super) fn observe(
         &self,
         start: Physical<f64>,
@@ -66,14 +66,14 @@ impl SeededWorld {
         states.iter().map(observed).collect()
     }
 
-    /// Greatest angle of attack of a flight at these times, rad.
+    /// Maximum magnitude of the angle of attack at the given times of a flight, rad.
     pub(super) fn greatest_angle_of_attack(&self, start: Physical<f64>, times: &[f64]) -> f64 {
         let angles = self.fly(start, times).into_iter().zip(times);
         let angles = angles.map(|(body, time)| self.scene(&body, *time).alpha().abs());
         angles.fold(0.0, f64::max)
     }
 
-    /// Body states at the times (s) that the measuring clock shows.
+    /// Body states at `times` (s) of the measuring clock.
     fn fly(&self, start: Physical<f64>, times: &[f64]) -> Vec<Physical<f64>> {
         let clock = self.world.clock();
         let true_times: Vec<f64> = times.iter().map(|time| time * clock).collect();
@@ -111,7 +111,7 @@ impl SeededWorld {
         }
     }
 
-    /// The flow about the body without the unlisted wind.
+    /// Flow about the body, without the winds of effects outside the catalogue.
     fn scene<'s>(&'s self, body: &'s Physical<f64>, time: f64) -> Flow<'s, f64> {
         let world = &self.world;
         Flow::new(
@@ -125,7 +125,8 @@ impl SeededWorld {
     }
 }
 
-/// An effect of the catalogue in one flight: its coefficients, and states drawn with their standard deviations.
+/// An effect of the catalogue in one flight: its coefficients, and states drawn from normal distributions with the
+/// given standard deviations.
 fn drawn(name: &str, values: &[f64], random: &mut impl Rng) -> ActiveEffect<f64> {
     let effect = by_name(name).unwrap_or_else(|| panic!("the oracle has no effect `{name}`"));
     assert_eq!(values.len(), effect.values(), "values of `{name}`");

@@ -1,4 +1,4 @@
-//! Flights of a disc that the oracle computed, as sensors on the disc read them.
+//! Flights of a disc simulated by the oracle, with simulated readings of sensors on the disc.
 
 use identify::dataset::{Dataset, Flight, Reading, Role, Sensor, SensorKind};
 use identify::synthesize::MARKERS;
@@ -14,31 +14,31 @@ use crate::oracle_flights::{
     Plan, disc_constants, empty, file_name, integrate, marker_positions, reference_of, sample_times,
 };
 
-/// What is observed of a flight.
+/// Measurements that are simulated of each flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Observed {
-    /// Whether the three markers are.
+    /// Whether the positions of the three markers are measured.
     pub markers: bool,
-    /// Sensors, where the dataset states them.
+    /// Sensors, with their positions on the body as the dataset states them.
     pub sensors: Vec<Sensor>,
-    /// How far an accelerometer really is from where it is stated to be, m.
+    /// Offset of an accelerometer's true position from the stated one, m, body axes.
     pub displacement: [f64; 3],
-    /// Noise.
+    /// Noise of the measurements.
     pub noise: SensorNoise,
 }
 
-/// Standard deviations of white noise of one component.
+/// Standard deviations of the white noise of each measured component.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SensorNoise {
-    /// Of a position, m.
+    /// Noise of a position, m.
     pub position: f64,
-    /// Of an attitude about one axis, rad.
+    /// Noise of an attitude about each axis, rad.
     pub attitude: f64,
-    /// Of a gyroscope, rad/s.
+    /// Noise of a gyroscope, rad/s.
     pub rate: f64,
-    /// Of an accelerometer, m/s².
+    /// Noise of an accelerometer, m/s².
     pub force: f64,
-    /// Of a speed, m/s.
+    /// Noise of a speed, m/s.
     pub speed: f64,
 }
 
@@ -54,7 +54,7 @@ impl Default for SensorNoise {
     }
 }
 
-/// Flights of a plan as the sensors read them; the same seed gives the same flights and noise.
+/// Simulates flights of a plan with sensor readings. The same seed gives the same flights and noise.
 ///
 /// # Panics
 /// If the oracle has no law for the model.
@@ -122,7 +122,7 @@ pub fn sensor_flights(model: &Model, plan: &Plan<'_>, observed: &Observed, seed:
     }
 }
 
-/// Adds the readings of a sensor at `place` on the body, m.
+/// Appends the simulated readings of a sensor at the position `place` on the body (m, body axes) to `readings`.
 fn read(
     kind: SensorKind,
     (body, motion): (&Physical<f64>, &Motion<f64>),

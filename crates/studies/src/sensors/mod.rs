@@ -1,5 +1,5 @@
-//! Study of fits and diagnoses by sensors of every kind: poses, gyroscope and accelerometer, and several kinds together. Writes
-//! docs/sensors.md.
+//! Study of fits and diagnoses with sensors of every kind: poses, gyroscope and accelerometer, and combinations of
+//! them. Writes docs/sensors.md.
 
 mod flights;
 mod page;

@@ -1,4 +1,4 @@
-//! docs/sensors.md.
+//! Renders docs/sensors.md.
 
 use serde::Serialize;
 
@@ -24,10 +24,10 @@ struct Noise {
     speed: f64,
 }
 
-/// The page of the study.
+/// Renders docs/sensors.md from the results of all sensor sets.
 ///
 /// # Errors
-/// [`StudyError`] if the template cannot be filled.
+/// [`StudyError`] if the template cannot be rendered with the results.
 pub fn sensors_page(sets: &[SensorSet], seeds: u64) -> Result<Page, StudyError> {
     let noise = SensorNoise::default();
     let results = Results {

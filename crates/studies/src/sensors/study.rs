@@ -1,4 +1,4 @@
-//! Fits and diagnoses of the sets of sensors.
+//! Fits and diagnoses simulated flights with each set of sensors.
 
 use diagnose::{DiagnosisOptions, diagnose};
 use flight::batch;
@@ -10,43 +10,44 @@ use serde::Serialize;
 use super::flights::{Observed, SensorNoise, sensor_flights};
 use crate::oracle_flights::{Plan, TWELVE, disc, truth};
 
-/// Flights of a dataset, and how many of them a diagnosis holds out.
+/// Number of flights per dataset, and how many of them a diagnosis holds out.
 const FLIGHTS: (usize, usize) = (12, 4);
 
-/// Displacement of accelerometers that a diagnosis is to find, m.
+/// Displacement of accelerometers that a diagnosis is expected to find, m, body axes.
 pub const DISPLACEMENT: [f64; 3] = [0.005, 0.0, 0.0];
 
-/// Name of the effect that is a displaced accelerometer.
+/// Name of the catalogue's effect of a displaced accelerometer.
 const MISPLACED: &str = "accelerometer-misplaced";
 
-/// Results of one set of sensors.
+/// Results of the fits and diagnoses with one set of sensors.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct SensorSet {
-    /// What is measured, in words.
+    /// Description of what is measured.
     pub name: String,
-    /// Number of datasets.
+    /// Number of datasets that were fitted.
     pub datasets: usize,
-    /// Number of fits without a result, or that did not converge.
+    /// Number of fits that failed, did not converge or were reported as unreliable.
     pub failed: usize,
-    /// Number of 95 % intervals, over datasets and coefficients, and how many contain the true value.
+    /// Number of 95 % confidence intervals, over datasets and coefficients.
     pub intervals: usize,
-    /// Intervals that contain the true value.
+    /// Number of the 95 % confidence intervals that contain the true value.
     pub covered: usize,
     /// Number of estimates within three standard errors of the true value.
     pub within_three: usize,
-    /// Root mean square of the errors over their standard errors.
+    /// RMS of (estimate - true value) / standard error.
     pub rms_z: f64,
-    /// Median time of a fit, s.
+    /// Median elapsed time of a fit, s.
     pub seconds: f64,
-    /// Standard errors over those with markers, median over the coefficients.
+    /// Median over the coefficients of the ratio of the standard error to that with markers alone.
     pub relative_error: f64,
-    /// Diagnoses without a displaced sensor, and how many of them find nothing.
+    /// Number of diagnoses without a displaced sensor, and how many of them find nothing.
     pub clean: [usize; 2],
-    /// Diagnoses with a displaced accelerometer, and how many name it with an estimate within three standard errors.
+    /// Number of diagnoses with a displaced accelerometer, and how many of them name the displacement with an estimate
+    /// within three standard errors. `None` for a set without an accelerometer.
     pub displaced: Option<[usize; 2]>,
 }
 
-/// The sets: names in words, whether there are markers, the sensors.
+/// The sets of sensors: description, whether markers are measured, the sensors.
 fn sets() -> Vec<(&'static str, bool, Vec<Sensor>)> {
     let instrument = |name, kind, place| Sensor::new(name, SensorKind::Instrument(kind), place);
     let pose = Sensor::new("tag", SensorKind::Pose, [0.03, 0.0, 0.01]);
@@ -67,7 +68,8 @@ fn sets() -> Vec<(&'static str, bool, Vec<Sensor>)> {
     ]
 }
 
-/// Fits `seeds` datasets of each set and diagnoses `diagnosed` of them, with and without a displaced accelerometer.
+/// Fits `seeds` datasets of each sensor set, and diagnoses `diagnosed` datasets with and without a displaced
+/// accelerometer. Calls `done` with a description of each finished step.
 pub fn sensors(
     seeds: u64,
     diagnosed: u64,
@@ -107,8 +109,8 @@ pub fn sensors(
     found
 }
 
-/// One fit: its time, s, and of each coefficient the error over the standard error, whether the interval holds the truth, and
-/// the standard error. `None` without a converged fit.
+/// Result of one fit: its time, s, and for each coefficient z = (estimate - true value) / standard error, whether the
+/// 95 % interval contains the true value, and the standard error. `None` without a converged, reliable fit.
 type Run = Option<(f64, Vec<(f64, bool, f64)>)>;
 
 fn run(observed: &Observed, seed: u64) -> Run {
@@ -137,7 +139,7 @@ fn run(observed: &Observed, seed: u64) -> Run {
     Some((seconds, each.collect()))
 }
 
-/// Adds runs to a set; returns the median standard error of each coefficient.
+/// Adds the statistics of the runs to a set, and returns the median standard error of each coefficient.
 fn gather(runs: &[Run], set: &mut SensorSet) -> Vec<f64> {
     let good: Vec<_> = runs.iter().flatten().collect();
     set.failed = runs.len() - good.len();
@@ -185,7 +187,8 @@ fn diagnoses(observed: &Observed, count: u64, threads: usize, set: &mut SensorSe
     }
 }
 
-/// Effects of all causes of a diagnosis, each with whether its first estimate is the displacement; `None` without a result.
+/// Names of the effects of all causes in a diagnosis, each with whether the estimated displacement is within three
+/// standard errors of the true one. `None` if the diagnosis fails.
 fn causes(observed: &Observed, seed: u64) -> Option<Vec<(String, bool)>> {
     let model = disc();
     let plan = Plan {

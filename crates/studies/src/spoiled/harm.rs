@@ -1,4 +1,4 @@
-//! What each kind does to a flight or a dataset.
+//! The changes that each kind of mistake makes to a flight or a dataset.
 
 use identify::dataset::{Dataset, Flight};
 use nalgebra::Vector3;
@@ -9,13 +9,14 @@ use rand_distr::StandardNormal;
 use super::kinematics::{Row, centre, moved, turned, velocity};
 use crate::cuts::bouncing_flight;
 
-/// Changes a flight; the other one is the one before it in the dataset.
+/// Function that spoils a flight. The second argument is the preceding flight of the dataset, the third a random
+/// generator.
 pub(super) type FlightHarm = fn(&mut Flight, &Flight, &mut ChaCha12Rng);
 
-/// Changes what a dataset states.
+/// Function that spoils the dataset's template or parameters.
 pub(super) type DatasetHarm = fn(&mut Dataset);
 
-/// What a kind changes.
+/// The change that a kind of mistake makes.
 #[derive(Clone, Copy)]
 pub(super) enum Harm {
     Flight(FlightHarm),
@@ -23,7 +24,7 @@ pub(super) enum Harm {
 }
 
 impl Harm {
-    /// Spoils the flights with these indices, or the whole dataset.
+    /// Spoils the flights with the given indices, or the whole dataset.
     pub(super) fn apply(self, dataset: &mut Dataset, flights: &[usize], seed: u64) {
         match self {
             Self::Dataset(harm) => harm(dataset),
@@ -142,7 +143,7 @@ pub(super) fn half_time(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
 }
 
 pub(super) fn wrong_rate(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
-    // The flights are sampled at 120 Hz: said to be 144 Hz is the same part.
+    // Flights sampled at 120 Hz but stamped as 144 Hz have the same ratio as 100 Hz to 120 Hz.
     timed(flight, 100.0 / 120.0);
 }
 
@@ -165,7 +166,7 @@ pub(super) fn pause(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
 pub(super) fn jitter(flight: &mut Flight, _: &Flight, random: &mut ChaCha12Rng) {
     for time in &mut flight.times {
         let normal: f64 = random.sample(StandardNormal);
-        // Times must increase: samples are 8.3 ms apart.
+        // The times must increase; samples are 8.3 ms apart.
         *time += (0.002 * normal).clamp(-0.004, 0.004);
     }
 }
@@ -236,7 +237,8 @@ pub(super) fn random(flight: &mut Flight, _: &Flight, random: &mut ChaCha12Rng) 
     each_point(flight, |_| std::array::from_fn(|_| random.random::<f64>()));
 }
 
-/// Puts rows before a flight, which then starts later; `noise` is that of the markers, m.
+/// Inserts rows before the first sample or after the last, with marker noise of 1.5 mm, and renumbers the times at a
+/// constant interval.
 fn add(flight: &mut Flight, rows: Vec<Row>, at_start: bool, random: &mut ChaCha12Rng) {
     let interval = flight.times[1] - flight.times[0];
     let noisy = rows.into_iter().map(|row| {
@@ -256,7 +258,7 @@ fn add(flight: &mut Flight, rows: Vec<Row>, at_start: bool, random: &mut ChaCha1
 }
 
 pub(super) fn in_the_hand(flight: &mut Flight, _: &Flight, random: &mut ChaCha12Rng) {
-    // The arm speeds up evenly over 0.5 s, and the disc turns by 100 degrees without spin.
+    // The arm accelerates uniformly over 0.5 s, and the disc rotates by 100 degrees without spin.
     let release = velocity(flight, 0, 4);
     let row = flight.positions[0].clone();
     let count = 60;
@@ -269,7 +271,7 @@ pub(super) fn in_the_hand(flight: &mut Flight, _: &Flight, random: &mut ChaCha12
 }
 
 pub(super) fn after_the_catch(flight: &mut Flight, _: &Flight, random: &mut ChaCha12Rng) {
-    // The hand gives way over 0.1 s.
+    // The hand yields over 0.1 s.
     let last = flight.positions.len() - 1;
     let arrival = velocity(flight, last - 4, last);
     let row = flight.positions[last].clone();
@@ -292,7 +294,7 @@ pub(super) fn bounce(flight: &mut Flight, _: &Flight, random: &mut ChaCha12Rng) 
 }
 
 pub(super) fn at_rest(flight: &mut Flight, _: &Flight, random: &mut ChaCha12Rng) {
-    // It lies where it came down, flat.
+    // The disc lies flat where it came down.
     let last = flight.positions.last().cloned().unwrap_or_default();
     let (middle, rows) = (centre(&last), 48);
     let lying: Row = last

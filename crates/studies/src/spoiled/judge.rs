@@ -1,36 +1,37 @@
-//! Whether an answer to spoiled data can be trusted.
+//! Classifies the answer of a fit to spoiled data: whether it could mislead a user.
 
 use std::collections::BTreeMap;
 
 use identify::{FitError, FitReport, FlightOutcome};
 
-/// Greatest error of a coefficient that counts as right, in standard errors.
+/// Maximum error of a coefficient that counts as right, in standard errors.
 pub(super) const MAX_Z: f64 = 4.0;
 
-/// What the answer is worth.
+/// Classification of a fit's answer to spoiled data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Judgement {
-    /// The spoiled flights are named or set aside.
+    /// Every spoiled flight is reported as faulty, truncated or excluded, and the coefficients are right or the report
+    /// warns.
     Named,
-    /// Nothing is named, and every coefficient is within four standard errors of the truth.
+    /// A spoiled flight is not reported, but every coefficient is within four standard errors of the true value.
     Right,
-    /// The report says not to rely on it.
+    /// The report states that it is unreliable.
     Unreliable,
-    /// The fit ended with a message.
+    /// The fit ended with an error message.
     Refused,
-    /// Wrong coefficients without a word.
+    /// Wrong coefficients without a warning.
     Wrong,
-    /// The fit took too long.
+    /// The fit reached the time limit.
     TooLong,
 }
 
 impl Judgement {
-    /// Whether a user is not misled.
+    /// Whether the answer does not mislead a user: it is neither wrong without a warning nor too late.
     pub fn is_safe(self) -> bool {
         !matches!(self, Self::Wrong | Self::TooLong)
     }
 
-    /// The judgement in a word.
+    /// Label of the judgement on the page.
     pub fn label(self) -> &'static str {
         match self {
             Self::Named => "named",
@@ -43,20 +44,20 @@ impl Judgement {
     }
 }
 
-/// A judged answer.
+/// The answer of a fit with its judgement.
 #[derive(Clone, Debug)]
 pub struct Judged {
-    /// What the answer is worth.
+    /// Classification of the answer.
     pub judgement: Judgement,
-    /// Greatest error of a coefficient, in standard errors; `None` without a result.
+    /// Maximum error of a coefficient, in standard errors; `None` if the fit failed or lacks a coefficient.
     pub max_z: Option<f64>,
-    /// Untouched flights that are named or set aside.
+    /// Files of unspoiled flights that are reported as faulty, truncated or excluded.
     pub blamed: Vec<String>,
-    /// What the answer says.
+    /// Messages of the fit: the first report about a flight and the reasons for unreliability, or the error.
     pub says: String,
 }
 
-/// Judges a fit of flights of which those named `spoiled` were changed.
+/// Judges a fit of a dataset in which the flights with the file names `spoiled` were changed.
 pub(super) fn judge(
     result: &Result<FitReport, FitError>,
     spoiled: &[String],
@@ -89,7 +90,7 @@ pub(super) fn judge(
     let is_right = max_z.is_some_and(|z| z <= MAX_Z);
     let is_named = spoiled.iter().all(|file| named.contains_key(file));
     let distrust = distrust(report);
-    // With a named flight the coefficients must still be right, or the report must warn.
+    // Even if all spoiled flights are named, the coefficients must be right or the report must warn.
     let judgement = match () {
         () if !report.reliable => match is_named {
             true => Judgement::Named,
@@ -112,7 +113,7 @@ pub(super) fn judge(
     }
 }
 
-/// Flights that are named as faulty, truncated or excluded, with the reason.
+/// Flights that the report names as faulty, excluded or truncated, with the reason, by file name.
 fn named(report: &FitReport) -> BTreeMap<String, String> {
     let mut named = BTreeMap::new();
     for fault in &report.data_faults {
@@ -133,7 +134,7 @@ fn named(report: &FitReport) -> BTreeMap<String, String> {
     named
 }
 
-/// Reasons not to rely on a report.
+/// Reasons for which the report is unreliable; empty if it is reliable.
 fn distrust(report: &FitReport) -> Vec<String> {
     match report.reliable {
         true => Vec::new(),

@@ -1,15 +1,15 @@
-//! Kinds of spoiled data.
+//! The kinds of mistakes with which data are spoiled.
 
 use super::harm::{self, Harm};
 
-/// A mistake of a laboratory.
+/// A kind of mistake that a laboratory could make, and the change of the data that it causes.
 #[derive(Clone, Copy)]
 pub struct Kind {
-    /// Name, as on the command line.
+    /// Name of the kind, as given on the command line.
     pub name: &'static str,
-    /// What is wrong, in words.
+    /// Description of the mistake.
     pub what: &'static str,
-    /// Whether it is of a whole dataset only: of its template or its parameters.
+    /// Whether the mistake affects the whole dataset (its template or parameters) rather than single flights.
     pub of_dataset: bool,
     pub(super) harm: Harm,
 }
@@ -32,7 +32,7 @@ const fn dataset(name: &'static str, what: &'static str, harm: harm::DatasetHarm
     }
 }
 
-/// All kinds.
+/// All kinds of mistakes.
 #[rustfmt::skip]
 pub const KINDS: &[Kind] = &[
     flight("labels_12", "labels m1 and m2 exchanged", harm::labels_12),

@@ -1,4 +1,4 @@
-//! docs/spoiled.md.
+//! Renders docs/spoiled.md.
 
 use serde::Serialize;
 
@@ -8,7 +8,7 @@ use crate::cuts::CutSection;
 use crate::error::StudyError;
 use crate::page::{Page, render};
 
-/// Greatest length of a quoted answer, characters.
+/// Maximum length of a quoted answer, characters.
 const MAX_QUOTE: usize = 160;
 
 #[derive(Serialize)]
@@ -36,10 +36,11 @@ struct Row {
     says: String,
 }
 
-/// The page of spoiled datasets, with the section on truncation where it was run.
+/// Renders docs/spoiled.md from the runs on spoiled datasets. `cuts` is the section on truncation, if that study was
+/// run.
 ///
 /// # Errors
-/// [`StudyError::Page`] if the template does not go with the results.
+/// [`StudyError::Page`] if the template cannot be rendered with the results.
 pub fn spoiled_page(runs: &[Run], cuts: Option<CutSection>) -> Result<Page, StudyError> {
     let mut rows: Vec<Vec<&Run>> = Vec::new();
     for run in runs {

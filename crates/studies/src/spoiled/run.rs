@@ -1,4 +1,4 @@
-//! Runs: flights are made, spoiled and fitted.
+//! Executes the runs: simulates flights, spoils them, fits them and judges the answer.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
@@ -12,23 +12,23 @@ use super::kinds::{KINDS, Kind};
 use crate::bounded_fit::bounded_fit;
 use crate::oracle_flights::{TRUTH, TWELVE, disc, flights};
 
-/// Longest time of a fit.
+/// Time limit of fitting one dataset.
 const LIMIT: Duration = Duration::from_secs(30);
 
-/// Index of the flight that is spoiled where it is one.
+/// Index of the spoiled flight if only one flight is spoiled.
 const SPOILED: usize = 3;
 
-/// Which flights are spoiled.
+/// Number of flights of a dataset that are spoiled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Which {
-    /// One of twelve.
+    /// One of the twelve flights.
     One,
-    /// All of them.
+    /// All twelve flights.
     All,
 }
 
 impl Which {
-    /// In words.
+    /// Label on the page and for selection by words.
     pub fn label(self) -> &'static str {
         match self {
             Self::One => "one flight",
@@ -37,22 +37,23 @@ impl Which {
     }
 }
 
-/// A spoiled dataset and the answer.
+/// A spoiled dataset, and the judged answer of the fit.
 #[derive(Clone)]
 pub struct Run {
-    /// Kind of fault.
+    /// Kind of mistake.
     pub kind: &'static Kind,
-    /// Spoiled flights.
+    /// Whether one flight or all flights are spoiled.
     pub which: Which,
-    /// Seed of the flights.
+    /// Seed of the simulated flights.
     pub seed: u64,
-    /// The answer, judged.
+    /// Judged answer of the fit.
     pub judged: Judged,
-    /// Computing time, s.
+    /// Elapsed time of the fit, s.
     pub seconds: f64,
 }
 
-/// Kinds, with the flights that they spoil, that have all of the words.
+/// Lists the kinds of mistakes, each with one or with all flights spoiled, whose name, description or label contains
+/// all of `words`.
 pub fn runs(words: &str) -> Vec<(&'static Kind, Which)> {
     let all = KINDS.iter().flat_map(|kind| {
         let which: &[Which] = match kind.of_dataset {
@@ -68,7 +69,8 @@ pub fn runs(words: &str) -> Vec<(&'static Kind, Which)> {
     all.filter(has).collect()
 }
 
-/// Spoils and fits `seeds` datasets of each kind on this number of threads.
+/// Spoils and fits `seeds` datasets of each kind, `threads` of them in parallel. Calls `progress` with the numbers of
+/// finished runs and of all runs.
 pub fn spoiled(
     kinds: &[(&'static Kind, Which)],
     seeds: u64,
@@ -109,7 +111,7 @@ fn run(kind: &'static Kind, which: Which, seed: u64) -> Run {
     }
 }
 
-/// Twelve flights with white noise of 1.5 mm.
+/// Simulates twelve flights with white noise of 1.5 mm.
 fn clean(seed: u64) -> Dataset {
     let mut dataset = flights(&disc(), &TWELVE, seed);
     for (k, flight) in dataset.flights.iter_mut().enumerate() {

@@ -1,17 +1,18 @@
-//! Takes as C3D, written by ezc3d in a Python of the user's.
+//! Writes takes as C3D with ezc3d, in the user's Python.
 
 use std::path::Path;
 use std::process::Command;
 
 use crate::error::StudyError;
 
-/// The script that turns tables of Vicon into C3D.
+/// Python script that converts Vicon tables to C3D.
 const SCRIPT: &str = include_str!("../../../../benches/takes/write_c3d.py");
 
-/// Turns tables of Vicon into C3D files.
+/// Converts Vicon tables to C3D files and returns the contents of the files.
 ///
 /// # Errors
-/// [`StudyError::Absent`] where Python or ezc3d fails, [`StudyError::Unreadable`] where a file does.
+/// [`StudyError::Absent`] if the script fails in Python, [`StudyError::Unreadable`] if Python cannot be started or a
+/// file cannot be written or read.
 pub(super) fn written(
     python: &Path,
     seed: u64,
@@ -19,7 +20,7 @@ pub(super) fn written(
 ) -> Result<Vec<Vec<u8>>, StudyError> {
     let folder = std::env::temp_dir().join(format!("hyzer-takes-{}-{seed}", std::process::id()));
     let made = in_folder(python, &folder, tables);
-    // What went wrong first is what counts.
+    // An error of the conversion matters more than one of the removal.
     let _ = std::fs::remove_dir_all(&folder);
     made
 }

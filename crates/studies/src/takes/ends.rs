@@ -1,16 +1,16 @@
-//! Motion of a body before its release and after its end: a hand that pushes, a net that stops.
+//! Motion of a body before its release, by a hand, and after its end, in a net.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use oracle::{Physical, Quaternion};
 use rand::{Rng, RngExt};
 
-/// Motion up to the release: held, then pushed along the velocity with an acceleration that follows a sine.
+/// Motion up to the release: the body is held, then pushed along the release velocity with a sinusoidal acceleration.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Hand {
     release: Physical<f64>,
     /// Time for which the body is held, s.
     held: f64,
-    /// Half period of the sine, s, and the part of it at which the hand lets go.
+    /// Half period of the sine, s; `part` is the fraction of it after which the hand lets go.
     half: f64,
     part: f64,
 }
@@ -19,7 +19,7 @@ pub(super) struct Hand {
 const SWAY: (f64, f64) = (0.003, 4.0);
 
 impl Hand {
-    /// A hand that gives a body this state at the release.
+    /// Draws a random hand motion that ends in the state `release`.
     pub fn draw(release: Physical<f64>, random: &mut impl Rng) -> Self {
         Self {
             release,
@@ -29,7 +29,7 @@ impl Hand {
         }
     }
 
-    /// Time of the release from the beginning of the motion, s.
+    /// Duration of the motion from its start to the release, s.
     pub fn seconds(&self) -> f64 {
         self.held + self.push()
     }
@@ -38,11 +38,11 @@ impl Hand {
         self.part * self.half
     }
 
-    /// State at a time from the beginning, s, up to the release.
+    /// State at a time (s) from the start of the motion, up to the release.
     pub fn at(&self, time: f64) -> Physical<f64> {
         let since = (time - self.held).clamp(0.0, self.push());
         let rate = std::f64::consts::PI / self.half;
-        // Way and speed of the push relative to the speed at the release.
+        // Displacement of the push relative to the speed at the release.
         let size = 1.0 - (std::f64::consts::PI * self.part).cos();
         let way = |t: f64| (t - (rate * t).sin() / rate) / size;
         let back = self.release.velocity * (way(since) - way(self.push()));
@@ -50,7 +50,7 @@ impl Hand {
             true => SWAY.0 * (SWAY.1 * (time - self.held)).sin(),
             false => 0.0,
         };
-        // The spin grows evenly during the push.
+        // The spin grows linearly during the push.
         let turned = (since * since / self.push() - self.push()) / 2.0;
         Physical {
             position: self.release.position + back + Vector3::new(sway, 0.0, sway),
@@ -60,7 +60,7 @@ impl Hand {
     }
 }
 
-/// State so long, s, after a net took a body: it is stopped at this deceleration, m/s².
+/// State of a body `since` seconds after a net caught it in the state `taken`; the net decelerates it uniformly (m/s²).
 pub(super) fn in_net(taken: &Physical<f64>, deceleration: f64, since: f64) -> Physical<f64> {
     let stop = taken.velocity.norm() / deceleration;
     let t = since.min(stop);
@@ -72,7 +72,7 @@ pub(super) fn in_net(taken: &Physical<f64>, deceleration: f64, since: f64) -> Ph
     }
 }
 
-/// Attitude after a turn with the angular velocity of a state for so long, s.
+/// Attitude after a rotation at the state's constant angular velocity for `seconds`.
 fn rotated(body: &Physical<f64>, seconds: f64) -> Quaternion<f64> {
     let turn = UnitQuaternion::from_scaled_axis(body.angular_velocity * seconds);
     let turn = Quaternion {

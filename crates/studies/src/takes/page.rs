@@ -1,4 +1,4 @@
-//! docs/takes.md.
+//! Renders docs/takes.md.
 
 use serde::Serialize;
 
@@ -8,15 +8,15 @@ use crate::oracle_flights::TRUTH;
 use crate::page::{Page, render};
 use crate::statistics::median;
 
-/// Greatest error of a cut, samples.
+/// Maximum error of a detected release or end that counts as right, samples.
 const CUT: i64 = 3;
-/// Greatest error of a template, m.
+/// Maximum error of a template that counts as right, m.
 const MILLIMETRE: f64 = 0.001;
-/// Greatest error of a coefficient, standard errors.
+/// Maximum error of a coefficient that counts as right, standard errors.
 const MAX_Z: f64 = 3.0;
-/// Half width of a 95 % interval of a normal variable, standard deviations.
+/// Half width of a 95 % interval of a normal variable, in standard deviations.
 const NORMAL_95: f64 = 1.96;
-/// Greatest number of sessions without a result that the page lists.
+/// Maximum number of failed sessions that the page lists.
 const MAX_EXAMPLES: usize = 8;
 
 #[derive(Serialize)]
@@ -26,14 +26,17 @@ struct Results {
     flights: usize,
     missed: usize,
     false_throws: usize,
-    /// Sessions with every cut within the limit, and flights so.
+    /// Fraction of the sessions in which the release and end of every flight are right; `cut_flights` is the fraction
+    /// of the flights.
     cut_sessions: f64,
     cut_flights: f64,
-    /// Sessions with a template within 1 mm across the axis, and along it but for the height of the centre of mass.
+    /// Fraction of the sessions whose template is within 1 mm perpendicular to the disc's axis; `along` is that along
+    /// the axis, without the height of the centre of mass.
     across: f64,
     along: f64,
     greatest_across: f64,
-    /// Heights of the centre of mass: of flights with the cuts found, with the true ones, and after the fit.
+    /// Statistics of the centre-of-mass height from flights with the detected ends, from flights with the true ends,
+    /// and after the fit.
     heights: [HeightRow; 3],
     formats: Vec<FormatRow>,
     fits: Vec<FitRow>,
@@ -41,7 +44,7 @@ struct Results {
     examples: Vec<String>,
 }
 
-/// Estimated heights of the centre of mass, mm.
+/// Statistics of the estimated heights of the centre of mass, mm.
 #[derive(Serialize)]
 struct HeightRow {
     estimated: usize,
@@ -59,7 +62,7 @@ struct FormatRow {
     covered: f64,
 }
 
-/// Fits to one kind of flights and template.
+/// Statistics of the fits with one combination of flight ends and template.
 #[derive(Serialize)]
 struct FitRow {
     cuts: &'static str,
@@ -72,14 +75,14 @@ struct FitRow {
     rms_z: f64,
 }
 
-/// Coverage of a coefficient by each kind of fit.
+/// Coverage of the intervals of one coefficient, for each combination of flight ends and template.
 #[derive(Serialize)]
 struct CoefficientRow {
     name: &'static str,
     covered: Vec<f64>,
 }
 
-/// Share of the values that hold.
+/// Fraction of the values that are true; 0 if there are none.
 fn share(values: impl IntoIterator<Item = bool>) -> f64 {
     let (mut holding, mut all) = (0, 0);
     for value in values {
@@ -93,10 +96,10 @@ fn is_cut(cut: &Option<[i64; 2]>) -> bool {
     cut.is_some_and(|ends| ends.iter().all(|end| end.abs() <= CUT))
 }
 
-/// The page of the round trips.
+/// Renders docs/takes.md from the round trips of all sessions.
 ///
 /// # Errors
-/// [`StudyError::Page`] if the template does not go with the results.
+/// [`StudyError::Page`] if the template cannot be rendered with the results.
 pub fn takes_page(sessions: &[Session]) -> Result<Page, StudyError> {
     let results: Vec<&SessionResult> = sessions
         .iter()
@@ -104,7 +107,7 @@ pub fn takes_page(sessions: &[Session]) -> Result<Page, StudyError> {
         .collect();
     let cuts = || results.iter().flat_map(|result| &result.cuts);
     let templates = || results.iter().map(|result| result.template);
-    // A session without a result counts against every share.
+    // A session without a result counts as wrong in every fraction.
     let of_sessions = |holds: &dyn Fn(&SessionResult) -> bool| {
         share(sessions.iter().map(|s| s.result.as_ref().is_ok_and(holds)))
     };
@@ -156,7 +159,8 @@ pub fn takes_page(sessions: &[Session]) -> Result<Page, StudyError> {
     })
 }
 
-/// Error of the estimated height of the centre of mass, and its standard error, m.
+/// Error of the estimated height of the centre of mass, and its standard error, m; `None` if the height was not
+/// estimated.
 fn of_template(errors: TemplateErrors) -> Option<(f64, f64)> {
     Some((errors.height, errors.height_std_error?))
 }
@@ -173,7 +177,7 @@ fn heights(estimated: impl Iterator<Item = (f64, f64)>) -> HeightRow {
     }
 }
 
-/// Errors of all coefficients of the fits of a kind.
+/// Errors of all coefficients in the fits of the combination `GIVEN[kind]`.
 fn errors<'r>(
     kind: usize,
     results: &'r [&'r SessionResult],
@@ -221,7 +225,7 @@ fn formats(sessions: &[Session]) -> Vec<FormatRow> {
     names.into_iter().map(row).collect()
 }
 
-/// Sessions without a result, and with a fit that failed.
+/// Descriptions of the sessions that have no result or a failed fit.
 fn examples(sessions: &[Session]) -> Vec<String> {
     let each = sessions.iter().filter_map(|session| {
         let why = match &session.result {

@@ -1,4 +1,4 @@
-//! Round trips: takes are filmed, written, imported, given a template and fitted.
+//! Round trips: takes are simulated, written, imported, given a marker template and fitted.
 
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -19,10 +19,11 @@ use crate::bounded_fit::bounded_fit;
 use crate::error::StudyError;
 use crate::oracle_flights::{TRUTH, disc, empty, file_name};
 
-/// Longest time of a fit.
+/// Time limit of fitting one dataset.
 const LIMIT: Duration = Duration::from_secs(120);
 
-/// Cuts of the flights and positions of the markers that a fit is given.
+/// Combinations (flight ends, marker positions) that are fitted: "found" by the import or "true", and "estimated" or
+/// "true".
 pub(super) const GIVEN: [(&str, &str); 4] = [
     ("found", "estimated"),
     ("found", "true"),
@@ -30,75 +31,78 @@ pub(super) const GIVEN: [(&str, &str); 4] = [
     ("true", "true"),
 ];
 
-/// A session's round trip.
+/// Settings and result of one session's round trip.
 #[derive(Clone, Debug)]
 pub struct Session {
     /// Seed of the session.
     pub seed: u64,
-    /// Format of its takes.
+    /// File format of the session's takes.
     pub format: &'static str,
-    /// Frames per second.
+    /// Frame rate, Hz.
     pub rate: f64,
     /// Number of markers.
     pub markers: usize,
-    /// Standard deviation of a coordinate, m.
+    /// Standard deviation of the noise of a marker coordinate, m.
     pub sigma: f64,
-    /// What came out, or why nothing did.
+    /// Result of the round trip, or the error message if it failed.
     pub result: Result<SessionResult, String>,
 }
 
-/// What came out of a session.
+/// Errors of the import, the template and the fits of one session.
 #[derive(Clone, Debug)]
 pub struct SessionResult {
-    /// Release and end of each flight less the truth, samples; `None` for a flight that was not found.
+    /// Errors (found − true) of the release and the end of each flight, samples; `None` for a flight that was not
+    /// found.
     pub cuts: Vec<Option<[i64; 2]>>,
-    /// Throws that are none.
+    /// Number of detected throws that do not overlap a true flight.
     pub false_throws: usize,
-    /// Errors of the template.
+    /// Errors of the template estimated from the flights as found.
     pub template: TemplateErrors,
-    /// Errors of the template from flights with the true cuts.
+    /// Errors of the template estimated from the flights with the true release and end.
     pub template_of_true_cuts: TemplateErrors,
-    /// Errors of the fit to each kind of flights and template; a text where it failed.
+    /// Errors of the fit with each combination in `GIVEN`, or the message of a failed fit.
     pub fits: Vec<Result<FitErrors, String>>,
 }
 
-/// Errors of a fit.
+/// Errors of the estimates of one fit.
 #[derive(Clone, Debug)]
 pub struct FitErrors {
-    /// Errors of the coefficients.
+    /// Errors of the estimated coefficients.
     pub coefficients: Vec<CoefficientError>,
-    /// Error of the height of the centre of mass, and its standard error, m, where the fit estimates it.
+    /// Error of the height of the centre of mass, and its standard error, m; `None` if the fit does not estimate the
+    /// height.
     pub height: Option<(f64, f64)>,
 }
 
-/// Cuts as [`SessionResult::cuts`], and the number of throws that are none.
+/// Errors of the releases and ends, as in [`SessionResult::cuts`], and the number of false throws.
 pub type SessionCuts = (Vec<Option<[i64; 2]>>, usize);
 
-/// Errors of a template, m.
+/// Errors of an estimated marker template, m.
 #[derive(Clone, Copy, Debug)]
 pub struct TemplateErrors {
-    /// Greatest error of a marker across the axis.
+    /// Maximum error of a marker perpendicular to the disc's axis.
     pub across: f64,
-    /// Greatest error of a marker along the axis relative to the mean of the markers.
+    /// Maximum error of a marker along the disc's axis, relative to the mean of the markers.
     pub along: f64,
-    /// Error of the height of the centre of mass.
+    /// Error of the estimated height of the centre of mass.
     pub height: f64,
-    /// Its standard error, where the height was estimated.
+    /// Standard error of the height of the centre of mass; `None` if the height was not estimated.
     pub height_std_error: Option<f64>,
 }
 
-/// Error of a coefficient.
+/// Error of one estimated coefficient.
 #[derive(Clone, Debug)]
 pub struct CoefficientError {
     /// Name of the coefficient.
     pub name: &'static str,
-    /// Error in standard errors.
+    /// Error (estimate − true value) in standard errors.
     pub z: f64,
-    /// Whether the 95 % interval has the truth.
+    /// Whether the 95 % interval contains the true value.
     pub is_covered: bool,
 }
 
-/// Round trips of sessions on this number of threads; C3D is among the formats where a Python with ezc3d is given.
+/// Runs the round trips of the sessions of `seeds`, `threads` of them in parallel. `python` is a Python with ezc3d;
+/// without it no session is written as C3D. Calls `progress` with the numbers of finished sessions and of all sessions.
 pub fn sessions(
     seeds: &[u64],
     python: Option<&Path>,
@@ -118,10 +122,10 @@ pub fn sessions(
     })
 }
 
-/// Cuts of the sessions of seeds, as [`SessionResult::cuts`], and the number of throws that are none, without fits.
+/// Errors of the detected releases and ends over the sessions of `seeds`, and the number of false throws, without fits.
 ///
 /// # Errors
-/// A text where a take is not read.
+/// A message if a take cannot be read.
 pub fn session_cuts(seeds: &[u64], threads: usize) -> Result<SessionCuts, String> {
     let each: Vec<Result<SessionCuts, String>> = batch::each_on(threads, seeds.len(), |index| {
         let filmed = filmed(seeds[index]);
@@ -155,7 +159,7 @@ fn session(seed: u64, writer: Writer, python: Option<&Path>) -> Session {
     }
 }
 
-/// The files of the takes.
+/// Contents of the files of the takes, in the writer's format.
 fn files(
     filmed: &Filmed,
     writer: Writer,
@@ -225,8 +229,8 @@ fn round_trip(filmed: &Filmed, files: &[Vec<u8>]) -> Result<SessionResult, Strin
     })
 }
 
-/// Release and end of each flight less the truth, samples, `None` for a flight that was not found, and the number of throws
-/// that are none.
+/// Errors (found − true) of the release and end of each flight, samples, and the number of false throws. `None` for a
+/// flight that was not found.
 fn cut_errors(filmed: &Filmed, imported: &[(Take, Throws)]) -> SessionCuts {
     let mut cuts = Vec::new();
     let mut false_throws = 0;
@@ -253,7 +257,7 @@ fn cut_errors(filmed: &Filmed, imported: &[(Take, Throws)]) -> SessionCuts {
     (cuts, false_throws)
 }
 
-/// The take of a file, and its throws.
+/// Parses a file as a take with z up, and finds its throws.
 fn imported(file: &[u8]) -> Result<(Take, Throws), String> {
     let take = takes::parse(&PathBuf::from("take"), file, &ReadOptions::default());
     let take = take.map_err(|error| error.to_string())?;
@@ -263,7 +267,7 @@ fn imported(file: &[u8]) -> Result<(Take, Throws), String> {
     Ok((take, found))
 }
 
-/// Adds the flights of ranges of samples, with the markers in the order of their labels.
+/// Appends the flights in the given ranges of samples, with the markers in the order of `labels`.
 fn add_flights(
     take: &Take,
     labels: &[String],

@@ -1,4 +1,4 @@
-//! A session in a laboratory: takes of several throws of one disc.
+//! Simulates a laboratory session: takes with several throws of one disc.
 
 use std::f64::consts::TAU;
 
@@ -12,20 +12,22 @@ use crate::oracle_flights::{
     TWELVE, Throws, disc, disc_constants, integrate, marker_positions, reference_of,
 };
 
-/// Takes of a session, and throws of each.
+/// Number of takes per session, and of throws per take.
 const TAKES: (usize, usize) = (3, 4);
-/// Rates of the cameras, Hz.
+/// Possible frame rates of the cameras, Hz.
 const RATES: [f64; 5] = [120.0, 150.0, 200.0, 250.0, 300.0];
-/// Time of a body in the net, and after its first touch of the ground, for which it is seen, s; and that for which it is fetched.
+/// Time for which the body is visible after its catch by the net or its first ground contact, s; then the time without
+/// the body, in which it is fetched, s.
 const AFTER: (f64, f64) = (0.3, 0.7);
-/// Shortest flight to the ground, s.
+/// Minimum duration of a flight to the ground, s.
 const SHORTEST: f64 = 0.35;
-/// Fraction of single positions that are not seen.
+/// Fraction of single marker positions that are missing.
 const GAPS: f64 = 0.02;
-/// Time from the ends of a flight within which the body is not hidden as a whole, s.
+/// Time at the start of a flight, s, in which the body is never occluded as a whole; the time before its end is at
+/// least as long.
 const IN_SIGHT: f64 = 0.1;
 
-/// Low throws, downwards, which reach the ground.
+/// Ranges of launches: low, downward throws that reach the ground.
 const LOW: Throws = Throws {
     speed: (8.0, 18.0),
     launch: (-0.3, 0.0),
@@ -33,28 +35,28 @@ const LOW: Throws = Throws {
     ..Throws::SPREAD
 };
 
-/// Positions of the markers, m, z up, by sample and marker.
+/// Positions of the markers, m, z up, indexed by sample and marker.
 pub(super) type Rows = Vec<Vec<Option<[f64; 3]>>>;
 
-/// What was filmed, and what is true of it.
+/// Simulated recordings of a session, with the true values.
 pub(super) struct Filmed {
     /// Positions of the markers in the body frame, m.
     pub markers: Vec<[f64; 3]>,
-    /// Frames per second.
+    /// Frame rate, Hz.
     pub rate: f64,
-    /// Standard deviation of a coordinate, m.
+    /// Standard deviation of the noise of a marker coordinate, m.
     pub sigma: f64,
     pub takes: Vec<FilmedTake>,
 }
 
-/// A take.
+/// Simulated recording of several throws.
 pub(super) struct FilmedTake {
     pub rows: Rows,
-    /// First and last sample of each free flight.
+    /// True first and last sample of each free flight.
     pub flights: Vec<(usize, usize)>,
 }
 
-/// Films the session of a seed.
+/// Simulates the session of a seed.
 pub(super) fn filmed(seed: u64) -> Filmed {
     let mut random = ChaCha12Rng::seed_from_u64(seed);
     let r = &mut random;
@@ -87,7 +89,7 @@ pub(super) fn filmed(seed: u64) -> Filmed {
     }
 }
 
-/// Adds a throw to a take: hand, flight, net or ground, and the time in which the disc is fetched.
+/// Appends a throw to a take: hand, flight, net or ground, and the time in which the disc is fetched.
 fn add_throw(
     take: &mut FilmedTake,
     markers: &[[f64; 3]],
@@ -99,7 +101,7 @@ fn add_throw(
     let (reference, constants) = (reference_of(&model), disc_constants(&model, &TWELVE));
     let is_low = r.random_bool(0.5);
     let (longest, deceleration) = (r.random_range(0.5..1.0), r.random_range(60.0..200.0));
-    // A low throw is one that reaches the ground in time, and another one does not.
+    // A low throw must reach the ground within the recorded time; any other throw must not.
     let (start, surface, touch) = loop {
         let mut start = match is_low {
             true => LOW.draw(r),
@@ -122,7 +124,7 @@ fn add_throw(
     };
     let hand = Hand::draw(start, r);
     let released = hand.seconds();
-    // A grid of frames, of which none need be at the release.
+    // Times of the frames relative to the release. No frame need coincide with the release.
     let flown = (0..)
         .map(|k| f64::from(k) / rate - released)
         .skip_while(|t| *t < 0.0)
@@ -163,7 +165,8 @@ fn add_throw(
         .extend((0..fetched).map(|_| vec![None; markers.len()]));
 }
 
-/// A time in which nothing of the disc is seen, in every third flight.
+/// Draws a time interval (start, end), s, in which the whole disc is occluded, in every third flight on average; `None`
+/// for the other flights.
 fn hidden(end: f64, r: &mut ChaCha12Rng) -> Option<(f64, f64)> {
     let (from, to) = (IN_SIGHT, end - 2.0 * IN_SIGHT);
     let length = r.random_range(0.02..0.06);
@@ -171,7 +174,8 @@ fn hidden(end: f64, r: &mut ChaCha12Rng) -> Option<(f64, f64)> {
     (r.random_bool(1.0 / 3.0) && to > from).then_some((at, at + length))
 }
 
-/// Markers turned about the third axis so that the one of this index lies on the first axis.
+/// Rotates markers about the third axis so that the marker with the index `first` lies in the plane of the first and
+/// third axes.
 pub(super) fn turned(markers: &[[f64; 3]], first: usize) -> Vec<[f64; 3]> {
     let [x, y, _] = markers[first];
     let angle = y.atan2(x);

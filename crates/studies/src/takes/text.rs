@@ -1,21 +1,21 @@
-//! Takes as the programs of laboratories write them: in mm, y up, with gaps.
+//! Writes takes in the text formats of laboratory programs: in mm, y up, with gaps.
 
 use std::fmt::Write;
 
 use super::session::Rows;
 
-/// Program that writes a take.
+/// Program or library that writes a take, each with its own file format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Writer {
     Vicon,
     Qualisys,
     OptiTrack,
-    /// ezc3d, from the table of Vicon.
+    /// C3D file, written by ezc3d from the Vicon table.
     C3d,
 }
 
 impl Writer {
-    /// Name in the page.
+    /// Name of the format on the page.
     pub fn label(self) -> &'static str {
         match self {
             Self::Vicon => "Vicon CSV",
@@ -25,7 +25,7 @@ impl Writer {
         }
     }
 
-    /// The take as text; that of Vicon for C3D.
+    /// Formats a take as text; for C3D, in the format of Vicon.
     pub fn text(self, rows: &Rows, rate: f64) -> String {
         match self {
             Self::Vicon | Self::C3d => vicon(rows, rate),
@@ -39,12 +39,12 @@ fn count(rows: &Rows) -> usize {
     rows.first().map_or(0, Vec::len)
 }
 
-/// Coordinates in mm with y up.
+/// Converts a position in m with z up to mm with y up.
 fn in_mm([x, y, z]: [f64; 3]) -> [f64; 3] {
     [1e3 * x, 1e3 * z, -1e3 * y]
 }
 
-/// Adds the coordinates of a row after a separator each.
+/// Appends the coordinates of a row, each after a separator; `gap` stands for a missing coordinate.
 fn add_cells(text: &mut String, row: &[Option<[f64; 3]>], separator: char, gap: &str) {
     for position in row {
         match position.map(in_mm) {

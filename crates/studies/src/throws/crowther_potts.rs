@@ -1,5 +1,5 @@
-//! W. J. Crowther and J. R. Potts, "Simulation of a spin-stabilised sports disc", Sports Engineering 10 (2007) 3: their statements on
-//! launches, with the coefficients of the model `disc` and with those of their wind tunnel.
+//! Reproduces statements on launches by W. J. Crowther and J. R. Potts, "Simulation of a spin-stabilised sports disc",
+//! Sports Engineering 10 (2007) 3, with the coefficients of the model `disc` and with those of their wind tunnel.
 
 use design::{Path, ThrowFlights, ThrownBody};
 use flight::throw::Throw;
@@ -8,46 +8,48 @@ use serde::Serialize;
 
 use crate::error::StudyError;
 
-/// Speed (m/s) and advance ratio r d/2V of the launches.
+/// Speed of the launches, m/s; `ADVANCE` is their advance ratio r d/2V.
 const SPEED: f64 = 20.0;
 const ADVANCE: f64 = 0.5;
 
-/// What one set of coefficients gives.
+/// Results of the launches with one set of coefficients.
 #[derive(Clone, Debug, Serialize)]
 pub struct Launches {
-    /// Name of the coefficients.
+    /// Description of the set of coefficients.
     pub name: &'static str,
-    /// Pitch at launch of the longest range and of the longest time, deg, with path and plane pitched together.
+    /// Pitch at launch that gives the maximum range, and the one that gives the maximum time of flight, deg. Path and
+    /// disc are pitched together (zero angle of attack).
     pub along: (f64, f64),
-    /// As `along`, of a level path: the pitch is the angle of attack.
+    /// Same as `along` for a horizontal launch direction: the pitch is the angle of attack.
     pub level: (f64, f64),
-    /// Launches over the tilt.
+    /// Landings of launches as a function of the tilt (hyzer).
     pub tilts: Tilts,
-    /// Advance ratio and mean curvature of the path over the ground, 1/m.
+    /// Advance ratio, and mean curvature of the path over the ground, 1/m.
     pub curvature: Vec<(f64, f64)>,
 }
 
-/// Level launches at a pitch of 10° over the tilt (hyzer).
+/// Horizontal launches with an angle of attack of 10°, as a function of the tilt (hyzer).
 #[derive(Clone, Debug, Serialize)]
 pub struct Tilts {
-    /// Tilt of the flight that departs least from its line, deg, and by how much, m.
+    /// Tilt of the flight with the minimum lateral displacement, deg, and that flight's maximum lateral displacement,
+    /// m.
     pub straightest: (f64, f64),
-    /// Tilt of the flight that lands on its line, deg; `None` where none does.
+    /// Tilt of the flight that lands on the line of launch, deg; `None` if there is none.
     pub on_line: Option<f64>,
-    /// Landings: hyzer deg, x and y m.
+    /// Landing points: hyzer, deg, and position x and y, m.
     pub landings: Vec<(f64, f64, f64)>,
-    /// Number of turns of the locus of landings, from one side to the other: 1 for an S.
+    /// Number of inflections of the curve of landing points; an S-shaped curve has 1.
     pub inflections: usize,
 }
 
-/// Effects that the wind tunnel's coefficients need.
+/// Effects whose coefficients are needed to represent the wind tunnel's data.
 const EFFECTS: [&str; 2] = ["constant_pitching_moment", "zero_lift_drag_angle"];
 
-/// Coefficients of roll by spin that are tried with the wind tunnel's others, s.
+/// Values of the roll coefficient C_Rr that are tried with the wind tunnel's other coefficients, s.
 const ROLLS: [f64; 7] = [-4e-4, -2e-4, 0.0, 2e-4, 4e-4, 6e-4, 8e-4];
 
-/// Round values near the table of Potts and Crowther (2002), "Frisbee aerodynamics": lift, drag about -4 degrees, pitching moment
-/// nose-up positive there.
+/// Coefficients with round values near the table of Potts and Crowther (2002), "Frisbee aerodynamics": lift, drag about
+/// -4 degrees, pitching moment (C_M0 nose-up positive).
 const TUNNEL: [(&str, f64); 9] = [
     ("C_L0", 0.20),
     ("C_La", 2.96),
@@ -60,7 +62,8 @@ const TUNNEL: [(&str, f64); 9] = [
     ("C_Rr", 0.0),
 ];
 
-/// Launches over the tilt with the wind tunnel's coefficients and some of roll by spin, s.
+/// Simulates launches over the tilt with the wind tunnel's coefficients, for several values of the roll coefficient
+/// C_Rr. Returns (C_Rr in s, launches).
 ///
 /// # Errors
 /// [`StudyError`] if the model cannot be loaded.
@@ -75,7 +78,7 @@ pub fn rolls() -> Result<Vec<(f64, Tilts)>, StudyError> {
     each.into_iter().collect()
 }
 
-/// Runs the launches with both sets of coefficients.
+/// Simulates the launches with each set of coefficients.
 ///
 /// # Errors
 /// [`StudyError`] if the model cannot be loaded.
@@ -97,7 +100,7 @@ fn body(model: &str, effects: &[&str]) -> Result<ThrownBody, StudyError> {
     Ok(ThrownBody::new(model_spec::load::load(model, effects)?)?)
 }
 
-/// The coefficients without those of the pitching moment.
+/// Returns the coefficients without those of the pitching moment.
 fn own_pitch(all: &[(&'static str, f64)]) -> Vec<(&'static str, f64)> {
     all.iter()
         .filter(|(name, _)| !["C_M0", "C_Ma"].contains(name))
@@ -105,7 +108,8 @@ fn own_pitch(all: &[(&'static str, f64)]) -> Vec<(&'static str, f64)> {
         .collect()
 }
 
-/// Flights of a disc with some coefficients, and its level launches at an advance ratio.
+/// Prepares flights of a disc with the given coefficients. Also returns a function that gives the horizontal launch at
+/// an advance ratio.
 fn flights<'b>(
     body: &'b ThrownBody,
     values: &[(&str, f64)],
@@ -183,7 +187,7 @@ fn of(
     })
 }
 
-/// Level launches at a pitch of 10° over the tilt.
+/// Simulates horizontal launches with an angle of attack of 10° over a range of tilts.
 fn tilts(flights: &ThrowFlights<'_>, level: &Throw) -> Tilts {
     let mut landings: Vec<(f64, f64, f64)> = Vec::new();
     let (mut straightest, mut on_line) = ((0.0, f64::INFINITY), None);
@@ -226,7 +230,7 @@ fn flown<'f>(flights: &'f ThrowFlights<'f>, throw: &Throw) -> Option<Path<'f>> {
         .ok()
 }
 
-/// Angle by which the course turns over the first two seconds for each metre flown over the ground, rad/m.
+/// Mean curvature of the path over the ground in the first two seconds: change of the course / length, rad/m.
 fn turned(path: &Path<'_>) -> f64 {
     let end = path.duration().min(2.0);
     let (steps, mut angle, mut length) = (200, 0.0, 0.0);
@@ -239,7 +243,7 @@ fn turned(path: &Path<'_>) -> f64 {
     (angle / length).abs()
 }
 
-/// Number of changes of the sense in which a locus of points turns, where it turns by more than a degree.
+/// Number of sign changes of the turning angle along a curve of points. Angles below one degree are ignored.
 fn inflections(points: &[(f64, f64, f64)]) -> usize {
     let mut last = 0.0;
     let mut count = 0;

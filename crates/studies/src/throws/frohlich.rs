@@ -1,29 +1,29 @@
-//! C. Frohlich, "Aerodynamic effects on discus flight", Am. J. Phys. 49 (1981) 1125: a discus goes farther against a moderate wind than
-//! with it.
+//! Reproduces C. Frohlich, "Aerodynamic effects on discus flight", Am. J. Phys. 49 (1981) 1125: a discus flies farther
+//! against a moderate wind than with it.
 
 use design::{Bounds, Goal, SearchOptions, ThrownBody, design};
 use serde::Serialize;
 
 use crate::error::StudyError;
 
-/// The longest throw in a wind.
+/// The longest discus throw in a wind along the throw.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Winds {
-    /// Wind along the throw, m/s; negative against it.
+    /// Wind along the throw, m/s; positive for a tailwind.
     pub wind: f64,
-    /// Longest range, m.
+    /// Maximum range, m.
     pub range: f64,
-    /// Launch angle, deg.
+    /// Launch angle of the longest throw, deg.
     pub launch: f64,
-    /// Angle of attack over the ground, deg.
+    /// Nose angle of the longest throw at release, deg.
     pub nose: f64,
-    /// Tilt, deg.
+    /// Hyzer angle of the longest throw at release, deg.
     pub hyzer: f64,
-    /// Longest range without a tilt at release, m.
+    /// Maximum range of throws with zero hyzer angle at release, m.
     pub upright: f64,
 }
 
-/// Longest throws at 25 m/s and 420 rpm in winds along the throw.
+/// Finds the longest discus throws at 25 m/s and 420 rpm in winds from -20 to 20 m/s along the throw.
 pub fn winds() -> Result<Vec<Winds>, StudyError> {
     let body = ThrownBody::new(model_spec::load::load("discus", &[])?)?;
     let layout = body.compiled.layout();

@@ -1,5 +1,5 @@
-//! Throws by `design`, held against what others report: Crowther and Potts's study of launches of a disc, Frohlich's of the discus in
-//! the wind.
+//! Compares throws found by `design` with published results: Crowther and Potts on launches of a disc, Frohlich on the
+//! discus in the wind. Writes docs/throws.md.
 
 mod crowther_potts;
 mod frohlich;

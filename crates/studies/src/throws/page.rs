@@ -1,4 +1,4 @@
-//! docs/throws.md.
+//! Renders docs/throws.md.
 
 use report::figures::{Line, Panel, figure};
 use serde::Serialize;
@@ -14,17 +14,18 @@ struct Results<'r> {
     winds: &'r [Winds],
     best: Winds,
     best_upright: Winds,
-    /// Wind and by how much a throw against it goes farther than with it, m.
+    /// Wind speed, m/s, and by how much the throw against that wind is longer than the throw with it, m (zero hyzer
+    /// angle).
     pairs: Vec<(f64, f64)>,
 }
 
-/// The page of the study.
+/// Renders docs/throws.md from the simulated launches and the throws in winds.
 ///
 /// # Errors
-/// [`StudyError`] for a template that does not fit the results.
+/// [`StudyError`] if the template cannot be rendered with the results.
 ///
 /// # Panics
-/// Without winds.
+/// If `winds` is empty.
 pub fn throws_page(
     launches: &[Launches],
     rolls: &[(f64, Tilts)],

@@ -1,4 +1,4 @@
-//! What varies in a sweep: the table `[vary]` of a plan.
+//! Quantities that vary in a sweep: the table `[vary]` of a plan.
 
 use std::collections::BTreeSet;
 
@@ -7,26 +7,26 @@ use flight::throw::{FIELDS, Throw};
 use model_spec::layout::Layout;
 use toml::de::DeTable;
 
-/// Key of `[vary]` for gusts of its own in every flight.
+/// Key of `[vary]` that makes every flight have gusts of its own.
 const GUSTS: &str = "gusts";
-/// Greatest number of values of one axis of the grid.
+/// Maximum number of values of one axis of the grid.
 const MAX_VALUES: usize = 1_000_000;
 
-/// A quantity that varies.
+/// A quantity that varies from flight to flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
-    /// Name in the plan, and of the column.
+    /// Name of the quantity in the plan, and of its column in the table of flights.
     pub name: String,
-    /// What it is of the flight.
+    /// Input of a flight that the quantity sets.
     pub target: Target,
-    /// How it varies.
+    /// Grid values or distribution of the quantity.
     pub kind: AxisKind,
 }
 
-/// What a value is given to.
+/// Input of a flight that an axis sets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Target {
-    /// Number of the throw, by its index in [`FIELDS`].
+    /// Field of the throw, by its index in [`FIELDS`].
     Throw(usize),
     /// Initial state, by its index.
     State(usize),
@@ -34,39 +34,40 @@ pub enum Target {
     Parameter(usize),
 }
 
-/// How a quantity varies.
+/// Grid values or distribution of a quantity that varies.
 #[derive(Clone, Debug, PartialEq)]
 pub enum AxisKind {
-    /// Values of the grid.
+    /// The given values, as one dimension of the grid of all such axes.
     Values(Vec<f64>),
-    /// Normal distribution.
+    /// Normally distributed random values.
     Normal {
-        /// Mean.
+        /// Mean of the distribution.
         mean: f64,
         /// Standard deviation.
         sd: f64,
     },
-    /// Uniform distribution.
+    /// Uniformly distributed random values.
     Uniform {
-        /// Lower bound.
+        /// Lower bound of the distribution.
         low: f64,
-        /// Upper bound.
+        /// Upper bound of the distribution.
         high: f64,
     },
 }
 
-/// Where the names of a plan are looked up.
+/// The model's layout and the plan's release and throw, in which names of a plan are looked up.
 pub(super) struct Names<'a> {
     pub layout: &'a Layout,
     pub vocabulary: &'a Vocabulary,
     pub release: &'a Release,
     pub throw: Option<&'a Throw>,
-    /// Parameters of the release, in the order of the layout.
+    /// Parameter values of the release, in the order of the layout.
     pub parameters: &'a [f64],
 }
 
 impl Names<'_> {
-    /// What a name stands for, with the plan's own value of it.
+    /// Finds the input that a name denotes, and the plan's value of it. The error is the message for a name that is
+    /// unknown or ambiguous.
     fn find(&self, name: &str) -> Result<(Target, f64), String> {
         let mut found = Vec::new();
         if let Some(throw) = self.throw {
@@ -102,18 +103,19 @@ impl Names<'_> {
             Some(_) => throw.collect(),
             None => states.collect(),
         };
-        // Phases of gusts vary by `gusts = true`, not one by one.
+        // The phases of gusts vary together, by `gusts = true`.
         let parameters = self.layout.parameters.iter().cloned();
         let parameters = parameters.filter(|name| !name.starts_with("gust_phase_"));
         first.into_iter().chain(parameters).collect()
     }
 
-    /// Index of a parameter or coefficient.
+    /// Index in the layout of the parameter or coefficient called `name`; `None` if there is none.
     pub(super) fn parameter(&self, name: &str) -> Option<usize> {
         self.layout.parameter(name).map(|p| p.index())
     }
 
-    /// Why a value of the target is invalid; `None` if it is valid.
+    /// Checks a value against the bounds of its target. Returns a text of the valid values if the value is invalid,
+    /// otherwise `None`.
     fn expected_instead_of(&self, name: &str, target: Target, value: f64) -> Option<String> {
         match target {
             Target::Throw(index) => {
@@ -131,13 +133,14 @@ impl Names<'_> {
     }
 }
 
-/// Parameter or coefficient of this name, with its bounds.
+/// The parameter or coefficient called `name`, with its bounds; `None` if the model has none of this name.
 pub(crate) fn constant<'v>(vocabulary: &'v Vocabulary, name: &str) -> Option<&'v Name> {
     let constants = vocabulary.parameters.iter().chain(&vocabulary.coefficients);
     constants.into_iter().find(|known| known.name == name)
 }
 
-/// Reads `[vary]`, in the order of the file, and whether every flight has gusts of its own.
+/// Reads the table `[vary]`. Returns the axes, in the order of the file, and whether every flight has gusts of its
+/// own.
 pub(super) fn read<'t>(
     reader: &mut Reader<'t>,
     document: &DeTable<'t>,
@@ -187,7 +190,8 @@ pub(super) fn read<'t>(
     (axes, gusts)
 }
 
-/// Reads whether every flight has gusts of its own.
+/// Reads the key `gusts` of `[vary]`: whether every flight has gusts of its own. Faults are reported to `reader` and
+/// return `false`.
 fn own_gusts<'t>(
     reader: &mut Reader<'t>,
     names: &Names<'_>,
@@ -209,7 +213,8 @@ fn own_gusts<'t>(
     varies
 }
 
-/// Reads how a quantity varies: a table with `values`, `range` and `count`, `normal`, `sd`, or `uniform`.
+/// Reads the variation of the quantity `name`: a table with `values`, `range` and `count`, `normal`, `sd`, or
+/// `uniform`. `own` is the plan's value, the mean for `sd`. `None` after a fault, which is reported to `reader`.
 fn kind<'t>(reader: &mut Reader<'t>, name: &str, own: f64, value: &Value<'t>) -> Option<AxisKind> {
     const EXPECTED: &str = "a table, as in { values = [1.0, 2.0] }, { range = [0.0, 1.0], count = 5 }, { normal = [0.0, 1.0] }, \
          { sd = 1.0 } or { uniform = [0.0, 1.0] }";
@@ -300,7 +305,7 @@ fn kind<'t>(reader: &mut Reader<'t>, name: &str, own: f64, value: &Value<'t>) ->
     }
 }
 
-/// Reads a list of finite numbers.
+/// Reads a list of finite numbers whose length is in `lens`. `None` after a fault, which is reported to `reader`.
 fn list<'t>(
     reader: &mut Reader<'t>,
     name: &str,

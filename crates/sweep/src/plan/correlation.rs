@@ -1,16 +1,17 @@
-//! Correlations of the normal axes, and their triangular factor.
+//! Cholesky factor of the correlation matrix of the normal axes.
 
-/// Lower triangular factor L of a correlation matrix C = L Lᵀ, row by row: that of row i has i + 1 elements.
+/// Lower triangular factor L of a correlation matrix C = L Lᵀ, row by row; row i has i + 1 elements.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Factor(Vec<Vec<f64>>);
 
-/// Pivot below which a variable follows from those before it.
+/// Pivot below which a variable counts as a linear combination of the preceding variables.
 const DEPENDENT: f64 = 1e-10;
-/// Negative pivot that rounding, of the digits in a file too, can make.
+/// Most negative pivot that is attributed to rounding, including that of decimal digits in a file.
 const ROUNDING: f64 = -1e-6;
 
 impl Factor {
-    /// Factor of a correlation matrix; `None` where no distribution has these correlations.
+    /// Factor of a correlation matrix; `None` if the matrix is not positive semidefinite, so that no distribution has
+    /// these correlations.
     pub(crate) fn of(matrix: &[Vec<f64>]) -> Option<Factor> {
         let n = matrix.len();
         let mut rows: Vec<Vec<f64>> = Vec::with_capacity(n);
@@ -37,7 +38,8 @@ impl Factor {
         Some(Factor(rows))
     }
 
-    /// Correlated standard normal number `i` from independent ones.
+    /// Correlated standard normal value of variable `i`, as a linear combination of `independent` standard normal
+    /// values.
     #[inline]
     pub(crate) fn mix(&self, i: usize, independent: &[f64]) -> f64 {
         let row = self.0[i].iter().zip(independent);

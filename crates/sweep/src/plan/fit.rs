@@ -1,4 +1,5 @@
-//! Coefficients of a fit as axes: their estimates, standard errors and correlations, from `report.json`.
+//! Fitted coefficients as axes of a sweep: reads their estimates, standard errors and correlations from
+//! `report.json`.
 
 use std::path::Path;
 
@@ -11,16 +12,18 @@ use super::axes::{Axis, AxisKind, Names, Target};
 /// Maximum size of a report, bytes.
 const MAX_BYTES: u64 = 64 << 20;
 
-/// Axes of a fit, with their correlations by name and name.
+/// Axes of the fitted coefficients, and their correlations as (name, name, value).
 #[derive(Default)]
 pub(super) struct FitAxes {
     pub axes: Vec<Axis>,
     pub correlations: Vec<(String, String, f64)>,
 }
 
-/// Reads `[fit]`: `report`, the path of a fit's `report.json`, relative to the plan, and optionally `coefficients`, the names
-/// of those to vary; all by default. Coefficients at a bound or without a standard error keep their estimates; the second
-/// result is these, by parameter.
+/// Reads the table `[fit]`: `report`, the path of a fit's `report.json` relative to the plan, and optionally
+/// `coefficients`, the names of the coefficients to vary (default: all).
+///
+/// Coefficients already in `varied` are skipped. Coefficients at a bound or without a standard error do not vary; the
+/// second result lists their names and estimates.
 pub(super) fn read<'t>(
     reader: &mut Reader<'t>,
     document: &DeTable<'t>,

@@ -1,4 +1,4 @@
-//! Plans: a release, what varies about it, and how many flights.
+//! Plans of sweeps: a release, the quantities that vary, and the number of flights.
 
 mod axes;
 mod correlation;
@@ -17,36 +17,36 @@ use ode::IntegrationOptions;
 use crate::folder::fingerprint;
 use correlation::Factor;
 
-/// A sweep: flights of one model, whose inputs are drawn by their number.
+/// A sweep: flights of one model whose inputs are determined by the flight number.
 ///
-/// Flight `k` is at point `k mod grid` of the grid; its random numbers depend on `k` and the seed alone.
+/// Flight `k` is at point `k mod grid` of the grid; its random draws depend on `k` and the seed alone.
 #[derive(Clone)]
 pub struct Plan {
-    /// Model with the plan's effects.
+    /// Model, including the plan's effects.
     pub model: Model,
-    /// The release that the flights vary.
+    /// Release from which the flights start; the axes replace some of its values.
     pub release: Release,
-    /// Motion at release, where the plan states it by `[throw]`.
+    /// Motion at release, if the plan states it by `[throw]`.
     pub throw: Option<Throw>,
-    /// What varies, in the order of the file; coefficients of a fit come last.
+    /// Quantities that vary, in the order of the file; coefficients of a fit come last.
     pub axes: Vec<Axis>,
-    /// Whether every flight has gusts of its own, with phases by the seed of the gusts and the number of the flight.
+    /// Whether every flight has gusts of its own, with phases from the seed of the gusts and the flight number.
     pub gusts: bool,
-    /// Number of points of the grid; 1 without one.
+    /// Number of points of the grid; 1 without a grid.
     pub grid: u64,
-    /// Number of flights.
+    /// Total number of flights of the sweep.
     pub flights: u64,
-    /// Seed of all random numbers.
+    /// Seed of the random draws of the axes.
     pub seed: u64,
     /// Method and tolerances of the integration.
     pub options: IntegrationOptions,
-    /// Factor of the correlations of the normal axes, in their order.
+    /// Cholesky factor of the correlation matrix of the normal axes, in the order of these axes.
     pub(crate) factor: Factor,
 }
 
 impl Plan {
-    /// SHA-256 (hexadecimal) of everything that the flights' numbers depend on: the plan's values, the model's text, and
-    /// whether the lanes of this machine fuse multiplications and additions.
+    /// SHA-256 (hexadecimal) of everything on which the results depend: the plan's values, the model's text, and
+    /// whether the SIMD lanes of this machine fuse multiplications and additions.
     pub fn fingerprint(&self) -> String {
         let Plan {
             model,
@@ -66,7 +66,7 @@ impl Plan {
         ))
     }
 
-    /// Flights in one part of the results; it depends on the number of flights alone.
+    /// Number of flights in one part of the results; it depends on the total number of flights alone.
     pub fn part_len(&self) -> u64 {
         const LEAST: u64 = 1 << 13;
         const GREATEST: u64 = 1 << 17;
@@ -74,7 +74,7 @@ impl Plan {
         even.clamp(LEAST, GREATEST)
     }
 
-    /// Number of parts of the results.
+    /// Number of parts into which the flights are divided.
     pub fn parts(&self) -> u64 {
         self.flights.div_ceil(self.part_len())
     }

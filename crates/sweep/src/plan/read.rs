@@ -14,15 +14,15 @@ use super::axes::{self, Axis, AxisKind, Names};
 use super::correlation::Factor;
 use super::{Plan, fit};
 
-/// Greatest number of flights of a sweep.
+/// Maximum number of flights of a sweep.
 pub const MAX_FLIGHTS: u64 = 1 << 40;
-/// Greatest number of normal axes.
+/// Maximum number of normally distributed axes of a sweep.
 const MAX_NORMAL: usize = 256;
-/// Maximum size of a plan, bytes.
+/// Maximum size of a plan file, bytes.
 const MAX_FILE_BYTES: u64 = 16 << 20;
-/// Tolerance of a plan that states none, as in `hyzer simulate`.
+/// Relative tolerance of the integration if the plan states none; the same as in `hyzer simulate`.
 const TOLERANCE: f64 = 1e-6;
-/// Keys of a plan that a release has not.
+/// Keys of a plan that are not keys of a release.
 const OWN_KEYS: [&str; 8] = [
     "effects",
     "flights",
@@ -34,10 +34,10 @@ const OWN_KEYS: [&str; 8] = [
     "fit",
 ];
 
-/// Reads the plan in a file; see [`read`].
+/// Reads a plan from a file; see [`read`].
 ///
 /// # Errors
-/// [`ReleaseError`], also for a file that cannot be read.
+/// [`ReleaseError`] with all faults of the file, or if the file cannot be read.
 pub fn read_file(path: &Path) -> Result<Plan, ReleaseError> {
     let file = path.display().to_string();
     let refuse = |message: String| ReleaseError {
@@ -62,7 +62,7 @@ pub fn read_file(path: &Path) -> Result<Plan, ReleaseError> {
 }
 
 /// Parses the text of a plan (TOML): a release, with `effects`, `flights`, `seed`, `tolerance`, `method`, `[vary]`,
-/// `[[correlations]]` and `[fit]`. Paths in it are relative to `folder`; `file` is its name in messages.
+/// `[[correlations]]` and `[fit]`. Paths in the plan are relative to `folder`; `file` is the plan's name in messages.
 ///
 /// # Errors
 /// [`ReleaseError`] with all faults of the text.
@@ -75,7 +75,7 @@ pub fn read(file: &str, text: &str, folder: &Path) -> Result<Plan, ReleaseError>
         let model = load(&beside(name, folder), &effects).map_err(|e| e.to_string())?;
         Ok(Vocabulary::of(&model))
     })?;
-    // In the wind of the plan.
+    // The model of the vocabulary includes the wind of the plan.
     let model = vocabulary.model.clone();
     let mut reader = Reader::new(text);
     let plan = parsed.zip(model).and_then(|(document, model)| {
@@ -89,7 +89,8 @@ pub fn read(file: &str, text: &str, folder: &Path) -> Result<Plan, ReleaseError>
     reader.finish(file, plan)
 }
 
-/// A path beside the plan if there is such a file, else the name as it is.
+/// Resolves the name of a model or effect: the path in the plan's folder if there is such a file, otherwise `name`
+/// unchanged.
 fn beside(name: &str, folder: &Path) -> String {
     let path: PathBuf = folder.join(name);
     if path.is_file() {
@@ -99,7 +100,8 @@ fn beside(name: &str, folder: &Path) -> String {
     }
 }
 
-/// The texts of the list `effects`; other values are faults that are found later.
+/// The names in the list `effects` of a plan, with paths resolved. Items that are no text are skipped here and
+/// reported later.
 fn effects(document: &DeTable<'_>, folder: &Path) -> Vec<String> {
     let items = document.get("effects").and_then(|e| e.get_ref().as_array());
     let names = items
@@ -109,7 +111,7 @@ fn effects(document: &DeTable<'_>, folder: &Path) -> Vec<String> {
     names.map(|name| beside(name, folder)).collect()
 }
 
-/// What is known of a plan when its own keys are read.
+/// The parts of a plan that are read before its own keys: model, vocabulary and release.
 struct Known {
     model: Model,
     vocabulary: Vocabulary,
@@ -148,7 +150,7 @@ fn plan<'t>(
     };
     let (mut axes, gusts) = axes::read(reader, document, &names);
     let (fitted, fixed) = fit::read(reader, document, folder, &names, &axes);
-    // What of a fit does not vary has its estimate.
+    // Coefficients of a fit that do not vary have their estimates.
     for (name, value) in &fixed {
         release = release.with_coefficient(name, *value);
     }
@@ -190,7 +192,7 @@ fn plan<'t>(
     })
 }
 
-/// The throw of `[throw]`, whose numbers were checked with the release.
+/// Reads `[throw]`; `None` if the plan has none. Its values were checked when the release was read.
 fn throw<'t>(reader: &mut Reader<'t>, document: &DeTable<'t>) -> Option<Throw> {
     document.get("throw")?;
     let mut throw = Throw::at_speed(0.0);
@@ -202,7 +204,7 @@ fn throw<'t>(reader: &mut Reader<'t>, document: &DeTable<'t>) -> Option<Throw> {
     Some(throw)
 }
 
-/// A whole number within bounds; `None` where it is absent or a fault.
+/// Reads an integer key within bounds; `None` if the key is absent, or after a fault, which is reported to `reader`.
 fn whole<'t>(
     reader: &mut Reader<'t>,
     document: &DeTable<'t>,
@@ -222,7 +224,8 @@ fn whole<'t>(
     Some(number as u64)
 }
 
-/// Method and tolerances. Without `method`: the one that takes fewer evaluations for the plan's own release.
+/// Reads the integration method and tolerance. Without the key `method`, selects the method that needs fewer
+/// evaluations of the right-hand side for the plan's release. `None` after a fault.
 fn options<'t>(
     reader: &mut Reader<'t>,
     document: &DeTable<'t>,
@@ -276,7 +279,8 @@ fn options<'t>(
     Some(options)
 }
 
-/// Reads `[[correlations]]` and joins those of a fit; the factor of the correlations of the normal axes.
+/// Reads `[[correlations]]`, adds the correlations of a fit, and returns the Cholesky factor of the correlation
+/// matrix of the normal axes. `None` after a fault, which is reported to `reader`.
 fn correlations<'t>(
     reader: &mut Reader<'t>,
     document: &DeTable<'t>,

@@ -22,7 +22,7 @@ impl Order {
     }
 }
 
-/// Byte slice with a byte order. Bytes beyond its end read as 0: callers check lengths first.
+/// Byte slice with the byte order for decoding it. Bytes past its end read as 0, so callers check lengths first.
 #[derive(Clone, Copy)]
 pub(super) struct Bytes<'a> {
     pub bytes: &'a [u8],
@@ -54,7 +54,7 @@ impl Bytes<'_> {
             Order::Intel => f32::from_le_bytes(self.take(at)),
             Order::Mips => f32::from_be_bytes(self.take(at)),
             Order::Dec => {
-                // A VAX float has its two words exchanged, and its exponent counts from two more than ours.
+                // A VAX float has its two 16-bit words exchanged, and its exponent bias is greater by 2.
                 let [a, b, c, d] = self.take(at);
                 f32::from_le_bytes([c, d, a, b]) / 4.0
             }

@@ -1,16 +1,16 @@
-//! The vertical of a C3D file, as its force platforms state it.
+//! Vertical axis of a C3D file, derived from the corners of its force platforms.
 //!
-//! The corners of a platform are listed by the quadrants of its own axes, whose z points into the floor (C3D user guide,
-//! FORCE_PLATFORM:CORNERS); forces can be read in no other way. `POINT:Y_SCREEN` only says how a program first draws the
-//! points.
+//! The corners of a platform are listed by the quadrants of the platform's own axes, whose z axis points into the floor
+//! (C3D user guide, FORCE_PLATFORM:CORNERS). Forces cannot be interpreted in any other way, so this order is reliable.
+//! `POINT:Y_SCREEN` states only how a program first draws the points.
 
 use crate::axes::Axis;
 
-/// Least cosine between the normals of the platforms and an axis.
+/// Minimum cosine of the angle between a platform's normal and a coordinate axis for the platform to be level.
 const LEVEL: f64 = 0.98;
 
-/// The axis that points up, by the corners of all platforms: x, y, z of four corners each. `None` where there are none, or
-/// where one lies askew or otherwise than the others.
+/// Axis that points up, from the corners of all force platforms (x, y, z of four corners per platform). `None` if there
+/// is no platform, a platform is not level, or the platforms disagree.
 pub(super) fn up(corners: &[f64]) -> Option<Axis> {
     let mut found = None;
     for platform in corners.chunks_exact(12) {
@@ -23,7 +23,8 @@ pub(super) fn up(corners: &[f64]) -> Option<Axis> {
     found
 }
 
-/// The axis that points out of the floor at three corners of a platform, in their order.
+/// Axis that points out of the floor, from three consecutive corners of a platform; `None` if the platform is not
+/// level.
 fn above(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> Option<Axis> {
     let x = [0, 1, 2].map(|axis| a[axis] - b[axis]);
     let y = [0, 1, 2].map(|axis| b[axis] - c[axis]);
@@ -44,7 +45,7 @@ fn above(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> Option<Axis> {
 mod tests {
     use super::*;
 
-    /// Corners by quadrants, seen from below the floor, whose up is z.
+    /// Corners of a level platform in the order of its quadrants, seen from below the floor; +z points up.
     const PLATFORM: [f64; 12] = [1.0, 0.5, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0];
 
     #[test]

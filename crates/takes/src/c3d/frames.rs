@@ -1,34 +1,35 @@
-//! Number of the frames of a C3D file, and their size, as the header, the parameters and the file length state them.
+//! Number and size of the frames in a C3D file, from the header, the parameters and the file length.
 
 use super::parameters::Parameters;
 use super::{Deviation, Wrong, wrong};
 
-/// Greatest frame number in the 16-bit header; as last frame it may stand for any greater number.
+/// Maximum frame number in the 16-bit header; as the last frame number it may stand for any greater value.
 const LAST_OF_HEADER: u32 = 0xffff;
-/// Size of the padding that may follow the last frame, bytes.
+/// Bound of the padding after the last frame, bytes; the padding is shorter.
 const PADDING: usize = 512;
 
-/// Number of the first frame, and number of frames.
+/// Frame number of the first frame, and number of frames.
 pub(super) struct Extent {
     pub first: u32,
     pub count: usize,
 }
 
-/// What decides on the size of a frame.
+/// Quantities that determine the size of a frame and the position of the data in the file.
 pub(super) struct Layout {
-    /// Size of a number, bytes.
+    /// Size of one stored number, bytes.
     pub width: usize,
     pub points: usize,
-    /// Analogue words per frame, as the header states them.
+    /// Number of analogue words per frame, as the header states it.
     pub analog: usize,
-    /// Analogue samples per channel and frame.
+    /// Number of analogue samples per channel and frame.
     pub analog_per_channel: usize,
     pub data_start: usize,
-    /// Bytes of the file from `data_start` on.
+    /// Number of bytes in the file from `data_start` on.
     pub available: usize,
 }
 
-/// Extent of the data and the size of a frame, bytes.
+/// Determines the extent of the data and the size of a frame in bytes. Contradictions that leave one sensible reading
+/// are added to `deviations`.
 pub(super) fn frames(
     parameters: &Parameters<'_>,
     first: u32,
@@ -38,7 +39,7 @@ pub(super) fn frames(
 ) -> Result<(Extent, usize), Wrong> {
     let (first, count) = stated(parameters, first, last, deviations)?;
     let mut size = layout.width * (4 * layout.points + layout.analog);
-    // Some programs write the number of channels for that of the analogue words.
+    // Some programs write the number of channels instead of the number of analogue words.
     let all = layout.analog.saturating_mul(layout.analog_per_channel);
     let whole = layout.width * (4 * layout.points + all);
     let fills = |size: usize| {
@@ -78,7 +79,8 @@ pub(super) fn frames(
     Ok((Extent { first, count: held }, size))
 }
 
-/// Number of the first frame and number of frames; from the parameters if 16 bits in the header do not suffice.
+/// Number of the first frame and number of frames, from the header, or from the parameters if the 16 bits of the header
+/// do not suffice.
 fn stated(
     parameters: &Parameters<'_>,
     first: u32,
@@ -107,7 +109,7 @@ fn stated(
         );
     }
     let count = u64::from(last) - u64::from(first) + 1;
-    // FRAMES may have overflowed its 16 bits as well.
+    // POINT:FRAMES may have overflowed its 16 bits as well.
     if let Some(frames) = parameters.count("POINT", "FRAMES")?
         && frames != count
         && count < u64::from(LAST_OF_HEADER)

@@ -1,8 +1,8 @@
 //! Reader of C3D files (motion capture): a header, parameters by group and name, and points frame by frame.
 //!
 //! The format is read without an external crate, since only a small part is needed and files may be malformed: every
-//! count is checked against the file length before memory is allocated. Analogue samples are skipped. Where a file
-//! contradicts itself and only one reading is sensible, that reading is taken and listed as a [`Deviation`].
+//! count is checked against the file length before memory is allocated. Analogue samples are skipped. If a file
+//! contradicts itself and only one reading is sensible, that reading is used and listed as a [`Deviation`].
 
 mod bytes;
 mod floor;
@@ -19,26 +19,26 @@ use crate::axes::Axis;
 use crate::unit::LengthUnit;
 use crate::words::shown;
 
-/// Greatest frame rate of a C3D file, Hz.
+/// Maximum frame rate of a C3D file, Hz; a greater one is an error.
 const FASTEST: f64 = 1e6;
 
-/// A fault of a C3D file: its offset in bytes, what was found and what was expected.
+/// Error in a C3D file: its byte offset, what was found and what was expected.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wrong {
-    /// Offset in the file, bytes.
+    /// Byte offset of the error in the file.
     pub byte: usize,
-    /// What was found there.
+    /// What was found at this offset.
     pub found: String,
     /// What was expected instead.
     pub expected: String,
 }
 
-/// A statement that the file contradicts, and what was read instead.
+/// A contradiction in a C3D file for which one sensible reading was chosen.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Deviation {
-    /// The contradiction.
+    /// The contradiction: its byte offset, what was found and what was expected.
     pub wrong: Wrong,
-    /// What was read, in words.
+    /// Description of the reading that was chosen.
     pub read_as: String,
 }
 
@@ -50,7 +50,7 @@ fn wrong<T>(byte: usize, found: impl Display, expected: impl Display) -> Result<
     })
 }
 
-/// C3D file whose header, parameters and file length are consistent, apart from the deviations.
+/// A C3D file whose header, parameters and length are consistent, apart from the listed deviations.
 pub struct Recording<'a> {
     data: &'a [u8],
     data_start: usize,
@@ -65,7 +65,7 @@ pub struct Recording<'a> {
     deviations: Vec<Deviation>,
 }
 
-/// Storage format of a coordinate.
+/// Storage format of a coordinate: floating point or scaled integer.
 #[derive(Clone, Copy)]
 enum Storage {
     Float,
@@ -73,17 +73,17 @@ enum Storage {
     Integer(f64),
 }
 
-/// Whether bytes begin as a C3D file does.
+/// Whether the bytes begin like a C3D file.
 pub fn is_c3d(bytes: &[u8]) -> bool {
-    // The first byte is a number of a block, which is small and no letter.
+    // The first byte is a block number, which is small and not a letter.
     bytes.len() >= 2 && bytes[1] == 0x50 && bytes[0] < b'\t'
 }
 
 impl<'a> Recording<'a> {
-    /// Reads the header and the parameters, and holds their counts against the length of the file.
+    /// Reads the header and the parameters, and checks their counts against the length of the file.
     ///
     /// # Errors
-    /// [`Wrong`] where the file cannot be read, or could be read in several ways.
+    /// [`Wrong`] if the file is malformed, or contradicts itself in a way that allows several readings.
     pub fn open(bytes: &'a [u8]) -> Result<Self, Wrong> {
         if bytes.len() < 2 * BLOCK || bytes[1] != 0x50 {
             return wrong(1, "no C3D header", "a C3D file, whose second byte is 0x50");
@@ -164,40 +164,40 @@ impl<'a> Recording<'a> {
         })
     }
 
-    /// Labels of the points, in their order in a frame; the last points may have none.
+    /// Labels of the points, in the order of the points in a frame; the last points may have no label.
     pub fn labels(&self) -> &[String] {
         &self.labels
     }
 
-    /// Contradictions in the file of which one reading was taken.
+    /// Contradictions in the file that were resolved by choosing one reading.
     pub fn deviations(&self) -> &[Deviation] {
         &self.deviations
     }
 
-    /// Number of frames.
+    /// Number of frames in the file.
     pub fn frames(&self) -> usize {
         self.extent.count
     }
 
-    /// Number of the first frame, from which the times count.
+    /// Frame number of the first frame; the time of a frame is its frame number divided by the frame rate.
     pub fn first_frame(&self) -> u32 {
         self.extent.first
     }
 
-    /// Number of points in a frame.
+    /// Number of points per frame.
     pub fn points(&self) -> usize {
         self.points
     }
 
-    /// Offset of a frame in the file, bytes.
+    /// Byte offset of a frame in the file; `frame` counts from 0.
     pub fn byte_of_frame(&self, frame: usize) -> usize {
         self.data_start + frame * self.frame_bytes
     }
 
-    /// Frames per second.
+    /// Frame rate, Hz.
     ///
     /// # Errors
-    /// Where header and parameters state none, or two.
+    /// [`Wrong`] if the header and `POINT:RATE` state different rates, or if the rate is absent or out of range.
     pub fn rate(&self) -> Result<f64, Wrong> {
         let rate = agreed(
             20,
@@ -217,10 +217,10 @@ impl<'a> Recording<'a> {
         }
     }
 
-    /// Unit of the coordinates as `POINT:UNITS` states it, with its text.
+    /// Unit of the coordinates that `POINT:UNITS` states, with the text of that parameter.
     ///
     /// # Errors
-    /// Where none, or an unknown one is stated.
+    /// [`Wrong`] if the parameter is absent or states an unknown unit.
     pub fn unit(&self) -> Result<(LengthUnit, String), Wrong> {
         const EXPECTED: &str = "m, cm or mm in POINT:UNITS";
         let at = self.parameters.place("POINT", "UNITS");
@@ -233,24 +233,25 @@ impl<'a> Recording<'a> {
         }
     }
 
-    /// The axis that points up, as the corners of the force platforms in the floor state it.
+    /// Axis that points up, derived from the corners of the force platforms in the floor; `None` if they do not
+    /// determine it.
     pub fn floor_up(&self) -> Option<Axis> {
         floor::up(&self.parameters.floats("FORCE_PLATFORM", "CORNERS"))
     }
 
-    /// Text of `POINT:Y_SCREEN`, the axis that is drawn upwards.
+    /// Text of `POINT:Y_SCREEN`, the axis that is drawn upwards; `None` if the parameter is absent or not a text.
     pub fn screen_up(&self) -> Option<String> {
         self.parameters.text("POINT", "Y_SCREEN").ok().flatten()
     }
 
-    /// Position of a point in a frame in the file's unit; `None` where it was not seen.
+    /// Position of the point with index `place` in a frame, in the file's unit; `None` if the point was not seen.
     pub fn position(&self, frame: usize, place: usize) -> Option<[f64; 3]> {
         let start = frame.checked_mul(self.frame_bytes)?;
         let points = Bytes {
             bytes: self.data.get(start..start + self.frame_bytes)?,
             order: self.order,
         };
-        // The sign of the fourth word says whether the point was seen; its bytes are cameras and residual.
+        // The sign of the fourth word states whether the point was seen; its bytes encode the cameras and the residual.
         let (raw, seen) = match self.storage {
             Storage::Float => {
                 let word = |i: usize| f64::from(points.f32(16 * place + 4 * i));
@@ -268,7 +269,8 @@ impl<'a> Recording<'a> {
     }
 }
 
-/// The deviation of parameters that reach into the data: those before the data are read, if they have what is needed.
+/// Returns a deviation for a parameter that extends into the data: the parameters before it are used. Returns the fault
+/// `cut` as an error if a required parameter is missing or the parameter extends past the end of the file.
 fn after_the_cut(
     cut: Wrong,
     parameters: &Parameters<'_>,
@@ -293,7 +295,7 @@ fn storage(
     let stated = parameters.number("POINT", "SCALE")?;
     let in_header = f64::from(in_header);
     let scale = match agreed(12, "POINT:SCALE", stated, in_header, 1e-5) {
-        // The size of a negative scale is not used: it says that the coordinates are floats.
+        // The magnitude of a negative scale is unused: the sign only states that the coordinates are floats.
         Err(wrong) if in_header < 0.0 && stated.is_some_and(|scale| scale < 0.0) => {
             deviations.push(Deviation {
                 wrong,
@@ -312,8 +314,8 @@ fn storage(
     }
 }
 
-/// Value of a parameter or of the header. If both are given (0 in the header means absent), they must agree within
-/// `within`.
+/// Value that is stated by a parameter, the header, or both (0 in the header means absent). If both state it, they must
+/// agree within the relative tolerance `within`.
 fn agreed(
     byte: usize,
     name: &str,

@@ -1,25 +1,25 @@
-//! One parameter of a C3D file, in its stored form.
+//! One parameter of a C3D file, with its value as stored bytes.
 
 use super::bytes::{Bytes, Order};
 use super::{Wrong, wrong};
 use crate::words::shown;
 
-/// One C3D parameter in its stored form.
+/// A C3D parameter whose value is not decoded yet.
 pub(super) struct Parameter<'a> {
-    /// Offset of the parameter's type in the file, bytes.
+    /// Byte offset of the parameter's type in the file.
     pub place: usize,
     pub kind: i8,
     pub dimensions: &'a [u8],
     pub data: Bytes<'a>,
 }
 
-/// Kind and dimensions of a parameter, and where its data are in the section.
+/// Type and dimensions of a parameter, and the position of its data in the parameter section.
 pub(super) struct Shape<'a> {
     kind: i8,
     dimensions: &'a [u8],
-    /// Offset of the parameter's type in the file, bytes.
+    /// Byte offset of the parameter's type in the file.
     place: usize,
-    /// Offset of the data in the section, and their size, bytes.
+    /// Offset of the data in the section, bytes; `size` is the length of the data, bytes.
     at: usize,
     size: usize,
 }
@@ -42,7 +42,7 @@ impl<'a> Shape<'a> {
             );
         }
         let dimensions = part(section, start, at + 2, usize::from(count))?;
-        // Seven dimensions of 255 still fit.
+        // The product of seven dimensions of 255 fits in 64 bits.
         let size: u64 = dimensions.iter().map(|&d| u64::from(d)).product();
         let size = size * u64::from(kind.unsigned_abs());
         Ok(Self {
@@ -54,7 +54,7 @@ impl<'a> Shape<'a> {
         })
     }
 
-    /// Offset of the data's end in the section, bytes.
+    /// Offset of the end of the data in the section, bytes.
     pub fn end(&self) -> usize {
         self.at.saturating_add(self.size)
     }
@@ -77,7 +77,8 @@ impl<'a> Shape<'a> {
     }
 }
 
-/// Bytes `at..at + length` of the section that begins at `start`, or an error if the section is shorter.
+/// Returns the bytes `at..at + length` of the section, or an error if the section is shorter; `start` is the offset of
+/// the section in the file.
 pub(super) fn part(section: &[u8], start: usize, at: usize, length: usize) -> Result<&[u8], Wrong> {
     let end = at.checked_add(length);
     match end.and_then(|end| section.get(at..end)) {

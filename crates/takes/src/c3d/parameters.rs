@@ -6,22 +6,22 @@ use super::bytes::{Bytes, Order};
 use super::parameter::{Parameter, Shape, part};
 use super::{Wrong, wrong};
 
-/// Greatest number of groups and parameters in a C3D file, which bounds the memory used.
+/// Maximum number of groups and parameters in a C3D file; bounds the memory used.
 const MOST: usize = 20_000;
 
-/// C3D parameters by group and name, both in capitals.
+/// C3D parameters by group and name, both in upper case.
 pub(super) struct Parameters<'a> {
     groups: BTreeMap<String, u8>,
     parameters: BTreeMap<(u8, String), Parameter<'a>>,
-    /// Offset of the section in the file, bytes.
+    /// Byte offset of the section in the file.
     start: usize,
-    /// Offset in the file of the end of a parameter that does not end in the section; 0 if there is none.
+    /// Byte offset in the file of the end of a parameter that extends past the section; 0 if there is none.
     end_of_cut: usize,
 }
 
 impl<'a> Parameters<'a> {
-    /// Parses the parameter section, which lies between the header and the data, at the byte `start` of the file. A
-    /// parameter that does not end in the section is returned as a fault, with the parameters before it.
+    /// Parses the parameter section, which begins at byte `start` of the file and ends where the data begin. If a
+    /// parameter extends past the section, the parameters before it are returned together with the fault.
     pub fn read(
         section: &'a [u8],
         start: usize,
@@ -33,7 +33,7 @@ impl<'a> Parameters<'a> {
             start,
             end_of_cut: 0,
         };
-        // Two bytes of old use, the number of blocks, the processor.
+        // The section begins with two obsolete bytes, the number of blocks and the processor type.
         let mut at = 4;
         while let Some(&[length, id]) = section.get(at..).and_then(|rest| rest.first_chunk()) {
             let (length, id) = (length.cast_signed().unsigned_abs(), id.cast_signed());
@@ -66,7 +66,7 @@ impl<'a> Parameters<'a> {
                 let key = (id.unsigned_abs(), name);
                 found.parameters.entry(key).or_insert(parameter);
             }
-            // Every entry is a step forward, so that the end is reached.
+            // Every entry advances the offset, so the loop terminates.
             match offset {
                 0 => break,
                 1 => {
@@ -82,17 +82,17 @@ impl<'a> Parameters<'a> {
         Ok((found, None))
     }
 
-    /// Offset in the file of the end of the parameter that does not end in the section; 0 if there is none.
+    /// Byte offset in the file of the end of the parameter that extends past the section; 0 if there is none.
     pub fn end_of_cut(&self) -> usize {
         self.end_of_cut
     }
 
-    /// Whether there is a parameter.
+    /// Whether the file contains the parameter `group:name`.
     pub fn has(&self, group: &str, name: &str) -> bool {
         self.get(group, name).is_some()
     }
 
-    /// All numbers of a parameter of floats; none if it is absent or of another kind.
+    /// All values of a floating-point parameter; empty if the parameter is absent or has another type.
     pub fn floats(&self, group: &str, name: &str) -> Vec<f64> {
         let Some(parameter) = self.get(group, name).filter(|it| it.kind == 4) else {
             return Vec::new();
@@ -106,13 +106,13 @@ impl<'a> Parameters<'a> {
         self.parameters.get(&(group, name.to_owned()))
     }
 
-    /// Offset of a parameter in the file, or of the whole section, bytes.
+    /// Byte offset of a parameter in the file, or of the whole section if the parameter is absent.
     pub fn place(&self, group: &str, name: &str) -> usize {
         let parameter = self.get(group, name);
         parameter.map_or(self.start, |parameter| parameter.place)
     }
 
-    /// First number of a parameter; `None` if the parameter is absent.
+    /// First value of a numeric parameter; `None` if the parameter is absent, an error if it is not numeric.
     pub fn number(&self, group: &str, name: &str) -> Result<Option<f64>, Wrong> {
         let Some(parameter) = self.get(group, name) else {
             return Ok(None);
@@ -129,7 +129,8 @@ impl<'a> Parameters<'a> {
         }
     }
 
-    /// Parameter that is a count: an unsigned 16-bit integer or a float; `None` if the parameter is absent.
+    /// Value of a parameter that is a count, stored as an unsigned 16-bit integer or a float; `None` if the parameter
+    /// is absent.
     pub fn count(&self, group: &str, name: &str) -> Result<Option<u64>, Wrong> {
         match self.number(group, name)? {
             None => Ok(None),
@@ -147,7 +148,8 @@ impl<'a> Parameters<'a> {
         }
     }
 
-    /// Unsigned 32-bit number stored as two 16-bit words, low word first; `None` if the parameter is absent.
+    /// Value of an unsigned 32-bit integer stored as two 16-bit words, low word first; `None` if the parameter is
+    /// absent.
     pub fn long(&self, group: &str, name: &str) -> Result<Option<u32>, Wrong> {
         match self.get(group, name) {
             None => Ok(None),
@@ -163,7 +165,8 @@ impl<'a> Parameters<'a> {
         }
     }
 
-    /// Text of a parameter, without surrounding blanks; `None` if the parameter is absent.
+    /// Text of a parameter, without surrounding blanks; `None` if the parameter is absent, an error if it is not a
+    /// text.
     pub fn text(&self, group: &str, name: &str) -> Result<Option<String>, Wrong> {
         match self.get(group, name) {
             None => Ok(None),
@@ -176,7 +179,7 @@ impl<'a> Parameters<'a> {
         }
     }
 
-    /// First text of a parameter that may have several; `None` if the parameter is absent.
+    /// First text of a parameter that may be an array of texts; `None` if the parameter is absent.
     pub fn first_text(&self, group: &str, name: &str) -> Result<Option<String>, Wrong> {
         let whole = self.text(group, name)?;
         let several = self.get(group, name).filter(|it| it.dimensions.len() > 1);
@@ -187,7 +190,8 @@ impl<'a> Parameters<'a> {
         Ok(first.or(whole))
     }
 
-    /// Labels of this number of points, from the parameters LABELS, LABELS2, …; each of them has at most 255 labels.
+    /// Labels of at most `points` points, from the parameters LABELS, LABELS2, …, each of which contains at most 255
+    /// labels.
     pub fn labels(&self, points: usize) -> Result<Vec<String>, Wrong> {
         let mut labels = Vec::new();
         for number in 1.. {
@@ -218,7 +222,7 @@ impl<'a> Parameters<'a> {
     }
 }
 
-/// Decodes a text, without surrounding blanks and zero bytes.
+/// Decodes a text and strips surrounding blanks and zero bytes.
 fn text(bytes: &[u8]) -> String {
     let text = String::from_utf8_lossy(bytes);
     text.trim_matches([' ', '\0', '\t', '\r', '\n']).to_owned()

@@ -1,4 +1,4 @@
-//! Points of a C3D file.
+//! Reader of the points of a C3D file.
 
 use crate::axes::Axis;
 use crate::c3d::{Recording, Wrong};
@@ -9,9 +9,9 @@ use crate::options::ReadOptions;
 use crate::take::{Point, Take};
 use crate::words::shown;
 
-/// Limit of frames × points, which bounds the memory used.
+/// Maximum of the number of frames times the number of points; bounds the memory used.
 const MOST: usize = 1 << 23;
-/// Greatest absolute coordinate, m.
+/// Maximum absolute value of a coordinate, m; a greater one is an error.
 const FARTHEST: f64 = 1e4;
 
 fn fault(wrong: Wrong) -> Fault {
@@ -91,7 +91,8 @@ pub(super) fn read(bytes: &[u8], options: &ReadOptions) -> Result<Take, Fault> {
     Ok(take)
 }
 
-/// The axis that points up: by the force platforms, else the axis that is drawn upwards.
+/// Axis that points up: from the force platforms if they determine it, otherwise the axis that `POINT:Y_SCREEN` draws
+/// upwards; `None` if neither states it.
 fn up(recording: &Recording<'_>, notes: &mut Vec<String>) -> Option<Axis> {
     let drawn = recording.screen_up().and_then(|text| Axis::parse(&text));
     let floor = recording.floor_up();
@@ -108,7 +109,7 @@ fn up(recording: &Recording<'_>, notes: &mut Vec<String>) -> Option<Axis> {
     floor.or(drawn)
 }
 
-/// Unit of the coordinates by the file or the option.
+/// Unit of the coordinates: the option if it is given, otherwise the unit that the file states.
 fn length(
     recording: &Recording<'_>,
     options: &ReadOptions,

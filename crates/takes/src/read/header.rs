@@ -1,4 +1,4 @@
-//! Tables with one header line that names every column: points, poses, and what DLTdv8 writes.
+//! Reader of tables with one header line that names every column: points, poses, and files of DLTdv8.
 
 use std::collections::BTreeMap;
 
@@ -12,20 +12,20 @@ use crate::take::Take;
 use crate::unit::{LengthUnit, TimeUnit};
 use crate::words::{listed, shown};
 
-/// Label of a point or body whose columns have none.
+/// Label of a point or body whose column names contain no label.
 const UNNAMED: &str = "body";
 
-/// Columns of one label: coordinates and quaternion.
+/// Column indices of the coordinates and the quaternion that share one label.
 #[derive(Default)]
 struct Track {
     coordinates: [Option<usize>; 3],
     quaternion: [Option<usize>; 4],
 }
 
-/// The named columns of a header.
+/// Columns of a table, as its header line names them.
 #[derive(Default)]
 struct Header {
-    /// Labels with their columns, in the order of the file.
+    /// Labels and their columns, in the order of the file.
     tracks: Vec<(String, Track)>,
     time: Option<(usize, Option<TimeUnit>)>,
     frame: Option<usize>,
@@ -115,7 +115,7 @@ pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<
     layout.samples(&mut sheet, |_| false)
 }
 
-/// The first column of the header that DLTdv8 does not write.
+/// Index and name of the first column in the header that DLTdv8 does not write; `None` if there is none.
 fn foreign(sheet: &Sheet<'_>) -> Option<(usize, String)> {
     let cells = sheet.cells();
     let found = cells.iter().position(|name| !is_digitised(name))?;

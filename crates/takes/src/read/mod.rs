@@ -1,4 +1,4 @@
-//! Readers, one per format.
+//! Readers of recordings, one module per format.
 
 mod c3d;
 mod header;
@@ -13,22 +13,22 @@ use crate::format::Format;
 use crate::options::ReadOptions;
 use crate::take::Take;
 
-/// Greatest size of a file, bytes.
+/// Maximum size of a recording file, bytes.
 const LARGEST: u64 = 1 << 30;
 
 /// Reads the recording in a file.
 ///
 /// # Errors
-/// [`TakeError`] for the first fault, with its location.
+/// [`TakeError`] with the location of the first fault if the file cannot be read or is malformed.
 pub fn read(file: &Path, options: &ReadOptions) -> Result<Take, TakeError> {
     let bytes = crate::file::bytes(file, LARGEST, "a recording")?;
     parse(file, &bytes, options)
 }
 
-/// Reads the recording in the bytes of a file, whose path serves for messages.
+/// Parses the bytes of a recording file; the path `file` is used in error messages only.
 ///
 /// # Errors
-/// [`TakeError`] for the first fault, with its location.
+/// [`TakeError`] with the location of the first fault if the bytes are malformed.
 pub fn parse(file: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Take, TakeError> {
     checked(bytes, options).map_err(|fault| fault.of(file))
 }

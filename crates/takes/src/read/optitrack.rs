@@ -1,4 +1,5 @@
-//! Table of OptiTrack Motive: a line of properties; rows of types, names, kinds and axes above each column; rows.
+//! Reader of CSV tables of OptiTrack Motive: a line of properties; header lines with the type, name, kind and axis of
+//! each column; data rows.
 
 use std::collections::BTreeMap;
 
@@ -11,12 +12,12 @@ use crate::take::Take;
 use crate::unit::LengthUnit;
 use crate::words::{listed, shown};
 
-/// Columns before the first track: frame and time.
+/// Number of columns before the first track: frame and time.
 const FIXED: usize = 2;
-/// Greatest number of lines between the properties and the axes.
+/// Maximum number of lines between the properties and the line of axes.
 const MOST_LINES: usize = 12;
 
-/// The lines above the columns.
+/// Header lines above the columns, with one text per column.
 #[derive(Default)]
 struct Heads {
     types: Vec<String>,
@@ -25,7 +26,7 @@ struct Heads {
     axes: Vec<String>,
 }
 
-/// Columns of one name and type.
+/// Column indices of one track: a body or marker, identified by type and name.
 #[derive(Default)]
 struct Track {
     position: [Option<usize>; 3],
@@ -95,7 +96,7 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Take, Fault> {
     Ok(take)
 }
 
-/// Properties of the first line, by name.
+/// Properties in the first line of the file, by name.
 fn properties(sheet: &mut Sheet<'_>) -> Result<BTreeMap<String, String>, Fault> {
     if !sheet.advance()? || sheet.cell(0) != "Format Version" {
         let found = shown(sheet.cell(0));
@@ -109,7 +110,7 @@ fn properties(sheet: &mut Sheet<'_>) -> Result<BTreeMap<String, String>, Fault> 
         .collect())
 }
 
-/// Reads the lines above the columns, up to that of the axes.
+/// Reads the header lines above the columns, up to and including the line of axes.
 fn heads(sheet: &mut Sheet<'_>) -> Result<Heads, Fault> {
     const EXPECTED: &str = "the line of the axes, from Frame on";
     let mut heads = Heads::default();
@@ -154,10 +155,10 @@ fn heads(sheet: &mut Sheet<'_>) -> Result<Heads, Fault> {
     Err(sheet.fault(0, shown(sheet.cell(0)), EXPECTED))
 }
 
-/// A track under its type and name.
+/// Type and name of a track, with the track's columns.
 type Named = ((String, String), Track);
 
-/// Columns of each type and name, in the order of the file.
+/// Columns of each track, in the order of the file.
 fn tracks(heads: &Heads, sheet: &Sheet<'_>) -> Result<Vec<Named>, Fault> {
     let mut tracks: Vec<Named> = Vec::new();
     let mut places = BTreeMap::new();
@@ -200,8 +201,8 @@ fn tracks(heads: &Heads, sheet: &Sheet<'_>) -> Result<Vec<Named>, Fault> {
     Ok(tracks)
 }
 
-/// Puts points and bodies into the layout. The markers of a rigid body are taken as they were measured; the positions that
-/// Motive solved for serve where those are absent.
+/// Adds points and bodies to the layout. Measured positions of a rigid body's markers are preferred; positions that
+/// Motive solved for are used only for markers without measured ones.
 fn fill(
     layout: &mut Layout,
     tracks: &[Named],

@@ -1,7 +1,9 @@
-//! Tables of Qualisys Track Manager: lines of a keyword and values, then rows of points or of rigid bodies.
+//! Reader of tables of Qualisys Track Manager: lines of a keyword and its values, then rows of points or of rigid
+//! bodies.
 //!
-//! A body has a position, three angles, a residual, and its rotation matrix by columns, from the body's axes to those of the
-//! room (QTM manual, 6DOF tracking output). Lengths are in mm, which the format fixes and the file does not state.
+//! The columns of a body are position, three angles, residual, and rotation matrix column by column, from the body's
+//! axes to those of the room (QTM manual, 6DOF tracking output). Lengths are in mm: the format fixes this, and the file
+//! does not state it.
 
 use std::collections::BTreeMap;
 
@@ -14,9 +16,9 @@ use crate::take::Take;
 use crate::unit::LengthUnit;
 use crate::words::shown;
 
-/// Columns of a body: position, angles, residual, matrix.
+/// Number of columns per body: position (3), angles (3), residual (1), rotation matrix (9).
 const BODY: usize = 16;
-/// First column of the matrix within those of a body.
+/// Index of the first matrix column within the columns of a body.
 const MATRIX: usize = 7;
 
 pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<Take, Fault> {
@@ -113,7 +115,7 @@ pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<
         Fixed::None => 0,
     };
     let axes = |i: usize| [0, 1, 2].map(|axis| start + parts * i + axis);
-    // The file has the matrix by columns.
+    // The file contains the matrix column by column.
     let matrix =
         |i: usize| [0, 3, 6, 1, 4, 7, 2, 5, 8].map(|entry| start + parts * i + MATRIX + entry);
     let mut layout = Layout {
@@ -139,7 +141,7 @@ pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<
     layout.samples(&mut sheet, |_| false)
 }
 
-/// A line of a keyword and a count.
+/// Count in the header line of a keyword; `None` if the file has no such line.
 fn count(
     keywords: &BTreeMap<String, (usize, Vec<String>)>,
     keyword: &str,
@@ -154,12 +156,12 @@ fn count(
     }
 }
 
-/// Columns before the first track.
+/// Columns that precede the first track.
 #[derive(Clone, Copy)]
 enum Fixed {
-    /// A time at this column, the last of them.
+    /// The time, in the column with this index, is the last column before the tracks.
     Time(usize),
-    /// The number of the frame alone.
+    /// The frame number is the only column before the tracks.
     Frame,
     None,
 }

@@ -1,4 +1,4 @@
-//! Table of Vicon Nexus: sections of a name, a rate, labels, names of columns, units, and rows.
+//! Reader of CSV tables of Vicon Nexus: sections that consist of a name, a rate, labels, column names, units and rows.
 
 use crate::error::{Fault, Place};
 use crate::format::Format;
@@ -9,9 +9,9 @@ use crate::take::Take;
 use crate::unit::LengthUnit;
 use crate::words::{listed, shown};
 
-/// Name of the section that is read.
+/// Name of the section with the trajectories, the only one that is read.
 const SECTION: &str = "Trajectories";
-/// Columns before the first point: frame and sub-frame.
+/// Number of columns before the first point: frame and sub-frame.
 const FIXED: usize = 2;
 
 pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Take, Fault> {
@@ -64,14 +64,14 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Take, Fault> {
         notes,
         stated: None,
     };
-    // Another section may follow; its name is no number.
+    // Another section may follow; its first cell is a name, not a number.
     let starts_section = |sheet: &Sheet<'_>| {
         sheet.filled() == 1 && sheet.cell(0).starts_with(|c: char| c.is_ascii_alphabetic())
     };
     layout.samples(&mut sheet, starts_section)
 }
 
-/// Advances to the section of the trajectories; sections before it are named in a note.
+/// Advances to the section with the trajectories; adds a note that lists the sections before it.
 fn find_section(sheet: &mut Sheet<'_>, notes: &mut Vec<String>) -> Result<(), Fault> {
     let mut skipped: Vec<String> = Vec::new();
     while sheet.advance()? {
@@ -98,7 +98,7 @@ fn find_section(sheet: &mut Sheet<'_>, notes: &mut Vec<String>) -> Result<(), Fa
     Err(Fault::new(place, found, format!("the section {SECTION}")))
 }
 
-/// Labels and columns of the points; the subject's name is left out where all have the same.
+/// Labels and column indices of the points. A subject name that all labels share is removed from them.
 fn points(
     sheet: &Sheet<'_>,
     labels: &[String],
@@ -156,7 +156,7 @@ fn points(
     Ok(found)
 }
 
-/// Unit of the points; `None` where the row is no row of units.
+/// Unit of the points' coordinates, from the current row; `None` if this row is not a row of units.
 fn units(sheet: &Sheet<'_>, points: &[(String, [usize; 3])]) -> Result<Option<LengthUnit>, Fault> {
     if !sheet.cell(0).is_empty() {
         return Ok(None);

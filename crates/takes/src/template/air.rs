@@ -1,8 +1,8 @@
-//! Motion of the centre of mass by air forces that turn with a wobbling axis.
+//! Displacement of the centre of mass by aerodynamic forces that turn with a wobbling spin axis.
 //!
-//! The force on a body of revolution lies in the plane of velocity and axis. Where the axis turns about the velocity, the force
-//! turns with it: this part is known. Where it turns towards the velocity, the force changes by the body's own coefficients: this
-//! part is not known.
+//! The aerodynamic force on a body of revolution lies in the plane of velocity and spin axis. If the axis rotates about
+//! the velocity, the force rotates with it: this part of the displacement is known. If the axis rotates towards the
+//! velocity, the force changes by an amount that depends on the body's coefficients: this part is not known.
 
 use nalgebra::{DMatrix, Vector3};
 
@@ -10,18 +10,20 @@ use super::smooth::Smooth;
 
 /// Standard acceleration of gravity, m/s².
 const GRAVITY: f64 = 9.81;
-/// Least sine of the angle between velocity and axis.
+/// Minimum sine of the angle between velocity and spin axis at which the known part is computed.
 const LEAST_SINE: f64 = 0.2;
-/// Standard deviation of the unknown part relative to a force that turns with the axis.
+/// Assumed standard deviation of the unknown part, relative to that of a force that turns with the axis.
 const UNKNOWN: f64 = 0.5;
 
-/// Displacements of the centre of mass, m, a row per sample: the known part, and the size of the unknown part.
+/// Displacements of the centre of mass due to the wobble, m, one row per sample: the known part, and the magnitude of
+/// the unknown part.
 pub(super) struct AirMotion {
     pub known: DMatrix<f64>,
     pub unknown: DMatrix<f64>,
 }
 
-/// Displacements by the wobble of an axis along the path of the centre of mass (m, room).
+/// Computes the displacements of the centre of mass due to the wobble of the spin axis. `path` is the trajectory of the
+/// centre of mass (m) and `axes` is the spin axis, both along the axes of the room, one row per sample.
 pub(super) fn air_motion(
     times: &[f64],
     smooth: &Smooth,
@@ -62,7 +64,7 @@ pub(super) fn air_motion(
     }
 }
 
-/// Double integral of each column over time, by trapezia.
+/// Double integral of each column over time by the trapezoidal rule, after subtraction of the column's mean.
 fn twice_integrated(times: &[f64], of: &DMatrix<f64>) -> DMatrix<f64> {
     let once = |of: &DMatrix<f64>| {
         let mut sums = DMatrix::<f64>::zeros(of.nrows(), of.ncols());
@@ -73,7 +75,7 @@ fn twice_integrated(times: &[f64], of: &DMatrix<f64>) -> DMatrix<f64> {
         }
         sums
     };
-    // A constant would hide a small wobble in a parabola's rounding.
+    // A constant would become a parabola, whose rounding errors hide a small wobble.
     let mean = of.row_mean();
     let centred = DMatrix::from_fn(of.nrows(), of.ncols(), |i, k| of[(i, k)] - mean[k]);
     once(&once(&centred))

@@ -1,8 +1,10 @@
-//! Axis of the spin and centre of mass: the direction and the point of the body whose paths have no part that turns with it.
+//! Estimation of spin axis and centre of mass: the direction and the point of the body whose trajectories contain no
+//! component that rotates with the body.
 //!
-//! With the rotations R and positions c of the samples, and (·)~ for what a polynomial in time leaves of a signal, the path of the
-//! point p is c + R p, and least squares give B p = −Σ R~ᵀ c~ with B = Σ R~ᵀ R~. B is nearly 0 along the axis of the spin, whose
-//! path is smooth but for its wobble. Both sides are freed of the noise of the rotations (method of moments).
+//! Let R and c be the rotations and positions of the samples, and let (·)~ denote the residual of a signal after a
+//! polynomial in time is fitted to it. The trajectory of the body point p is c + R p, and least squares give B p = −Σ
+//! R~ᵀ c~ with B = Σ R~ᵀ R~. B is nearly 0 along the spin axis, whose trajectory is smooth except for its wobble. The
+//! contribution of the noise of the rotations is subtracted from both sides (method of moments).
 
 use nalgebra::{DMatrix, Matrix3, Rotation3, SymmetricEigen, Vector3};
 
@@ -11,38 +13,41 @@ use super::shape::{Placed, Shape};
 use super::smooth::Smooth;
 use super::{FreeFlight, LEAST_SAMPLES, TemplateError, UpVote};
 
-/// Least and greatest degree of the polynomial of a path.
+/// Minimum and maximum degree of the polynomial fitted to a trajectory.
 const DEGREES: (usize, usize) = (2, 10);
-/// Degrees per turn of the body: a polynomial of this degree has at most half as many waves as the body has turns.
+/// Maximum degree of the polynomial per turn of the body: a polynomial of this degree has at most half as many waves as
+/// the body has turns.
 const DEGREES_PER_TURN: f64 = 1.0;
-/// Passes of weights, degrees and the motion by the air.
+/// Number of passes, each of which updates the weights, the degrees and the displacement by aerodynamic forces.
 const PASSES: usize = 3;
-/// Least information across the axis, as a share of that of a body that turns many times, and greatest ratio of that along it.
+/// Criteria for a spin: minimum information across the axis, relative to that of a body that turns many times, and
+/// maximum ratio of the information along the axis to that across it.
 const SPIN: (f64, f64) = (0.05, 0.5);
-/// Least wobble of the axis, as a ratio of its mean square to that of its noise.
+/// Minimum wobble of the axis for a height of the centre of mass, as the ratio of the wobble's mean square to that of
+/// its noise.
 const WOBBLE: f64 = 0.1;
-/// Least sine of the axis above the horizontal of a release that decides which side is up.
+/// Minimum sine of the elevation of the axis at a release for the flight to count in the decision which side is up.
 const UPWARDS: f64 = 0.2;
 
-/// Axis and centre in the axes of the shape.
+/// Spin axis and centre of mass, in the axes of the shape.
 pub(super) struct Centre {
-    /// Unit vector along the spin, upwards at the release.
+    /// Unit vector along the spin axis, pointing upwards at the release.
     pub axis: Vector3<f64>,
-    /// Covariance of the axis.
+    /// Covariance of the unit vector `axis`.
     pub axis_covariance: Matrix3<f64>,
-    /// Point of the axis at height 0, the height of the mean of the markers, m.
+    /// Point of the spin axis at height 0, m; heights are measured along the axis from the mean of the markers.
     pub foot: Vector3<f64>,
-    /// Its covariance, m².
+    /// Covariance of `foot`, m².
     pub foot_covariance: Matrix3<f64>,
-    /// Change of the foot with the height of the centre.
+    /// Derivative of `foot` by the height of the centre of mass.
     pub slope: Vector3<f64>,
-    /// Height of the centre of mass along the axis and its standard error, m, where the axis wobbles enough.
+    /// Height of the centre of mass along the axis and its standard error, m; `None` if the axis wobbles too little.
     pub height: Option<(f64, f64)>,
     pub up: Option<UpVote>,
     pub turns: f64,
 }
 
-/// A flight's motion.
+/// Motion of the shape in one flight.
 struct Motion {
     times: Vec<f64>,
     centres: DMatrix<f64>,
@@ -52,13 +57,13 @@ struct Motion {
     turns: f64,
 }
 
-/// Noise of a pose per variance of a coordinate.
+/// Noise of a pose per unit variance of a measured coordinate.
 struct PoseNoise {
-    /// Number of markers.
+    /// Number of markers used for the pose.
     count: f64,
-    /// Their mean in the shape, m.
+    /// Mean position of the used markers in the axes of the shape, m.
     mean: Vector3<f64>,
-    /// Mean of the square of the rotation's error as a cross product, 1/m².
+    /// Expected square of the cross-product matrix of the rotation error δ, E([δ]ₓᵀ [δ]ₓ), 1/m².
     rotation: Matrix3<f64>,
 }
 
@@ -80,27 +85,28 @@ impl PoseNoise {
         })
     }
 
-    /// Weight of the path of a point: variance of a coordinate of a measured position over that of the path.
+    /// Weight of the trajectory of a body point: variance of one coordinate of a measured position, divided by the
+    /// variance of one coordinate of the point's computed position.
     fn weight(&self, point: &Vector3<f64>) -> f64 {
         let arm = point - self.mean;
         1.0 / (1.0 / self.count + arm.dot(&(self.rotation * arm)) / 3.0)
     }
 }
 
-/// The two sides of the equations, with and without noise.
+/// Left- and right-hand side of the normal equations, and the noise to be subtracted from them.
 #[derive(Default)]
 struct Sums {
     raw: Matrix3<f64>,
     noise: Matrix3<f64>,
     right: Vector3<f64>,
     weight: f64,
-    /// Degrees of freedom of the estimated noise.
+    /// Degrees of freedom of the noise estimate.
     freedom: f64,
-    /// Right side of the unknown motion by the air.
+    /// Right-hand side for the unknown part of the displacement by aerodynamic forces.
     unknown: Vector3<f64>,
 }
 
-/// Axis and centre of the flights.
+/// Estimates spin axis and centre of mass from the poses of all flights.
 pub(super) fn centre(shape: &Shape, flights: &[FreeFlight<'_>]) -> Result<Centre, TemplateError> {
     let each = shape.poses.iter().zip(flights);
     let each = each.filter(|(poses, _)| poses.len() >= LEAST_SAMPLES);
@@ -147,7 +153,7 @@ pub(super) fn centre(shape: &Shape, flights: &[FreeFlight<'_>]) -> Result<Centre
     })
 }
 
-/// Unit vector of the axis; `None` where the body does not turn about one.
+/// Unit vector of the spin axis; `None` if the body does not spin about one axis.
 fn axis_of(sums: &Sums) -> Option<Vector3<f64>> {
     let eigen = SymmetricEigen::new(sums.raw - sums.noise);
     let mut order = [0, 1, 2];
@@ -157,7 +163,8 @@ fn axis_of(sums: &Sums) -> Option<Vector3<f64>> {
     turns.then(|| eigen.eigenvectors.column(order[0]).into_owned())
 }
 
-/// The point of the axis at a height, its change with the height, and the inverse of B across the axis.
+/// Position of the spin axis at a height, projected onto the plane normal to the axis; its derivative by the height;
+/// and the inverse of B in that plane.
 fn at_height_with_inverse(
     sums: &Sums,
     axis: &Vector3<f64>,
@@ -166,7 +173,7 @@ fn at_height_with_inverse(
     let across = Matrix3::identity() - axis * axis.transpose();
     let matrix = sums.raw - sums.noise;
     let size = matrix.trace().max(f64::MIN_POSITIVE);
-    // Along the axis the matrix is made regular, and the inverse is then freed of it.
+    // The matrix is regularised along the axis; the regularisation is then projected out of the inverse.
     let regular = across * matrix * across + axis * axis.transpose() * size;
     let inverse = regular.try_inverse().unwrap_or_else(Matrix3::zeros);
     let inverse = across * inverse * across;
@@ -180,7 +187,8 @@ fn at_height(sums: &Sums, axis: &Vector3<f64>, height: f64) -> (Vector3<f64>, Ve
     (foot + axis * height, slope)
 }
 
-/// Height of the centre of mass along the axis, m, and its standard error, by the variance of a coordinate of unit weight.
+/// Height of the centre of mass along the axis and its standard error, m; `None` if the axis wobbles too little.
+/// `variance` is the variance of a coordinate of unit weight, m².
 fn height(sums: &Sums, axis: &Vector3<f64>, variance: f64) -> Option<(f64, f64)> {
     let (foot, slope, _) = at_height_with_inverse(sums, axis, 0.0);
     let direction = axis + slope;
@@ -193,7 +201,7 @@ fn height(sums: &Sums, axis: &Vector3<f64>, variance: f64) -> Option<(f64, f64)>
     let height = -axis.dot(&(sums.right + matrix * foot)) / information;
     let by_noise = variance * direction.dot(&(sums.raw * direction)) / information.powi(2);
     let by_air = direction.dot(&sums.unknown) / information;
-    // The noise that is taken from the matrix is itself estimated.
+    // The noise that is subtracted from the matrix is itself an estimate.
     let by_estimate = height * noise / information * (2.0 / sums.freedom.max(1.0)).sqrt();
     Some((
         height,
@@ -201,7 +209,8 @@ fn height(sums: &Sums, axis: &Vector3<f64>, variance: f64) -> Option<(f64, f64)>
     ))
 }
 
-/// Mean squares of what is left of the axis's path, and of that of the centre of mass per unit of weight, m².
+/// Mean squared residuals of the spin axis and of the trajectory of the centre of mass (m²), per unit weight and degree
+/// of freedom.
 fn residuals(motions: &[Motion], point: &Vector3<f64>, axis: &Vector3<f64>) -> (f64, f64) {
     let (mut axes, mut paths, mut axis_freedom, mut freedom) = (0.0, 0.0, 0.0, -3.0);
     for motion in motions {
@@ -210,7 +219,7 @@ fn residuals(motions: &[Motion], point: &Vector3<f64>, axis: &Vector3<f64>) -> (
         };
         axes += smooth.rest(&motion.directions(axis)).norm_squared();
         paths += smooth.rest(&motion.path(point)).norm_squared();
-        // The path of a unit vector has two directions.
+        // A unit vector has two degrees of freedom.
         let left = (motion.times.len() - motion.degree - 1) as f64;
         axis_freedom += 2.0 * left;
         freedom += 3.0 * left;
@@ -221,7 +230,8 @@ fn residuals(motions: &[Motion], point: &Vector3<f64>, axis: &Vector3<f64>) -> (
     )
 }
 
-/// Whether an axis points upwards at the releases, and the flights that decide it.
+/// Whether the axis points upwards at the releases, and the votes of the flights; the votes are `None` if they are
+/// tied.
 fn side(motions: &[Motion], axis: &Vector3<f64>) -> (bool, Option<UpVote>) {
     let heights = motions.iter().map(|motion| {
         let early = (motion.rotations.len() / 10).max(3);
@@ -267,7 +277,7 @@ impl Motion {
         motion
     }
 
-    /// Greatest degree of the polynomials.
+    /// Maximum degree of the polynomial for this flight, limited by the number of turns and samples.
     fn most(&self) -> usize {
         let by_turns = (DEGREES_PER_TURN * self.turns) as usize;
         let by_samples = self.times.len() / 4;
@@ -282,19 +292,20 @@ impl Motion {
         Smooth::new(&self.times, &self.weights(point), self.degree)
     }
 
-    /// Path of a point of the body, m.
+    /// Trajectory of a point of the body, m, one row per sample.
     fn path(&self, point: &Vector3<f64>) -> DMatrix<f64> {
         &self.centres + self.directions(point)
     }
 
-    /// A vector of the body along the axes of the room.
+    /// Components of a body-fixed vector along the axes of the room, one row per sample.
     fn directions(&self, vector: &Vector3<f64>) -> DMatrix<f64> {
         DMatrix::from_fn(self.rotations.len(), 3, |i, k| {
             (self.rotations[i].row(k) * vector)[0]
         })
     }
 
-    /// Adds the flight to the sums; with an axis, the motion by the air is taken from the path.
+    /// Adds the flight to the sums. If an axis is given, the known displacement by aerodynamic forces is subtracted
+    /// from the trajectory first.
     fn add(&self, point: &Vector3<f64>, axis: Option<&Vector3<f64>>, variance: f64, to: &mut Sums) {
         let weights = self.weights(point);
         let Some(smooth) = Smooth::new(&self.times, &weights, self.degree) else {
@@ -328,7 +339,7 @@ impl Motion {
         to.weight += weights.iter().sum::<f64>();
     }
 
-    /// Chooses the degree by the Bayesian information criterion of the path of a point.
+    /// Chooses the degree of the polynomial by the Bayesian information criterion for the trajectory of a body point.
     fn choose_degree(&mut self, point: &Vector3<f64>) {
         let weights = self.weights(point);
         let path = self.path(point);

@@ -1,4 +1,4 @@
-//! The body frame, and the markers in it with their standard errors.
+//! Construction of the body frame, and the marker positions in it with their standard errors.
 
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
@@ -6,14 +6,15 @@ use super::centre::Centre;
 use super::shape::Shape;
 use super::{CentreHeight, EstimatedMarker, EstimatedTemplate};
 
-/// Greatest standard error of an estimated height of the centre of mass, m; a worse one is not used.
+/// Maximum standard error of an estimated height of the centre of mass, m; a less certain estimate is not used.
 const WORST_HEIGHT: f64 = 0.01;
-/// Least distance of the marker that the first axis points to from the third, m.
+/// Minimum distance from the third axis, m, of the marker that the first axis points to.
 const OFF_AXIS: f64 = 0.005;
-/// Parameters beyond the shape: foot of the axis, direction of the axis, height.
+/// Number of parameters in addition to the shape: foot of the axis (3), direction of the axis (3), height (1).
 const MORE: usize = 7;
 
-/// The template of a shape with its centre.
+/// Assembles the template from the shape and the centre of mass; `stated` is the user's height of the centre of mass,
+/// m.
 pub(super) fn template(
     labels: &[String],
     shape: &Shape,
@@ -60,7 +61,7 @@ pub(super) fn template(
     let positions = map(&values);
     let mut jacobian = DMatrix::<f64>::zeros(size, size + MORE);
     for column in 0..size + MORE {
-        // The map is smooth at the scale of the body, which is some 0.1 m.
+        // The map is smooth at the scale of the body, which is about 0.1 m.
         let step = 1e-6;
         let (mut more, mut less) = (values.clone(), values.clone());
         more[column] += step;
@@ -87,12 +88,12 @@ pub(super) fn template(
     }
 }
 
-/// Square root of the greatest eigenvalue.
+/// Square root of the greatest eigenvalue of a covariance matrix.
 fn greatest(covariance: &Matrix3<f64>) -> f64 {
     covariance.symmetric_eigenvalues().max().max(0.0).sqrt()
 }
 
-/// The first marker off the axis, or else the farthest.
+/// Index of the first marker that lies off the spin axis, or of the marker farthest from the axis if none does.
 fn first_marker(shape: &Shape, centre: &Centre, height: f64) -> usize {
     let foot = centre.foot + centre.slope * height;
     let distance = |point: &Vector3<f64>| {
@@ -108,7 +109,7 @@ fn first_marker(shape: &Shape, centre: &Centre, height: f64) -> usize {
     off.unwrap_or_else(farthest)
 }
 
-/// Positions of the markers in the body frame by the parameters.
+/// Positions of the markers in the body frame as a function of the parameters `values`.
 fn placed(values: &DVector<f64>, size: usize, centre: &Centre, first: usize) -> DVector<f64> {
     let vector = |at: usize| Vector3::new(values[at], values[at + 1], values[at + 2]);
     let third = vector(size + 3).normalize();

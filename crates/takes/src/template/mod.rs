@@ -1,9 +1,10 @@
-//! Positions of the markers on the body from its free flights, without a model: shape, axis of the spin, centre of mass.
+//! Estimation of the marker positions on a body from its free flights, without a flight model: shape, spin axis, centre
+//! of mass.
 //!
-//! The shape is what the samples agree on up to a rotation and a translation ([`shape`]). The axis of the spin is the direction
-//! of the body, and the centre of mass the point of the body, whose paths have no part that turns with the body ([`centre`]).
-//! Third axis of the body frame: the axis of the spin, upwards at the release; first axis: towards the first marker; origin: the
-//! centre of mass.
+//! The shape consists of the marker positions that the samples have in common up to a rotation and a translation
+//! ([`shape`]). The spin axis is the direction of the body, and the centre of mass the point of the body, whose
+//! trajectories contain no component that rotates with the body ([`centre`]). Body frame: the third axis is the spin
+//! axis, upwards at the release; the first axis points towards the first marker; the origin is the centre of mass.
 
 mod air;
 mod centre;
@@ -14,7 +15,7 @@ mod text;
 
 use crate::words::listed;
 
-/// One free flight: its samples.
+/// Samples of one free flight.
 #[derive(Clone, Copy, Debug)]
 pub struct FreeFlight<'a> {
     /// Times of the samples, s, increasing.
@@ -23,89 +24,90 @@ pub struct FreeFlight<'a> {
     pub positions: &'a [Vec<Option<[f64; 3]>>],
 }
 
-/// A body as its flights show it.
+/// Body template estimated from free flights: marker positions and centre of mass, with their uncertainty.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EstimatedTemplate {
-    /// The markers, in the order of their labels.
+    /// Markers, in the order of the given labels.
     pub markers: Vec<EstimatedMarker>,
     /// Standard deviation of one coordinate of a measured position, m.
     pub sigma: f64,
-    /// How the position of the centre of mass along the axis of the spin was found.
+    /// Source of the position of the centre of mass along the spin axis.
     pub height: CentreHeight,
-    /// Standard error of the direction of the third axis, rad: the greater of two directions across it.
+    /// Standard error of the direction of the third axis, rad: the greatest over the directions normal to it.
     pub tilt_error: f64,
-    /// Whether the third axis points up at the release; `None` where the flights do not decide it.
+    /// Votes of the flights on the sense of the third axis, which points up at the release; `None` if the votes are
+    /// tied.
     pub up: Option<UpVote>,
     /// Index of the marker that the first axis points to.
     pub first: usize,
-    /// Number of flights.
+    /// Number of flights with at least one usable pose.
     pub flights: usize,
-    /// Number of samples with an attitude.
+    /// Number of samples whose attitude was determined.
     pub samples: usize,
-    /// Positions of single markers that were left out as outliers.
+    /// Number of marker positions left out as outliers.
     pub outliers: usize,
-    /// Turns of the body about its axis in all flights.
+    /// Number of turns of the body about its axis, summed over all flights.
     pub turns: f64,
 }
 
-/// A marker of the body.
+/// A marker of the body with its estimated position.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EstimatedMarker {
-    /// Label in the take.
+    /// Label of the marker in the take.
     pub label: String,
     /// Position in the body frame, m.
     pub position: [f64; 3],
-    /// Standard errors of the position, m. Where the height of the centre of mass was not estimated, that of the third
-    /// coordinate is the error of the marker's height relative to the other markers alone.
+    /// Standard errors of the position, m. If the height of the centre of mass was not estimated, the third value is
+    /// the error of the marker's height relative to the other markers only.
     pub std_error: [f64; 3],
 }
 
-/// Source of the position of the centre of mass along the axis of the spin. Heights are relative to the mean of the markers.
+/// Source of the position of the centre of mass along the spin axis. Heights are relative to the mean of the markers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CentreHeight {
-    /// From the wobble of the flights.
+    /// Estimated from the wobble of the body in the flights.
     Estimated {
-        /// The height, m.
+        /// Height of the centre of mass, m.
         height: f64,
-        /// Its standard error, m.
+        /// Standard error of the height, m.
         std_error: f64,
     },
-    /// As the option states.
+    /// Stated by the user.
     Stated {
-        /// The height, m.
+        /// Stated height of the centre of mass, m.
         height: f64,
-        /// What the flights show: height and standard error, m; `None` where they do not determine it.
+        /// Height that the flights show and its standard error, m; `None` if the flights do not determine it.
         shown: Option<(f64, f64)>,
     },
-    /// Assumed as 0, in the plane of the markers' mean: the flights do not determine it.
+    /// Assumed to be 0, the mean height of the markers, because the flights do not determine it.
     Assumed {
-        /// Standard error that an estimate would have, m; `None` where the axis does not move.
+        /// Standard error that an estimate would have, m; `None` if the axis wobbles too little for an estimate.
         std_error: Option<f64>,
     },
 }
 
-/// How many flights begin with the third axis upwards.
+/// Numbers of flights that begin with the third axis upwards and downwards.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UpVote {
-    /// Flights with the third axis upwards at the release.
+    /// Number of flights with the third axis upwards at the release.
     pub for_it: usize,
-    /// Flights with the third axis downwards.
+    /// Number of flights with the third axis downwards at the release.
     pub against: usize,
 }
 
-/// Why no template can be estimated.
+/// Reason why no template can be estimated.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TemplateError {
-    /// Too few markers for an attitude.
+    /// There are fewer than 3 markers, too few for an attitude.
     #[error(
         "found {} ({}), expected at least 3 points that move as one body, or a template by --markers",
         count(labels.len(), "point"), listed(labels.iter().map(String::as_str))
     )]
     FewPoints {
-        /// Labels of the points.
+        /// Labels of the available points.
         labels: Vec<String>,
     },
-    /// A marker is never seen together with others that fix the attitude.
+    /// A marker is never seen together with enough other markers to fix its position on the body.
     #[error(
         "found no sample that places {label} among the other points, expected it with 3 others or more, or a template by --markers"
     )]
@@ -113,36 +115,37 @@ pub enum TemplateError {
         /// Label of the marker.
         label: String,
     },
-    /// The markers lie on a line.
+    /// The markers lie on a line, which does not fix the attitude.
     #[error(
         "found the points on a line, expected points that fix an attitude, or a template by --markers"
     )]
     Collinear,
-    /// Too few samples.
+    /// Every flight has too few samples.
     #[error(
         "found {found} samples with at least 3 points, expected {expected} or more in a flight, or a template by --markers"
     )]
     FewSamples {
-        /// Greatest number of samples of a flight.
+        /// Greatest number of usable samples in a flight.
         found: usize,
-        /// Least number of samples.
+        /// Minimum number of samples required.
         expected: usize,
     },
-    /// The body does not turn about one axis.
+    /// The body does not spin about one axis.
     #[error(
         "found {turns:.1} turns of the body in all flights without one axis of spin, expected a body that spins about its axis, or a template by --markers"
     )]
     NoSpin {
-        /// Turns of the body in all flights.
+        /// Number of turns of the body, summed over all flights.
         turns: f64,
     },
 }
 
-/// Least standard error of the centre of mass along the axis where it is assumed, m.
+/// Minimum standard error of the centre of mass along the spin axis if its height is assumed, m.
 const ASSUMED: f64 = 0.02;
 
 impl EstimatedTemplate {
-    /// Standard errors of the centre of mass along the axes of the body, m; 0 along an axis where it is stated.
+    /// Standard errors of the centre of mass along the axes of the body, m, rounded up to 1 µm; 0 along the third axis
+    /// if the height is stated.
     pub fn origin_error(&self) -> [f64; 3] {
         let across = |axis: usize| {
             let each = self.markers.iter().map(|marker| marker.std_error[axis]);
@@ -153,12 +156,12 @@ impl EstimatedTemplate {
             CentreHeight::Stated { .. } => 0.0,
             CentreHeight::Assumed { std_error } => std_error.unwrap_or(ASSUMED).max(ASSUMED),
         };
-        // Finer digits than a micrometre would pretend what no estimate knows.
+        // More digits than a micrometre would pretend a precision that no estimate has.
         [across(0), across(1), along].map(|error| (error * 1e6).ceil() / 1e6)
     }
 }
 
-/// A number with its noun.
+/// Formats a count with its noun in the singular or plural.
 fn count(number: usize, noun: &str) -> String {
     match number {
         1 => format!("1 {noun}"),
@@ -166,16 +169,16 @@ fn count(number: usize, noun: &str) -> String {
     }
 }
 
-/// Least number of samples of a flight.
+/// Minimum number of samples of a flight.
 const LEAST_SAMPLES: usize = 12;
 
-/// Positions of the labelled markers from free flights of their body.
+/// Estimates the positions of the labelled markers from free flights of their body.
 ///
-/// `centre_height` is the height of the centre of mass above the mean of the markers along the third axis, m, where it is known;
-/// otherwise it is estimated if the flights determine it.
+/// `centre_height` is the height of the centre of mass above the mean of the markers along the third axis, m, if it is
+/// known; otherwise it is estimated if the flights determine it.
 ///
 /// # Errors
-/// [`TemplateError`] if the flights do not determine shape or axis.
+/// [`TemplateError`] if the flights do not determine the shape or the spin axis.
 pub fn estimate_template(
     labels: &[String],
     flights: &[FreeFlight<'_>],

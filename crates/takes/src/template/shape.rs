@@ -7,49 +7,49 @@ use nalgebra::{DMatrix, Matrix3, Vector3};
 use super::{FreeFlight, LEAST_SAMPLES, TemplateError};
 use crate::throws::fitted;
 
-/// Greatest number of passes over the samples, and the first ones that decide which positions are outliers.
+/// Maximum number of passes over the samples, and number of initial passes that decide which positions are outliers.
 const PASSES: (usize, usize) = (60, 8);
-/// Change of a position in a pass at which the shape has converged, m.
+/// Greatest change of a position in a pass, m, below which the shape has converged.
 const CONVERGED: f64 = 1e-9;
-/// Greatest squared misfit of a sample: its degrees of freedom, so many standard deviations of them, and a constant.
+/// Factors `a` and `b` of the maximum squared misfit of a sample with `f` degrees of freedom, σ² (f + a √(2f) + b).
 const MISFIT: (f64, f64) = (4.0, 8.0);
-/// Least standard deviation of a coordinate, m, so that exact samples are no outliers.
+/// Minimum standard deviation of a coordinate, m, so that exact samples are not outliers.
 const FINEST: f64 = 1e-7;
-/// Least ratio of the second singular value of the points to the first.
+/// Ratio of the second singular value of the points to the first, at or below which they count as lying on a line.
 const FLAT: f64 = 0.05;
 
-/// Shape of the markers, and the pose of each sample.
+/// Shape of the markers, and the poses of all samples.
 pub(super) struct Shape {
-    /// Positions about their mean, m.
+    /// Marker positions relative to their mean, m.
     pub points: Vec<Vector3<f64>>,
-    /// Covariance of the positions, m²; of rank 3 × points − 6.
+    /// Covariance of the marker positions, m²; its rank is 3 × points − 6.
     pub covariance: DMatrix<f64>,
     /// Standard deviation of one coordinate of a measured position, m.
     pub sigma: f64,
-    /// Poses of each flight.
+    /// Poses of the samples, by flight.
     pub poses: Vec<Vec<Placed>>,
-    /// Positions left out as outliers.
+    /// Number of marker positions left out as outliers.
     pub outliers: usize,
 }
 
-/// Pose of a sample.
+/// Pose of the shape in one sample.
 #[derive(Clone)]
 pub(super) struct Placed {
     /// Index of the sample in its flight.
     pub sample: usize,
-    /// Position of the mean of the shape, m.
+    /// Position of the mean of the shape in the room, m.
     pub position: Vector3<f64>,
     /// Rotation from the axes of the shape to those of the room.
     pub rotation: Matrix3<f64>,
-    /// Markers that are used.
+    /// Whether each marker is used for the pose.
     pub used: Vec<bool>,
-    /// Sum of squared residuals, m².
+    /// Sum of squared residuals of the used markers, m².
     squares: f64,
 }
 
 type Row = Vec<Option<Vector3<f64>>>;
 
-/// Shape and poses.
+/// Estimates the shape of the markers and the pose of each sample.
 pub(super) fn shape(labels: &[String], flights: &[FreeFlight<'_>]) -> Result<Shape, TemplateError> {
     if labels.len() < 3 {
         let labels = labels.to_vec();
@@ -109,7 +109,8 @@ fn rows(flight: &FreeFlight<'_>) -> Vec<Row> {
     flight.positions.iter().map(row).collect()
 }
 
-/// A shape to start from: the sample whose distances are nearest to the medians, with the points that it lacks placed by others.
+/// Initial shape: of the samples with the most markers, the one whose distances are closest to the median distances.
+/// Markers missing in it are located by means of other samples.
 fn first_shape<'r>(
     labels: &[String],
     rows: impl Iterator<Item = &'r Row> + Clone,
@@ -188,7 +189,7 @@ fn is_flat(points: &[Vector3<f64>]) -> bool {
     values[1] <= FLAT * FLAT * values[2]
 }
 
-/// Pose of a sample by the points that are used.
+/// Pose of a sample from the markers marked as `used`; `None` if they do not fix the attitude.
 fn pose(points: &[Vector3<f64>], row: &Row, used: Vec<bool>, sample: usize) -> Option<Placed> {
     let seen: Row = row
         .iter()
@@ -218,7 +219,7 @@ fn pose(points: &[Vector3<f64>], row: &Row, used: Vec<bool>, sample: usize) -> O
 }
 
 impl Placed {
-    /// Degrees of freedom of the residuals.
+    /// Degrees of freedom of the residuals of the pose.
     fn freedom(&self) -> f64 {
         3.0 * self.used.iter().filter(|used| **used).count() as f64 - 6.0
     }
@@ -229,7 +230,8 @@ impl Placed {
     }
 }
 
-/// Poses of the samples; outlying positions are left out one by one while the others fix the pose, and else the sample is.
+/// Poses of the samples. Outlying positions are left out one by one while the remaining ones fix the pose; if no
+/// acceptable pose remains, the sample is left out.
 fn placed(points: &[Vector3<f64>], rows: &[Row], sigma: f64) -> Vec<Placed> {
     let place = |(sample, row): (usize, &Row)| {
         let all: Vec<bool> = row.iter().map(Option::is_some).collect();
@@ -247,7 +249,7 @@ fn placed(points: &[Vector3<f64>], rows: &[Row], sigma: f64) -> Vec<Placed> {
     rows.iter().enumerate().filter_map(place).collect()
 }
 
-/// Poses by the points that were used before.
+/// Recomputes the poses from the same markers as before.
 fn replaced(
     points: &[Vector3<f64>],
     rows: &[Vec<Row>],
@@ -262,7 +264,7 @@ fn replaced(
     each.collect()
 }
 
-/// Standard deviation of a coordinate from the median of the samples.
+/// Robust standard deviation of a coordinate, m, from the median of the samples' squared residuals.
 fn robust_sigma(poses: &[Vec<Placed>]) -> f64 {
     let each = poses.iter().flatten().map(|pose| {
         // Median of χ² over its degrees of freedom, by Wilson and Hilferty.
@@ -278,7 +280,7 @@ fn pooled_sigma(poses: &[Vec<Placed>], points: usize) -> f64 {
     (squares / (freedom - (3.0 * points as f64 - 6.0)).max(1.0)).sqrt()
 }
 
-/// The points in the axes of the shape: their medians over the samples, or their means.
+/// Marker positions in the axes of the shape: medians (`by_median`) or means over the samples, relative to their mean.
 fn means(
     points: &[Vector3<f64>],
     rows: &[Vec<Row>],
@@ -303,8 +305,8 @@ fn means(
     about_mean(each.collect())
 }
 
-/// Covariance of the points per variance of a coordinate: the inverse of the normal matrix with the poses eliminated, without the
-/// six directions of a motion of the whole shape.
+/// Covariance of the points per unit variance of a coordinate: pseudo-inverse of the normal matrix with the poses
+/// eliminated. The six directions of a rigid motion of the shape are left out.
 fn covariance(points: &[Vector3<f64>], poses: &[Vec<Placed>]) -> DMatrix<f64> {
     let size = 3 * points.len();
     let mut normal = DMatrix::<f64>::zeros(size, size);

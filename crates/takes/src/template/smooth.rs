@@ -1,23 +1,24 @@
-//! The part of a signal that a polynomial in time leaves.
+//! Residual of a signal after a polynomial in time is fitted to it.
 
 use nalgebra::DMatrix;
 
-/// Weighted least-squares polynomials over the samples of a flight.
+/// Weighted least-squares polynomials in time over the samples of a flight.
 pub(super) struct Smooth {
-    /// Square roots of the weights.
+    /// Square roots of the samples' weights.
     roots: Vec<f64>,
     /// Orthonormal columns that span the weighted polynomials.
     basis: DMatrix<f64>,
-    /// Coefficients of Legendre polynomials by those of the basis.
+    /// Matrix that converts coefficients of the orthonormal basis to those of the Legendre polynomials.
     coefficients: DMatrix<f64>,
-    /// First and second derivatives of the Legendre polynomials by time, 1/s and 1/s².
+    /// First and second derivatives of the Legendre polynomials by time at the samples, 1/s and 1/s².
     derivatives: [DMatrix<f64>; 2],
-    /// Values of the Legendre polynomials.
+    /// Values of the Legendre polynomials at the samples.
     values: DMatrix<f64>,
 }
 
 impl Smooth {
-    /// Polynomials up to a degree over times, s, with weights; `None` for fewer samples than coefficients.
+    /// Prepares polynomials up to a degree for sample times (s) and weights; `None` unless there are more samples than
+    /// coefficients.
     pub fn new(times: &[f64], weights: &[f64], degree: usize) -> Option<Self> {
         let (count, columns) = (times.len(), degree + 1);
         if count <= columns {
@@ -31,7 +32,7 @@ impl Smooth {
             let x = (time - middle) / half;
             values[(i, 0)] = 1.0;
             for n in 0..degree {
-                // Recurrence of the Legendre polynomials, and its derivatives.
+                // Recurrence of the Legendre polynomials, differentiated twice.
                 let (a, b) = ((2 * n + 1) as f64, n as f64);
                 let before = |of: &DMatrix<f64>| if n > 0 { of[(i, n - 1)] } else { 0.0 };
                 let next = |terms: f64, before: f64| (a * terms - b * before) / (n + 1) as f64;
@@ -53,14 +54,14 @@ impl Smooth {
         })
     }
 
-    /// Weighted signals (a column each) without their polynomials.
+    /// Residuals of weighted signals (one column each) after subtraction of their fitted polynomials.
     pub fn rest(&self, signals: &DMatrix<f64>) -> DMatrix<f64> {
         let weighted = self.weighted(signals);
         let fitted = &self.basis * (self.basis.transpose() * &weighted);
         weighted - fitted
     }
 
-    /// Polynomials of signals: values, first and second derivatives.
+    /// Polynomials fitted to signals (one column each): values, first and second derivatives by time at the samples.
     pub fn fitted(&self, signals: &DMatrix<f64>) -> [DMatrix<f64>; 3] {
         let of_basis = self.basis.transpose() * self.weighted(signals);
         let coefficients = &self.coefficients * of_basis;
@@ -68,7 +69,7 @@ impl Smooth {
         [&self.values, first, second].map(|each| each * &coefficients)
     }
 
-    /// Share of a sample's white noise that is left.
+    /// Fraction of the variance of white noise at sample `i` that remains in the residual.
     pub fn left(&self, i: usize) -> f64 {
         1.0 - self.basis.row(i).norm_squared()
     }

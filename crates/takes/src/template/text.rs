@@ -1,14 +1,14 @@
-//! A template in words: how sure it is and what was assumed.
+//! Description of an estimated template in sentences: uncertainty and assumptions.
 
 use super::{CentreHeight, EstimatedTemplate, count};
 
-/// A length in mm.
+/// Formats a length, given in m, in mm.
 fn mm(metres: f64) -> String {
     format!("{:.1} mm", 1e3 * metres)
 }
 
 impl EstimatedTemplate {
-    /// Sentences on how the positions were found and how sure they are.
+    /// Sentences that state how the marker positions were found and how uncertain they are.
     pub fn decisions(&self) -> Vec<String> {
         let mut lines = vec![format!(
             "the template is estimated from {} with {} samples and {:.0} turns of the body; noise of a coordinate {:.2} mm",

@@ -1,5 +1,7 @@
-//! Whether a deviation from a followed flight ends it. A strong lift that changes with the attitude, a wobble or a fast spin
-//! deviates from a local prediction too: the flight ends where the motion beyond is none that air can cause.
+//! Decision whether a deviation from a followed flight ends the flight.
+//!
+//! A strong lift that changes with the attitude, a wobble or a fast spin deviates from a local prediction too. The
+//! flight therefore ends only where the motion outside it is one that air cannot cause.
 
 use nalgebra::DVector;
 
@@ -8,27 +10,30 @@ use super::norm;
 use super::track::Track;
 use super::windows::{GRAVITY, SLOW, allowed};
 
-/// Standard errors by which a bound must be exceeded.
+/// Number of standard errors by which a bound must be exceeded.
 const CERTAIN: f64 = 4.5;
-/// Least jump of the velocity at an impact, m/s; air changes the velocity less within a sample or two.
+/// Minimum jump of the velocity at an impact, m/s; air changes the velocity by less within a sample or two.
 const IMPACT: f64 = 1.0;
-/// Least jump upwards at the ground, m/s: a body that touches it with its edge begins to turn more than to rise.
+/// Minimum upward jump of the velocity at the ground, m/s. It is small because a body that touches the ground with its
+/// edge begins to turn more than to rise.
 const TOUCH: f64 = 0.2;
-/// Height above the lowest that a body reaches in the take below which it may touch the ground, m: the part of a thrown body
-/// below its middle.
+/// Height above the body's lowest level in the take below which the body may touch the ground, m: the extent of a
+/// thrown body below its centre.
 const REACH: f64 = 0.15;
-/// Height above the lowest level at which a body is held up rather than flies if a change acts upwards, m.
+/// Height above the lowest level, m, below which an upward change of the motion means that the ground supports the
+/// body.
 const LOW: f64 = 0.05;
-/// Least jump upwards of a body that low, m/s, and the standard errors by which it must be exceeded.
+/// Minimum upward jump of the velocity within the height `LOW`, m/s. The jump must exceed it by `LIKELY` standard
+/// errors.
 const SLIGHT: f64 = 0.1;
 const LIKELY: f64 = 2.0;
-/// Time between two descents to the ground, s.
+/// Minimum time between two descents to the ground that count as separate, s.
 const APART: f64 = 0.5;
-/// Samples that may lie below the lowest level without counting, such as ghosts.
+/// Number of samples, such as ghost points, that may lie below the lowest level.
 const BELOW: usize = 3;
 
-/// Whether the samples beyond a place, at the beginning (`early`) or end of a followed flight, are no free flight that goes on;
-/// `ground` is the lowest level, m.
+/// Whether the samples outside a followed flight fail to continue its free motion. `last` is the track index of the
+/// flight's last sample, or of its first sample if `early`; `ground` is the lowest level, m.
 pub(super) fn is_break(
     track: &Track,
     path: &[[f64; 3]],
@@ -66,8 +71,8 @@ pub(super) fn is_break(
     rests || !allowed(velocity, air, CERTAIN * error)
 }
 
-/// Jump of the velocity in a fitted motion, m/s, outwards from the flight, with its standard error on one axis; `None` where
-/// it does not jump.
+/// Jump of the velocity in a fitted motion, m/s (derivative by the time counted outwards from the flight), with its
+/// standard error on one axis; `None` if the fitted velocity does not jump.
 fn velocity_jump(motion: &Fit) -> Option<([f64; 3], f64)> {
     (motion.hinge.first() == Some(&1)).then(|| {
         let jump = [0, 1, 2].map(|axis| motion.coefficients[(CUBIC, axis)]);
@@ -75,14 +80,14 @@ fn velocity_jump(motion: &Fit) -> Option<([f64; 3], f64)> {
     })
 }
 
-/// Whether a body that falls is thrown upwards, by its height above the lowest level, m: as low as the ground may be.
+/// Whether a falling body is pushed upwards at a height (above the lowest level, m) at which it may touch the ground.
 fn is_touch(height: f64, motion: &Fit, jump: [f64; 3]) -> bool {
     let falls = motion.coefficients[(1, 2)] < 0.0;
     falls && jump[2] > 0.5 * norm(jump) && height < REACH
 }
 
-/// Whether a body that falls is held up at a place of the track that is as low as the body comes: small touches one after
-/// another deviate too little from their prediction to be strange.
+/// Whether the ground supports a falling body at index `last` of the track, near its lowest level. This detects slight
+/// touches in succession, each of which deviates too little from its prediction to end the flight.
 pub(super) fn touches(track: &Track, path: &[[f64; 3]], last: usize, ground: f64) -> bool {
     if path[last][2] > ground + LOW {
         return false;
@@ -100,15 +105,15 @@ pub(super) fn touches(track: &Track, path: &[[f64; 3]], last: usize, ground: f64
     })
 }
 
-/// Lowest level of a path, m.
+/// Lowest level of a trajectory, m, apart from a few lower samples that may be ghost points.
 pub(super) fn lowest(path: &[[f64; 3]]) -> f64 {
     let mut heights: Vec<f64> = path.iter().map(|position| position[2]).collect();
     let place = BELOW.min(heights.len() - 1);
     *heights.select_nth_unstable_by(place, f64::total_cmp).1
 }
 
-/// Whether the lowest level is that of the ground: the body comes down to it several times. Where it does once, that may be where
-/// a flight turns upwards.
+/// Whether the lowest level is that of the ground, because the body comes down to it more than once. A single low point
+/// may be where a flight turns upwards.
 pub(super) fn is_ground(times: &[f64], path: &[[f64; 3]], lowest: f64) -> bool {
     let low = times.iter().zip(path);
     let low = low.filter(|(_, at)| at[2] < lowest + REACH);
@@ -121,7 +126,8 @@ pub(super) fn is_ground(times: &[f64], path: &[[f64; 3]], lowest: f64) -> bool {
     visits.count() > 1
 }
 
-/// A derivative of a fitted motion, a time `beyond` the change, with its standard error on one axis.
+/// Derivative of the given order of a fitted motion at the time `beyond` (s) from the change, outside the flight, with
+/// its standard error on one axis.
 fn derivative(motion: &Fit, early: bool, beyond: f64, order: i32) -> ([f64; 3], f64) {
     let sign: f64 = if early { -1.0 } else { 1.0 };
     let term = |power: i32, time: f64| -> f64 {
@@ -133,7 +139,7 @@ fn derivative(motion: &Fit, early: bool, beyond: f64, order: i32) -> ([f64; 3], 
         }
     };
     let own = (0..CUBIC as i32).map(|power| term(power, sign * beyond));
-    // The hinge grows with the time beyond, which runs against the time at a beginning.
+    // The hinge grows with the time outside the flight, which runs against `t` at the beginning of a flight.
     let hinge = motion
         .hinge
         .iter()

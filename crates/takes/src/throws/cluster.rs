@@ -1,19 +1,19 @@
-//! The points of a take that move as one body.
+//! Detection of the points of a take that move as one rigid body.
 
 use crate::take::Take;
 
 use super::norm;
 
-/// Number of samples that are compared.
+/// Approximate number of samples that are compared.
 const COMPARED: usize = 300;
-/// Greatest spread (central 80 %) of the distance between two points of a rigid body, m.
+/// Maximum spread (central 80 %) of the distance between two points of a rigid body, m.
 const RIGID: f64 = 0.012;
-/// Speed that a thrown body reaches, m/s.
+/// Speed that a point must reach to belong to a thrown body, m/s.
 const FAST: f64 = 2.0;
-/// Least number of common samples of two points.
+/// Minimum number of compared samples in which both of two points are seen.
 const COMMON: usize = 5;
 
-/// The largest set of points that keep their distances and move; by their indices, sorted.
+/// Indices, in increasing order, of the largest set of moving points whose mutual distances are constant.
 pub(super) fn rigid_points(take: &Take) -> Vec<usize> {
     let stride = (take.times.len() / COMPARED).max(1);
     let count = take.points.len();
@@ -35,7 +35,7 @@ pub(super) fn rigid_points(take: &Take) -> Vec<usize> {
     best
 }
 
-/// Whether a point reaches the speed of a throw, over pairs of samples several apart.
+/// Whether a point reaches the speed of a throw, from pairs of samples several apart.
 fn moves(take: &Take, point: usize) -> bool {
     let positions = &take.points[point].positions;
     let apart = 5.min(positions.len().saturating_sub(1)).max(1);

@@ -1,4 +1,4 @@
-//! The time of a change of motion: the hinge that explains the samples on both sides best.
+//! Time of a change of motion: the time of the fitted hinge that best explains the samples on both sides.
 
 use std::ops::Range;
 
@@ -8,35 +8,36 @@ use super::follow::Stop;
 use super::track::Track;
 use super::windows::half;
 
-/// Time beyond the change whose samples are explained too, s, and the least number of these samples.
+/// Time span outside the flight, from the change on, whose samples are fitted too, s, and the minimum number of these
+/// samples.
 const BEYOND: (f64, usize) = (0.03, 4);
 /// Number of candidate times of a change per sampling interval.
 const CANDIDATES: usize = 4;
-/// Samples that are left out at a cut, since a change is timed to about one sample.
+/// Number of samples left out at a cut, since a change is located to about one sample.
 const MARGIN: usize = 1;
-/// Hinges that are tried, by the powers of the time beyond the change: a jump of the acceleration, with a change of its rate, a
-/// jump of the velocity, with one of the acceleration.
+/// Hinge functions that are tried, as powers of the time outside the flight, counted from the change: a jump of the
+/// acceleration, alone or with a jump of its derivative; a jump of the velocity, alone or with a jump of the
+/// acceleration.
 pub(super) const HINGES: [&[i32]; 4] = [&[2], &[2, 3], &[1], &[1, 2]];
-/// Those of a touch of the ground: a jump of the velocity.
+/// Hinge functions for a touch of the ground: a jump of the velocity, alone or with a jump of the acceleration.
 pub(super) const JUMPS: [&[i32]; 2] = [&[1], &[1, 2]];
 
 /// A change of the motion at the beginning or the end of a flight.
 #[derive(Clone, Debug)]
 pub(super) struct Change {
-    /// Place of the track: the first or the last of the flight.
+    /// Track index of the first or the last sample of the flight.
     pub inside: usize,
     /// Time of the change, s.
     pub time: f64,
-    /// Velocity in the flight at the change, m/s.
+    /// Velocity inside the flight at the time of the change, m/s.
     pub velocity: [f64; 3],
-    /// Velocity after less velocity before, m/s, where it jumps.
+    /// Velocity outside the flight minus velocity inside, m/s; `None` if the velocity does not jump.
     pub velocity_jump: Option<[f64; 3]>,
-    /// Acceleration outside the flight less that inside, m/s²; where the velocity jumps, its mean over the samples that are
-    /// explained beyond the change.
+    /// Acceleration outside the flight minus acceleration inside, m/s²; zero if the velocity jumps.
     pub acceleration: [f64; 3],
 }
 
-/// The change at the end of a followed flight, or at its beginning (`early`).
+/// Locates the change at the end of a followed flight, or at its beginning (`early`).
 pub(super) fn changes(track: &Track, path: &[[f64; 3]], stop: &Stop, early: bool) -> Change {
     let data = if early { 0 } else { path.len() - 1 };
     let last = stop.last(data);
@@ -54,19 +55,20 @@ pub(super) fn changes(track: &Track, path: &[[f64; 3]], stop: &Stop, early: bool
     }
 }
 
-/// One fitted candidate.
+/// Fit of a cubic with a hinge at one candidate time.
 pub(super) struct Fit {
     pub time: f64,
-    /// Bayesian information criterion.
+    /// Bayesian information criterion of the fit; smaller is better.
     pub criterion: f64,
-    /// Coefficients of the powers of time from the candidate, then of the hinge, by axis.
+    /// Coefficients of the powers of the time from the candidate, then of the hinge (rows), by axis (columns).
     pub coefficients: DMatrix<f64>,
-    /// Their covariance on one axis.
+    /// Covariance of the coefficients on one axis.
     pub covariance: DMatrix<f64>,
     pub hinge: &'static [i32],
 }
 
-/// The samples around the end of following that a change is fitted to, and the times between which it may lie.
+/// Track indices of the samples around the end of following to which a change is fitted, and of those between whose
+/// times the change may lie.
 pub(super) fn places(
     track: &Track,
     path: &[[f64; 3]],
@@ -76,7 +78,7 @@ pub(super) fn places(
     let half = half(track);
     let beyond = ((BEYOND.0 / track.step).round() as usize).max(BEYOND.1);
     let within = 2 * half + 2;
-    // Deviations show with a delay: the change lies inward of them.
+    // Deviations are detected with a delay, so the change lies inside of them.
     match early {
         true => (
             last.saturating_sub(beyond)..(last + within).min(path.len()),
@@ -89,7 +91,7 @@ pub(super) fn places(
     }
 }
 
-/// The hinge that explains the samples best.
+/// Fit with the hinge and the time that best explain the samples; `None` if no candidate can be fitted.
 pub(super) fn best(
     track: &Track,
     path: &[[f64; 3]],
@@ -148,10 +150,11 @@ fn located(
     })
 }
 
-/// Number of coefficients of the flight on one axis.
+/// Number of coefficients of the cubic that describes the flight on one axis.
 pub(super) const CUBIC: usize = 4;
 
-/// Fits a cubic in time from the candidate, plus the powers of the time beyond it.
+/// Fits a cubic in the time from the candidate `time`, plus the powers `hinge` of the time outside the flight; `None`
+/// if there are too few samples or the equations are singular.
 pub(super) fn fit(
     track: &Track,
     path: &[[f64; 3]],
@@ -179,9 +182,9 @@ pub(super) fn fit(
             values[(row, axis)] = path[i][axis];
         }
     }
-    // Columns of one size, so that the normal equations are well scaled.
+    // Columns of equal norm, so that the normal equations are well scaled.
     let sizes: Vec<f64> = design.column_iter().map(|column| column.norm()).collect();
-    // A hinge beyond the last sample has no column.
+    // The column of a hinge outside the last sample is zero.
     if sizes.iter().any(|&size| size <= 0.0) {
         return None;
     }
@@ -203,7 +206,7 @@ pub(super) fn fit(
     })
 }
 
-/// Mean acceleration over places of the track, m/s²: that of a quadratic.
+/// Mean acceleration over a range of the track, m/s², from a fitted quadratic; `None` if the range has too few samples.
 pub(super) fn mean_acceleration(
     track: &Track,
     path: &[[f64; 3]],

@@ -1,4 +1,4 @@
-//! Following a free flight sample by sample: each is compared with its prediction from those before.
+//! Following of a free flight sample by sample: each sample is compared with its prediction from the preceding ones.
 
 use std::ops::Range;
 
@@ -6,30 +6,32 @@ use super::ThrowOptions;
 use super::track::Track;
 use super::windows::half;
 
-/// Residual in standard deviations beyond which a sample does not follow.
+/// Residual, in standard deviations, above which a sample deviates from its prediction.
 const STRANGE: f64 = 4.5;
-/// Number of consecutive samples that must not follow.
+/// Number of consecutive samples that must deviate from their prediction.
 const CONSECUTIVE: usize = 2;
-/// Change of the acceleration in free flight that a prediction across a gap allows for, m/s³.
+/// Rate of change of the acceleration in free flight, m/s³, for which a prediction across a gap allows.
 const JERK: f64 = 60.0;
-/// Least standard deviation of a position, m.
+/// Minimum standard deviation of a position, m.
 const FINEST: f64 = 5e-5;
 
-/// Where following ended, by places of the track.
+/// Reason why following ended; indices are positions in the track.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Stop {
-    /// The samples end.
+    /// The track has no more samples.
     Data,
-    /// Nothing is seen between these, and what follows does not continue the flight.
+    /// The body is not seen between the samples `from` and `to`, and the samples after the gap do not continue the
+    /// flight.
     Gap { from: usize, to: usize },
-    /// Samples beyond this one do not follow.
+    /// The samples next to the one at `last`, in the direction of following, deviate from their prediction.
     Deviation { last: usize },
-    /// The ground holds the body up around this one.
+    /// The ground supports the body near the sample at `last`.
     Touch { last: usize },
 }
 
 impl Stop {
-    /// Last place of the flight in the direction of following.
+    /// Track index of the last sample of the flight in the direction of following; `data` is that of the track's last
+    /// sample in this direction.
     pub fn last(&self, data: usize) -> usize {
         match self {
             Self::Data => data,
@@ -39,15 +41,18 @@ impl Stop {
     }
 }
 
-/// What ends a flight, asked of the last place that followed.
+/// Predicates that end a flight; each is called with the track index of the last sample that agreed with its
+/// prediction.
 pub(super) struct Checks<'c> {
-    /// Whether samples that deviate are no flight, at the beginning of the flight if the second argument is true.
+    /// Whether deviating samples are not part of the flight; the second argument is true at the beginning of the
+    /// flight.
     pub is_break: &'c dyn Fn(usize, bool) -> bool,
-    /// Whether the ground holds the body up, deviations or not.
+    /// Whether the ground supports the body, even if no sample deviates.
     pub touches: &'c dyn Fn(usize) -> bool,
 }
 
-/// Follows a flight from the middle of a run to both sides; where it begins and where it ends.
+/// Follows a flight from the middle of a run in both directions; returns why following stopped backward and forward in
+/// time.
 pub(super) fn follow(
     track: &Track,
     path: &[[f64; 3]],
@@ -119,7 +124,7 @@ fn extend(
     }
 }
 
-/// Whether a sample agrees with the quadratic through the recent ones.
+/// Whether the sample at index `place` agrees with the extrapolated quadratic through the samples `recent`.
 fn is_predicted(
     track: &Track,
     path: &[[f64; 3]],
@@ -153,7 +158,7 @@ fn is_predicted(
     (0..3).all(|axis| (solution[(0, axis)] - path[place][axis]).abs() <= allowed)
 }
 
-/// Standard deviation of a position in a run, m, from third differences of consecutive samples; robust.
+/// Robust standard deviation of a position in a run, m, from third differences of consecutive samples.
 fn noise(track: &Track, path: &[[f64; 3]], run: &Range<usize>) -> f64 {
     let half = half(track);
     let wide = run.start.saturating_sub(half / 2)..(run.end + half / 2).min(path.len());

@@ -1,10 +1,11 @@
-//! Throws in a take: where the hand lets go, and where the free flight ends.
+//! Detection of the throws in a take: the release from the hand, and the end of the free flight.
 //!
-//! No model of the body is used. The motion of a rigid cluster of points, or of a tracked pose, is free flight where it is
-//! smooth, moves, and its acceleration without gravity is one that air can cause: not along the velocity, which is the
-//! hand's, and not greater than the bound of [`windows`]. From the middle of such a run the flight is followed in both
-//! directions for as long as the samples agree with their prediction, or deviate as air may make them; the cut is then
-//! where a change of velocity or acceleration explains the samples on both sides best.
+//! No model of the body is used. The motion of a rigid cluster of points, or of a tracked pose, is free flight if it is
+//! smooth, the body moves, and its acceleration without gravity is one that air can cause: not along the velocity, as
+//! that of a hand, and not greater than the bound in [`windows`]. From the middle of such a run the flight is followed
+//! in both directions as long as the samples agree with their prediction, or deviate in a way that air can cause. The
+//! flight is then cut at the time at which a change of velocity or acceleration best explains the samples on both
+//! sides.
 
 mod breaks;
 mod cluster;
@@ -24,12 +25,12 @@ use track::Track;
 pub(crate) use track::fitted;
 use windows::{Window, windows};
 
-/// Limits of the search for throws.
+/// Limits for the search for throws.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ThrowOptions {
-    /// Shortest free flight, s.
+    /// Minimum duration of a free flight, s.
     pub shortest: f64,
-    /// Longest gap that a flight is followed across, s.
+    /// Maximum duration of a gap across which a flight is followed, s.
     pub longest_gap: f64,
 }
 
@@ -42,69 +43,69 @@ impl Default for ThrowOptions {
     }
 }
 
-/// What is at the beginning or the end of a throw.
+/// Cause of the beginning or the end of a throw.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cause {
-    /// The hand: its acceleration, m/s², ends here.
+    /// The hand releases the body: the acceleration by the hand, m/s², ends.
     Hand(f64),
-    /// The vertical velocity jumps upwards by so much, m/s: the ground.
+    /// The body hits the ground: its vertical velocity jumps upwards by this amount, m/s.
     Ground(f64),
-    /// The body is stopped: its acceleration, m/s², jumps against its velocity, as in a net or a hand.
+    /// The body is stopped, as by a net or a hand: its acceleration jumps by this amount, m/s², against its velocity.
     Stopped(f64),
-    /// The velocity jumps against itself by so much, m/s: an obstacle.
+    /// The body hits an obstacle: its velocity jumps by this amount, m/s, against its direction.
     Struck(f64),
-    /// The velocity or the acceleration changes otherwise.
+    /// The velocity or the acceleration changes in any other way.
     Disturbed,
-    /// The body is not seen for so long, s.
+    /// The body is not seen for this time, s.
     Gap(f64),
-    /// The recording begins or ends here.
+    /// The recording begins or ends.
     Recording,
 }
 
-/// A cut of a take.
+/// Beginning or end of the free flight in a take.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cut {
-    /// Sample of the take: the first or the last of the free flight.
+    /// Sample index in the take of the first or the last sample of the free flight.
     pub sample: usize,
-    /// Time of the change, s.
+    /// Time of the change of motion, s.
     pub time: f64,
-    /// What changes there.
+    /// Cause of the change of motion.
     pub cause: Cause,
 }
 
-/// A free flight in a take.
+/// A throw: one free flight in a take.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Throw {
-    /// Its beginning.
+    /// Beginning of the free flight.
     pub release: Cut,
-    /// Its end.
+    /// End of the free flight.
     pub end: Cut,
-    /// Samples within the flight where the body is not seen.
+    /// Number of samples within the flight in which the body is not seen.
     pub unseen: usize,
     /// Mean acceleration over the flight, m/s², along the axes of the take.
     pub acceleration: [f64; 3],
 }
 
 impl Throw {
-    /// Samples of the flight.
+    /// Range of sample indices of the flight in the take.
     pub fn samples(&self) -> Range<usize> {
         self.release.sample..self.end.sample + 1
     }
 }
 
-/// The throws of a take, and what was decided in looking for them.
+/// Throws of a take, and notes on the search for them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Throws {
-    /// The throws, in the order of time.
+    /// Throws in the order of time.
     pub throws: Vec<Throw>,
-    /// Labels of the points that move as one body.
+    /// Labels of the points that move as one body, or of the tracked body.
     pub labels: Vec<String>,
-    /// What was left out, and why.
+    /// Notes on what the search left out, such as free motion that is no throw, with the reason.
     pub notes: Vec<String>,
 }
 
-/// Finds the throws of a take with z up. The points or bodies of `labels` are followed, or where it is empty the largest set
-/// of points that move as one.
+/// Finds the throws in a take with z up. Follows the points or the body named in `labels`; if `labels` is empty, the
+/// first tracked body or, without one, the largest set of points that move as one.
 pub fn find_throws(take: &Take, labels: &[&str], options: &ThrowOptions) -> Throws {
     let mut found = Throws::default();
     let Some(track) = Track::new(take, labels, &mut found.notes) else {
@@ -113,7 +114,7 @@ pub fn find_throws(take: &Take, labels: &[&str], options: &ThrowOptions) -> Thro
     found.labels = track.labels.clone();
     let windows = windows(&track);
     let mut runs = runs(&track, &windows, options);
-    // The longest first, so that a short run at a flight's edge becomes part of it.
+    // The longest runs come first, so that a short run at the edge of a flight becomes part of it.
     runs.sort_by(|a, b| b.len().cmp(&a.len()).then(a.start.cmp(&b.start)));
     let mut taken: Vec<Range<usize>> = Vec::new();
     for run in runs {
@@ -133,7 +134,7 @@ pub fn find_throws(take: &Take, labels: &[&str], options: &ThrowOptions) -> Thro
     found
 }
 
-/// Runs of windows that are free flight.
+/// Runs of at least 3 consecutive windows that are free flight.
 fn runs(track: &Track, windows: &[Option<Window>], options: &ThrowOptions) -> Vec<Range<usize>> {
     let noise = windows::noise(windows);
     let mut runs: Vec<Range<usize>> = Vec::new();
@@ -154,7 +155,7 @@ fn runs(track: &Track, windows: &[Option<Window>], options: &ThrowOptions) -> Ve
     runs
 }
 
-/// The throw around a run, with its range of the track.
+/// Throw around a run, with its range of track indices; `None` if no samples remain between beginning and end.
 fn throw(
     track: &Track,
     windows: &[Option<Window>],
@@ -194,7 +195,7 @@ fn throw(
     Some((first..last + 1, throw))
 }
 
-/// What a change at the beginning (`early`) or end of a flight is.
+/// Cause of the change at the beginning (`early`) or the end of a flight.
 fn cause(track: &Track, stop: &Stop, change: &Change, early: bool) -> Cause {
     match stop {
         Stop::Data => Cause::Recording,
@@ -206,7 +207,7 @@ fn cause(track: &Track, stop: &Stop, change: &Change, early: bool) -> Cause {
                 false => 0.0,
             };
             let pull = along(change.acceleration);
-            // Over few samples, the hand's acceleration may look like a jump; one upwards is a bounce.
+            // Over few samples, the hand's acceleration may look like a jump; an upward jump is a bounce.
             let pushed = match change.velocity_jump {
                 Some(jump) => along(jump) > 0.0 && jump[2].abs() < 0.7 * norm(jump),
                 None => pull > 0.0,
@@ -226,13 +227,14 @@ fn cause(track: &Track, stop: &Stop, change: &Change, early: bool) -> Cause {
     }
 }
 
-/// Keeps the flights that are long enough and do not follow an impact of an earlier one.
+/// Removes flights that are too short or that follow the impact of an earlier flight; adds a note on each.
 fn select(found: &mut Throws, options: &ThrowOptions) {
     let mut kept: Vec<Throw> = Vec::new();
     let mut last_end: Option<Cut> = None;
     for throw in std::mem::take(&mut found.throws) {
         let seconds = throw.end.time - throw.release.time;
-        // A hand takes its time: what goes on at once after an impact is a bounce, whatever its beginning looks like.
+        // A hand needs time: motion that continues at once after an impact is a bounce, whatever its beginning looks
+        // like.
         let long =
             |cause: Cause| matches!(cause, Cause::Gap(seconds) if seconds > options.longest_gap);
         let bounced = last_end.is_some_and(|end| {

@@ -1,13 +1,13 @@
-//! Height, speed and rate of rotation of a followed body over a whole take, for its figures.
+//! Height, speed and rate of rotation of a followed body over a whole take, for figures.
 
 use super::norm;
 use super::track::Track;
 use crate::take::Take;
 
-/// Gap between samples, in sampling intervals, across which nothing is differentiated.
+/// Maximum time between two samples, in sampling intervals, over which differences are taken.
 const GAP: f64 = 1.5;
 
-/// Curves of a followed body over the time of its take; not finite where the body is not seen.
+/// Time series of a followed body over its take; values are not finite where the body is not seen.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Motion {
     /// Times, s: those of the samples, and one within each gap.
@@ -16,12 +16,13 @@ pub struct Motion {
     pub heights: Vec<f64>,
     /// Speed of the centroid, m/s.
     pub speeds: Vec<f64>,
-    /// Rate of rotation, rad/s, by the turn between two samples; none where the attitude is not followed. A rate above π
-    /// per sampling interval appears lower.
+    /// Rate of rotation, rad/s, from the angle between consecutive attitudes; `None` if the attitude is not followed. A
+    /// rate above π per sampling interval is aliased to a lower one.
     pub rotation: Option<Vec<f64>>,
 }
 
-/// The motion of the points or bodies of `labels` in a take with z up; `None` where they are never seen together.
+/// Computes the motion of the points or bodies named in `labels` in a take with z up; `None` if they are never seen
+/// together.
 pub fn motion(take: &Take, labels: &[&str]) -> Option<Motion> {
     let track = Track::new(take, labels, &mut Vec::new())?;
     let mut motion = Motion::default();
@@ -58,10 +59,10 @@ pub fn motion(take: &Take, labels: &[&str]) -> Option<Motion> {
     Some(motion)
 }
 
-/// Angle between the attitudes at two places of the track, rad.
+/// Angle between the attitudes at two indices of the track, rad.
 fn turn(track: &Track, i: usize, j: usize) -> f64 {
     let relative = track.rotation(j) * track.rotation(i).transpose();
-    // The sine is the better half of the angle near 0, the cosine near π.
+    // The sine determines the angle accurately near 0, where the cosine alone does not.
     let sine = [
         relative[(2, 1)] - relative[(1, 2)],
         relative[(0, 2)] - relative[(2, 0)],

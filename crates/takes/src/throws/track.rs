@@ -1,4 +1,4 @@
-//! Motion of a rigid cluster: centroid and attitude at each sample where it is seen.
+//! Motion of a rigid cluster of points: centroid and attitude at each sample in which it is seen.
 
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
@@ -6,28 +6,29 @@ use super::cluster::rigid_points;
 use crate::take::Take;
 use crate::words::listed;
 
-/// Least number of points whose attitude is followed.
+/// Minimum number of points of a cluster whose attitude is followed.
 const ATTITUDE: usize = 3;
-/// Least extent of a cluster whose attitude is followed, m: second singular value of its points.
+/// Minimum extent of a cluster whose attitude is followed, m: second singular value of its points.
 const EXTENT: f64 = 0.01;
 
-/// A followed motion.
+/// Motion of the followed cluster of points or body.
 pub(super) struct Track {
     pub labels: Vec<String>,
-    /// Samples of the take in which the cluster is seen.
+    /// Indices of the samples of the take in which the cluster is seen.
     pub samples: Vec<usize>,
-    /// Their times, s.
+    /// Times of the samples, s.
     pub times: Vec<f64>,
-    /// Centroid of the cluster, m.
+    /// Centroid of the cluster at each sample, m.
     pub centres: Vec<[f64; 3]>,
-    /// Rotations from the cluster's axes to the room; empty where too few points are followed.
+    /// Rotations from the cluster's axes to the room, one per sample; empty if the attitude is not followed.
     rotations: Vec<Matrix3<f64>>,
     /// Median time between samples, s.
     pub step: f64,
 }
 
 impl Track {
-    /// The motion of the named points or body, or of the largest cluster of points that move as one.
+    /// Follows the named points or body; if `labels` is empty, the first tracked body or the largest cluster of points
+    /// that move as one. Returns `None` and adds a note if they are not seen together in two samples or more.
     pub fn new(take: &Take, labels: &[&str], notes: &mut Vec<String>) -> Option<Self> {
         let is_named = |label: &str| labels.is_empty() || labels.contains(&label);
         let named: Vec<usize> = (0..take.points.len())
@@ -127,7 +128,7 @@ impl Track {
         !self.rotations.is_empty()
     }
 
-    /// Rotation of the cluster at a place of the track; zero where none is followed.
+    /// Rotation of the cluster at an index of the track; a zero matrix if the attitude is not followed.
     pub fn rotation(&self, i: usize) -> Matrix3<f64> {
         self.rotations
             .get(i)
@@ -135,7 +136,8 @@ impl Track {
             .unwrap_or_else(Matrix3::zeros)
     }
 
-    /// Path of a point of the body, by its offset from the centroid in the cluster's axes, m.
+    /// Trajectory of a point of the body, m; `offset` is its position relative to the centroid in the cluster's axes,
+    /// m.
     pub fn path(&self, offset: [f64; 3]) -> Vec<[f64; 3]> {
         let offset = Vector3::from(offset);
         let each = self.centres.iter().enumerate();
@@ -144,13 +146,13 @@ impl Track {
     }
 }
 
-/// Points from their mean.
+/// Positions of points relative to their mean.
 fn centred(points: Vec<Vector3<f64>>) -> Vec<Vector3<f64>> {
     let mean = points.iter().sum::<Vector3<f64>>() / points.len() as f64;
     points.into_iter().map(|point| point - mean).collect()
 }
 
-/// Second singular value of points, m: 0 for points on a line.
+/// Second singular value of the matrix of points, m; 0 for points on a line.
 fn extent(points: &[Vector3<f64>]) -> f64 {
     let moments: Matrix3<f64> = points.iter().map(|p| p * p.transpose()).sum();
     let mut values: Vec<f64> = moments.symmetric_eigenvalues().iter().copied().collect();
@@ -158,7 +160,7 @@ fn extent(points: &[Vector3<f64>]) -> f64 {
     values[1].max(0.0).sqrt()
 }
 
-/// The mean of the points in the axes of a first template, over the samples.
+/// Refines a template: mean position of each point over the samples, in the axes of the first template.
 fn refined(
     first: &[Vector3<f64>],
     samples: impl Iterator<Item = Vec<Option<Vector3<f64>>>>,
@@ -182,7 +184,8 @@ fn refined(
     )
 }
 
-/// Centre and rotation of the template that fit the seen points best (Kabsch 1976); `None` where too few are seen.
+/// Least-squares position and rotation of a template for the points that are seen (Kabsch 1976); `None` if fewer than 3
+/// points are seen.
 pub(crate) fn fitted(
     template: &[Vector3<f64>],
     seen: &[Option<Vector3<f64>>],
@@ -205,7 +208,7 @@ pub(crate) fn fitted(
     let svd = covariance.try_svd(true, true, 1e-14, 200)?;
     let (u, v) = (svd.u?, svd.v_t?);
     let sign = (u * v).determinant().signum();
-    // The least singular value is the last one.
+    // The smallest singular value is the last one.
     let rotation = u * Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, sign)) * v;
     Some((mean - rotation * own, rotation))
 }

@@ -1,4 +1,4 @@
-//! Local fits of a track: smoothness, velocity and acceleration at each sample.
+//! Local quadratic fits of a track: residual, velocity and acceleration at each sample.
 
 use std::ops::Range;
 
@@ -7,43 +7,44 @@ use nalgebra::{SMatrix, SVector};
 use super::track::Track;
 use super::{dot, norm};
 
-/// Half of a window, s.
+/// Half-width of a window, s.
 const HALF: f64 = 0.042;
-/// Least number of samples on each side of a window's middle.
+/// Minimum number of samples on each side of a window's centre.
 const LEAST: usize = 4;
 /// Standard acceleration of gravity, m/s².
 pub(super) const GRAVITY: f64 = 9.81;
-/// Speed below which a body counts as carried or at rest unless it falls, m/s.
+/// Speed below which a body that does not fall counts as carried or at rest, m/s.
 pub(super) const SLOW: f64 = 1.0;
-/// Bound of an aerodynamic acceleration, m/s², and its part that grows with the square of the speed, 1/m. A shuttlecock, with
-/// a terminal speed of 6.8 m/s, has 0.21 1/m.
+/// Bound of the aerodynamic acceleration: constant part, m/s², and coefficient of the square of the speed, 1/m. For
+/// comparison, a shuttlecock, with a terminal speed of 6.8 m/s, has a coefficient of 0.21 1/m.
 const AERODYNAMIC: (f64, f64) = (3.0, 0.3);
-/// Greatest acceleration along the velocity without gravity, m/s²: air does not push, but wind may a little.
+/// Maximum acceleration along the velocity without gravity, m/s²: still air does not accelerate a body forwards, but
+/// wind may do so slightly.
 const PUSH: f64 = 2.5;
-/// Residual in standard deviations up to which a window is smooth.
+/// Maximum residual of a smooth window, in standard deviations.
 const SMOOTH: f64 = 2.5;
-/// Prior standard deviation of the distance from a cluster's centroid to the point that moves smoothly, m.
+/// Prior standard deviation of the distance from a cluster's centroid to the body point that moves smoothly, m.
 const OFFSET: f64 = 0.1;
-/// Least standard deviation of a position, m.
+/// Minimum standard deviation of a position, m.
 const FINEST: f64 = 5e-5;
-/// Prior standard deviation of a position, m, for the weight of the prior.
+/// Standard deviation of a position that is assumed for the weight of the prior, m.
 const TYPICAL: f64 = 1e-3;
 
-/// Fit of a quadratic to the samples around one.
+/// Quadratic in time fitted to the samples around one sample.
 #[derive(Clone, Debug)]
 pub(super) struct Window {
     pub velocity: [f64; 3],
     pub acceleration: [f64; 3],
-    /// Point of the body that moves smoothly, from the centroid, in the cluster's axes, m.
+    /// Position of the body point that moves smoothly, relative to the centroid in the cluster's axes, m.
     pub offset: [f64; 3],
-    /// Standard deviation of the residuals, one axis, m.
+    /// Standard deviation of the residuals on one axis, m.
     pub residual: f64,
-    /// Standard error of an acceleration per standard deviation of a position, 1/s².
+    /// Standard error of the acceleration per unit standard deviation of a position, 1/s².
     pub spread: f64,
 }
 
 impl Window {
-    /// Whether the motion is one of free flight.
+    /// Whether the motion in the window is free flight; `noise` is the standard deviation of a position, m.
     pub fn is_free(&self, noise: f64) -> bool {
         let [x, y, z] = self.acceleration;
         let air = [x, y, z + GRAVITY];
@@ -54,7 +55,8 @@ impl Window {
     }
 }
 
-/// Whether air can cause an acceleration, m/s² without gravity, at a velocity, m/s; `slack` is the acceleration's uncertainty.
+/// Whether air can cause the acceleration `air` (without gravity, m/s²) at a velocity (m/s); `slack` is the uncertainty
+/// of the acceleration, m/s².
 pub(super) fn allowed(velocity: [f64; 3], air: [f64; 3], slack: f64) -> bool {
     let speed = norm(velocity);
     let push = dot(air, velocity) / speed.max(1e-9);
@@ -62,12 +64,12 @@ pub(super) fn allowed(velocity: [f64; 3], air: [f64; 3], slack: f64) -> bool {
         && (push <= PUSH + slack || speed <= SLOW)
 }
 
-/// Number of samples on each side of a window's middle.
+/// Number of samples on each side of a window's centre.
 pub(super) fn half(track: &Track) -> usize {
     ((HALF / track.step).round() as usize).max(LEAST)
 }
 
-/// A window around each sample of the track; `None` where too few are near.
+/// Windows around all samples of the track; `None` where a window has too few samples or spans a gap.
 pub(super) fn windows(track: &Track) -> Vec<Option<Window>> {
     let half = half(track);
     (0..track.times.len())
@@ -82,7 +84,7 @@ fn window(track: &Track, i: usize, half: usize) -> Option<Window> {
     }
     let t0 = track.times[i];
     let span = track.times[range.end - 1] - track.times[range.start];
-    // A gap widens the window; its samples are then too far for a quadratic.
+    // A gap widens the window; its samples are then too far apart for a quadratic.
     if span > 3.0 * (2 * half) as f64 * track.step {
         return None;
     }
@@ -126,7 +128,8 @@ fn window(track: &Track, i: usize, half: usize) -> Option<Window> {
     })
 }
 
-/// Standard deviation of a position, m: that of the quieter windows, which are free flight or rest.
+/// Standard deviation of a position, m: lower tercile of the windows' residuals, since the quieter windows are free
+/// flight or rest.
 pub(super) fn noise(windows: &[Option<Window>]) -> f64 {
     let mut residuals: Vec<f64> = windows.iter().flatten().map(|w| w.residual).collect();
     residuals.sort_by(f64::total_cmp);
@@ -134,7 +137,7 @@ pub(super) fn noise(windows: &[Option<Window>]) -> f64 {
     quiet.max(FINEST)
 }
 
-/// Median offset over a run of windows.
+/// Median offset of the smoothly moving point over a run of windows, m.
 pub(super) fn offset(windows: &[Option<Window>], run: &Range<usize>) -> [f64; 3] {
     [0, 1, 2].map(|axis| {
         let each = windows[run.clone()].iter().flatten();

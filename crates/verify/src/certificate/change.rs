@@ -1,4 +1,4 @@
-//! Whether a certificate still stands: comparison of what it covers with what is there now.
+//! Compares what a certificate covers with the present state of models and program.
 
 use super::{Certificate, CertifiedCheck, CertifiedModel, Fingerprint, Origin, Program, pairs};
 use crate::report::{Report, Verdict};
@@ -8,13 +8,13 @@ use serde::Serialize;
 use std::fmt;
 use std::path::Path;
 
-/// Something that a certificate covers and that has changed.
+/// A change of something that a certificate covers.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Change {
-    /// Name of the model; `None` for the program and for comparisons of models.
+    /// Name of the model; `None` for the program and for comparisons between models.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model: Option<String>,
-    /// What changed, by name.
+    /// Description of the change.
     pub what: String,
 }
 
@@ -28,7 +28,8 @@ impl fmt::Display for Change {
 }
 
 impl Certificate {
-    /// What has changed since the certificate was written, by hashes; `folder` is that of the certificate.
+    /// Lists the changes since the certificate was written, as found by hashes. `folder` is the folder of the
+    /// certificate.
     pub fn changes(&self, folder: &Path) -> Vec<Change> {
         let mut changes = self.program.changes();
         for model in &self.models {
@@ -37,8 +38,8 @@ impl Certificate {
         changes
     }
 
-    /// What has changed, by hashes and by the verdicts of the checks made again. `same` chooses the models that describe
-    /// one motion.
+    /// Lists the changes found by hashes and by repeating the checks. `same` selects the models that describe the same
+    /// motion and are compared with each other.
     pub fn changes_again(&self, folder: &Path, same: impl Fn(&Model) -> bool) -> Vec<Change> {
         let mut changes = self.changes(folder);
         let options = self.options.options();
@@ -115,7 +116,7 @@ impl CertifiedModel {
 }
 
 impl Fingerprint {
-    /// Names of what differs.
+    /// Descriptions of the differences between two fingerprints.
     fn differences(&self, now: &Self) -> Vec<String> {
         let mut changes = Vec::new();
         for source in &self.sources {
@@ -147,7 +148,7 @@ impl Fingerprint {
     }
 }
 
-/// Checks whose verdict differs, or that only one side has.
+/// Changes between two lists of checks: differing verdicts, and checks that only one list contains.
 fn verdicts(
     model: Option<&str>,
     before: &[CertifiedCheck],

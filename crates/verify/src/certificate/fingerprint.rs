@@ -1,4 +1,4 @@
-//! Hashes of what a certificate covers.
+//! Hashes of the texts and code that a certificate covers.
 
 use super::origin::relative;
 use crate::BACKEND_POINTS;
@@ -14,7 +14,7 @@ use sha2::{Digest, Sha256};
 use std::fmt::{self, Write};
 use std::path::Path;
 
-/// SHA-256, as 64 hexadecimal digits.
+/// SHA-256 hash, as 64 lower-case hexadecimal digits.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(try_from = "String")]
 pub struct Hash(String);
@@ -39,7 +39,7 @@ impl fmt::Display for Hash {
 }
 
 impl Hash {
-    /// Hash of texts, each with its length, so that none runs into the next.
+    /// Hash of several texts. The length of each text is hashed too, so that the boundaries matter.
     fn of<'a>(texts: impl IntoIterator<Item = &'a [u8]>) -> Self {
         let mut digest = Sha256::new();
         for text in texts {
@@ -49,7 +49,7 @@ impl Hash {
         Self::finished(digest)
     }
 
-    /// Hash of one text, as `sha256sum` gives it.
+    /// Hash of one text, identical to the output of `sha256sum`.
     pub fn of_text(text: &str) -> Self {
         Self::finished(Sha256::new_with_prefix(text))
     }
@@ -70,32 +70,32 @@ impl Hash {
     }
 }
 
-/// A text and its hash.
+/// Name and hash of a source text.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct HashedSource {
-    /// Path from the folder of the certificate, or name of a built-in text.
+    /// Path relative to the folder of the certificate, or name of a built-in text.
     pub name: String,
-    /// Hash of the text.
+    /// SHA-256 hash of the text.
     pub sha256: Hash,
 }
 
-/// Hashes of the texts of a model and of the code made of them.
+/// Hashes of the texts of a model and of the code generated from them.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Fingerprint {
-    /// Text of the model, then those of the effects.
+    /// Texts of the model, followed by the texts of the effects.
     pub sources: Vec<HashedSource>,
-    /// Schedules of all functions, which every backend prints or interprets.
+    /// Hash of the schedules of all functions, which every backend prints or interprets.
     pub schedule: Hash,
-    /// Plain Rust code of the model.
+    /// Hash of the plain Rust code of the model.
     pub rust: Hash,
-    /// Bits of the results of the tape, without fused multiply-add, at seeded points.
+    /// Hash of the bits of the tape's results at seeded points, computed without fused multiply-add.
     pub results: Hash,
 }
 
 impl Fingerprint {
-    /// Hashes of a model; `folder` is that of the certificate.
+    /// Computes the hashes of a model. `folder` is the folder of the certificate.
     pub fn of(model: &Model, sources: &[Source], folder: &Path, seed: u64) -> Self {
         let compiled = codegen::compile(model);
         let schedule = compiled.functions().map(|f| format!("{f:?}"));
@@ -122,7 +122,7 @@ impl Fingerprint {
         }
     }
 
-    /// Whether the texts are the same, whatever their names.
+    /// Whether the texts are equal in order and content, regardless of their names.
     pub(super) fn has_texts(&self, sources: &[Source]) -> bool {
         let own = self.sources.iter().map(|source| &source.sha256);
         let others: Vec<Hash> = sources.iter().map(|s| Hash::of_text(&s.text)).collect();

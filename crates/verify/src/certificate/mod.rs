@@ -1,9 +1,9 @@
-//! Certificate of a verification: what was checked, on which texts and code, with which options, and what was found.
+//! Certificate of a verification: the texts and code that were checked, the options, and the results.
 //!
-//! A certificate holds no time and no machine's paths: the same verification gives the same bytes. It covers the texts of
-//! the models and effects, the schedule and the Rust code that the compiler makes of them, the results of the tape at
-//! seeded points, the version of the program, and its built-in effects. [`Certificate::changes`] compares these alone;
-//! [`Certificate::changes_again`] makes the checks again as well.
+//! A certificate contains no time and no absolute paths, so the same verification gives the same bytes. It covers the
+//! texts of the models and effects, the schedule and the Rust code that the compiler generates from them, the results
+//! of the tape at seeded points, the version of the program, and its built-in effects. [`Certificate::changes`]
+//! compares only these; [`Certificate::changes_again`] repeats the checks too.
 
 mod change;
 mod fingerprint;
@@ -24,86 +24,86 @@ use model_spec::load::Loaded;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
-/// Name and version of the format.
+/// Name and version of the certificate format.
 pub const SCHEMA: &str = "hyzer.certificate/1";
 
-/// Record of a verification.
+/// Record of a verification of one or more models.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Certificate {
-    /// [`SCHEMA`].
+    /// Name and version of the format; always [`SCHEMA`].
     pub schema: String,
-    /// Program that made the checks.
+    /// Version of the program that made the checks.
     pub program: Program,
-    /// Options of the checks.
+    /// Options with which the checks were made.
     pub options: CertifiedOptions,
-    /// Outcome of all models together.
+    /// Combined outcome of all models and comparisons.
     pub outcome: Outcome,
-    /// The verified models.
+    /// Records of the verified models.
     pub models: Vec<CertifiedModel>,
-    /// Verdicts of the comparison of models that describe one motion.
+    /// Verdicts of the comparisons between models that describe the same motion.
     pub same_motion: Vec<CertifiedCheck>,
 }
 
-/// Program that made the checks.
+/// Version of the program that made the checks, and of its built-in effects.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Program {
-    /// Version.
+    /// Version of the program.
     pub version: String,
-    /// Hash of the names and texts of the built-in effects, which the checks switch on.
+    /// Hash of the names and texts of the built-in effects, which the checks combine with the models.
     pub effects: Hash,
 }
 
-/// Options of the checks.
+/// Options of the checks, as recorded in a certificate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct CertifiedOptions {
-    /// Seed of all random numbers.
+    /// Seed of all random numbers of the verification.
     pub seed: u64,
     /// Number of random points per check.
     pub cases: usize,
-    /// Whether mutants were tested.
+    /// Whether mutation testing was run.
     pub mutants: bool,
 }
 
-/// Record of one model.
+/// Record of one verified model.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct CertifiedModel {
-    /// Name of the model.
+    /// Name of the model, as its file states it.
     pub model: String,
-    /// Where the model is found.
+    /// File or name from which the model is loaded.
     pub from: Origin,
-    /// Effects that were added, in order.
+    /// Files or names of the effects that were added, in order.
     pub with: Vec<Origin>,
-    /// Hashes of texts and code.
+    /// Hashes of the model's texts and code.
     pub covers: Fingerprint,
-    /// Outcome of the checks.
+    /// Combined outcome of the model's checks.
     pub outcome: Outcome,
-    /// Result of each check, in order.
+    /// Results of the checks, in the order in which they were made.
     pub checks: Vec<CertifiedCheck>,
 }
 
-/// Result of one check.
+/// Result of one check, as recorded in a certificate.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct CertifiedCheck {
-    /// Name of the check.
+    /// Name of the check, as in the report.
     pub check: String,
-    /// Outcome.
+    /// Verdict of the check.
     pub verdict: Verdict,
-    /// Number of points or cases.
+    /// Number of points or cases that were tested.
     pub cases: usize,
-    /// Largest error, in units of `measure`; `None` if it is not finite.
+    /// Maximum error, in the unit given by `measure`; `None` if it is not finite.
     pub worst: Option<f64>,
-    /// Largest error that is allowed.
+    /// Maximum error that is allowed, in the unit given by `measure`.
     pub allowed: f64,
-    /// Measure of both.
+    /// Unit of `worst` and `allowed`.
     pub measure: Measure,
-    /// Place of the largest error, or why the check was not made.
+    /// Point or item with the maximum error, or why the check was not made.
     pub detail: String,
-    /// What the check leaves out.
+    /// Limitation of the check: what it does not cover.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub remark: Option<String>,
 }
@@ -124,7 +124,7 @@ impl From<&Row> for CertifiedCheck {
 }
 
 impl Program {
-    /// The program that runs.
+    /// Version and effects of the running program.
     pub fn present() -> Self {
         Self {
             version: env!("CARGO_PKG_VERSION").to_owned(),
@@ -134,7 +134,7 @@ impl Program {
 }
 
 impl CertifiedOptions {
-    /// The options as those of a verification.
+    /// Converts the recorded options to options of a verification.
     pub fn options(&self) -> Options {
         Options {
             seed: self.seed,
@@ -156,8 +156,8 @@ impl From<&Options> for CertifiedOptions {
 }
 
 impl CertifiedModel {
-    /// Record of a verified model; `folder` is that of the certificate, `name` and `with` as the model was loaded. `None`
-    /// for a text that yields no model.
+    /// Creates the record of a verified model. `folder` is the folder of the certificate; `name` and `with` are the
+    /// arguments with which the model was loaded. `None` if the text did not yield a model.
     pub fn new(
         folder: &Path,
         name: &str,
@@ -178,7 +178,7 @@ impl CertifiedModel {
 }
 
 impl Certificate {
-    /// Certificate of verified models.
+    /// Creates the certificate of verified models.
     pub fn new(
         options: &Options,
         models: Vec<CertifiedModel>,
@@ -195,13 +195,13 @@ impl Certificate {
         }
     }
 
-    /// Text of the certificate, JSON.
+    /// Text of the certificate in JSON, with a final line feed.
     pub fn text(&self) -> String {
-        // Numbers, texts and lists alone: nothing that JSON cannot hold.
+        // The certificate consists of numbers, texts and lists, so the serialisation cannot fail.
         serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
     }
 
-    /// Models with their outcomes: `kite: verified`.
+    /// One-line summary of the models with their outcomes, for example `kite: verified`.
     pub fn summary(&self) -> String {
         let models = self.models.iter();
         let each: Vec<String> = models
@@ -211,7 +211,7 @@ impl Certificate {
     }
 }
 
-/// Outcome of models and of the comparisons between them.
+/// Combined outcome of models and of the comparisons between them: the worst of all.
 fn outcome(models: &[CertifiedModel], same_motion: &[CertifiedCheck]) -> Outcome {
     let of_models = models.iter().map(|model| model.outcome);
     let of_pairs = same_motion.iter().map(|pair| match pair.verdict {
@@ -224,7 +224,8 @@ fn outcome(models: &[CertifiedModel], same_motion: &[CertifiedCheck]) -> Outcome
         .unwrap_or(Outcome::NotVerified)
 }
 
-/// Verdicts on each pair of models of one motion; accelerations that were not compared refute, as in the command.
+/// Results of the comparisons of each pair of models with the same motion. As in the command, accelerations that were
+/// not compared count as refuted.
 fn pairs(same_motion: Option<&SameMotion>) -> Vec<CertifiedCheck> {
     let pairs = same_motion.into_iter().flat_map(|same| &same.pairs);
     pairs

@@ -1,20 +1,20 @@
-//! Where a model or an effect is found.
+//! File or name from which a model or an effect is loaded.
 
 use serde::{Deserialize, Serialize};
 use std::path::{Component, Path, PathBuf};
 
-/// Where a model or an effect is found.
+/// File or name from which a model or an effect is loaded.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Origin {
-    /// Path of a file, relative to the folder of the certificate, with `/` between names.
+    /// Path of a file, relative to the folder of the certificate, with `/` as separator.
     File(String),
     /// Name of a built-in model or effect, or of an effect in the model's file.
     Name(String),
 }
 
 impl Origin {
-    /// Origin of a name or path; an existing file takes precedence.
+    /// Classifies a name or path: [`Origin::File`] if a file of that path exists, otherwise [`Origin::Name`].
     pub fn of(name_or_path: &str, folder: &Path) -> Self {
         let path = Path::new(name_or_path);
         if path.is_file() {
@@ -24,7 +24,7 @@ impl Origin {
         }
     }
 
-    /// Name or path, for the loader of models; an error if the file does not exist.
+    /// Name or full path to pass to the loader of models; an error message if the file does not exist.
     pub(super) fn found(&self, folder: &Path) -> Result<String, String> {
         match self {
             Self::Name(name) => Ok(name.clone()),
@@ -39,7 +39,8 @@ impl Origin {
     }
 }
 
-/// Path of a file from a folder; the unchanged path where the two have nothing in common.
+/// Path of a file relative to a folder. The path is returned unchanged if it cannot be resolved or has no common root
+/// with the folder.
 pub(super) fn relative(path: &Path, folder: &Path) -> String {
     let folder = match folder.as_os_str().is_empty() {
         true => Path::new("."),
@@ -60,7 +61,7 @@ pub(super) fn relative(path: &Path, folder: &Path) -> String {
     up.chain(down).collect::<Vec<_>>().join("/")
 }
 
-/// Folder of a certificate.
+/// Folder that contains the certificate; `.` if the path has no folder.
 pub fn folder_of(certificate: &Path) -> PathBuf {
     match certificate.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder.to_owned(),

@@ -1,4 +1,4 @@
-//! Reading of a certificate: bounded, with the place of what is wrong.
+//! Reads certificates, with bounded size and located errors.
 
 use super::{Certificate, CertifiedModel, SCHEMA, outcome};
 use crate::report::{Outcome, Verdict};
@@ -8,44 +8,44 @@ use std::path::Path;
 
 /// Maximum size of a certificate, bytes.
 pub const MAX_BYTES: u64 = 4_000_000;
-/// Maximum number of models.
+/// Maximum number of models in a certificate.
 const MAX_MODELS: usize = 1000;
-/// Maximum number of random points per check, that of the command.
+/// Maximum number of random points per check; the limit of the command line.
 const MAX_CASES: usize = 100_000;
 
-/// A file that is no certificate.
+/// Why a file is not a valid certificate.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum CertificateError {
     /// The file cannot be read.
     #[error("cannot be read: {0}")]
     Unreadable(#[from] std::io::Error),
-    /// The file is too long.
+    /// The file has more than [`MAX_BYTES`] bytes.
     #[error("found more than {MAX_BYTES} bytes, expected a certificate")]
     TooLong,
-    /// The file is not UTF-8.
+    /// The file is not UTF-8; contains the offset of the first invalid byte.
     #[error("byte {0} begins no character of UTF-8")]
     NotUtf8(usize),
-    /// The text is no JSON of a certificate; the message ends with line and column.
+    /// The text is not JSON in the form of a certificate. The message ends with line and column.
     #[error("{0}")]
     Malformed(#[from] serde_json::Error),
     /// A value contradicts others or is out of range.
     #[error("{place}: found {found}, expected {expected}")]
     Invalid {
-        /// Place in the file, such as `models[0].outcome`.
+        /// Path of the value in the JSON document, such as `models[0].outcome`.
         place: String,
-        /// What the file has.
+        /// Value that was found.
         found: String,
-        /// What is expected there.
+        /// Description of the expected value.
         expected: String,
     },
 }
 
 impl Certificate {
-    /// Reads a certificate from a file.
+    /// Reads and validates a certificate from a file.
     ///
     /// # Errors
-    /// [`CertificateError`].
+    /// [`CertificateError`] if the file cannot be read or is not a valid certificate.
     pub fn read(path: &Path) -> Result<Self, CertificateError> {
         let mut bytes = Vec::new();
         File::open(path)?
@@ -59,10 +59,10 @@ impl Certificate {
         Self::parse(&text)
     }
 
-    /// Parses the text of a certificate.
+    /// Parses and validates the text of a certificate.
     ///
     /// # Errors
-    /// [`CertificateError`].
+    /// [`CertificateError`] if the text is not a valid certificate.
     pub fn parse(text: &str) -> Result<Self, CertificateError> {
         if text.len() as u64 > MAX_BYTES {
             return Err(CertificateError::TooLong);
@@ -107,7 +107,7 @@ impl Certificate {
     }
 }
 
-/// Outcome by the verdicts of a model's checks.
+/// Combined outcome of the verdicts of a model's checks.
 fn of_checks(model: &CertifiedModel) -> Outcome {
     let outcomes = model.checks.iter().map(|check| match check.verdict {
         Verdict::Holds | Verdict::Skipped => Outcome::Verified,

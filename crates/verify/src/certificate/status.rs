@@ -1,4 +1,4 @@
-//! What a certificate says of a model that is used.
+//! Status of a model with respect to a certificate.
 
 use super::origin::folder_of;
 use super::{Certificate, Change};
@@ -6,18 +6,18 @@ use crate::report::Outcome;
 use model_spec::model::Model;
 use std::path::Path;
 
-/// What a certificate says of a model.
+/// Outcome that a certificate records for a model, and whether it is still valid.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Status {
-    /// Outcome that the certificate records for the model; `None` where it does not cover the model.
+    /// Recorded outcome of the model; `None` if the certificate does not cover the model.
     pub outcome: Option<Outcome>,
-    /// What has changed since; empty for a certificate that stands.
+    /// Changes since the certificate was written; empty if the certificate is still valid.
     pub changes: Vec<Change>,
 }
 
 impl Certificate {
-    /// What the certificate in the file `path` says of a model: whether it covers the model's texts, those of its effects
-    /// included, and whether these and the code made of them are as they were.
+    /// Looks up a model in the certificate that was read from the file `path`: whether the certificate covers the texts
+    /// of the model and its effects, and which of these texts and the generated code have changed.
     pub fn status(&self, path: &Path, model: &Model) -> Status {
         let folder = folder_of(path);
         let same_text = |m: &&super::CertifiedModel| m.covers.has_texts(&model.sources);

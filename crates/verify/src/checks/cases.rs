@@ -1,14 +1,15 @@
-//! Check cases stated in the model file.
+//! Evaluates the check cases stated in the model file.
 
 use crate::row::Row;
 use crate::subject::Subject;
 use model_spec::model::{Model, Observable, Target};
 use oracle::{Point, Tree, Value};
 
-/// Name of the check.
+/// Name of this check in reports: the check cases stated in the model file.
 pub const CASES: &str = "check cases of the model";
 
-/// Compares every stated case: derivatives from the equations, auxiliary variables from the vector tree.
+/// Compares every stated expectation with the computed value: derivatives from the equations under test, auxiliary
+/// variables from the vector tree.
 pub fn check(subject: &Subject<'_>) -> Row {
     let model = subject.model;
     if model.checks.is_empty() {

@@ -1,7 +1,7 @@
-//! Stated equations against the body that they are claimed to be about: the position changes by the velocity, the
-//! attitude by the angular velocity, the momentum by the force and the angular momentum by the moment. The derivatives
-//! are exact, by dual numbers along the model's own equations, and no state needs to be found from a quantity: any
-//! number of states will do, in any parametrization.
+//! Checks stated equations against the body that the model claims: rate of position = velocity, rate of attitude by
+//! angular velocity, rate of momentum = force, rate of angular momentum = moment. Time derivatives are exact, by dual
+//! numbers along the model's own equations. States need not be recovered from physical quantities, so the equations may
+//! have any number of states in any parametrization.
 
 use crate::claim::{along, is_fault, relative};
 use crate::random::Random;
@@ -13,10 +13,11 @@ use oracle::scalar::{ErrorBound, Field};
 use oracle::{BalanceLaw, Tree, claimed_rates};
 use std::collections::BTreeMap;
 
-/// Name of the check.
+/// Name of this check in reports: stated equations against the laws of the claimed body.
 pub const CLAIM: &str = "claimed body";
 
-/// What to add to a model whose stated equations nothing can be held against, and what is then checked.
+/// Advice for a model with stated equations but neither a claim nor a reference: the statement to add, and what is then
+/// checked.
 const ADVICE: &str = "\
 NOT VERIFIED: nothing says what these equations are about, so nothing can say that they are wrong. Add
     claim body NAME { mass …; inertia … in …; fixed in …; position …; velocity …; angular velocity …; force …; moment …; }
@@ -25,11 +26,11 @@ or, of a body that does not turn,
 Then it is checked that the position changes by the velocity, the attitude by the angular velocity, the momentum by the
 force and the angular momentum by the moment; energy, flights and symmetries; and a wrong equation is named with its term.";
 
-/// Components of vectors, as axes of the inertial frame.
+/// Numbers of the axes of the inertial frame, for messages.
 const AXES: [u8; 3] = [1, 2, 3];
 
-/// Checks the laws of the claimed body at random points, effects off; `None` for a model with a body, whose equations are
-/// derived from these laws.
+/// Checks the laws of the claimed body at random points, with effects off. `None` for a model with a body, whose
+/// equations are derived from these laws.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Option<Row> {
     let model = subject.model;
     if model.body.is_some() {
@@ -76,7 +77,8 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Option<Row> {
     Some(row.saying(lines.join("\n")))
 }
 
-/// Laws of the claimed body that no rates of the states satisfy, a line each: then the equations alone are not at fault.
+/// Lines of text about laws of the claimed body that no rates of the states can satisfy. Then the claim contradicts
+/// itself, and the equations alone are not at fault.
 fn unsatisfied(subject: &Subject<'_>, options: &Options) -> Vec<String> {
     let mut random = Random::new(options.seed, CLAIM);
     let point = subject.without_effects(sample::point(subject.model, &mut random));

@@ -1,8 +1,9 @@
-//! Jacobians with respect to states and parameters, of the state derivatives and of the observation, against three
-//! differentiations of the vector tree that share nothing with the compiler's rules (dual numbers of `num-dual`,
-//! complex steps, dual numbers with error bounds), and against dual numbers through the reference implementation.
+//! Checks the Jacobians of the state derivatives and of the observation, with respect to states and parameters. They
+//! are compared with three differentiations of the vector tree that share nothing with the compiler's rules (dual
+//! numbers of `num-dual`, complex steps, dual numbers with error bounds), and with dual numbers through the reference
+//! implementation.
 //!
-//! Quaternions are varied on the unit sphere only; other quaternions represent no attitude.
+//! Quaternions are varied on the unit sphere only, because other quaternions represent no attitude.
 
 use crate::random::Random;
 use crate::row::{Row, Worst};
@@ -13,7 +14,7 @@ use model_spec::model::{FrameKind, Model};
 use oracle::scalar::{ComplexStep, Dual, ErrorBound, Lockstep, NumDual, Real};
 use oracle::{Point, Reference, Tree, derivatives_of};
 
-/// Names of the checks, one row each.
+/// Names of the checks, one row of the report each.
 pub const CHECKS: [&str; 4] = [
     "derivatives: num-dual",
     "derivatives: complex step",
@@ -23,7 +24,7 @@ pub const CHECKS: [&str; 4] = [
 
 type Bounded = Dual<ErrorBound>;
 
-/// Derivative by three methods at once: bounded dual numbers, `num-dual`, complex step.
+/// Scalar that differentiates by three methods at once: bounded dual numbers, `num-dual`, complex step.
 type ThreeWays = Lockstep<Bounded, Lockstep<NumDual, ComplexStep>>;
 
 fn bounded(value: f64, derivative: f64) -> Bounded {
@@ -72,7 +73,7 @@ pub fn check(subject: &Subject<'_>, equations: &dyn Differentiable, options: &Op
 struct Comparison<'a> {
     subject: &'a Subject<'a>,
     variables: Vec<String>,
-    /// Largest error of each of [`CHECKS`].
+    /// Maximum error of each check in [`CHECKS`].
     worst: [Worst; 4],
 }
 
@@ -115,7 +116,8 @@ impl Comparison<'_> {
         Some(())
     }
 
-    /// Compares with the reference implementation at a point where the extra coefficients vanish.
+    /// Compares with the reference implementation at a point where the model's extra coefficients have their null
+    /// values. Does nothing if the model has no reference.
     fn with_reference(&mut self, equations: &dyn Differentiable, point: &Point<f64>) {
         let Some(reference) = &self.subject.reference else {
             return;
@@ -128,7 +130,7 @@ impl Comparison<'_> {
                 continue;
             }
             let column = along(&got, model, point, j);
-            // The tree is already instantiated for this scalar, which carries the bounded dual number first.
+            // The tree is already instantiated for `ThreeWays`, whose first component is the bounded dual number.
             let clocked = seed(model, point, j, three_ways);
             let clock_rate = Tree::new(model, &clocked).clock().first;
             let point = seed(model, point, j, bounded);
@@ -146,7 +148,8 @@ impl Comparison<'_> {
     }
 }
 
-/// Whether the reference implementation depends on a variable: not on added states, nor on coefficients unknown to it.
+/// Whether the reference implementation contains a variable. It contains neither added states nor coefficients unknown
+/// to the law.
 fn has_reference(model: &Model, reference: &Reference, variable: usize) -> bool {
     if model.added_states().contains(&variable) {
         return false;
@@ -157,7 +160,7 @@ fn has_reference(model: &Model, reference: &Reference, variable: usize) -> bool 
         .is_none_or(|index| !reference.unknown.contains(&index))
 }
 
-/// Names of the independent variables: states, then parameters, coefficients and components of inputs.
+/// Names of the independent variables: states, parameters, coefficients, components of inputs.
 fn variables(model: &Model) -> Vec<String> {
     let constants = model.params.iter().chain(&model.coefficients);
     let inputs = model
@@ -180,8 +183,8 @@ fn row_name(model: &Model, row: usize) -> String {
     }
 }
 
-/// Direction of differentiation in state space for variable `j`: a unit vector, projected onto the tangent space of
-/// the unit sphere for components of a quaternion, 0 if `j` is no state.
+/// Direction of differentiation in state space for variable `j`: a unit vector, projected onto the tangent space of the
+/// unit sphere for a component of a quaternion; zero if `j` is not a state.
 fn direction(model: &Model, point: &Point<f64>, j: usize) -> Vec<f64> {
     let mut direction = vec![0.0; point.states.len()];
     if let Some(component) = direction.get_mut(j) {
@@ -198,7 +201,8 @@ fn direction(model: &Model, point: &Point<f64>, j: usize) -> Vec<f64> {
     direction
 }
 
-/// The point in scalars that carry derivatives with respect to variable `j`, made by `variable(value, derivative)`.
+/// Lifts the point to scalars that carry derivatives with respect to variable `j`; `variable(value, derivative)`
+/// creates such a scalar.
 fn seed<T: Real>(
     model: &Model,
     point: &Point<f64>,
@@ -222,8 +226,8 @@ fn seed<T: Real>(
     out
 }
 
-/// Directional derivative of each row for variable `j` from the Jacobians, with the magnitude of the entries in the sum:
-/// the direction is tangent to the unit sphere only to rounding.
+/// Directional derivative of each row for variable `j`, from the Jacobians. The magnitude is the sum of the absolute
+/// entries, because the direction is tangent to the unit sphere only up to rounding.
 fn along(got: &Derivatives, model: &Model, point: &Point<f64>, j: usize) -> Vec<ErrorBound> {
     let mut direction = direction(model, point, j);
     direction.resize(got.entries.first().map_or(0, Vec::len), 0.0);
@@ -240,7 +244,7 @@ fn along(got: &Derivatives, model: &Model, point: &Point<f64>, j: usize) -> Vec<
     got.entries.iter().map(sum).collect()
 }
 
-/// Difference of two derivatives, relative to the larger running magnitude.
+/// Difference of two derivatives, relative to the larger of the two running magnitudes.
 fn error(expected: f64, magnitude: f64, got: ErrorBound) -> f64 {
     ErrorBound {
         value: expected,
@@ -249,13 +253,15 @@ fn error(expected: f64, magnitude: f64, got: ErrorBound) -> f64 {
     .relative_error(got.value)
 }
 
-/// Magnitude against which an entry is measured that has no terms in the vector tree: compiled in the components of another
-/// frame, its terms may cancel to rounding. They are of the size of the terms of the value over that of the variable.
+/// Magnitude to which an entry is compared if it has no terms in the vector tree. Code compiled in the components of
+/// another frame may have terms that cancel up to rounding; their size is estimated by the magnitude of the value /
+/// that of the variable.
 fn cancelled(value: ErrorBound, variable: f64) -> f64 {
     value.magnitude / variable.max(1.0)
 }
 
-/// Absolute value of a variable: a state, parameter, coefficient or component of an input, in the order of the columns.
+/// Absolute value of a variable: a state, parameter, coefficient or component of an input, in the order of the
+/// Jacobian's columns.
 fn size(point: &Point<f64>, variable: usize) -> f64 {
     let inputs = point.inputs.iter().flat_map(|v| v.iter());
     let all = { point.states.iter() }
@@ -265,7 +271,7 @@ fn size(point: &Point<f64>, variable: usize) -> f64 {
     all.map(|v| v.abs()).nth(variable).unwrap_or(0.0)
 }
 
-/// State derivatives, then observation, from the vector tree; `None` if the tree cannot be evaluated.
+/// State derivatives, followed by the observation, from the vector tree; `None` if the tree cannot be evaluated.
 fn tree_column<T: Real>(model: &Model, point: &Point<T>) -> Option<Vec<T>> {
     let tree = Tree::new(model, point);
     let mut out = derivatives_of(&tree).ok()?;
@@ -275,7 +281,7 @@ fn tree_column<T: Real>(model: &Model, point: &Point<T>) -> Option<Vec<T>> {
     Some(out)
 }
 
-/// State derivatives with respect to the clock's time, then observation, from the reference implementation.
+/// State derivatives with respect to the clock's time, followed by the observation, from the reference implementation.
 fn reference_column(
     reference: &Reference,
     model: &Model,

@@ -1,6 +1,6 @@
-//! Built-in effects against their reference implementations: derivatives and observation, each effect alone and all
-//! together, with coefficients anywhere within half their bounds. Coefficients of the model that the law does not
-//! contain are at their null values, states that the model adds at their defaults.
+//! Compares built-in effects with their reference implementations: derivatives and observation, each effect alone and
+//! all together, with random coefficients within half their bounds. Coefficients of the model that the reference law
+//! does not contain have their null values, and added states their defaults.
 
 use crate::random::Random;
 use crate::row::{Row, Worst};
@@ -14,7 +14,7 @@ use oracle::effect::ExtendedReference;
 use oracle::scalar::ErrorBound;
 use oracle::{BindError, Point};
 
-/// Name of the check.
+/// Name of this check in reports: built-in effects against their reference implementations.
 pub const EFFECT_REFERENCE: &str = "effects: reference";
 
 /// Compares each model whose effects are all built in with its reference implementation.
@@ -35,10 +35,10 @@ pub fn check(with: &[Model], options: &Options) -> Row {
     Row::judged(EFFECT_REFERENCE, catalogued.len(), &worst, TOLERANCE)
 }
 
-/// Largest error of a model with effects against its reference implementation; `None` if the model claims no law.
+/// Maximum error of a model with effects relative to its reference implementation; `None` if the model claims no law.
 ///
 /// # Errors
-/// The errors of [`ExtendedReference::bind`].
+/// [`BindError`] if the model cannot be bound to the reference, see [`ExtendedReference::bind`].
 pub fn compare(
     model: &Model,
     equations: &dyn Equations,
@@ -61,7 +61,7 @@ pub fn compare(
     let mut worst = Worst::default();
     for _ in 0..options.cases.div_ceil(10) {
         let mut point = sample::point(model, &mut random);
-        // Terms added by the model's author are unknown to the reference law.
+        // The reference law does not contain terms added by the model's author.
         for (index, null_value) in reference.reference.null_values(model) {
             point.coefficients[index] = null_value;
         }
@@ -93,7 +93,8 @@ pub fn compare(
     Some(Ok(worst))
 }
 
-/// The point with random effect coefficients within half their bounds; beyond, the inertia may be singular.
+/// Returns the point with random effect coefficients within half their bounds. Larger values may make the inertia
+/// singular.
 fn at_work(model: &Model, mut point: Point<f64>, random: &mut Random) -> Point<f64> {
     for c in model.effects.iter().flat_map(|e| &e.coefficients) {
         let (low, high) = model.coefficients[c.index].bounds.unwrap_or((-1.0, 1.0));
@@ -102,7 +103,7 @@ fn at_work(model: &Model, mut point: Point<f64>, random: &mut Random) -> Point<f
     point
 }
 
-/// Whether every effect of the model is a built-in one, not a user effect of equal name.
+/// Whether every effect of the model has the text of a built-in effect; a user effect may have the same name.
 fn catalogued(model: &Model) -> bool {
     let built_in = |name: &str| {
         let text = load::EFFECTS.iter().find(|(n, _)| *n == name);

@@ -1,5 +1,5 @@
-//! Effects at null values: a model whose effects have null coefficients and states must have the derivatives of the
-//! model without effects, and must compile to no more operations once the null values are substituted.
+//! Checks effects at null values: a model whose effects have null coefficients and states must have the derivatives of
+//! the model without effects. With the null values substituted it must compile to no more operations.
 
 use crate::expressions::{fix_coefficient, fix_state};
 use crate::random::Random;
@@ -14,11 +14,12 @@ use model_spec::model::Model;
 use oracle::scalar::ErrorBound;
 use oracle::{Point, derivatives};
 
-/// Name of the check.
+/// Name of this check in reports: effects at their null values against the model without effects.
 pub const EFFECTS: &str = "effects at null values";
 
-/// Models with effects, and the model without. If the model has effects, the list contains only that model; otherwise
-/// one model per effect that is a candidate, and one with all of them that the file does not declare.
+/// Returns models with effects, and the model without effects. If the loaded model has effects, the list contains only
+/// this model; otherwise it contains one model per candidate effect, and one with all candidates that the file does not
+/// declare. `None` if the source cannot be loaded without effects.
 pub fn variants(loaded: &Loaded) -> Option<(Vec<Model>, Model)> {
     let source = loaded.sources.first()?;
     let apply = |with: &[&str]| from_text(&source.name, &source.text, with).ok();
@@ -28,7 +29,7 @@ pub fn variants(loaded: &Loaded) -> Option<(Vec<Model>, Model)> {
     }
     let (mut alone, mut together) = (Vec::new(), Vec::new());
     for known in known_effects(&without) {
-        // An effect for another kind of model, or one that another stands for.
+        // The effect is for another kind of model, or is a duplicate of another effect.
         if known.refused.is_some() {
             continue;
         }
@@ -104,7 +105,7 @@ pub fn check(without: &Model, with: &[Model], options: &Options) -> Row {
     }
 }
 
-/// The point with all coefficients and states of effects at their null values.
+/// Returns the point with all coefficients and states of effects at their null values.
 fn off(model: &Model, mut point: Point<f64>) -> Point<f64> {
     for c in model.effects.iter().flat_map(|e| &e.coefficients) {
         point.coefficients[c.index] = c.null_value;
@@ -115,7 +116,7 @@ fn off(model: &Model, mut point: Point<f64>) -> Point<f64> {
     point
 }
 
-/// The point in the index space of the model without effects; `None` if a name is missing.
+/// Maps a point to the indices of the model without effects; `None` if a name is missing.
 fn bare(without: &Model, with: &Model, point: &Point<f64>) -> Option<Point<f64>> {
     let mut bare = Point::defaults(without);
     bare.time = point.time;

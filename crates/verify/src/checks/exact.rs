@@ -1,7 +1,7 @@
 //! Exact arithmetic: with a free force and moment, the derivatives of a rigid body are rational functions of states,
 //! sines and cosines of angles, and constants. The compiled program and the oracle's derivation are compared at random
-//! points of the field of integers modulo 2^61 − 1. Equality at all points proves equality up to the stated
-//! probability (Schwartz–Zippel lemma).
+//! points of the field of integers modulo 2^61 − 1. Equality at all points proves equality up to the stated probability
+//! (Schwartz–Zippel lemma).
 
 use crate::Options;
 use crate::field::{Machine, on_circle};
@@ -16,15 +16,15 @@ use num_traits::{One, Zero};
 use oracle::scalar::{Field, Prime};
 use oracle::{Point, free_load_derivatives};
 
-/// Name of the check.
+/// Name of this check in reports: rigid-body derivatives under free loads, in exact arithmetic.
 pub const EXACT: &str = "rigid body, exact";
 
-/// Number of random points; different functions agree at one with probability at most degree / 2^61.
+/// Number of random points. Different functions agree at one point with probability at most degree / 2^61.
 pub const POINTS: usize = 8;
 /// Upper bound of the total degree of the compared rational functions.
 const DEGREE: f64 = 1e3;
 
-/// Compares compiled derivatives with the oracle's under free loads; skipped for models with stated equations.
+/// Compares compiled derivatives with the oracle's under free loads. Skipped for models with stated equations.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     if subject.model.body.is_none() {
         return match &subject.reference {
@@ -36,7 +36,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     compare(&model, &codegen::compile(&model), options)
 }
 
-/// Compares a compiled model with the oracle; its last two inputs must be the free force and moment.
+/// Compares a compiled model with the oracle. The last two inputs of the model must be the free force and moment.
 pub fn compare(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     let mut random = Random::new(options.seed, EXACT);
     let mut faults = Vec::new();
@@ -74,7 +74,7 @@ pub fn compare(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     Row::counted(EXACT, POINTS, &faults, &says)
 }
 
-/// Replaces the loads of a model by a free force and a free moment: inputs in inertial components.
+/// Replaces the loads of a model by a free force and a free moment, which are inputs in inertial components.
 pub fn free_loads(model: &Model) -> Model {
     let mut model = model.clone();
     let mut load = |name: &str| {
@@ -142,7 +142,7 @@ impl Spot {
     }
 }
 
-/// Random unit quaternion of the field, by a rational parametrization of the sphere.
+/// Draws a random unit quaternion over the field, by a rational parametrization of the sphere.
 fn unit_quaternion(random: &mut Random) -> [Prime; 4] {
     let v = [random.prime(), random.prime(), random.prime()];
     let square = v.iter().fold(Prime::zero(), |sum, &t| sum + t * t);

@@ -1,7 +1,8 @@
-//! Exact arithmetic for all of f, J and Jp and the observation: the compiled functions against the vector tree of the
-//! declared law and its dual numbers, at random points of the field of integers modulo 2^61 − 1. Roots, polar angles,
-//! sines and cosines have their relations there; other functions are symbols that depend on their arguments. What the
-//! field cannot decide, such as branches and rounded constants, is compared in 256 bits at states of the model.
+//! Exact arithmetic for all of f, J, Jp and the observation: the compiled functions are compared with the vector tree
+//! of the declared law and its dual numbers, at random points of the field of integers modulo 2^61 − 1. Roots, polar
+//! angles, sines and cosines satisfy their algebraic relations in the field; other functions are uninterpreted symbols
+//! of their arguments. Branches and rounded constants, which the field cannot decide, are compared in 256-bit
+//! arithmetic at states of the model.
 
 use super::exact::{POINTS, Spot};
 use super::function_rows::{along, direction, row_name, sections};
@@ -19,18 +20,19 @@ use num_traits::One;
 use oracle::scalar::{Dual, Prime};
 use oracle::{Point, Tree, derivatives_of};
 
-/// Name of the check.
+/// Name of this check in reports: f, J, Jp and the observation in exact arithmetic.
 pub const FUNCTIONS: &str = "f, J and Jp, exact";
 
-/// Maximum number of trial points: a value exists only where the argument of each root is a square.
+/// Maximum number of trial points. A trial succeeds only if the argument of every root is a square in the field.
 const MAX_TRIALS: usize = 4096;
 
 /// Upper bound of the total degree of the compared functions, in variables and symbols.
 const DEGREE: f64 = 1e4;
-/// Number of points at which the law has values and the code has none that show another root in the code.
+/// Number of points with a value of the law but no value of the code after which the code is considered to contain a
+/// different root.
 const LACKING: usize = 64;
 
-/// Compares every function of a compiled model with the vector tree.
+/// Compares f, J, Jp and the observation of a compiled model with the vector tree, and returns the row of the report.
 pub fn check(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     let mut random = Random::new(options.seed, FUNCTIONS);
     let mut faults: Vec<String> = Vec::new();
@@ -63,14 +65,15 @@ pub fn check(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     if let Some(why) = undecided(compiled).filter(|_| !faults.is_empty()) {
         return in_long_arithmetic(model, compiled, options, why);
     }
-    // Points at which all roots exist are one in MAX_TRIALS or more.
+    // The fraction of points at which all roots exist is at least 1 / MAX_TRIALS.
     let chance = DEGREE * MAX_TRIALS as f64 / 2f64.powi(61);
     let chance = POINTS as f64 * chance.log10();
     let says = format!("identical but for a chance below 1e{chance:.0}");
     Row::counted(FUNCTIONS, good, &faults, &says)
 }
 
-/// Row of functions that the field does not decide: refuted where they differ in 256 bits, else not exact.
+/// Row for functions that the field cannot decide: refuted if they differ in 256-bit arithmetic, otherwise skipped with
+/// the reason `why`.
 fn in_long_arithmetic(model: &Model, compiled: &Compiled, options: &Options, why: &str) -> Row {
     let mut random = Random::new(options.seed, "f, J and Jp in 256 bits");
     match long_functions::differences(model, compiled, &mut random) {
@@ -83,13 +86,13 @@ fn in_long_arithmetic(model: &Model, compiled: &Compiled, options: &Options, why
     }
 }
 
-/// Comparison at one point of the field.
+/// Result of the comparison at one point of the field.
 enum Compared {
-    /// Entries that differ.
+    /// Descriptions of the entries that differ; empty if all agree.
     At(Vec<String>),
-    /// A value of the law does not exist.
+    /// A value of the law does not exist in the field.
     NoLaw,
-    /// A value of the code does not exist, and the law has its values.
+    /// A value of the code does not exist in the field, although all values of the law do.
     NoCode,
 }
 
@@ -146,7 +149,8 @@ fn compare(model: &Model, compiled: &Compiled, spot: &Spot) -> Compared {
     Compared::At(faults)
 }
 
-/// Value and directional derivative of every derivative and of the observation, from the vector tree.
+/// Value and directional derivative of every state derivative and of the observation, from the vector tree; `None` if a
+/// value does not exist.
 fn law(
     model: &Model,
     spot: &Spot,
@@ -182,7 +186,8 @@ fn law(
     )
 }
 
-/// What the field has no relations for, where the programs contain it: then a difference is no proof.
+/// Reason for which a difference in the field is no proof: operations in the programs for which the field has no
+/// relations. `None` if there are none.
 fn undecided(compiled: &Compiled) -> Option<&'static str> {
     let statements = compiled
         .functions()

@@ -1,12 +1,12 @@
-//! Rows and directions by which the values of compiled functions are compared with those of the vector tree.
+//! Rows and directions for the comparison of compiled functions with the vector tree.
 
 use codegen::program::Function;
 use model_spec::model::{FrameKind, Model};
 use oracle::scalar::Field;
 use std::ops::Range;
 
-/// Rows of the law that a function computes, of `all` after `states` derivatives, and the names of the sections of its values
-/// and Jacobians.
+/// Range of the rows of the law that a function computes (`states` state derivatives first, `all` rows in total), and
+/// the names of its sections with the values and the two Jacobians.
 pub(crate) fn sections(
     function: &Function,
     states: usize,
@@ -18,7 +18,8 @@ pub(crate) fn sections(
     }
 }
 
-/// Directional derivative of a row from the entries of a function; `None` if the function has no such Jacobian.
+/// Directional derivative of a row, from the Jacobian entries of a function; `None` if the function has no such
+/// Jacobian.
 pub(crate) fn along<T: Field>(
     function: &Function,
     values: &[T],
@@ -51,8 +52,8 @@ pub(crate) fn along<T: Field>(
     }))
 }
 
-/// Direction of differentiation in state space: a unit vector, projected onto the tangent space of the unit sphere for a
-/// component of a quaternion, 0 for a parameter.
+/// Direction of differentiation in state space: a unit vector, projected onto the tangent space of the unit sphere for
+/// a component of a quaternion; zero for a parameter.
 pub(crate) fn direction<T: Field>(model: &Model, states: &[T], variable: usize) -> Vec<T> {
     let mut out = vec![T::zero(); states.len()];
     if let Some(component) = out.get_mut(variable) {

@@ -1,4 +1,4 @@
-//! Balance laws under arbitrary loads: dp/dt = F, dH/dt = M, dE/dt = F·v + M·ω, and dr/dt = v.
+//! Checks the balance laws under arbitrary loads: dp/dt = F, dH/dt = M, dE/dt = F·v + M·ω, and dr/dt = v.
 
 use crate::claim::{Bounded, along, see};
 use crate::random::Random;
@@ -10,7 +10,7 @@ use nalgebra::{Matrix3, Vector3};
 use oracle::scalar::{Dual, ErrorBound, Real};
 use oracle::{MassProperties, Motion, PlacedFrame, Point, Tree, inertia_in_n, mass_properties};
 
-/// Name of the check.
+/// Name of this check in reports: balances of momentum, angular momentum and energy.
 pub const IDENTITIES: &str = "momentum and energy";
 
 /// Checks dp/dt = F, dH/dt = M, dE/dt = F·v + M·ω and dr/dt = v at random points.
@@ -28,7 +28,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     for case in 0..options.cases {
         let full = sample::point(model, &mut random);
         let mut point = subject.without_extras(full.clone());
-        // The loads of a body are its own: the laws hold whatever its author's coefficients are.
+        // The loads are taken from the model's body, so the laws hold for any values of the author's coefficients.
         let with_own = case % 2 == 1 && model.body.is_some() && !own.is_empty();
         if with_own {
             own.iter()
@@ -41,7 +41,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
         if rates.len() != point.states.len() {
             return Row::unverified(IDENTITIES, "there are no equations to evaluate");
         }
-        // Seed each state with its rate: the dual parts are time derivatives.
+        // Each state is seeded with its rate, so the dual parts are time derivatives.
         let along: Vec<Bounded> = point
             .states
             .iter()
@@ -88,7 +88,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     Row::judged(IDENTITIES, options.cases, &worst, TOLERANCE)
 }
 
-/// The same balances of the body that stated equations are claimed to be about, with the author's coefficients at work.
+/// Checks the same balances for the claimed body of stated equations, with random values of the author's coefficients.
 fn of_claim(subject: &Subject<'_>, options: &Options) -> Row {
     let mut random = Random::new(options.seed, IDENTITIES);
     let mut worst = Worst::default();
@@ -119,8 +119,10 @@ fn of_claim(subject: &Subject<'_>, options: &Options) -> Row {
     Row::judged(IDENTITIES, options.cases, &worst, TOLERANCE)
 }
 
-/// Loads and mass properties: loads of the model's body, else of the reference law; mass and inertia of the reference
-/// law where there is one, so that a wrong mass in the model is detected, unless the author's coefficients are at work.
+/// Loads and mass properties at a point. The loads are those of the model's body, or of the reference law if the model
+/// has no body. Mass and inertia are those of the reference law, so that a wrong mass in the model is detected; those
+/// of the body if there is no reference or `with_own` is set (the author's coefficients are not null). `None` if there
+/// is neither a body nor a reference.
 fn loads(
     subject: &Subject<'_>,
     point: &Point<ErrorBound>,

@@ -1,5 +1,6 @@
-//! All of f, J and Jp and the observation in 256 bits: the compiled functions against the vector tree of the declared law and
-//! its dual numbers, at states of the model. Only constants that the code rounds to f64 may differ.
+//! Compares all of f, J, Jp and the observation in 256-bit arithmetic: the compiled functions with the vector tree of
+//! the declared law and its dual numbers, at states of the model. Only constants that the code rounds to f64 may cause
+//! differences.
 
 use super::function_rows::{along, direction, row_name, sections};
 use crate::random::Random;
@@ -12,21 +13,21 @@ use model_spec::model::Model;
 use oracle::scalar::{Dual, ErrorBound, Real};
 use oracle::{Point, Tree, derivatives_of};
 
-/// Number of points: of functions with branches, some on either side.
+/// Number of points; several, so that functions with branches are likely to take each branch.
 const POINTS: usize = 8;
 /// Maximum number of draws of points at which rounding decides no branch.
 const DRAWS: usize = 30;
-/// Largest difference relative to the magnitude of the terms: a thousand roundings of constants.
+/// Maximum difference relative to the magnitude of the terms: about a thousand rounding errors of constants.
 const TOLERANCE: f64 = 1e-13;
 
-/// Values of a function of the code, with the magnitudes of their terms.
+/// Values of a compiled function, with the magnitudes of the values' terms.
 struct Evaluated<'a> {
     function: &'a Function,
     values: Vec<Big>,
     bounds: Vec<ErrorBound>,
 }
 
-/// Names of the values and derivatives that differ; `None` if no point was found at which the comparison can be made.
+/// Names of the values and derivatives that differ; `None` if no point was found at which the comparison is possible.
 pub fn differences(model: &Model, compiled: &Compiled, random: &mut Random) -> Option<Vec<String>> {
     let (mut faults, mut made) = (Vec::new(), 0);
     for _ in 0..DRAWS {
@@ -44,7 +45,7 @@ pub fn differences(model: &Model, compiled: &Compiled, random: &mut Random) -> O
     (made > 0).then_some(faults)
 }
 
-/// Differences at a point; `None` where rounding may decide a branch.
+/// Names of the differences at a point; `None` if rounding may decide a branch there.
 fn at(model: &Model, compiled: &Compiled, point: &Point<f64>) -> Option<Vec<String>> {
     let all = evaluated(compiled, point)?;
     let states: Vec<Big> = point.states.iter().map(|&s| Big::lit(s)).collect();
@@ -111,8 +112,8 @@ fn evaluated<'a>(compiled: &'a Compiled, point: &Point<f64>) -> Option<Vec<Evalu
     each.collect()
 }
 
-/// Whether a value of the code differs from that of the law by more than rounded constants explain; `terms` are those of the
-/// code and of the law.
+/// Whether a value of the code differs from that of the law by more than rounded constants explain. `terms` are the
+/// magnitudes of the terms of the code and of the law.
 fn differs(found: Big, expected: Big, terms: [ErrorBound; 2]) -> bool {
     let difference = (found - expected).re().abs();
     let size = terms
@@ -121,7 +122,8 @@ fn differs(found: Big, expected: Big, terms: [ErrorBound; 2]) -> bool {
     difference.is_nan() || difference > TOLERANCE * size.max(f64::MIN_POSITIVE)
 }
 
-/// Value and directional derivative of every derivative and of the observation, from the vector tree.
+/// Value and directional derivative of every state derivative and of the observation, from the vector tree; `None` if
+/// the tree cannot be evaluated.
 fn law<T: Real>(
     model: &Model,
     at: &Point<f64>,

@@ -1,10 +1,10 @@
-//! Metamorphic relations: the laws of motion are invariant under translation, heading, Galilean boosts, rotation of a
-//! body of revolution about its axis, and reflection.
+//! Metamorphic relations: the laws of motion are invariant under translation, delay, heading, Galilean boosts, rotation
+//! of a body of revolution about its axis, and reflection.
 //!
-//! Under the reflection of y, the y components of positions, velocities, forces and wind change sign, and so do the x
-//! and z components of angular velocities and moments. No coefficient changes sign; one that would have to describes a
-//! law with handedness and is reported. A model that claims no reference law may break a relation on purpose: what it breaks
-//! is reported, and refutes nothing.
+//! Under reflection of y, the y components of positions, velocities, forces and wind change sign, and so do the x and z
+//! components of angular velocities and moments. No coefficient changes sign. A coefficient that would have to
+//! describes a law with handedness and is reported. A model that claims no reference law may break a relation on
+//! purpose: the broken relations are then reported, but refute nothing.
 
 use std::collections::BTreeSet;
 
@@ -19,10 +19,11 @@ use model_spec::unit::{Base, Unit};
 use nalgebra::{Matrix3, Vector3};
 use oracle::{Physical, PhysicalRate, Point, Quaternion, Tree};
 
-/// Name of the check.
+/// Name of this check in reports: invariance of the motion under transformations.
 pub const METAMORPHIC: &str = "metamorphic relations";
 
-/// Largest relative error; the states are computed with arcsines, which lose digits near ±1.
+/// Maximum relative error. It exceeds rounding because the states are computed with arcsines, which lose digits near
+/// ±1.
 const TOLERANCE: f64 = 1e-10;
 
 /// A transformation under which the laws are invariant.
@@ -47,7 +48,7 @@ impl Relation {
     ];
 }
 
-/// Checks every relation with the extra coefficients at their null values; also reports the relations that each extra
+/// Checks every relation with the extra coefficients at their null values. Also reports the relations that each extra
 /// coefficient breaks, which is no fault.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     let Some(meaning) = Meaning::of(subject) else {
@@ -72,7 +73,8 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
         .map(|(index, _)| (index, Vec::new()))
         .collect();
     let mut of_model: BTreeSet<&str> = BTreeSet::new();
-    // Relations of which some states were found, and of which at some points none were.
+    // Names of the relations for which transformed states were found at some point, and of those for which they were
+    // missing at some point.
     let (mut seen, mut unseen) = (BTreeSet::new(), BTreeSet::new());
     let mut asymmetric = false;
     for _ in 0..options.cases {
@@ -108,7 +110,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
         }
     }
     if subject.reference.is_none() && !of_model.is_empty() {
-        // A force may be meant to depend on place, heading or hand, as that of a cord or of a bent wing does.
+        // A force may depend on position, heading or handedness by design, as that of a cord or of a bent wing does.
         let names: Vec<&str> = of_model.into_iter().collect();
         let why = format!("the model claims no law; it breaks: {}", names.join(", "));
         return Row::skipped(METAMORPHIC, &why);
@@ -143,7 +145,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     row.saying(lines.join("\n").trim().to_owned())
 }
 
-/// Random parameters of the transformations.
+/// Randomly drawn parameters of the transformations: shift (m), boost (m/s), angle (rad), delay (s).
 struct Draw {
     shift: Vector3<f64>,
     boost: Vector3<f64>,
@@ -165,7 +167,8 @@ impl Draw {
     }
 }
 
-/// Largest relative difference between the motion of the transformed state and the transformed motion.
+/// Maximum relative difference between the motion of the transformed state and the transformed motion; `None` if the
+/// states or rates cannot be determined.
 fn error(
     subject: &Subject<'_>,
     meaning: &Meaning<'_>,
@@ -192,7 +195,7 @@ fn error(
         (got.angular_velocity, expected.angular_velocity),
         (got.angular_acceleration, expected.angular_acceleration),
     ];
-    // Positions and accelerations are of order 1 to 1000; the floor is far below a typical fault.
+    // Velocities and accelerations are of order 1 to 1000; the added 1 is far below a typical fault.
     let error = |(got, expected): (Vector3<f64>, Vector3<f64>)| {
         (got - expected).norm() / (got.norm() + expected.norm() + 1.0)
     };
@@ -223,7 +226,7 @@ fn transform(
         }
         Relation::Mirror => {
             let polar = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, 1.0));
-            // Reflecting a rotation matrix from both sides gives a rotation; a symmetric body is mapped to itself.
+            // Conjugating a rotation matrix with a reflection gives a rotation; a symmetric body is mapped to itself.
             let attitude = Quaternion::from_matrix(&(polar * p.attitude.matrix() * polar));
             p = map(&p, &polar, &-polar, attitude);
             change = map_change(&change, &polar, &-polar);
@@ -287,7 +290,7 @@ fn is_symmetric(model: &Model, point: &Point<f64>) -> bool {
     })
 }
 
-/// Axis of the body about which it is one of revolution: that of the turn from the frame of the inertia to the body frame;
+/// Axis of revolution of the body (1, 2 or 3): the axis of the rotation from the inertia's frame to the body frame.
 /// `None` if the inertia is declared in the body frame.
 fn axis_of_revolution(model: &Model) -> Option<u8> {
     let rotation = model.body.as_ref()?.rotation.as_ref()?;
@@ -299,7 +302,7 @@ fn axis_of_revolution(model: &Model) -> Option<u8> {
     }
 }
 
-/// Whether the model has an input that is a velocity, which is that of the air.
+/// Whether the model has an input with the unit of a velocity, which is taken as the velocity of the air.
 fn has_wind(model: &Model) -> bool {
     model.inputs.iter().any(|input| is_velocity(input.unit))
 }

@@ -1,4 +1,4 @@
-//! Checks of a model, one module each.
+//! The checks of a model, one module per check.
 
 pub mod backends;
 pub mod cases;

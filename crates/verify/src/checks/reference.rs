@@ -1,4 +1,4 @@
-//! Derivatives and observation against the reference implementation and against the vector tree of the model.
+//! Compares derivatives and observation with the reference implementation and with the vector tree of the model.
 
 use crate::random::Random;
 use crate::row::{Row, Worst};
@@ -9,12 +9,13 @@ use oracle::scalar::ErrorBound;
 use oracle::{Reference, Tree, derivatives_of};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Name of the check against the reference implementation.
+/// Name in reports of the check against the reference implementation.
 pub const REFERENCE: &str = "reference";
-/// Name of the check against the vector tree.
+/// Name in reports of the check against the vector tree.
 pub const TREE: &str = "vector tree";
 
-/// Compares derivatives and observation with the reference law of the model; extra coefficients at their null values.
+/// Compares derivatives and observation with the reference law of the model, with extra coefficients at their null
+/// values.
 pub fn reference(subject: &Subject<'_>, options: &Options) -> Row {
     if let Some(why) = &subject.unbound {
         return Row::counted(REFERENCE, 1, &[why.to_string()], "");
@@ -60,7 +61,7 @@ pub fn reference(subject: &Subject<'_>, options: &Options) -> Row {
         let row = still.map_or(row.clone(), |words| row.saying(words));
         return match uncovered(subject, reference, options) {
             None => row,
-            // The loads of a body are held by the balance of its momentum, whatever its author's coefficients are.
+            // Whatever the author's coefficients are, the loads of a body are checked by the balance of its momentum.
             Some(lines) if model.body.is_some() => row.remarking(lines.join("\n")),
             Some(lines) => Row::unverified(REFERENCE, lines.join("\n")),
         };
@@ -71,7 +72,8 @@ pub fn reference(subject: &Subject<'_>, options: &Options) -> Row {
     ))
 }
 
-/// Names the coefficients of the model's author that move the equations away from the law, a line each; `None` if none does. Each is drawn at values that are not 0, and taken at its stated value.
+/// Lists the author's coefficients that make the equations differ from the law, one line each; `None` if there are
+/// none. Each coefficient is tried at random nonzero values and at its stated value.
 fn uncovered(
     subject: &Subject<'_>,
     reference: &Reference,
@@ -127,7 +129,7 @@ fn note(worst: &mut Worst, refused: &mut Vec<String>, error: f64, name: String) 
     worst.see(error, || name);
 }
 
-/// Compares derivatives and observation with the vector tree of the model; all coefficients nonzero.
+/// Compares derivatives and observation with the vector tree of the model, with nonzero values of all coefficients.
 pub fn tree(subject: &Subject<'_>, options: &Options) -> Row {
     let model = subject.model;
     let mut random = Random::new(options.seed, TREE);

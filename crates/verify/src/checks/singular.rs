@@ -1,4 +1,4 @@
-//! Singular points: all values and derivatives must be finite in every backend.
+//! Checks singular points: all values and derivatives must be finite in every backend.
 
 use super::backends::{Run, function_at};
 use crate::row::Row;
@@ -11,7 +11,7 @@ use model_spec::unit::{Base, Unit};
 use oracle::{Point, Tree};
 use std::f64::consts::FRAC_PI_2;
 
-/// Name of the check.
+/// Name of this check in reports: finite results at singular points.
 pub const SINGULAR: &str = "singular points";
 
 /// Checks that every result of every function of every backend is finite at every singular point.
@@ -31,7 +31,8 @@ pub fn check(points: &[(String, Point<f64>)], compiled: &Compiled, runs: &[Run])
     Row::counted(SINGULAR, points.len() * runs.len(), &faults, "")
 }
 
-/// Points, with descriptions, at which a divisor may vanish; none that a limit of the model excludes, attitudes apart.
+/// Points, with descriptions, at which a divisor may vanish. Points outside the model's limits are left out; singular
+/// attitudes are left out only if a stated limit excludes them.
 pub fn points(model: &Model) -> Vec<(String, Point<f64>)> {
     let base = moving(model);
     let velocities = by_unit(model, |metre, second, _| (metre, second) == (2, -2));
@@ -49,7 +50,7 @@ pub fn points(model: &Model) -> Vec<(String, Point<f64>)> {
             with(&base, velocities.iter().copied(), 0.0),
         ),
     ];
-    // One nonzero velocity component; for the disc the third is along its axis.
+    // Only one velocity component is nonzero; for the disc the third one is along its axis.
     for &kept in &velocities {
         let others = velocities.iter().copied().filter(|&i| i != kept);
         out.push((
@@ -58,7 +59,7 @@ pub fn points(model: &Model) -> Vec<(String, Point<f64>)> {
         ));
     }
     for wind in 0..model.inputs.len() {
-        // Zero airspeed, in a model whose axes are parallel to the inertial axes.
+        // The airspeed is zero in a model whose axes are parallel to the inertial axes.
         let mut point = with(&Point::defaults(model), 0..0, 0.0);
         for (axis, &state) in velocities.iter().take(3).enumerate() {
             point.states[state] = 3.0;
@@ -69,7 +70,8 @@ pub fn points(model: &Model) -> Vec<(String, Point<f64>)> {
     let tiny = with(&base, velocities.iter().copied(), 1e-160);
     out.push((String::from("velocities whose squares vanish"), tiny));
     out.retain(|(_, point)| is_valid(model, point));
-    // Attitudes are singular points of the coordinates, and finite all the same: only what the model states excludes them.
+    // At singular attitudes of the coordinates the results must be finite too, so only limits stated in the model
+    // exclude them.
     let first_attitude = out.len();
     for frame in &model.frames {
         let FrameKind::Turned { angle, .. } = frame.kind else {
@@ -95,7 +97,7 @@ pub fn points(model: &Model) -> Vec<(String, Point<f64>)> {
     out
 }
 
-/// Whether a point lies within every limit that the text of the model states.
+/// Whether a point is within every limit that the text of the model states.
 fn is_within_stated(model: &Model, point: &Point<f64>) -> bool {
     let items = model.tree.items.iter();
     let stated = items.filter(|item| matches!(item.kind, ItemKind::Limit(_)));

@@ -1,14 +1,14 @@
-//! Units and frames: diagnostics of the language checker.
+//! Check of units and frames, from the diagnostics of the language checker.
 
 use crate::row::Row;
 use model_spec::diagnostic::Diagnostic;
 use model_spec::load::Loaded;
 use model_spec::model::Source;
 
-/// Name of the check.
+/// Name of this check in reports: diagnostics on units and frames.
 pub const UNITS: &str = "units and frames";
 
-/// Checks that the language checker reports no errors; one line per diagnostic, with its source location.
+/// Checks that the language checker reports no errors. The row has one line per diagnostic, with its source location.
 pub fn check(loaded: &Loaded) -> Row {
     let lines: Vec<String> = loaded
         .diagnostics

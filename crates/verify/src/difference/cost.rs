@@ -1,4 +1,4 @@
-//! What a change costs: operations, nonzero entries of the Jacobians, time of the derivatives.
+//! Compares the cost of two models: operations, nonzero entries of the Jacobians, computing time of the derivatives.
 
 use super::pairing::{Pairing, parameters};
 use super::values::Everything;
@@ -11,31 +11,31 @@ use serde::Serialize;
 use std::collections::BTreeSet;
 use std::time::Instant;
 
-/// A number in the old and in the new model.
+/// A quantity of the old and of the new model.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Pair<T> {
-    /// In the old model.
+    /// Value for the old model.
     pub old: T,
-    /// In the new model.
+    /// Value for the new model.
     pub new: T,
 }
 
-/// Operations and entries of the functions of both models.
+/// Operation counts and Jacobian entries of both models.
 #[derive(Clone, Debug, Serialize)]
 pub struct Cost {
-    /// Operations by function: `f`, `f_jac`, `f_jac_par`.
+    /// Number of operations of each function: `f`, `f_jac`, `f_jac_par`.
     pub operations: Vec<(&'static str, Pair<usize>)>,
-    /// Nonzero entries of the state Jacobian J.
+    /// Number of nonzero entries of the state Jacobian J.
     pub j: Pair<usize>,
-    /// Nonzero entries of the parameter Jacobian Jp.
+    /// Number of nonzero entries of the parameter Jacobian Jp.
     pub jp: Pair<usize>,
-    /// Entries that only the new model has, in the names of the new model.
+    /// Nonzero Jacobian entries that only the new model has, in the names of the new model.
     pub entries_added: Vec<String>,
-    /// Entries that only the old model has, in the names of the old model.
+    /// Nonzero Jacobian entries that only the old model has, in the names of the old model.
     pub entries_removed: Vec<String>,
 }
 
-/// Compares operations and entries; compiles both models.
+/// Compiles both models and compares their operations and Jacobian entries.
 pub fn cost(old: &Everything<'_>, new: &Everything<'_>, pairing: &Pairing) -> Cost {
     let (a, b) = (codegen::compile(old.model), codegen::compile(new.model));
     let functions = ["f", "f_jac", "f_jac_par"];
@@ -79,7 +79,7 @@ struct Entry {
 }
 
 impl Entry {
-    /// The corresponding entry of the old model.
+    /// Corresponding entry of the old model; `None` if its row or column has no counterpart.
     fn mapped(self, pairing: &Pairing) -> Option<Self> {
         let columns = match self.by_state {
             true => &pairing.states,
@@ -117,21 +117,21 @@ fn entries(compiled: &Compiled) -> BTreeSet<Entry> {
     of("j", true).chain(of("jp", false)).collect()
 }
 
-/// Nanoseconds of one evaluation of the derivatives on the tape.
+/// Computing time of one evaluation of the derivatives on the tape.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Time {
-    /// Median of each model, ns.
+    /// Median time per evaluation for each model, ns.
     pub nanoseconds: Pair<f64>,
-    /// Median of the ratios new/old of neighbouring measurements.
+    /// Median of the ratios new/old of consecutive measurements.
     pub ratio: f64,
 }
 
-/// Number of pairs of measurements.
+/// Number of pairs of time measurements (old model, new model).
 const ROUNDS: usize = 201;
-/// Number of points of one measurement.
+/// Number of points evaluated in one measurement.
 const POINTS: usize = 64;
 
-/// Measures both models in turns, so that what slows the machine slows both; compiles both models.
+/// Compiles and measures both models in alternation, so that a disturbance of the machine affects both.
 pub fn time(old: &Everything<'_>, new: &Everything<'_>, pairing: &Pairing) -> Time {
     let mut random = Random::new(0, "time");
     let here: Vec<_> = (0..POINTS)
@@ -158,7 +158,7 @@ pub fn time(old: &Everything<'_>, new: &Everything<'_>, pairing: &Pairing) -> Ti
     }
 }
 
-/// The derivatives of a model on a tape, with points and their prepared values.
+/// A model's derivatives on a tape, with points and the prepared values of each point.
 struct Derivatives {
     tape: Tape,
     points: Vec<(Point<f64>, Vec<f64>, Vec<f64>)>,
@@ -184,7 +184,7 @@ impl Derivatives {
         }
     }
 
-    /// Time of one evaluation, ns.
+    /// Mean time of one evaluation, ns.
     fn measure(&mut self) -> f64 {
         let start = Instant::now();
         for (point, p, prepared) in &self.points {

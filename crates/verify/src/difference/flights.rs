@@ -1,4 +1,4 @@
-//! How far flights of the new model end from where those of the old one do, from the same releases.
+//! Compares the ends of flights of the old and the new model from the same releases.
 
 use super::pairing::Pairing;
 use super::values::Everything;
@@ -9,33 +9,33 @@ use ode::Method;
 use oracle::{Chart, Point};
 use serde::Serialize;
 
-/// Number of random releases of a model that has none by name.
+/// Number of random releases for a model without named releases.
 const RELEASES: usize = 3;
-/// Fraction of a random point that is added to the defaults for a random release.
+/// Weight of the random point in a release that is interpolated between the defaults and a random point.
 const SPREAD: f64 = 0.2;
-/// Relative tolerance of the integration.
+/// Relative tolerance with which the flights are integrated.
 const TOLERANCE: f64 = 1e-10;
 
-/// Difference of two flights from one release.
+/// Difference between the flights of two models from the same release.
 #[derive(Clone, Debug, Serialize)]
 pub struct FlightShift {
-    /// Name of the release, or `random 1`.
+    /// Name of the release, or `random 1` and so on.
     pub release: String,
     /// Duration of the flights, s.
     pub seconds: f64,
-    /// Distance of the final positions, m; `None` without a position.
+    /// Distance between the final positions, m; `None` if a model has no position.
     pub distance_m: Option<f64>,
-    /// State that differs most, by its size in the flight, with its values at the end.
+    /// Name of the state that differs most at the end of the flight, relative to its size.
     pub state: String,
-    /// Value of that state at the end of the old flight.
+    /// Value of the state named in `state` at the end of the old model's flight.
     pub old: f64,
-    /// Value of that state at the end of the new flight.
+    /// Value of the state named in `state` at the end of the new model's flight.
     pub new: f64,
-    /// Reason why the flights cannot be compared; the numbers are then 0.
+    /// Reason why the flights cannot be compared; the values are then 0. `None` if they were compared.
     pub failed: Option<String>,
 }
 
-/// Flies the releases of the old model by both models.
+/// Simulates the releases of the old model with both models for `seconds`, and returns the differences.
 pub fn shifts(
     old: &Everything<'_>,
     new: &Everything<'_>,
@@ -67,7 +67,8 @@ pub fn shifts(
         .collect()
 }
 
-/// Named releases of the old model, or if not `own` those of any model whose names it has: name, point, and the indices of the parameters that they set.
+/// Named releases of the old model: name, point, and the indices of the parameters that the release sets. If `own` is
+/// false, also releases of other models whose names the old model has.
 fn named(old: &Everything<'_>, own: bool) -> Vec<(String, Point<f64>, Vec<usize>)> {
     let model = old.model;
     let read = |&(name, text): &(&str, &str)| {
@@ -106,7 +107,7 @@ fn shift(
     set: &[usize],
     seconds: f64,
 ) -> FlightShift {
-    // Stated values belong to each model; those of the release to both.
+    // Values stated in a model file are not carried over to the other model; values set by the release are.
     let of_release = Pairing {
         states: pairing.states.clone(),
         parameters: pairing
@@ -163,7 +164,8 @@ fn shift(
     out
 }
 
-/// Position at the end of a flight: of the body, else what is observed.
+/// Position at the end of a flight: of the body if the model has one, otherwise the observed position. `None` if there
+/// is neither.
 fn place(model: &Everything<'_>, states: &[f64], point: &Point<f64>) -> Option<Vec<f64>> {
     if let Some(chart) = Chart::declared(model.model) {
         return Some(chart.physical(states).position.iter().copied().collect());

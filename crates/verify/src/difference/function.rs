@@ -1,5 +1,6 @@
-//! Whether two programs compute the same function, row by row: exactly, by evaluation at random points of the field of
-//! integers modulo 2^61 − 1 (Schwartz–Zippel), and where that leaves a difference, in numbers.
+//! Compares two programs row by row to decide whether they compute the same function: exactly, by evaluation at random
+//! points of the field of integers modulo 2^61 − 1 (Schwartz–Zippel), and in floating-point numbers where the exact
+//! comparison shows a difference.
 
 use super::pairing::Pairing;
 use super::values::Everything;
@@ -12,38 +13,38 @@ use oracle::scalar::{ErrorBound, Field, Real};
 use oracle::{Point, Tree, derivatives_of};
 use serde::Serialize;
 
-/// Number of random field points at which equal values count as equal functions.
+/// Number of random field points at which values must be equal for functions to count as equal.
 const POINTS: usize = 4;
-/// Maximum number of trial points: a value exists only where the argument of each of its roots is a square.
+/// Maximum number of trial points. A trial succeeds only if the argument of every root is a square in the field.
 const MAX_TRIALS: usize = 4096;
-/// Least magnitude of a named quantity, SI: one that is 0 but for rounding is 0.
+/// Minimum magnitude of a named quantity, SI, so that a value that is 0 except for rounding counts as 0.
 const FLOOR: f64 = 1e-6;
-/// Number of random points in numbers.
+/// Number of random points of the floating-point comparison.
 const NUMBERS: usize = 24;
 
-/// Outcome of the comparison of one row.
+/// Result of the comparison of one row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Sameness {
-    /// The same function, decided exactly.
+    /// Exactly decided to be the same function.
     Same,
-    /// Not decided exactly: the functions differ as symbols, and agree in numbers.
+    /// Not decided exactly: the functions differ symbolically but agree in floating-point numbers.
     Agrees,
-    /// Another function.
+    /// The functions differ.
     Changed,
 }
 
-/// Comparison of two outputs.
+/// Result of comparing one output of the old model with one of the new model.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Compared {
-    /// Outcome.
+    /// Whether the outputs are the same function.
     pub sameness: Sameness,
-    /// Largest difference at random points, relative to the sum of the magnitudes of the terms.
+    /// Maximum difference at random points, relative to the sum of the magnitudes of the terms.
     pub error: f64,
 }
 
-/// Compares pairs of outputs (old, new) of two models at common values of all paired symbols. What the old model lacks has
-/// in the new model random values, or its default values if `stated`.
+/// Compares pairs of outputs (old, new) of two models at common values of all paired symbols. Unpaired symbols of the
+/// new model have random values, or their default values if `stated`.
 pub fn compare(
     old: &Everything<'_>,
     new: &Everything<'_>,
@@ -56,7 +57,7 @@ pub fn compare(
     let outcome = |(exact, error): (Option<bool>, f64)| {
         let agrees = error <= TOLERANCE;
         let sameness = match exact {
-            // Equal as symbols: a root may still have another branch.
+            // Functions may be symbolically equal although a root takes a different branch.
             Some(true) if error <= 1e6 * TOLERANCE => Sameness::Same,
             _ if agrees => Sameness::Agrees,
             _ => Sameness::Changed,
@@ -66,7 +67,7 @@ pub fn compare(
     exact.into_iter().zip(errors).map(outcome).collect()
 }
 
-/// For each pair whether the values are equal at random points of the field; `None` if undecided.
+/// For each pair, whether the values are equal at random points of the field; `None` if undecided.
 fn exactly(
     old: &Everything<'_>,
     new: &Everything<'_>,
@@ -101,7 +102,7 @@ fn exactly(
         .collect()
 }
 
-/// A random point of the field for each of two models, equal where they correspond.
+/// Draws a random field point for each of the two models. Paired symbols have equal values.
 fn spots(
     old: &Model,
     new: &Model,
@@ -126,7 +127,7 @@ fn spots(
     (here, there)
 }
 
-/// The point with the default values of all parameters that are not kept.
+/// Returns the point with the parameters for which `keep` is false set to their defaults.
 fn unpaired_at<T: Field>(
     point: &Point<T>,
     defaults: &Point<T>,
@@ -140,7 +141,7 @@ fn unpaired_at<T: Field>(
     only.carry(point, defaults)
 }
 
-/// Largest relative difference of each pair at random points in numbers.
+/// Maximum relative difference of each pair at random floating-point points.
 fn in_numbers(
     old: &Everything<'_>,
     new: &Everything<'_>,
@@ -176,7 +177,7 @@ fn in_numbers(
     worst
 }
 
-/// Magnitude of the terms of an output; for a vector that is named, its largest component.
+/// Magnitude of the terms of output `k`; for a named vector, its maximum component.
 fn size(model: &Everything<'_>, sizes: &[f64], values: &[f64], k: usize) -> f64 {
     if let Some(size) = sizes.get(k) {
         return *size;
@@ -188,7 +189,7 @@ fn size(model: &Everything<'_>, sizes: &[f64], values: &[f64], k: usize) -> f64 
     })
 }
 
-/// Sum of the magnitudes of the terms of each derivative and of the observation; empty where they cannot be evaluated.
+/// Sum of the magnitudes of the terms of each derivative and of the observation; empty if they cannot be evaluated.
 fn magnitudes(model: &Model, point: &Point<f64>) -> Vec<f64> {
     let lifted = point.lift::<ErrorBound>();
     let tree = Tree::new(model, &lifted);

@@ -1,10 +1,10 @@
-//! A comparison of two models as Markdown, for a pull request.
+//! Formats a comparison of two models as Markdown, for example for a pull request.
 
 use super::Difference;
 use std::fmt::Write;
 
 impl Difference {
-    /// The comparison as Markdown.
+    /// Formats the comparison as Markdown.
     pub fn markdown(&self) -> String {
         let mut out = format!(
             "## `{}` → `{}`: {}\n",
@@ -39,7 +39,7 @@ impl Difference {
                 let _ = writeln!(out, "# {} {}", statement.change.word(), statement.title());
                 for (sign, text) in [('-', &statement.old), ('+', &statement.new)] {
                     for line in text.iter().flat_map(|text| text.lines()) {
-                        // A fence in a text would end the block.
+                        // A code fence in the text would end the block.
                         let _ = writeln!(out, "{sign} {}", line.replace("```", "'''"));
                     }
                 }
@@ -97,7 +97,7 @@ impl Difference {
     }
 }
 
-/// Text of a table's cell.
+/// Escapes a text for a cell of a Markdown table.
 fn cell(text: &str) -> String {
     text.replace('|', "\\|").replace('\n', " ")
 }

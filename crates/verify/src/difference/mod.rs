@@ -1,5 +1,5 @@
-//! What a change of a model does: which statements differ, which derivatives are the same function and which are not, what
-//! the change costs, and how far flights end from where they did.
+//! Comparison of two versions of a model: which statements differ, which derivatives remain the same function, the
+//! computational cost of the change, and the shift of simulated flights.
 //!
 //! ```
 //! let old = model_spec::load::load("ball", &[]).unwrap();
@@ -40,12 +40,12 @@ use serde::Serialize;
 use statements::{Key, Reach};
 use values::Everything;
 
-/// Options of a comparison.
+/// Options of a comparison of two models.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DifferenceOptions {
     /// Duration of the compared flights, s.
     pub seconds: f64,
-    /// Whether to measure the time of the derivatives.
+    /// Whether to measure the computing time of the derivatives.
     pub time: bool,
     /// Whether to compare operations, entries of the Jacobians and flights.
     pub consequences: bool,
@@ -61,57 +61,58 @@ impl Default for DifferenceOptions {
     }
 }
 
-/// Comparison of one derivative, component of the observation or limit.
+/// Comparison of one row: a derivative, a component of the observation, or a limit.
 #[derive(Clone, Debug, Serialize)]
 pub struct RowChange {
-    /// Name in the new model, or in the old one where it was removed: `der(u)`, `observation x`, `limit 1`.
+    /// Name in the new model, or in the old model if the row was removed: `der(u)`, `observation x`, `limit 1`.
     pub row: String,
-    /// Outcome; `None` for a row that only one of the models has.
+    /// Result of the comparison; `None` for a row that only one of the models has.
     pub sameness: Option<Sameness>,
     /// Whether only the new model has the row.
     pub added: bool,
-    /// Largest difference at random points, relative to the sum of the magnitudes of the terms.
+    /// Maximum difference at random points, relative to the sum of the magnitudes of the terms.
     pub error: f64,
-    /// Whether the function is the same with everything that only one of the models has at its stated value.
+    /// Whether the function is the same if symbols of only one model have their stated values.
     pub same_at_stated_values: bool,
-    /// Statements, with their terms, that make it another function.
+    /// Changed statements, with their terms, that cause the difference.
     pub causes: Vec<String>,
 }
 
-/// Difference of two models.
+/// Comparison of two models.
 #[derive(Clone, Debug, Serialize)]
 pub struct Difference {
-    /// Identifies the format of the JSON.
+    /// Name and version of the JSON format.
     pub schema: &'static str,
-    /// Names of the models.
+    /// Names of the old and the new model.
     pub models: Pair<String>,
-    /// Whether any derivative, the observation or a limit is another function.
+    /// Whether any derivative, component of the observation or limit differs.
     pub changed: bool,
-    /// Every row, in the order of the new model; removed ones last.
+    /// Comparison of every row, in the order of the new model; removed rows last.
     pub rows: Vec<RowChange>,
-    /// States and parameters with another name.
+    /// States and parameters that were renamed.
     pub renamed: Vec<Renamed>,
-    /// Statements that differ.
+    /// Statements that differ between the two model files.
     pub statements: Vec<Statement>,
-    /// Units that do not agree: the messages of the language's checker that only one of the models has.
+    /// Unit errors: messages of the language checker that only one of the models causes.
     pub unit_faults: Pair<Vec<String>>,
-    /// Units, values and bounds that differ.
+    /// Stated units, values and bounds that differ.
     pub restated: Vec<Restated>,
-    /// Operations and entries, if asked for.
+    /// Operation counts and Jacobian entries; `None` if not requested.
     pub cost: Option<Cost>,
-    /// Time of the derivatives, if asked for.
+    /// Computing time of the derivatives; `None` if not requested.
     pub time: Option<Time>,
-    /// Flights, if asked for.
+    /// Shifts of simulated flights; empty if not requested.
     pub flights: Vec<FlightShift>,
 }
 
 impl Difference {
-    /// Whether any derivative, the observation or a limit is another function.
+    /// Whether any derivative, component of the observation or limit differs.
     pub fn is_changed(&self) -> bool {
         self.changed
     }
 
-    /// Adds the messages of the language's checker on units that do not agree.
+    /// Adds the unit errors that the language checker reports for the old and for the new model. Messages common to
+    /// both are dropped.
     pub fn with_unit_faults(mut self, old: &[String], new: &[String]) -> Self {
         let only = |list: &[String], other: &[String]| -> Vec<String> {
             let lines = list.iter().filter(|line| !other.contains(line));
@@ -124,7 +125,7 @@ impl Difference {
         self
     }
 
-    /// Names of the rows that are another function, or that only one of the models has.
+    /// Names of the rows that differ or that only one of the models has.
     pub fn changed_rows(&self) -> Vec<&str> {
         let rows = self.rows.iter().filter(|row| row.is_changed());
         rows.map(|row| row.row.as_str()).collect()
@@ -132,13 +133,13 @@ impl Difference {
 }
 
 impl RowChange {
-    /// Whether the row is another function, or only one of the models has it.
+    /// Whether the row is a different function, or only one of the models has it.
     pub fn is_changed(&self) -> bool {
         self.sameness.is_none_or(|s| s == Sameness::Changed)
     }
 }
 
-/// Compares two models.
+/// Compares an old and a new version of a model.
 pub fn compare(old: &Model, new: &Model, options: &DifferenceOptions) -> Difference {
     let (a, b) = (Everything::of(old), Everything::of(new));
     let pairing = Pairing::of(&a, &b);
@@ -206,7 +207,8 @@ pub fn compare(old: &Model, new: &Model, options: &DifferenceOptions) -> Differe
     }
 }
 
-/// Rows of both models that correspond: derivatives of paired states, observations, limits in their order.
+/// Corresponding rows (old, new) of both models: derivatives of paired states, components of the observation, limits in
+/// order.
 fn row_pairs(a: &Everything<'_>, b: &Everything<'_>, pairing: &Pairing) -> Vec<(usize, usize)> {
     let states = pairing.states.iter().enumerate();
     let mut pairs: Vec<(usize, usize)> = states
@@ -221,7 +223,7 @@ fn row_pairs(a: &Everything<'_>, b: &Everything<'_>, pairing: &Pairing) -> Vec<(
     pairs
 }
 
-/// What was found of the rows: their names in both models, which correspond, and how they compare.
+/// Results on the rows: their names in both models, the corresponding pairs, and how these compare.
 struct Found<'a> {
     names: [&'a [String]; 2],
     pairs: &'a [(usize, usize)],

@@ -1,29 +1,29 @@
-//! Names of the new model in terms of the old one, and texts of statements with names replaced.
+//! Maps names of the new model to those of the old model, and replaces names in the texts of statements.
 
 use model_spec::syntax::ast::{BinaryOp, Expr, ExprKind};
 use std::collections::BTreeMap;
 
-/// Name in the old model of each renamed thing of the new one, by class of statement.
+/// For each renamed item of the new model, its name in the old model, by class of statement.
 #[derive(Clone, Debug, Default)]
 pub struct Names {
     renamed: BTreeMap<(&'static str, String), String>,
 }
 
 impl Names {
-    /// Records that the name `new` of a class was `old`.
+    /// Records that the item `new` of a class is called `old` in the old model.
     pub fn add(&mut self, class: &'static str, new: &str, old: &str) {
         if new != old {
             self.renamed.insert((class, new.to_owned()), old.to_owned());
         }
     }
 
-    /// Name in the old model of what has a name in the new one.
+    /// Name in the old model of the item `new`; the same name if it was not renamed.
     pub fn old(&self, class: &'static str, new: &str) -> String {
         let found = self.renamed.get(&(class, new.to_owned()));
         found.map_or_else(|| new.to_owned(), Clone::clone)
     }
 
-    /// Name in the old model of a word of the new model's text.
+    /// Name in the old model for a word of the new model's text; `None` if no item of that name was renamed.
     fn word(&self, word: &str) -> Option<&str> {
         let of = |word: &str| {
             let mut entries = self.renamed.iter();
@@ -35,14 +35,14 @@ impl Names {
     }
 }
 
-/// Names in a text, those of frames in `in_F` included.
+/// Names in a text, including the frame names in `in_F`.
 pub fn words(text: &str) -> Vec<&str> {
     let is_name = |c: char| c.is_alphanumeric() || c == '_';
     let mut out: Vec<&str> = Vec::new();
     for word in text.split(|c| !is_name(c)).filter(|word| !word.is_empty()) {
         out.push(word);
         out.extend(word.strip_prefix("in_"));
-        // Components of an input have its name.
+        // Components of an input are named after it.
         out.extend(
             ["_x", "_y", "_z"]
                 .iter()
@@ -52,7 +52,7 @@ pub fn words(text: &str) -> Vec<&str> {
     out
 }
 
-/// The text with every name of the new model replaced by that of the old one.
+/// Replaces every name of the new model in the text by the name in the old model.
 pub fn renamed_text(text: &str, names: &Names) -> String {
     let is_name = |c: char| c.is_alphanumeric() || c == '_';
     let mut out = String::with_capacity(text.len());
@@ -84,8 +84,8 @@ pub fn renamed_text(text: &str, names: &Names) -> String {
     out
 }
 
-/// Terms in which two expressions differ, each with its sign, in the names of the old one: those that only the old one has,
-/// and those that only the new one has. Where one factor or argument alone differs, its terms.
+/// Terms in which two expressions differ, with signs, in the names of the old model: those only in `old`, and those
+/// only in `new`. If the expressions differ in a single factor or argument, the terms of that part.
 pub fn differing_terms(old: &Expr, new: &Expr, names: &Names) -> (Vec<String>, Vec<String>) {
     let (before, after) = (terms(old), terms(new));
     let olds: Vec<String> = before.iter().map(Term::to_string).collect();
@@ -105,7 +105,8 @@ pub fn differing_terms(old: &Expr, new: &Expr, names: &Names) -> (Vec<String>, V
     (pick(&olds, &gone), pick(&news, &come))
 }
 
-/// Sums within two expressions of one kind that differ in these alone; `None` if they differ in more, or in no sum.
+/// Innermost sums within two expressions that differ in nothing else; `None` if there is more than one difference, or
+/// none inside a sum.
 fn inner_sums<'a>(old: &'a Expr, new: &'a Expr, names: &Names) -> Option<(&'a Expr, &'a Expr)> {
     let (mut a, mut b) = (old, new);
     loop {
@@ -116,7 +117,7 @@ fn inner_sums<'a>(old: &'a Expr, new: &'a Expr, names: &Names) -> Option<(&'a Ex
     }
 }
 
-/// The only parts in which two expressions of one kind differ; `None` if they differ in more.
+/// The only operands or arguments in which two expressions of the same kind differ; `None` if they differ in more.
 fn one_part<'a>(old: &'a Expr, new: &'a Expr, names: &Names) -> Option<(&'a Expr, &'a Expr)> {
     match (&old.kind, &new.kind) {
         (ExprKind::Binary(a, ..), ExprKind::Binary(b, ..)) if a == b && *a != BinaryOp::Pow => {}
@@ -136,7 +137,7 @@ fn one_part<'a>(old: &'a Expr, new: &'a Expr, names: &Names) -> Option<(&'a Expr
     (parts.next().is_none() && olds.len() == news.len()).then_some(first)
 }
 
-/// Places in a list of what another list does not have.
+/// Indices of the elements of a list that are not in another list; repeated elements are counted.
 fn without(list: &[String], other: &[String]) -> Vec<usize> {
     let mut left = other.to_vec();
     let is_missing = |term: &String| match left.iter().position(|o| o == term) {
@@ -150,7 +151,7 @@ fn without(list: &[String], other: &[String]) -> Vec<usize> {
     (0..list.len()).filter(|&k| missing[k]).collect()
 }
 
-/// A term of a sum.
+/// A term of a sum, with its sign.
 struct Term<'a> {
     negative: bool,
     value: &'a Expr,

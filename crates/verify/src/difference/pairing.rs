@@ -1,5 +1,5 @@
-//! Which state and which parameter of a model corresponds to which of another: by name, by their role in the body, then
-//! by what they do to the equations.
+//! Determines which state and parameter of one model corresponds to which of another: by name, by role in the body,
+//! then by their influence on the equations.
 
 use super::values::Everything;
 use crate::random::Random;
@@ -11,21 +11,21 @@ use oracle::scalar::Field;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// Number of random points at which the effect of a symbol is measured.
+/// Number of random points at which the influence of a symbol is measured.
 const POINTS: usize = 3;
-/// Largest relative difference of two values that count as equal here.
+/// Maximum relative difference of two values that count as equal in the pairing.
 const CLOSE: f64 = 1e-7;
 
-/// For every state and every parameter of the new model the one of the old model that it corresponds to.
+/// For every state and parameter of the new model, the corresponding one of the old model.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Pairing {
-    /// Index of the old state, by new state; `None` for an added one.
+    /// Index of the old state, by index of the new state; `None` for an added state.
     pub states: Vec<Option<usize>>,
-    /// Index of the old parameter, by new parameter; `None` for an added one.
+    /// Index of the old parameter, by index of the new parameter; `None` for an added parameter.
     pub parameters: Vec<Option<usize>>,
 }
 
-/// A name that changed.
+/// A renamed state or parameter.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 pub struct Renamed {
     /// Name in the old model.
@@ -34,7 +34,7 @@ pub struct Renamed {
     pub to: String,
 }
 
-/// A state (true) or a parameter (false), by index.
+/// A state (`true`) or a parameter (`false`), with its index.
 type Symbol = (bool, usize);
 
 impl Pairing {
@@ -49,17 +49,17 @@ impl Pairing {
         pairing
     }
 
-    /// Index of the new state that corresponds to an old one.
+    /// Index of the new state that corresponds to an old state; `None` if that state was removed.
     pub fn new_state(&self, old: usize) -> Option<usize> {
         self.states.iter().position(|&state| state == Some(old))
     }
 
-    /// Index of the new parameter that corresponds to an old one.
+    /// Index of the new parameter that corresponds to an old parameter; `None` if that parameter was removed.
     pub fn new_parameter(&self, old: usize) -> Option<usize> {
         self.parameters.iter().position(|&state| state == Some(old))
     }
 
-    /// Whether every symbol of either model has its counterpart.
+    /// Whether every state and parameter of each model has a counterpart in the other.
     pub fn is_complete(&self, old: &Model, new: &Model) -> bool {
         let all = |list: &[Option<usize>], count: usize| {
             list.len() == count && list.iter().all(Option::is_some)
@@ -97,7 +97,8 @@ impl Pairing {
             .collect()
     }
 
-    /// The point of the new model with the values of a point of the old one; `there` gives what the old one lacks.
+    /// Returns the point `there` of the new model with all paired values replaced by those of the point `here` of the
+    /// old model.
     pub fn carry<T: Field>(&self, here: &Point<T>, there: &Point<T>) -> Point<T> {
         let (given, mut flat) = (parameters(here), parameters(there));
         let mut out = there.clone();
@@ -125,7 +126,7 @@ impl Pairing {
         }
     }
 
-    /// Pairs symbols of one kind and unit that change the equations alike, the most alike first.
+    /// Pairs unpaired symbols of the same kind and unit by their influence on the equations, the most similar first.
     fn by_effect(&mut self, old: &Everything<'_>, new: &Everything<'_>) {
         let (olds, news) = self.open(old.model, new.model);
         if olds.is_empty() || news.is_empty() {
@@ -166,7 +167,7 @@ impl Pairing {
         }
     }
 
-    /// Symbols of both models that have no counterpart.
+    /// Symbols of the old and of the new model that have no counterpart.
     fn open(&self, old: &Model, new: &Model) -> (Vec<Symbol>, Vec<Symbol>) {
         let states = (0..old.states.len()).filter(|&i| self.new_state(i).is_none());
         let count = parameters(&Point::defaults(old)).len();
@@ -185,7 +186,7 @@ fn by_name(old: &[String], new: &[String]) -> Vec<Option<usize>> {
         .collect()
 }
 
-/// Parameters, coefficients and components of inputs, in the order of the compiler.
+/// Values of parameters, coefficients and components of inputs, in the order of the compiler.
 pub fn parameters<T: Field>(point: &Point<T>) -> Vec<T> {
     let inputs = point.inputs.iter().flat_map(|v| v.iter().copied());
     let constants = point.params.iter().chain(&point.coefficients).copied();
@@ -200,7 +201,8 @@ fn set_parameters<T: Field>(point: &mut Point<T>, flat: &[T]) {
     }
 }
 
-/// State of each role in the body: component of the position, the velocity, the angular velocity, angle or rate of a turn.
+/// State with each role in the body: a component of position, velocity or angular velocity, or an angle or rate of
+/// rotation.
 fn roles(model: &Model) -> BTreeMap<(&'static str, usize), usize> {
     let mut out = BTreeMap::new();
     let Some(body) = &model.body else {
@@ -249,10 +251,11 @@ fn value(model: &Model, (is_state, index): Symbol) -> f64 {
     }
 }
 
-/// What changes in the values of a model when one open symbol changes, the other open symbols of its kind and unit being
-/// equal.
+/// Influence of each unpaired symbol on the values of a model: values at points where this symbol differs from the
+/// other unpaired symbols of its kind and unit, which are equal.
 struct Effects {
-    /// By symbol and point: values in the rows that correspond, then the sorted values of the others.
+    /// By symbol and point: values of the rows that correspond to rows of the other model, then the sorted values of
+    /// the remaining rows.
     values: Vec<Vec<(Vec<f64>, Vec<f64>)>>,
 }
 
@@ -301,7 +304,7 @@ impl Effects {
             }
             fixed.sort_by_key(|(old, _)| *old);
             let mut fixed: Vec<f64> = fixed.into_iter().map(|(_, v)| v).collect();
-            // What is observed does not depend on the names of the states.
+            // The observation does not depend on the names of the states.
             fixed.extend(&values[states..states + model.code.observed]);
             if symbol.0 {
                 fixed.push(values[symbol.1]);
@@ -319,7 +322,7 @@ impl Effects {
         }
     }
 
-    /// Number of values that differ between a symbol here and one there.
+    /// Number of values that differ between symbol `here` of this model and symbol `there` of the other.
     fn conflicts(&self, here: usize, other: &Self, there: usize) -> usize {
         let differ = |a: &[f64], b: &[f64]| {
             let unequal = a.iter().zip(b).filter(|(a, b)| !is_close(**a, **b));

@@ -1,4 +1,4 @@
-//! Names of the new model in terms of the old one, by what is computed.
+//! Maps names of the new model to those of the old model by comparing the computed functions.
 
 use super::function::{self, Sameness};
 use super::names::{self, Names};
@@ -7,7 +7,7 @@ use super::statements::{self, Key};
 use super::values::Everything;
 use model_spec::model::Model;
 
-/// Whether an input has its components in one frame in both models.
+/// Whether an input has its components in the same frame in both models.
 pub fn same_frame(old: &Model, new: &Model, names: &Names, was: &str, is: &str) -> bool {
     let frame = |model: &Model, name: &str| {
         let input = model.inputs.iter().find(|input| input.name == name)?;
@@ -16,7 +16,7 @@ pub fn same_frame(old: &Model, new: &Model, names: &Names, was: &str, is: &str) 
     frame(old, was) == frame(new, is).map(|frame| names.old("frame", &frame))
 }
 
-/// Whether a named quantity or load computes the same function in both models; `None` if either lacks it.
+/// Whether a named quantity or load computes the same function in both models; `None` if a model lacks it.
 pub fn same_named(
     a: &Everything<'_>,
     b: &Everything<'_>,
@@ -48,8 +48,8 @@ fn same_outputs(
     compared.iter().all(|c| c.sameness != Sameness::Changed)
 }
 
-/// Names of the new model in terms of the old one: states, constants and inputs by the pairing; named quantities and loads
-/// that compute the same function; frames that are turned alike.
+/// Maps the names of the new model to those of the old: states, constants and inputs by the pairing, named quantities
+/// and loads by equal functions, frames by equal declarations.
 pub fn renamed(a: &Everything<'_>, b: &Everything<'_>, pairing: &Pairing) -> Names {
     let mut names = Names::default();
     for Renamed { from, to } in pairing.renamed(a, b) {
@@ -61,7 +61,7 @@ pub fn renamed(a: &Everything<'_>, b: &Everything<'_>, pairing: &Pairing) -> Nam
             names.add("input", &to, &from);
         }
     }
-    // States that a body derives from its angles have the names of these.
+    // A body derives the names of some states from its angles; these follow the angles.
     let (olds, news) = (
         statements::keyed(&a.model.tree),
         statements::keyed(&b.model.tree),

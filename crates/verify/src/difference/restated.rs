@@ -1,24 +1,24 @@
-//! Units, stated values and bounds of corresponding constants, inputs and states.
+//! Differences of units, stated values and bounds of corresponding constants, inputs and states.
 
 use super::pairing::Pairing;
 use super::values::Everything;
 use model_spec::model::{Model, Parameter};
 use serde::Serialize;
 
-/// A constant, an input or a state with another unit, value or bounds.
+/// A changed unit, value or bound of a constant, an input or a state.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Restated {
     /// Name in the new model.
     pub name: String,
-    /// What changed: `unit`, `value` or `bounds`.
+    /// Attribute that changed: `unit`, `value` or `bounds`.
     pub what: &'static str,
-    /// In the old model.
+    /// Attribute in the old model, as text.
     pub old: String,
-    /// In the new model.
+    /// Attribute in the new model, as text.
     pub new: String,
 }
 
-/// Units, values and bounds of corresponding constants, inputs and states that differ.
+/// Lists the differing units, values and bounds of corresponding constants, inputs and states.
 pub fn restated(a: &Everything<'_>, b: &Everything<'_>, pairing: &Pairing) -> Vec<Restated> {
     let mut out = Vec::new();
     let mut note = |name: &str, what, old: String, new: String| {

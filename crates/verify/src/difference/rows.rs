@@ -1,25 +1,25 @@
-//! Rows of a model that are compared: derivatives, observation, limits, with what determines each.
+//! The compared rows of a model (derivatives, observation, limits), and which statements determine each.
 
 use model_spec::model::Model;
 
-/// What determines a row.
+/// Kind of a compared row, which determines the statements that it depends on.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum RowKind {
-    /// The stated equation of this state.
+    /// Derivative of the state with this name, defined by a stated equation.
     Stated(String),
-    /// The velocity of the body.
+    /// Derivative of a position of the body, defined by the velocity.
     Position,
-    /// The forces on the body.
+    /// Derivative of a velocity of the body, determined by the forces.
     Velocity,
-    /// The moments on the body, and its attitude.
+    /// Derivative of an attitude or angular velocity of the body, determined by the moments.
     Rotation,
-    /// The measurement equation.
+    /// Component of the observation, defined by the measurement equation.
     Observation,
-    /// The limit of this number, from 1.
+    /// Limit of the model with this number, from 1.
     Limit(usize),
 }
 
-/// Kind of each row of a model, with its name.
+/// Name and kind of each row of a model.
 pub fn kinds(model: &Model, names: &[String]) -> Vec<(String, RowKind)> {
     let stated = |state: usize| model.equations.iter().any(|e| e.state == state);
     let kind = |row: usize| match model.states.get(row) {

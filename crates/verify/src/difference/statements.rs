@@ -1,60 +1,63 @@
-//! Statements of two model files: added, removed, changed, rewritten, renamed; and which of them a derivative depends on.
+//! Compares the statements of two model files: added, removed, changed, rewritten, renamed. Also determines which
+//! statements a derivative depends on.
 
 use super::names::{Names, differing_terms, renamed_text};
 use model_spec::syntax::ast::{Expr, ExprKind, File, Item, ItemKind, LoadClass};
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What happened to a statement.
+/// Kind of difference of a statement between two models.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Change {
-    /// Only the new model has it.
+    /// Only the new model has the statement.
     Added,
-    /// Only the old model has it.
+    /// Only the old model has the statement.
     Removed,
-    /// Its text and what it computes differ.
+    /// The text and the computed function differ.
     Changed,
-    /// Its text differs, and it computes the same function.
+    /// The text differs, but the computed function is the same.
     Rewritten,
-    /// Its name differs.
+    /// Only the name differs.
     Renamed,
-    /// A constant, an input or a state with another stated value, unit or bounds.
+    /// The stated value, unit or bounds of a constant, an input or a state differ.
     Restated,
 }
 
-/// A statement that is not the same in both models.
+/// A statement that differs between the two models.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Statement {
-    /// What happened to it.
+    /// How the statement differs.
     pub change: Change,
-    /// Class and name in the new model, or in the old one where it was removed: `let alpha`, `der(u)`.
+    /// Class and name in the new model, or in the old model if the statement was removed: `let alpha`, `der(u)`.
     pub what: String,
-    /// Class and name in the old model, if another.
+    /// Class and name in the old model; `None` if unchanged.
     pub was: Option<String>,
-    /// Text in the old model.
+    /// Text in the old model; `None` if the statement was added.
     pub old: Option<String>,
-    /// Text in the new model.
+    /// Text in the new model; `None` if the statement was removed.
     pub new: Option<String>,
-    /// Terms of its sum that only the old model has.
+    /// Terms of the statement's sum that only the old model has.
     pub terms_removed: Vec<String>,
-    /// Terms of its sum that only the new model has.
+    /// Terms of the statement's sum that only the new model has.
     pub terms_added: Vec<String>,
-    /// Key in the new model, for the search of causes.
+    /// Key in the new model, used to find causes.
     #[serde(skip)]
     key_new: Option<Key>,
-    /// Key in the old model.
+    /// Key in the old model, used to find causes.
     #[serde(skip)]
     key_old: Option<Key>,
 }
 
-/// Class and name of a statement; constants are one class, so that a parameter may become a coefficient.
+/// Class and name of a statement. Parameters and coefficients have the same class, so that one may become the other.
 pub type Key = (&'static str, String);
 
-/// Says whether a statement of the old and one of the new file compute the same function; `None` if that is unknown.
+/// Function that decides whether a statement of the old file and one of the new file compute the same function; `None`
+/// if that is unknown.
 pub type IsSame<'a> = dyn Fn(&Key, &Key) -> Option<bool> + 'a;
 
-/// Compares the statements of two files. `same` decides whether a changed text is a changed function.
+/// Compares the statements of two files. `same` decides whether a statement with changed text computes another
+/// function.
 pub fn compare(old: &File, new: &File, names: &Names, same: &IsSame<'_>) -> Vec<Statement> {
     let (olds, news) = (keyed(old), keyed(new));
     let mut out = Vec::new();
@@ -123,7 +126,7 @@ pub fn compare(old: &File, new: &File, names: &Names, same: &IsSame<'_>) -> Vec<
     out
 }
 
-/// Statements that a row depends on and that are not the same function, with the terms that differ.
+/// Descriptions of the statements that a row depends on and whose function differs, with the differing terms.
 pub fn causes(
     statements: &[Statement],
     old: &Reach,
@@ -143,7 +146,7 @@ pub fn causes(
 }
 
 impl Statement {
-    /// The statement as a cause: what it is and which terms differ.
+    /// Describes the statement as the cause of a difference: its title and the differing terms.
     fn cause(&self) -> String {
         match self.change {
             Change::Added => format!("{} added", self.what),
@@ -179,7 +182,8 @@ fn title((class, name): &Key) -> String {
     }
 }
 
-/// Statements by class and name; the name of the model, its reference, its checks and its effects are no part of its motion.
+/// Statements with their class and name. Statements that do not influence the motion are left out: the model's name,
+/// reference, checks and effects.
 pub fn keyed(file: &File) -> Vec<(Key, &Item)> {
     let mut limits = 0;
     let mut key = |item: &Item| {
@@ -210,7 +214,7 @@ pub fn keyed(file: &File) -> Vec<(Key, &Item)> {
     items.filter_map(|item| Some((key(item)?, item))).collect()
 }
 
-/// Right-hand side of a statement that has one.
+/// Expression of a statement; `None` for a statement that has none.
 pub fn value(item: &Item) -> Option<&Expr> {
     match &item.kind {
         ItemKind::Let(l) => Some(&l.value),
@@ -223,14 +227,15 @@ pub fn value(item: &Item) -> Option<&Expr> {
     }
 }
 
-/// Which statements each row of a model depends on.
+/// Statements on which each row of a model depends.
 pub struct Reach {
     uses: BTreeMap<Key, BTreeSet<Key>>,
     roots: BTreeMap<String, BTreeSet<Key>>,
 }
 
 impl Reach {
-    /// Dependences of the statements of a file; `rows` are the kinds of its rows, see [`super::rows`].
+    /// Determines the dependences of the statements of a file. `rows` contains the rows with their kinds, see
+    /// [`super::rows`].
     pub fn of_file(file: &File, rows: &[(String, super::rows::RowKind)]) -> Self {
         let items = keyed(file);
         let by_name = |name: &str| -> Vec<Key> {
@@ -245,7 +250,7 @@ impl Reach {
             let words = super::names::words(&text);
             let mut found: BTreeSet<Key> = words.iter().flat_map(|w| by_name(w)).collect();
             found.remove(key);
-            // A derivative is used as `der(…)` only; a state's name alone is no use of its equation.
+            // Only `der(…)` refers to the equation of a state; the name of the state does not.
             if let Some(value) = value(item) {
                 let mut used = BTreeSet::new();
                 derivatives(value, &mut used);
@@ -283,7 +288,7 @@ impl Reach {
         }
     }
 
-    /// All statements that a row depends on; empty for a row that the file does not have.
+    /// All statements on which a row depends, directly or indirectly; empty for an unknown row.
     fn of(&self, row: &str) -> BTreeSet<Key> {
         let mut out = BTreeSet::new();
         let mut open: Vec<Key> = self.roots.get(row).into_iter().flatten().cloned().collect();

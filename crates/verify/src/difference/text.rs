@@ -1,10 +1,10 @@
-//! A comparison of two models as text for a terminal.
+//! Formats a comparison of two models as text for a terminal.
 
 use super::{Change, Difference, FlightShift, RowChange, Sameness, Statement};
 use std::fmt::Write;
 
 impl Difference {
-    /// The comparison in one sentence.
+    /// Summarises the comparison in one sentence.
     pub fn sentence(&self) -> String {
         let changed = self.changed_rows();
         if changed.is_empty() {
@@ -22,7 +22,7 @@ impl Difference {
         format!("another function: {}", changed.join(", "))
     }
 
-    /// Rows that agree in numbers and are not decided exactly.
+    /// Names of the rows that agree in floating-point numbers but are not decided exactly.
     fn not_decided(&self) -> Vec<&str> {
         let rows = self.rows.iter();
         rows.filter(|row| row.sameness == Some(Sameness::Agrees))
@@ -30,7 +30,7 @@ impl Difference {
             .collect()
     }
 
-    /// Rows that are exactly the same function.
+    /// Names of the rows that are exactly the same function.
     pub(super) fn same_rows(&self) -> Vec<&str> {
         let rows = self.rows.iter();
         rows.filter(|row| row.sameness == Some(Sameness::Same))
@@ -38,7 +38,7 @@ impl Difference {
             .collect()
     }
 
-    /// The comparison as text.
+    /// Formats the whole comparison as text.
     pub fn text(&self) -> String {
         let mut out = format!(
             "{} → {}: {}\n",
@@ -134,7 +134,7 @@ impl Difference {
 }
 
 impl RowChange {
-    /// What happened to the row.
+    /// Describes the difference of the row in one sentence.
     pub(super) fn sentence(&self) -> String {
         match (self.sameness, self.added) {
             (None, true) => format!("{} is new", self.row),
@@ -153,7 +153,7 @@ impl RowChange {
 }
 
 impl Statement {
-    /// Class and name, with the earlier one where it changed.
+    /// Class and name of the statement, preceded by the old ones if they changed.
     pub(super) fn title(&self) -> String {
         match &self.was {
             Some(was) => format!("{was} → {}", self.what),
@@ -163,7 +163,7 @@ impl Statement {
 }
 
 impl Change {
-    /// The change as a word.
+    /// Kind of the change as one word.
     pub(super) fn word(self) -> &'static str {
         match self {
             Self::Added => "added",
@@ -177,7 +177,7 @@ impl Change {
 }
 
 impl FlightShift {
-    /// The difference of the flights as a sentence.
+    /// Describes the difference of the flights in one sentence.
     pub(super) fn sentence(&self) -> String {
         let name = &self.release;
         if let Some(why) = &self.failed {

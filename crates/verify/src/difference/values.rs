@@ -1,4 +1,5 @@
-//! Every value of a model, in numbers and in the prime field: derivatives, observation, limits, named quantities, loads.
+//! Evaluates every value of a model, in floating-point numbers and in the prime field: derivatives, observation,
+//! limits, named quantities, loads.
 
 use crate::checks::exact::Spot;
 use crate::field::Machine;
@@ -10,12 +11,13 @@ use oracle::Point;
 use oracle::scalar::Prime;
 use std::ops::Range;
 
-/// A model with a program of all its values. Vectors are also re-expressed in the inertial frame, so that one vector is
-/// compared with the same one in another frame.
+/// A model compiled to a program of all its values. Vectors in other frames are also expressed in the inertial frame,
+/// so that vectors stated in different frames can be compared.
 pub struct Everything<'a> {
-    /// The model.
+    /// Model whose values are evaluated.
     pub model: &'a Model,
-    /// Its values: derivatives, observation, limits, auxiliary variables, then these vectors in the inertial frame.
+    /// Program of all values: derivatives, observation, limits, auxiliary variables, then the vectors expressed in the
+    /// inertial frame.
     pub code: EveryValue,
     /// Outputs of each auxiliary variable and load, by class and name.
     pub named: Vec<Named>,
@@ -24,16 +26,16 @@ pub struct Everything<'a> {
 
 /// A named quantity or load, with its outputs.
 pub struct Named {
-    /// `let`, `force` or `moment`.
+    /// Class of the statement: `let`, `force` or `moment`.
     pub class: &'static str,
     /// Name in the model.
     pub name: String,
-    /// Outputs of the program: one for a number, three for a vector in the inertial frame.
+    /// Indices of the program's outputs: one for a scalar, three for a vector in the inertial frame.
     pub outputs: Range<usize>,
 }
 
 impl<'a> Everything<'a> {
-    /// Compiles all values of a model.
+    /// Compiles a program of all values of a model.
     pub fn of(model: &'a Model) -> Self {
         let mut extended = model.clone();
         let mut sources: Vec<(&'static str, String, usize)> = Vec::new();
@@ -76,7 +78,7 @@ impl<'a> Everything<'a> {
         }
     }
 
-    /// Names of the rows that are compared: derivatives, observation, limits.
+    /// Names of the compared rows: derivatives, observation, limits.
     pub fn rows(&self) -> Vec<String> {
         let states = self.code.layout.states.iter();
         let observed = ["x", "y", "z"].into_iter().take(self.code.observed);
@@ -88,18 +90,18 @@ impl<'a> Everything<'a> {
             .collect()
     }
 
-    /// All values at a point, in numbers.
+    /// All values at a point, as floating-point numbers.
     pub fn numbers(&self, point: &Point<f64>) -> Vec<f64> {
         evaluated(&self.tape, point)
     }
 
-    /// All values at a point of the prime field; `None` for a value that does not exist there.
+    /// All values at a point of the prime field; `None` for a value that does not exist in the field.
     pub fn exact(&self, spot: &Spot) -> Vec<Option<Prime>> {
         Machine::new(&spot.point, &spot.circles, true).run(&self.code.program)
     }
 }
 
-/// Adds a quantity to a model: a value, a vector being re-expressed in the inertial frame; returns its index.
+/// Appends an auxiliary variable to a model and returns its index. A vector is expressed in the inertial frame.
 fn add(model: &mut Model, value: Expr) -> usize {
     let index = model.aux_variables.len();
     let span = value.span;

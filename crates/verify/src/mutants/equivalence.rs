@@ -1,4 +1,4 @@
-//! Equivalent mutants: those whose compiled equations are proved equal to those of the model.
+//! Detects equivalent mutants: mutants whose compiled equations are proved equal to those of the model.
 
 use crate::checks::exact::Spot;
 use crate::field::Machine;
@@ -9,21 +9,22 @@ use crate::values::Values;
 use codegen::program::{Binary, Fused, Op, Operand, Program, Unary};
 use std::collections::HashMap;
 
-/// Proof by structure.
+/// Reason: both compile to the same expression graph.
 const SAME: &str = "compiles to the same derivatives and observation, node for node";
-/// Proof by evaluation in the field, and in numbers for the branches of roots.
+/// Reason: equal values at random points of the prime field, and equal floating-point values to exclude other branches
+/// of roots.
 const EQUAL: &str = "derivatives and observation equal at 4 random points of the field of 2^61 - 1 elements, \
                      functions being symbols";
 
 /// Number of random field points at which two programs are compared.
 const POINTS: usize = 4;
-/// Maximum number of trial points; a point is usable if the argument of every square root is a square in the field,
-/// probability 1/2 per root.
+/// Maximum number of trial points. A point is usable if the argument of every square root is a square in the field,
+/// which has probability 1/2 per root.
 const MAX_TRIALS: usize = 4096;
 
 /// The original model, prepared for comparison with mutants.
 pub struct Original<'a> {
-    /// The original model and its equations.
+    /// Original model with its equations of motion.
     pub subject: &'a Subject<'a>,
     values: Values,
     interner: Interner,
@@ -31,7 +32,7 @@ pub struct Original<'a> {
 }
 
 impl<'a> Original<'a> {
-    /// Compiles the original model.
+    /// Compiles the original model for comparison.
     pub fn new(subject: &'a Subject<'a>) -> Self {
         let values = Values::of(subject.model);
         let mut interner = Interner::default();
@@ -44,7 +45,7 @@ impl<'a> Original<'a> {
         }
     }
 
-    /// Kind of proof that a mutant is equivalent to the original; `None` if unproved.
+    /// Reason why a mutant is proved equivalent to the original; `None` if equivalence is not proved.
     pub fn same(&self, mutant: &Values) -> Option<&'static str> {
         let (here, there) = (&self.values.layout, &mutant.layout);
         let named = here.states == there.states && here.parameters == there.parameters;
@@ -89,7 +90,7 @@ impl<'a> Original<'a> {
         false
     }
 
-    /// Whether the model has terms that no reference implementation contains.
+    /// Whether the model has terms that its reference implementation does not contain, or has no reference.
     pub fn has_uncovered_terms(&self) -> bool {
         self.subject
             .reference

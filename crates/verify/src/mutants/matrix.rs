@@ -1,4 +1,4 @@
-//! Mutation matrix: mutants by operator and by the checks that kill them.
+//! Mutation matrix: number of mutants by mutation operator and by the checks that kill them.
 
 use super::status::{CHECKS, MutantStatus};
 use super::{Mutant, Operator};
@@ -9,31 +9,31 @@ use serde::Serialize;
 /// Mutation matrix of a model.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct MutationMatrix {
-    /// Names of the checks, cheapest first.
+    /// Names of the checks, in ascending order of cost.
     pub checks: Vec<&'static str>,
     /// One row per mutation operator.
     pub rows: Vec<MutationRow>,
     /// Descriptions of the mutants that no check kills.
     pub survivors: Vec<String>,
-    /// Descriptions of surviving mutants of terms that the reference implementation does not contain.
+    /// Descriptions of the surviving mutants of a model with terms that the reference implementation does not contain.
     #[serde(rename = "unwatched")]
     pub not_covered: Vec<String>,
-    /// Mutants proved equivalent to the model, each with the kind of proof.
+    /// Descriptions of the mutants proved equivalent to the model, each with the kind of proof.
     pub equivalent: Vec<(String, &'static str)>,
 }
 
-/// Mutants of one operator.
+/// Counts of the mutants made by one mutation operator.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct MutationRow {
     /// Name of the mutation operator.
     pub operator: &'static str,
-    /// Number of mutants, without equivalent and not covered ones.
+    /// Number of mutants, excluding equivalent and not covered ones.
     pub mutants: usize,
     /// Number of killed mutants.
     pub killed: usize,
-    /// Number of mutants that each check is the first to kill, in the order of the checks.
+    /// For each check, the number of mutants that it is the first to kill.
     pub first: Vec<usize>,
-    /// Number of mutants that each check kills, in the order of the checks.
+    /// For each check, the number of mutants that it kills.
     pub noticed: Vec<usize>,
 }
 
@@ -44,7 +44,7 @@ impl MutationMatrix {
             let mut statuses = statuses.iter();
             statuses.any(|s| matches!(s, MutantStatus::Killed(by) if by.contains(&check)))
         };
-        // The last check is one of models that claim a body.
+        // The last check applies only to models that claim a body.
         let count = CHECKS.len() - usize::from(!kills(CHECKS.len() - 1));
         let mut table = Self {
             checks: CHECKS[..count].to_vec(),
@@ -86,17 +86,17 @@ impl MutationMatrix {
         table
     }
 
-    /// Number of mutants, without equivalent and not covered ones.
+    /// Total number of mutants, excluding equivalent and not covered ones.
     pub fn mutants(&self) -> usize {
         self.rows.iter().map(|row| row.mutants).sum()
     }
 
-    /// Number of killed mutants.
+    /// Total number of killed mutants.
     pub fn killed(&self) -> usize {
         self.rows.iter().map(|row| row.killed).sum()
     }
 
-    /// Summary as a row of the report; it holds if no mutant survives.
+    /// Summary as a row of the report; the row holds if no mutant survives.
     pub fn row(&self) -> Row {
         let (mutants, killed, same) = (self.mutants(), self.killed(), self.equivalent.len());
         let not_covered = match self.not_covered.len() {
@@ -107,7 +107,8 @@ impl MutationMatrix {
         Row::counted("mutants", mutants, &self.survivors, "").saying(says)
     }
 
-    /// The matrix as text; a cell `first/all` has the number killed first by the check, and killed by it at all.
+    /// Formats the matrix as text. A cell `first/all` contains the number of mutants killed first by the check, and the
+    /// number killed by it.
     pub fn table(&self) -> String {
         let mut header = vec!["mutation operator", "mutants", "killed"];
         header.extend(&self.checks);

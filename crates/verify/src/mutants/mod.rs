@@ -1,4 +1,4 @@
-//! Mutation testing: models with one plausible mistake each, every one of which a check should kill.
+//! Mutation testing: generates models with one plausible mistake each, and determines which checks detect (kill) them.
 
 pub mod equivalence;
 mod matrix;
@@ -15,35 +15,35 @@ use model_spec::syntax::ast::{File, FrameKind, ItemKind, Name};
 use names::Names;
 pub use run::run;
 
-/// Mutation operators.
+/// Kinds of mutations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Operator {
-    /// Sign changed.
+    /// A sign is changed.
     Sign,
-    /// Factor 2, 0.5 or 1.1 inserted.
+    /// A factor 2, 0.5 or 1.1 is inserted.
     Factor,
-    /// Frame replaced.
+    /// A frame is replaced by another.
     Frame,
-    /// Axis replaced, or two components interchanged.
+    /// An axis is replaced, or two components are interchanged.
     Axis,
-    /// Axis, parent or angle of a rotated frame replaced.
+    /// The axis, parent or angle of a rotated frame is replaced.
     Turn,
-    /// Sine and cosine interchanged, or a function deleted.
+    /// Sine and cosine are interchanged, a function is deleted, or a table's interpolation is changed.
     Function,
-    /// Term, factor or load deleted.
+    /// A term, factor or load is deleted.
     Dropped,
-    /// Exponent changed.
+    /// An exponent is changed by one.
     Exponent,
-    /// Name replaced by another.
+    /// A name is replaced by another, or a force becomes a moment and vice versa.
     Exchanged,
-    /// Unit changed.
+    /// A unit is changed.
     Unit,
-    /// Arguments interchanged.
+    /// The arguments of a function are interchanged.
     Order,
 }
 
 impl Operator {
-    /// All operators, in the order of the matrix.
+    /// All operators, in the order of the matrix's rows.
     pub const ALL: [Self; 11] = [
         Self::Sign,
         Self::Factor,
@@ -81,7 +81,7 @@ impl Operator {
 pub struct Mutant {
     /// Mutation operator that made the mutant.
     pub operator: Operator,
-    /// Name of the mutated statement.
+    /// Name of the mutated statement, for messages.
     pub place: String,
     /// Description of the mutation.
     pub change: String,
@@ -89,7 +89,7 @@ pub struct Mutant {
     pub file: File,
 }
 
-/// All mutants of a model file, in the order of its statements.
+/// Generates all mutants of a model file, in the order of its statements.
 pub fn mutants(file: &File, sources: &[Source]) -> Vec<Mutant> {
     let names = Names::of(file);
     let angles: Vec<Name> = file

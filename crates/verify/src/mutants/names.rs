@@ -2,7 +2,8 @@
 
 use model_spec::syntax::ast::{File, ItemKind, Parameter};
 
-/// Names of frames, constants and auxiliary variables of a file, with the declaring statements.
+/// Names of frames, constants (with unit) and auxiliary variables (with the index of the declaring statement) of a
+/// file.
 pub struct Names {
     frames: Vec<String>,
     constants: Vec<(String, String)>,
@@ -38,8 +39,8 @@ impl Names {
         self.frames.iter().filter(move |f| *f != name)
     }
 
-    /// Plausible replacements of a name in statement `item`: two constants of the same unit, one of another unit, or
-    /// nearby auxiliary variables that are declared before the statement.
+    /// Plausible replacements of a name in statement `item`: for a constant, two constants of the same unit and one of
+    /// another unit; for an auxiliary variable, nearby ones that are declared before the statement.
     pub fn exchanges(&self, name: &str, item: usize) -> Vec<String> {
         let mut out = Vec::new();
         if let Some(at) = self.constants.iter().position(|(n, _)| n == name) {

@@ -1,4 +1,4 @@
-//! Mutations of one expression.
+//! Generates the mutations of one expression.
 
 use super::Operator;
 use super::names::Names;
@@ -6,7 +6,7 @@ use model_spec::syntax::ast::{BinaryOp, Expr, ExprKind, Name, Number, Quantity};
 
 /// A mutation of an expression.
 pub struct Rewrite {
-    /// Mutation operator.
+    /// Operator that produced the mutation.
     pub operator: Operator,
     /// Short description of the mutation.
     pub how: String,
@@ -14,8 +14,8 @@ pub struct Rewrite {
     pub to: Expr,
 }
 
-/// All mutations of `e` in the statement with index `item`; `root` if `e` is a whole right-hand side. Other
-/// expressions get only one of the three inserted factors, selected by `serial`.
+/// Generates all mutations of `e` in the statement with index `item`. `root` states whether `e` is a whole right-hand
+/// side. Other expressions get only one of the three inserted factors, selected by `serial`.
 pub fn rewrites(e: &Expr, names: &Names, item: usize, root: bool, serial: usize) -> Vec<Rewrite> {
     let mut out = Vec::new();
     let mut push = |operator, how: String, to: Expr| out.push(Rewrite { operator, how, to });

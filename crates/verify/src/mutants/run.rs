@@ -1,4 +1,4 @@
-//! All mutants of a model, in parallel; the result does not depend on the number of threads.
+//! Tests all mutants of a model in parallel. The result does not depend on the number of threads.
 
 use super::equivalence::Original;
 use super::status::evaluate;
@@ -11,7 +11,7 @@ use model_spec::syntax::ast::File;
 /// Maximum number of random points per check of a mutant.
 const MAX_CASES: usize = 6;
 
-/// Runs every check on every mutant of a model file.
+/// Runs the checks on every mutant of a model file and returns the mutation matrix.
 pub fn run(
     file: &File,
     sources: &[Source],

@@ -22,7 +22,7 @@ pub fn roots(item: &mut Item) -> Vec<&mut Expr> {
     }
 }
 
-/// Name of a statement for messages.
+/// Name of a statement, for messages.
 pub fn place(item: &Item) -> String {
     match &item.kind {
         ItemKind::Parameter(c) => format!("declaration of {}", c.name.text),
@@ -40,13 +40,13 @@ pub fn place(item: &Item) -> String {
     }
 }
 
-/// Direct subexpressions of an expression.
+/// Direct subexpressions of an expression, by mutable reference.
 pub fn children(e: &mut Expr) -> Vec<&mut Expr> {
     match &mut e.kind {
         ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Derivative(_) => Vec::new(),
         ExprKind::Part(a, _) | ExprKind::Neg(a) => vec![a],
         ExprKind::Components(parts, _) => parts.iter_mut().collect(),
-        // An exponent is a literal and is mutated with its power.
+        // An exponent is a literal and is mutated together with its power.
         ExprKind::Binary(BinaryOp::Pow, a, _) => vec![a],
         ExprKind::Binary(_, a, b) => vec![a, b],
         ExprKind::Call(_, arguments) => arguments.iter_mut().collect(),
@@ -58,7 +58,7 @@ pub fn count(e: &mut Expr) -> usize {
     1 + children(e).into_iter().map(count).sum::<usize>()
 }
 
-/// Expression with index `n` in the tree of `e` in preorder, `e` being 0; `None` if out of range.
+/// Expression with index `n` in the tree of `e`, in preorder with `e` at index 0; `None` if out of range.
 pub fn nth(e: &mut Expr, n: usize) -> Option<&mut Expr> {
     if n == 0 {
         return Some(e);

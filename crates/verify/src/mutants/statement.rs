@@ -1,4 +1,4 @@
-//! Mutations of whole statements: frames, rotations, body, units, loads.
+//! Generates mutations of whole statements: units, frames, tables, loads, body.
 
 use super::Operator;
 use super::names::Names;
@@ -9,7 +9,7 @@ use model_spec::syntax::ast::{
 
 /// A mutation of one statement.
 pub struct Change {
-    /// Mutation operator.
+    /// Operator that produced the mutation.
     pub operator: Operator,
     /// Short description of the mutation.
     pub how: String,
@@ -17,7 +17,7 @@ pub struct Change {
     pub to: Option<Item>,
 }
 
-/// All mutations of a statement as a whole; `angles` are the names that may replace a frame's angle.
+/// Generates all mutations of a statement as a whole. `angles` are the names that may replace a frame's angle.
 pub fn changes(item: &Item, names: &Names, angles: &[Name]) -> Vec<Change> {
     let mut out = Changes {
         item,
@@ -30,7 +30,7 @@ pub fn changes(item: &Item, names: &Names, angles: &[Name]) -> Vec<Change> {
                 out.push(Operator::Unit, how.to_owned(), |item| {
                     if let ItemKind::Parameter(c) = &mut item.kind {
                         c.value.unit = unit;
-                        // Bounds are in the default's unit unless they say otherwise.
+                        // Bounds without a unit have the unit of the default value.
                     }
                 });
             };
@@ -121,7 +121,7 @@ impl Changes<'_> {
     }
 }
 
-/// One value changed, for each knot, and another way through the same knots.
+/// Adds the mutations of a table: one changed value per knot, and another interpolation of the same knots.
 fn table(out: &mut Changes<'_>, table: &Table) {
     let mut change = |operator, how: String, change: &dyn Fn(&mut Table)| {
         out.push(operator, how, |item| {

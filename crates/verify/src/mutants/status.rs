@@ -1,4 +1,4 @@
-//! Status of a mutant: killed, survived, equivalent, not covered.
+//! Determines the status of a mutant: killed, survived, equivalent, not covered.
 
 use super::Mutant;
 use super::equivalence::Original;
@@ -11,14 +11,15 @@ use model_spec::check;
 use model_spec::diagnostic::{Diagnostic, Kind};
 use model_spec::model::{Model, Source};
 
-/// Name of the killing check: unit check of the language.
+/// Name, as a killing check, of the language's unit check.
 pub const UNITS: &str = "units";
-/// Name of the killing check: frame check of the language.
+/// Name, as a killing check, of the language's frame check.
 pub const FRAMES: &str = "frames";
-/// Name of the killing check: all other checks of the language.
+/// Name, as a killing check, of all other checks of the language.
 pub const GRAMMAR: &str = "names and shapes";
 
-/// Names of the checks that are run on mutants, cheapest first; the last is one of models that claim a body.
+/// Names of the checks that are run on mutants, in ascending order of cost. The last one applies only to models that
+/// claim a body.
 pub const CHECKS: [&str; 8] = [
     UNITS,
     FRAMES,
@@ -30,20 +31,20 @@ pub const CHECKS: [&str; 8] = [
     claim::CLAIM,
 ];
 
-/// Status of a mutant.
+/// Result of running the checks on a mutant.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum MutantStatus {
-    /// Killed by these checks, as indices into [`CHECKS`]; never empty.
+    /// At least one check refutes the mutant. Contains the indices of these checks in [`CHECKS`]; never empty.
     Killed(Vec<usize>),
-    /// Proved equivalent to the model, with the kind of proof.
+    /// The mutant is proved equivalent to the model. Contains the kind of proof.
     Equivalent(&'static str),
-    /// Survives in a model with terms that the reference implementation does not contain.
+    /// No check refutes the mutant, but the model has terms that the reference implementation does not contain.
     NotCovered,
-    /// Killed by no check.
+    /// No check refutes the mutant.
     Survived,
 }
 
-/// Runs every check on a mutant and returns its status.
+/// Runs the checks on a mutant and returns its status.
 pub fn evaluate(
     mutant: &Mutant,
     sources: &[Source],
@@ -78,8 +79,8 @@ fn killer(fault: &Diagnostic) -> usize {
     }
 }
 
-/// Indices into [`CHECKS`] of the checks that refute the mutant's equations, evaluated by the vector tree. Agreement
-/// of compiler and vector tree is checked separately.
+/// Indices in [`CHECKS`] of the checks that refute the mutant's equations, which are evaluated by the vector tree.
+/// Agreement of compiler and vector tree is checked separately.
 fn refusals(model: &Model, original: &Original<'_>, options: &Options) -> Vec<usize> {
     let Ok(equations) = Interpreted::new(model) else {
         return vec![2];

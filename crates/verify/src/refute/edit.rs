@@ -1,4 +1,4 @@
-//! Small corrections of an equation, as candidate explanations of a misprint.
+//! Generates small corrections of an equation, as candidate explanations of a misprint.
 
 use crate::expressions::{children, children_mut};
 use model_spec::model::{Expr, ExprKind, Function, Model, Source};
@@ -6,9 +6,9 @@ use model_spec::model::{Expr, ExprKind, Function, Model, Source};
 /// A candidate correction of an expression.
 #[derive(Clone)]
 pub struct Edit {
-    /// Description of the fault: a clause without a full stop.
+    /// Description of the mistake that the correction assumes: a clause without a full stop.
     pub says: String,
-    /// Rank of likelihood, likeliest first: 0 extra factor, 1 sign, 2 bracket, 3 function, 4 missing factor.
+    /// Rank of likelihood, most likely first: 0 extra factor, 1 sign, 2 bracket, 3 function, 4 missing factor.
     pub rank: u8,
     /// The complete corrected expression.
     pub to: Expr,
@@ -21,7 +21,7 @@ pub struct Editor<'a> {
 }
 
 impl<'a> Editor<'a> {
-    /// Generator for the equations of a model, without insertion of missing factors.
+    /// Creates a generator for the equations of a model, without insertion of missing factors.
     pub fn new(model: &'a Model) -> Self {
         Self {
             model,
@@ -29,12 +29,13 @@ impl<'a> Editor<'a> {
         }
     }
 
-    /// Generator that also inserts each of the given named factors into terms of sums.
+    /// Creates a generator that also inserts each of the given named factors into terms of sums.
     pub fn lacking(model: &'a Model, factors: Vec<(String, Expr)>) -> Self {
         Self { model, factors }
     }
 
-    /// All single corrections of `e` and its subexpressions; `term` is the text of the enclosing term of the sum.
+    /// Generates all single corrections of `e` and its subexpressions; `term` is the text of the enclosing term of the
+    /// sum.
     pub fn edits(&self, e: &Expr, term: &str) -> Vec<Edit> {
         let mut out = Vec::new();
         self.here(e, term, &mut out);
@@ -146,7 +147,7 @@ impl<'a> Editor<'a> {
         }
     }
 
-    /// Corrections of `(a ± b ± …)/d` in which only the leading terms are divided by `d`.
+    /// Generates the corrections of `(a ± b ± …)/d` in which only the leading terms are divided by `d`.
     fn divisor_of_some(&self, sum: &Expr, divisor: &Expr, push: &mut impl FnMut(u8, String, Expr)) {
         let (ExprKind::Add(left, _) | ExprKind::Sub(left, _)) = &sum.kind else {
             return;
@@ -155,7 +156,7 @@ impl<'a> Editor<'a> {
             kind: ExprKind::Div(Box::new(e.clone()), Box::new(divisor.clone())),
             ..e.clone()
         };
-        // Each leading part of the sum in turn: a - b + c is ((a - b) + c).
+        // Visits the leading parts of the sum in turn: a - b + c is ((a - b) + c).
         let mut outer: Vec<&Expr> = vec![sum];
         let mut part: &Expr = left;
         loop {

@@ -1,9 +1,9 @@
 //! Diagnosis of refuted equations: which equation disagrees with the reference, and in which term.
 //!
-//! The rates of the reference are those of the reference law or, in a model without one, those that the laws of the
-//! claimed body imply. Each stated equation is compared with them separately; derivatives that it uses take the
-//! reference's values, so that a misprint is attributed to one equation only. Then the smallest correction is searched
-//! for with which the equation agrees.
+//! The reference rates are those of the reference law or, in a model without one, those implied by the laws of the
+//! claimed body. Each stated equation is compared with them separately. Derivatives that an equation uses are replaced
+//! by the reference's values, so that a misprint is attributed to one equation only. Then a search finds the smallest
+//! correction with which the equation agrees.
 
 mod edit;
 
@@ -25,16 +25,16 @@ pub struct Refutation {
     pub state: String,
     /// Source text of the equation.
     pub equation: String,
-    /// Largest error, relative to the sum of the magnitudes of the terms.
+    /// Maximum error, relative to the sum of the magnitudes of the terms.
     pub error: f64,
-    /// Corrections that together make the equation agree; empty if none was found.
+    /// Descriptions of the corrections that together make the equation agree; empty if none was found.
     pub corrections: Vec<String>,
-    /// Largest relative error of the corrected equation.
+    /// Maximum relative error of the corrected equation; equal to `error` without corrections.
     pub error_corrected: f64,
 }
 
 impl Refutation {
-    /// Description of the refutation and its corrections, as one sentence.
+    /// Describes the refutation and its corrections in one sentence.
     pub fn sentence(&self) -> String {
         let Self {
             state,
@@ -56,7 +56,7 @@ impl Refutation {
 
 const POINTS: usize = 8;
 
-/// Diagnoses all stated equations; returns those that disagree with the reference.
+/// Diagnoses all stated equations, and returns those that disagree with the reference.
 pub fn refutations(subject: &Subject<'_>, options: &Options) -> Vec<Refutation> {
     let model = subject.model;
     let Some(points) = points(subject, options) else {
@@ -90,7 +90,7 @@ pub fn refutations(subject: &Subject<'_>, options: &Options) -> Vec<Refutation> 
         .collect()
 }
 
-/// Points at which equations are compared; `None` for a model with neither a reference nor a claim.
+/// Random points at which equations are compared; `None` for a model with neither a reference nor a claim.
 fn points(subject: &Subject<'_>, options: &Options) -> Option<Vec<Point<ErrorBound>>> {
     let mut random = Random::new(options.seed, "refute");
     let has_reference = subject.reference.is_some();
@@ -108,15 +108,15 @@ fn points(subject: &Subject<'_>, options: &Options) -> Option<Vec<Point<ErrorBou
     Some(drawn.collect())
 }
 
-/// Rates of the states that the laws of the claimed body imply; `None` where no rates satisfy them, as then the claim
-/// itself cannot hold.
+/// Rates of the states implied by the laws of the claimed body; `None` if no rates satisfy the laws, because then the
+/// claim itself is wrong.
 fn implied(model: &Model, point: &Point<ErrorBound>) -> Option<Vec<Option<ErrorBound>>> {
     let pace = Tree::new(model, point).clock();
     let implied = claimed_rates(model, point, ErrorBound::integer(1) / pace)?;
     implied.solves_the_others.then_some(implied.rates)
 }
 
-/// Reference values of the auxiliary variables that stand for derivatives used in other equations.
+/// Reference values of the auxiliary variables that represent derivatives used in other equations.
 fn used_derivatives(
     model: &Model,
     truth: &[Option<ErrorBound>],
@@ -140,7 +140,8 @@ struct Bench<'a> {
 }
 
 impl Bench<'_> {
-    /// Largest relative error of an expression as the derivative of a state; stops early once it exceeds `stop`.
+    /// Maximum relative error of an expression as the derivative of a state. The evaluation stops once the error
+    /// exceeds `stop`.
     fn error(&self, state: usize, e: &Expr, stop: f64) -> f64 {
         let mut worst = 0.0_f64;
         for (tree, truth) in self.trees.iter().zip(&self.truths) {
@@ -164,7 +165,7 @@ impl Bench<'_> {
 
     fn examine(&self, equation: &Equation) -> Option<Refutation> {
         let state = equation.state;
-        // A derivative used elsewhere is stated as an auxiliary variable: take its expression.
+        // A derivative that other equations use is stated as an auxiliary variable, whose expression is examined.
         let stated = match &equation.value.kind {
             ExprKind::AuxVariable(i)
                 if self.model.aux_variables[*i].value.span == equation.value.span =>
@@ -188,7 +189,8 @@ impl Bench<'_> {
         })
     }
 
-    /// Searches for one correction, else one missing factor, else two or three corrections; `None` if none agrees.
+    /// Searches for one correction, then for one that includes missing factors, then for two or three corrections.
+    /// Returns the descriptions and the remaining error; `None` if no correction makes the equation agree.
     fn mend(&self, state: usize, e: &Expr) -> Option<(Vec<String>, f64)> {
         let whole = snippet(&self.model.sources, e);
         let plain = Editor::new(self.model);
@@ -233,7 +235,7 @@ impl Bench<'_> {
     }
 }
 
-/// Candidate missing factors of a term: 2, 1/2, parameters, sines and cosines of frame angles and their inverses.
+/// Candidate missing factors of a term: 2, 1/2, parameters, sines and cosines of frame angles, and inverses.
 fn factors(model: &Model, at: &Expr) -> Vec<(String, Expr)> {
     let scalar = |kind| Expr {
         kind,

@@ -1,7 +1,7 @@
-//! Numbers of 256 bits, as a scalar of the oracle.
+//! 256-bit floating-point numbers as a scalar of the oracle.
 //!
-//! The oracle's scalars are `Copy` and a long number is not: a value is an index into the numbers of the thread, which
-//! [`with_numbers`] begins anew and drops.
+//! The oracle's scalars are `Copy`, but a 256-bit number is not. A value is therefore an index into a thread-local list
+//! of numbers, which [`with_numbers`] creates and drops.
 
 use astro_float_num::{BigFloat, Consts, RoundingMode, Sign, WORD_BIT_SIZE};
 use num_traits::{One, Zero};
@@ -10,7 +10,7 @@ use std::cell::RefCell;
 use std::cmp::Ordering;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// Precision of a number, bits.
+/// Precision of the numbers, bits.
 pub const PRECISION: usize = 256;
 const NEAREST: RoundingMode = RoundingMode::ToEven;
 
@@ -19,7 +19,7 @@ thread_local! {
     static CONSTANTS: RefCell<Option<Consts>> = const { RefCell::new(None) };
 }
 
-/// Runs a task with numbers of its own, which end with it: its result must not hold any.
+/// Runs a task with a new list of numbers, which is dropped afterwards. The task's result must not contain a [`Big`].
 pub fn with_numbers<R>(task: impl FnOnce() -> R) -> R {
     let outer = NUMBERS.take();
     let result = task();
@@ -27,7 +27,7 @@ pub fn with_numbers<R>(task: impl FnOnce() -> R) -> R {
     result
 }
 
-/// A number of [`PRECISION`] bits, valid within the [`with_numbers`] that made it.
+/// A number of [`PRECISION`] bits, valid only within the [`with_numbers`] call that created it.
 #[derive(Clone, Copy, Debug)]
 pub struct Big(u32);
 
@@ -50,7 +50,7 @@ impl Big {
         Self::new(value)
     }
 
-    /// A function that needs the constants of the library, such as π.
+    /// Applies a function that needs the library's cached constants, such as π.
     fn call(self, f: impl FnOnce(&BigFloat, &mut Consts) -> BigFloat) -> Self {
         CONSTANTS.with_borrow_mut(|constants| {
             if constants.is_none() {
@@ -74,7 +74,7 @@ impl Big {
     }
 }
 
-/// The number nearest to a long one; NaN for NaN.
+/// The f64 closest to a 256-bit number; NaN for NaN.
 fn nearest(value: &BigFloat) -> f64 {
     if value.is_zero() {
         return 0.0;
@@ -88,11 +88,11 @@ fn nearest(value: &BigFloat) -> f64 {
     let Some((words, _, sign, exponent, _)) = value.as_raw_parts() else {
         return f64::NAN;
     };
-    // The mantissa is in [1/2, 1), its last word the highest: three words hold more than an f64.
+    // The mantissa is in [1/2, 1), its last word is the most significant. Three words have more bits than an f64.
     let scale = 0.5_f64.powi(WORD_BIT_SIZE as i32);
     let highest = words.iter().rev().take(3).rev();
     let mantissa = highest.fold(0.0, |lower, &word| (lower + word as f64) * scale);
-    // In two steps: 2^exponent itself may be too large or too small.
+    // The scaling is done in two steps because 2^exponent itself may overflow or underflow.
     let half = exponent.clamp(-2200, 2200) / 2;
     let rest = exponent.clamp(-2200, 2200) - half;
     let size = mantissa * 2f64.powi(half) * 2f64.powi(rest);

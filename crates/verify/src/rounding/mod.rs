@@ -1,8 +1,10 @@
-//! Rounding: f, J and Jp of every backend against the same programs in 256 bits, and the statements that lose digits.
+//! Measures rounding errors: f, J and Jp of every backend compared with the same programs in 256-bit arithmetic, and
+//! the model statements that lose digits.
 //!
-//! An error is measured in ulp of the magnitude of a value: the spacing of f64 at the sum of the magnitudes of the terms
-//! that make it up ([`ErrorBound`]). Cancellation that the formula asks for is no fault of a backend; the statement of
-//! the model that does it is named apart, with the bits that it loses (see [`statements`]).
+//! Errors are measured in ulp of the magnitude of a value, that is, the spacing of f64 at the sum of the magnitudes of
+//! the terms that make up the value ([`ErrorBound`]). Cancellation inherent in the formula is thus not counted as an
+//! error of a backend. The model statement that causes it is listed separately, with the number of bits lost (see
+//! [`statements`]).
 
 pub(crate) mod big;
 mod points;
@@ -24,31 +26,31 @@ use program::{Inputs, magnitudes, outputs};
 use serde::Serialize;
 use statements::{LOSES, Loss};
 
-/// Name of the check.
+/// Name in reports of the check of rounding errors.
 pub const ROUNDING: &str = "rounding";
 
-/// Largest allowed error, ulp of the magnitude: 128 roundings of half an ulp, all in one direction.
+/// Maximum allowed error, ulp of the magnitude: 128 rounding errors of half an ulp, all in one direction.
 pub const ALLOWED: f64 = 64.0;
 
-/// Numbers of points of a measurement.
+/// Numbers of points at which rounding errors are measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Effort {
-    /// Random points.
+    /// Number of random points.
     pub random: usize,
-    /// Flights from random points.
+    /// Number of flights from random points.
     pub flights: usize,
-    /// States of each flight.
+    /// Number of states sampled along each flight.
     pub states: usize,
 }
 
 impl Effort {
-    /// Points of the row of every verification.
+    /// Numbers of points for the row of every verification.
     pub const ROW: Effort = Effort {
         random: 12,
         flights: 2,
         states: 4,
     };
-    /// Points of `--rounding`.
+    /// Numbers of points for the option `--rounding`.
     pub const DETAILS: Effort = Effort {
         random: 200,
         flights: 10,
@@ -56,7 +58,7 @@ impl Effort {
     };
 }
 
-/// Rounding errors of one function of one backend, in ulp of the magnitude of each value.
+/// Rounding errors of one section of a function's values on one backend, in ulp of the magnitude of each value.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Error {
     /// Name of the backend.
@@ -65,42 +67,42 @@ pub struct Error {
     pub fuses: bool,
     /// Name of the function.
     pub function: &'static str,
-    /// Values: `f`, `J`, `Jp`, `y` or `dy`.
+    /// Section of the function's values: `f`, `J`, `Jp`, `y`, `dy/dx` or `dy/dp`.
     pub values: &'static str,
     /// Number of compared values.
     pub compared: usize,
-    /// Largest error.
+    /// Maximum error over the compared values.
     pub worst: f64,
-    /// Median error.
+    /// Median error over the compared values.
     pub median: f64,
-    /// Name of the value with the largest error.
+    /// Name of the value with the maximum error.
     pub place: String,
 }
 
-/// Rounding errors of a model.
+/// Rounding errors of a model's functions on all backends, and the statements that lose digits.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Rounding {
-    /// Meaning of the errors.
+    /// Description of the unit of the errors.
     pub measure: &'static str,
-    /// Number of random points and of states of flights.
+    /// Number of random points, and number of states along flights.
     pub points: [usize; 2],
-    /// Number of points that were left out: rounding may decide a branch there, or a value is not finite.
+    /// Number of points left out because rounding may decide a branch there or a value is not finite.
     pub left_out: usize,
-    /// Errors by backend and function.
+    /// Errors by backend, function and section of values.
     pub errors: Vec<Error>,
-    /// Statements of the model that lose bits, the worst first.
+    /// Statements of the model that lose bits, in descending order of the loss.
     pub losses: Vec<Loss>,
 }
 
-/// Meaning of the errors, in words.
+/// Description of the unit of the errors.
 const MEASURE: &str =
     "ulp of the magnitude: spacing of f64 at the sum of the magnitudes of the terms of a value";
 
-/// Values of a function in [`big::PRECISION`] bits at one point.
+/// Values of a function at one point, computed with [`big::PRECISION`] bits.
 struct Exact {
-    /// Place of the function among [`Compiled::functions`].
+    /// Index of the function in [`Compiled::functions`].
     function: usize,
-    /// Of each value: rounded to f64, what this rounding left, and the magnitude of its terms.
+    /// For each value: its f64 rounding, the remainder of the rounding, and the magnitude of its terms.
     values: Vec<(f64, f64, f64)>,
 }
 
@@ -135,7 +137,7 @@ pub fn measure(
     }
 }
 
-/// Errors of runs at the points, and the number of points that were left out.
+/// Errors of the runs at the points, and the number of points that were left out.
 pub fn errors(compiled: &Compiled, points: &[Point<f64>], runs: &[Run]) -> (Vec<Error>, usize) {
     let exact: Vec<Option<Vec<Exact>>> = points.iter().map(|p| exact(compiled, p)).collect();
     let left_out = exact.iter().filter(|e| e.is_none()).count();
@@ -177,11 +179,12 @@ pub fn errors(compiled: &Compiled, points: &[Point<f64>], runs: &[Run]) -> (Vec<
     (errors, left_out)
 }
 
-/// Row of the measured errors: holds where no backend exceeds [`ALLOWED`]; statements that lose digits are a remark.
+/// Row of the report. It holds if no backend's error exceeds [`ALLOWED`]; statements that lose digits are listed in a
+/// remark.
 pub fn row(rounding: &Rounding) -> Row {
     let [random, flown] = rounding.points;
     let cases = random + flown - rounding.left_out;
-    // The first of equal ones.
+    // `max_by` returns the last of equal elements; the reversal selects the first.
     let worst = rounding
         .errors
         .iter()
@@ -221,7 +224,7 @@ pub fn row(rounding: &Rounding) -> Row {
     }
 }
 
-/// Values of the functions that are compared; `None` where a value is not finite or rounding may decide a branch.
+/// Exact values of the compared functions at a point; `None` if a value is not finite or rounding may decide a branch.
 fn exact(compiled: &Compiled, point: &Point<f64>) -> Option<Vec<Exact>> {
     with_numbers(|| {
         let mut bounds: Inputs<ErrorBound> = Inputs::of(point);
@@ -263,9 +266,9 @@ fn exact(compiled: &Compiled, point: &Point<f64>) -> Option<Vec<Exact>> {
     })
 }
 
-/// Error of a result, ulp of the magnitude of its terms.
+/// Error of a result in ulp of the magnitude of its terms. The first argument is (rounded value, remainder, magnitude).
 fn error((rounded, rest, magnitude): (f64, f64, f64), got: f64) -> f64 {
-    // Exact for neighbours, by Sterbenz; farther away the rounding does not matter.
+    // The subtraction is exact for close values (Sterbenz); for others its rounding does not matter.
     let error = (got - rounded - rest).abs();
     if error == 0.0 {
         return 0.0;
@@ -275,7 +278,7 @@ fn error((rounded, rest, magnitude): (f64, f64, f64), got: f64) -> f64 {
     if error.is_nan() { f64::INFINITY } else { error }
 }
 
-/// Sections of a function that are compared: what they are called, and their places among the results.
+/// Compared sections of a function: name in tables, and index range among the function's results.
 fn sections(function: &Function) -> Vec<(&'static str, std::ops::Range<usize>)> {
     let names: &[(&'static str, &str)] = match function.name {
         "f" => &[("f", "dx")],
@@ -291,7 +294,7 @@ fn sections(function: &Function) -> Vec<(&'static str, std::ops::Range<usize>)> 
     ranges.filter(|(_, range)| !range.is_empty()).collect()
 }
 
-/// Place of the first result of a function among the concatenated results.
+/// Index of the first result of a function among the concatenated results.
 fn offset(compiled: &Compiled, index: usize) -> usize {
     let before = compiled.functions().into_iter().take(index);
     before.map(|f| f.program.outputs.len()).sum()

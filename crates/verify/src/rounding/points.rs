@@ -1,4 +1,4 @@
-//! Points at which rounding is measured: random ones, of flights, and with one state near 0.
+//! Points at which rounding is measured: random points, states along flights, and points with one state near 0.
 
 use crate::random::Random;
 use crate::sample::{self, is_valid, typical};
@@ -6,19 +6,19 @@ use crate::subject::Subject;
 use ode::Method;
 use oracle::Point;
 
-/// Duration of a flight, s.
+/// Duration of each flight along which states are sampled, s.
 const DURATION: f64 = 0.5;
 /// Sizes of a state near 0, relative to its typical magnitude.
 const SMALL: [f64; 2] = [1e-3, 1e-7];
 
-/// Random points within the limits of the model.
+/// Draws random points within the limits of the model.
 pub fn random(subject: &Subject<'_>, count: usize, random: &mut Random) -> Vec<Point<f64>> {
     (0..count)
         .map(|_| sample::point(subject.model, random))
         .collect()
 }
 
-/// States along flights from random points, `each` for every flight; those outside the limits are left out.
+/// States along flights from random points, `each` per flight. A flight ends early if it leaves the limits or fails.
 pub fn flown(
     subject: &Subject<'_>,
     flights: usize,
@@ -39,7 +39,7 @@ pub fn flown(
     points
 }
 
-/// The point of a flight after some seconds; `None` where the integration fails.
+/// The point of a flight after some seconds; `None` if the integration fails.
 fn flown_on(subject: &Subject<'_>, from: &Point<f64>, seconds: f64) -> Option<Point<f64>> {
     let mut at = from.clone();
     let mut moving = ode::rhs_from_fn(&[], |t, x: &Vec<f64>, dx: &mut Vec<f64>| {
@@ -60,7 +60,7 @@ fn flown_on(subject: &Subject<'_>, from: &Point<f64>, seconds: f64) -> Option<Po
     })
 }
 
-/// Points at which one state is near 0, each with its description; those outside the limits are left out.
+/// Points at which one state is near 0, each with a description. Points outside the model's limits are left out.
 pub fn near_zero(subject: &Subject<'_>, random: &mut Random) -> Vec<(String, Point<f64>)> {
     let mut points = Vec::new();
     for (index, state) in subject.model.states.iter().enumerate() {

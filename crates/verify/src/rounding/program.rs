@@ -1,4 +1,4 @@
-//! Programs of the compiler evaluated with any scalar of the oracle.
+//! Evaluates programs of the compiler with any scalar type of the oracle.
 
 use super::big::Big;
 use codegen::functions::MathFunction;
@@ -18,7 +18,7 @@ pub struct Inputs<T> {
 }
 
 impl<T: Real> Inputs<T> {
-    /// Values of a point, each exactly.
+    /// Lifts the values of a point exactly to the scalar type.
     pub fn of(point: &Point<f64>) -> Self {
         let all = |values: &[f64]| values.iter().map(|&v| T::lit(v)).collect();
         Self {
@@ -30,13 +30,13 @@ impl<T: Real> Inputs<T> {
         }
     }
 
-    /// The same with other parameters.
+    /// Returns the inputs with other parameters.
     pub fn with_parameters(self, parameters: Vec<T>) -> Self {
         Self { parameters, ..self }
     }
 }
 
-/// Outputs of a program.
+/// Evaluates a program and returns its outputs.
 pub fn outputs<T: Real>(program: &Program, inputs: &Inputs<T>) -> Vec<T> {
     let temps = evaluated(program, inputs);
     let outputs = program.outputs.iter();
@@ -45,7 +45,7 @@ pub fn outputs<T: Real>(program: &Program, inputs: &Inputs<T>) -> Vec<T> {
         .collect()
 }
 
-/// Result of every statement of a program.
+/// Evaluates a program and returns the result of every statement.
 fn evaluated<T: Real>(program: &Program, inputs: &Inputs<T>) -> Vec<T> {
     let mut temps = Vec::with_capacity(program.statements.len());
     for statement in &program.statements {
@@ -124,7 +124,7 @@ fn unary<T: Real>(program: &Program, op: Unary, a: T) -> T {
 /// Distance to a branch, relative to the magnitude of the terms, below which rounding may decide the branch.
 const NEAR: f64 = 1e-9;
 
-/// Distance of an operation to its branch; `None` for an operation without branches.
+/// Signed distance of an operation's argument to its branch point; `None` for an operation without branches.
 fn gap<T: Real>(op: Op, of: impl Fn(Operand) -> T) -> Option<T> {
     match op {
         Op::Unary(Unary::RecipOrZero, a) | Op::IfZero(a, ..) => Some(of(a)),
@@ -143,8 +143,8 @@ fn gap<T: Real>(op: Op, of: impl Fn(Operand) -> T) -> Option<T> {
     }
 }
 
-/// Outputs of a program with the magnitudes of their terms, and whether rounding may decide a branch on the way. With exact
-/// inputs, a distance to a branch that is exactly 0 is no question of rounding.
+/// Outputs of a program with the magnitudes of their terms, and whether rounding may decide a branch. If `exact` inputs
+/// are given, a distance to a branch that is exactly 0 does not count.
 pub fn magnitudes(
     program: &Program,
     inputs: &Inputs<ErrorBound>,

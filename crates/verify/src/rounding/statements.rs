@@ -1,9 +1,9 @@
-//! Digits that each statement of a model loses by itself: its local error, after Herbie (Panchekha and others, 2015,
-//! "Automatically improving accuracy for floating point expressions").
+//! Digits lost in each statement of a model: its local error, after Herbie (Panchekha and others, 2015, "Automatically
+//! improving accuracy for floating point expressions").
 //!
 //! Every statement is compiled with the values of the auxiliary variables as inputs. It is evaluated by the tape from
-//! inputs that are right and rounded, and in 256 bits from inputs that are right. What
-//! differs was lost in this statement: by its own roundings, or as it magnifies the rounding of what it reads.
+//! correctly rounded inputs, and in 256-bit arithmetic from exact inputs. The difference is lost in this statement, by
+//! its own rounding or because it amplifies the rounding of its inputs.
 
 use super::big::{Big, with_numbers};
 use super::program::{Inputs, outputs};
@@ -19,25 +19,25 @@ use oracle::scalar::Real;
 use serde::Serialize;
 use std::path::Path;
 
-/// Number of lost bits from which a statement is named: an accidental cancellation at a random point loses as many once in a
-/// million.
+/// Number of lost bits above which a statement is reported. At a random point, cancellation loses this many bits by
+/// chance once in a million.
 pub const LOSES: f64 = 20.0;
 
-/// Values below this are not compared: their f64 has fewer digits.
+/// Minimum magnitude of compared values. Subnormal f64 numbers have fewer digits.
 const SMALLEST: f64 = 1e-290;
 
-/// Statement of a model that loses digits.
+/// A statement of the model that loses digits.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Loss {
-    /// Name of what the statement declares: an auxiliary variable, a load, `der(v)`.
+    /// Name of the item that the statement declares: an auxiliary variable, a load, `der(v)`.
     pub name: String,
-    /// File name of the model or of the effect, without folders.
+    /// File name of the model or effect, without folders.
     pub source: String,
     /// Line in the source, from 1.
     pub line: usize,
     /// Text of the line.
     pub text: String,
-    /// Bits lost of the 53 of an f64 at the worst point.
+    /// Number of bits lost at the worst point, out of the 53 bits of an f64.
     pub bits: f64,
     /// Median of the lost bits over the points.
     pub median_bits: f64,
@@ -45,13 +45,14 @@ pub struct Loss {
     pub place: String,
 }
 
-/// A statement of the model: name and location.
+/// Name and location of a statement of the model.
 struct Statement {
     name: String,
     span: Span,
 }
 
-/// Bits that each statement loses at the points, each with its description; statements that lose none are left out.
+/// Bits that each statement loses at the given points (description, point), in descending order. Statements that lose
+/// no bits are left out.
 pub fn losses(model: &Model, points: &[(String, Point<f64>)]) -> Vec<Loss> {
     let (alone, statements) = separated(model);
     let whole = compile_every_value(model);
@@ -103,8 +104,8 @@ pub fn losses(model: &Model, points: &[(String, Point<f64>)]) -> Vec<Loss> {
     losses
 }
 
-/// Parameters of the separated model: those of the model, then the scalar auxiliary variables; coefficients; inputs, then
-/// the vector auxiliary variables.
+/// Arranges the values `all` of the model's parameters for the model of [`separated`]: parameters, scalar auxiliary
+/// variables, coefficients, inputs, vector auxiliary variables. `given` are the values of the auxiliary variables.
 fn rearranged<T: Copy>(
     model: &Model,
     lets: &[usize],
@@ -126,7 +127,7 @@ fn rearranged<T: Copy>(
     [params, &scalars, rest, &vectors].concat()
 }
 
-/// Lost bits of a scalar or a vector, relative to its length; `None` where the value is 0 or has no f64.
+/// Bits lost in a scalar or a vector, relative to its norm; `None` if the norm is (nearly) 0 or not finite in f64.
 fn bits(exact: &[Big], rounded: &[f64]) -> Option<f64> {
     let norm = |values: Vec<f64>| values.iter().fold(0.0, |sum: f64, v| sum.hypot(*v));
     let size = norm(exact.iter().map(|v| v.re()).collect());
@@ -164,13 +165,14 @@ fn loss(
     })
 }
 
-/// Line of the start of a span, from 1.
+/// Line number of the start of a span, from 1.
 fn line(text: &str, span: Span) -> usize {
     let before = text.get(..span.range().start).unwrap_or_default();
     before.matches('\n').count() + 1
 }
 
-/// A model in which every statement reads the auxiliary variables as inputs, and is one itself.
+/// Builds a model in which every statement is an auxiliary variable and reads the original auxiliary variables as
+/// inputs. Also returns the statements, in the order of these auxiliary variables.
 fn separated(model: &Model) -> (Model, Vec<Statement>) {
     let mut alone = model.clone();
     let mut statements: Vec<Statement> = Vec::new();
@@ -180,7 +182,7 @@ fn separated(model: &Model) -> (Model, Vec<Statement>) {
             span,
         });
     };
-    // What stands in for each auxiliary variable.
+    // Input that replaces each auxiliary variable.
     let mut given = Vec::new();
     for (index, variable) in model.aux_variables.iter().enumerate() {
         push(&variable.name, variable.span);

@@ -1,14 +1,14 @@
-//! Rounding errors as text.
+//! Formats rounding errors as text.
 
 use super::statements::{LOSES, Loss};
 use super::{Error, MEASURE, Rounding};
 use crate::table::plain_table;
 
-/// Number of statements that the text lists at most.
+/// Maximum number of statements that the text lists.
 const LISTED: usize = 10;
 
 impl Loss {
-    /// The loss as a sentence.
+    /// Describes the loss in one sentence.
     pub fn sentence(&self) -> String {
         format!(
             "{}, line {}: `{}` loses {:.0} of 53 bits at {} (median {:.0}): {}",
@@ -18,8 +18,8 @@ impl Loss {
 }
 
 impl Rounding {
-    /// Tables of the errors by backend and function, and of the statements that lose digits; backends with the same errors
-    /// share a table.
+    /// Formats tables of the errors by backend and function, and a list of the statements that lose digits. Backends
+    /// with equal errors share a table.
     pub fn table(&self) -> String {
         let [random, flown] = self.points;
         let mut text = format!(
@@ -71,7 +71,7 @@ impl Rounding {
     }
 }
 
-/// Whether the errors of two backends are the same.
+/// Whether two errors are equal except for the name of the backend.
 fn is_same(a: &Error, b: &Error) -> bool {
     let without = |e: &Error| Error {
         backend: String::new(),

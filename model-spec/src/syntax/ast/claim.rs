@@ -1,12 +1,12 @@
-//! Syntax of a claim: which expressions are the quantities of a body whose equations are stated.
+//! Syntax of a claim: which expressions are the mass, motion and loads of a body in a model with stated equations.
 
 use super::{BodyClass, Expr, Inertia, Name};
 use crate::source::Span;
 
-/// Declaration of what the stated equations are about: `claim body NAME { … }` or `claim point NAME { … }`.
+/// Declaration of the physical meaning of the stated equations: `claim body NAME { … }` or `claim point NAME { … }`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Claim {
-    /// Rigid body or point mass.
+    /// Whether the claimed body is rigid or a point mass.
     pub class: BodyClass,
     /// Name of the claimed body.
     pub name: Name,
@@ -32,22 +32,22 @@ pub enum ClaimPartKind {
     Inertia(Box<Inertia>),
     /// `fixed in FRAME;`: the body-fixed frame.
     Fixed(Name),
-    /// `axis FRAME.k;`: the axis of revolution, of a body in which no declared frame is fixed.
+    /// `axis FRAME.k;`: the axis of revolution of a body to which no declared frame is fixed.
     Axis(Expr),
     /// `position EXPR;`: position of the centre of mass, m.
     Position(Expr),
-    /// `velocity EXPR;`: velocity of the centre of mass against the inertial frame, m/s.
+    /// `velocity EXPR;`: velocity of the centre of mass relative to the inertial frame, m/s.
     Velocity(Expr),
-    /// `angular velocity EXPR;`: angular velocity of the body against the inertial frame, rad/s.
+    /// `angular velocity EXPR;`: angular velocity of the body relative to the inertial frame, rad/s.
     AngularVelocity(Expr),
-    /// `force EXPR;`: sum of all forces, with the weight, N.
+    /// `force EXPR;`: sum of all forces including the weight, N.
     Force(Expr),
     /// `moment EXPR;`: sum of all moments about the centre of mass, N m.
     Moment(Expr),
 }
 
 impl ClaimPartKind {
-    /// Words by which the statement begins.
+    /// Keywords with which the statement begins.
     pub fn words(&self) -> &'static str {
         match self {
             ClaimPartKind::Mass(_) => "mass",
@@ -62,7 +62,7 @@ impl ClaimPartKind {
         }
     }
 
-    /// Expressions of the statement, in order.
+    /// Expressions of the statement, in order; empty for `fixed in`.
     pub fn expressions(&self) -> Vec<&Expr> {
         match self {
             ClaimPartKind::Fixed(_) => Vec::new(),

@@ -16,7 +16,7 @@ pub struct Effect {
     pub parts: Vec<EffectPart>,
 }
 
-/// A quantity that a model must have for an effect.
+/// A quantity that a model must have for an effect to be applicable.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Need {
     /// Name of the quantity.
@@ -25,23 +25,25 @@ pub struct Need {
     pub is_vector: bool,
     /// Unit of the quantity; `None` for an angle or a pure number.
     pub unit: Option<UnitExpr>,
-    /// Expression that stands for the quantity in a model without it; `None` if the effect needs the quantity.
+    /// Fallback expression that replaces the quantity in a model without it; `None` if the quantity is mandatory.
     pub otherwise: Option<Expr>,
 }
 
 /// A statement in the block of an effect.
 #[derive(Clone, Debug, PartialEq)]
 pub enum EffectPart {
-    /// `needs NAME: UNIT, …;`: quantities that the model must have, with kind and unit.
+    /// `needs NAME: UNIT, …;`: quantities that the model must have, with kind, unit and optional fallback.
     Needs(Vec<Need>),
-    /// `generalises NAME, …;`: effects that say the same of a narrower family of models; where one of them can be applied,
-    /// this effect is no candidate.
+    /// `generalises NAME, …;`: effects of which this effect is the general form, each made for a narrower family of
+    /// models. If one of them is applicable, this effect is not a candidate.
     Generalises(Vec<Name>),
     /// `source "…";`: literature reference, with the source span of the statement.
     Citation(String, Span),
-    /// `increases "…";`: what the effect does where its first coefficient is above its null value.
+    /// `increases "…";`: sentence that describes the effect if its first coefficient exceeds the null value, with the
+    /// statement's source span.
     Increases(String, Span),
-    /// `decreases "…";`: what the effect does where its first coefficient is below its null value.
+    /// `decreases "…";`: sentence that describes the effect if its first coefficient is below the null value, with the
+    /// statement's source span.
     Decreases(String, Span),
     /// `site NAME;`: the component of the model that the effect changes.
     Site(Name),
@@ -49,10 +51,10 @@ pub enum EffectPart {
     Variables(Vec<Name>, Span),
     /// `negligible NAME value;`: smallest effect size of interest of a coefficient or state.
     Negligible(Name, Quantity),
-    /// `replace …;`: replaces the model's statement of equal kind and name.
+    /// `replace …;`: statement that replaces the model's statement of equal kind and name.
     Replace(Box<Item>),
-    /// `replace inertia … in FRAME;`: replaces the inertia tensor; with the statement's source span.
+    /// `replace inertia … in FRAME;`: inertia tensor that replaces the model's, with the statement's source span.
     ReplaceInertia(Box<Inertia>, Span),
-    /// A statement that is added to the model.
+    /// A declaration, such as a coefficient or a load, that the effect adds to the model.
     Add(Box<Item>),
 }

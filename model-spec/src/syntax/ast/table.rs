@@ -1,25 +1,25 @@
-//! Syntax tree of tables: functions of one number, given by their values at knots.
+//! Syntax tree of tables: functions of one scalar, specified by their values at knots.
 
 use super::{Name, Quantity, UnitExpr};
 
-/// How a table is interpolated between its knots.
+/// Method of interpolation between the knots of a table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Interpolation {
     /// Cubic spline: continuous second derivative. The default.
     #[default]
     Spline,
-    /// Piecewise cubic that is monotone wherever the values at the knots are (Fritsch and Carlson 1980), so that it does not
-    /// leave their range; the second derivative jumps at the knots. Stated as `monotone`.
+    /// Piecewise cubic that is monotone between knots (Fritsch and Carlson 1980), so that it does not overshoot the
+    /// values at the knots. Its second derivative is discontinuous at the knots. Stated as `monotone`.
     Monotone,
 }
 
-/// How a table continues beyond its first and last knot.
+/// Method of extrapolation below the first and above the last knot of a table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Continuation {
-    /// Straight on, with the slope at the end. The default.
+    /// Linear, with the slope at the end knot. The default.
     #[default]
     Linear,
-    /// With the value at the end; the slope is zero there. Stated as `constant`.
+    /// Constant, with the value at the end knot; the slope of the curve is zero at the end knot. Stated as `constant`.
     Constant,
 }
 
@@ -28,16 +28,16 @@ pub enum Continuation {
 pub struct Table {
     /// Name of the table, by which it is called.
     pub name: Name,
-    /// Name of the argument, for readers.
+    /// Name of the argument, which serves only as documentation.
     pub argument: Name,
     /// Unit of the argument; `None` for a pure number.
     pub argument_unit: Option<UnitExpr>,
     /// Unit of the value; `None` for a pure number.
     pub unit: Option<UnitExpr>,
-    /// Argument and value at each knot; in the units of the table unless they state their own.
+    /// Argument and value at each knot. A quantity without a unit has the unit declared for the argument or the value.
     pub knots: Vec<(Quantity, Quantity)>,
-    /// How the table is interpolated between its knots.
+    /// Interpolation between the knots.
     pub interpolation: Interpolation,
-    /// How the table continues beyond its ends.
+    /// Continuation below the first and above the last knot.
     pub continuation: Continuation,
 }

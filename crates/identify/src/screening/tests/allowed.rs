@@ -1,4 +1,5 @@
-//! What the model can describe is no fault: distances that an estimated parameter changes are not compared.
+//! Deviations that the model can describe are no faults: distances that an estimated parameter changes are not
+//! compared.
 
 use model_spec::load::load;
 
@@ -53,7 +54,7 @@ fn a_misplaced_marker_is_a_fault_only_where_the_model_does_not_estimate_it() {
         let model = load("disc", &[effect]).expect("a model");
         assert_eq!(found(&model, &dataset), [], "{effect}");
     }
-    // Another marker's offset does not allow for it.
+    // Estimating the offset of another marker does not allow for the misplaced one.
     let model = load("disc", &["marker_3_misplaced"]).expect("a model");
     assert_eq!(found(&model, &dataset).len(), all.len());
 }

@@ -1,4 +1,4 @@
-//! Flights without a fault, of many kinds, and the time that the screening takes.
+//! Flights without a fault, of many kinds, and the duration of the screening.
 
 use ::flight::release::{Release, Stop};
 
@@ -22,7 +22,7 @@ fn clean_flights_have_no_fault() {
     assert_eq!(found(&model, &dataset), []);
 }
 
-/// Many clean flights of many kinds; run with --ignored in release.
+/// Tests many clean flights of many kinds; run with --ignored in release.
 #[test]
 #[ignore = "takes long"]
 fn two_thousand_clean_flights_have_no_fault() {
@@ -89,11 +89,11 @@ fn throws_that_are_upside_down_are_no_mirror_images() {
     assert_eq!(found(&model, &made.dataset), []);
 }
 
-/// Clean flights of models of a user's own.
+/// Tests clean flights of models that are not built in.
 #[test]
 fn flights_of_other_models_have_no_fault() {
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../studies/models");
-    // Names, and initial states other than the defaults.
+    // Model name, and initial states other than the defaults.
     let cases: [(&str, &[(&str, f64)]); 6] = [
         ("shuttlecock", &[("vx", 40.0), ("vz", 10.0), ("z", 2.0)]),
         (

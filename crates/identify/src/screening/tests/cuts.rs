@@ -1,4 +1,4 @@
-//! Cuts at bounces, and nowhere else.
+//! Flights are truncated at bounces and nowhere else.
 
 use super::{ball, discs};
 use crate::dataset::Flight;
@@ -6,7 +6,7 @@ use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::screening::track::{self, Track};
 
-/// Lets the body of a flight bounce at a time: its velocity jumps by `change`, m/s.
+/// Makes the body of a flight bounce at a time, s: its velocity jumps by `change`, m/s.
 fn bounced(flight: &Flight, time: f64, change: [f64; 3]) -> Flight {
     let mut flight = flight.clone();
     for (t, row) in flight.times.iter().zip(&mut flight.positions) {
@@ -20,7 +20,7 @@ fn bounced(flight: &Flight, time: f64, change: [f64; 3]) -> Flight {
     flight
 }
 
-/// Index of the first sample after the impact that is detected.
+/// Index of the first sample after the detected impact; `None` if no impact is detected.
 fn cut_at(problem: &FitProblem, flight: &Flight) -> Option<usize> {
     let track = Track::of(
         &problem.markers,
@@ -99,7 +99,7 @@ fn flights_are_cut_at_bounces_only() {
     assert_eq!([wrong, missed], [0, 0]);
 }
 
-/// Cuts of many flights; run with --ignored in release.
+/// Tests truncation in many flights; run with --ignored in release.
 #[test]
 #[ignore = "takes long"]
 fn two_thousand_flights_are_cut_at_bounces_only() {

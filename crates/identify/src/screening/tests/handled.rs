@@ -1,9 +1,10 @@
-//! Samples in the hand and after the catch.
+//! Detection of samples in the hand and after the catch.
 
 use super::{ball, disc, found, kinds};
 use crate::dataset::Flight;
 
-/// A flight with samples before its release: the body is held, then pushed along its first velocity.
+/// Prepends samples before the release to a flight: `held` samples at rest, then `pushed` samples of acceleration to
+/// the initial velocity.
 fn with_hand(flight: &Flight, held: usize, pushed: usize) -> Flight {
     let mut flight = flight.clone();
     let dt = flight.times[1] - flight.times[0];
@@ -47,7 +48,7 @@ fn with_hand(flight: &Flight, held: usize, pushed: usize) -> Flight {
     flight
 }
 
-/// A flight whose body is caught: braked within some samples, then held.
+/// Appends samples of a catch to a flight: `braked` samples of deceleration, then `held` samples at rest.
 fn with_catch(flight: &Flight, braked: usize, held: usize) -> Flight {
     let mut backwards = flight.clone();
     backwards.positions.reverse();

@@ -1,4 +1,4 @@
-//! Mistakes of the laboratory in one flight and in all.
+//! Laboratory mistakes in one flight and in all flights.
 
 use super::{Spoil, ball, calm_disc, disc, disc_releases, each_point, found, kinds, plan, spoiled};
 use crate::dataset::{Dataset, Flight, Marker};
@@ -6,7 +6,7 @@ use crate::screening::fault::FaultKind;
 use crate::synthesize::{Plan, flights};
 use model_spec::model::Model;
 
-/// Mistakes of any body's flights.
+/// Mistakes that flights of any body can have: name, expected kind of fault, and the change of a flight.
 const SPOILS: [(&str, FaultKind, Spoil); 7] = [
     ("feet", FaultKind::Units, |f| {
         each_point(f, |p| p.map(|x| x / 0.3048))
@@ -73,7 +73,7 @@ fn mistakes_in_flights_of_a_ball_are_named() {
     assert_named(&model, &dataset, &[&SPOILS[..], &BALL_SPOILS].concat());
 }
 
-/// Asserts that each mistake, in one flight and in all, is named in just the flights that have it.
+/// Asserts that each mistake, in one flight and in all flights, is reported for exactly the flights that have it.
 fn assert_named(model: &Model, dataset: &Dataset, spoils: &[(&str, FaultKind, Spoil)]) {
     let all: Vec<usize> = (0..dataset.flights.len()).collect();
     let mut wrong = Vec::new();

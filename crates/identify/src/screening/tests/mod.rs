@@ -1,4 +1,4 @@
-//! The screening on synthetic flights: none of what flies is a fault, and mistakes are named.
+//! Tests of the screening on synthetic flights: clean flights have no fault, and mistakes are reported.
 
 mod allowed;
 mod clean;
@@ -48,7 +48,7 @@ pub fn found(model: &Model, dataset: &Dataset) -> Vec<DataFault> {
     screen(&problem, dataset, 2).faults
 }
 
-/// Throws of a disc: usual, at steep angles of attack, fast, slow, upside down.
+/// Releases of a disc: usual, at steep angles of attack, fast, slow, upside down.
 pub fn disc_releases(model: &Model) -> Vec<Release> {
     let usual = release(model, "backhand");
     let with = |changes: &[(&str, f64)]| {

@@ -1,6 +1,6 @@
-//! Events within a step: landings, apexes and crossed limits, located on the dense output.
+//! Events within a step: landings, apexes and crossed limits of validity, located on the dense output.
 
-// Iterators are functions of their own, which need not be inlined, and are then compiled for the baseline processor.
+// Iterator methods need not be inlined, and are then compiled for the baseline processor.
 #![allow(clippy::needless_range_loop)]
 
 use super::{EndState, Flying};
@@ -13,7 +13,7 @@ use crate::method::{Method, ROWS, dop853, tsit5};
 use lanes::Lanes;
 
 impl<T: Lanes, R: LaneRhs> Flying<'_, T, R> {
-    /// Coefficients of the dense output of component `i`.
+    /// Coefficients of the dense output of state component `i` in each lane.
     #[inline(always)]
     fn dense_rows(&self, i: usize, h: T) -> [T; ROWS] {
         let (x, k) = (self.values.x[i], |s: usize| self.stages.stage(s)[i]);
@@ -39,7 +39,7 @@ impl<T: Lanes, R: LaneRhs> Flying<'_, T, R> {
         }
     }
 
-    /// Terms of the height in a step, as [`HeightStep`] takes them.
+    /// Coefficients of the height (state component `z`) in each lane, in the form of [`HeightStep::terms`].
     #[inline(always)]
     fn height_terms(&self, z: usize, h: T) -> [T; ROWS] {
         let rows = self.dense_rows(z, h);
@@ -60,7 +60,8 @@ impl<T: Lanes, R: LaneRhs> Flying<'_, T, R> {
         terms
     }
 
-    /// Locates what is in the steps of the lanes that ask, and ends the flights that it ends.
+    /// Locates the events in the steps of the lanes marked in `asks`, and ends the flights that land or cross a limit
+    /// of validity.
     #[inline(always)]
     pub(super) fn stop<Q: FlightQueue + ?Sized>(
         &mut self,
@@ -124,7 +125,7 @@ impl<T: Lanes, R: LaneRhs> Flying<'_, T, R> {
         let weights = weights(method, T::load(&fractions), h);
         for i in 0..self.within.len() {
             let rows = self.dense_rows(i, h);
-            // Two sums, for they wait for one another.
+            // Two independent sums, which hide the latency of the additions.
             let mut sums = [rows[0], T::splat(0.0)];
             for k in 1..ROWS {
                 sums[k % 2] = weights[k].mul_add(rows[k], sums[k % 2]);
@@ -139,7 +140,8 @@ impl<T: Lanes, R: LaneRhs> Flying<'_, T, R> {
         }
     }
 
-    /// Fraction of the step at which a limit is first crossed in a lane.
+    /// Fraction of the step at which a lane first crosses the limit of validity `limit`; `None` if it does not cross
+    /// it.
     #[inline(always)]
     fn limit_crossing(&mut self, lane: usize, limit: usize, h: T) -> Option<f64> {
         let [middle, end, _] = &self.margins;
@@ -179,7 +181,7 @@ impl<T: Lanes, R: LaneRhs> Flying<'_, T, R> {
     }
 }
 
-/// Weights of the rows of the dense output at a fraction of the step per lane.
+/// Weights of the dense-output rows at the fraction `s` of the step, per lane.
 #[inline(always)]
 fn weights<T: Lanes>(method: Method, s: T, h: T) -> [T; ROWS] {
     let mut weights = [T::splat(1.0); ROWS];

@@ -1,4 +1,4 @@
-//! Figure of the correlations of the effective scores of candidate effects, as a triangular matrix.
+//! Figure of the correlations between the effective scores of candidate effects, as a triangular matrix.
 
 use diagnose::Report;
 
@@ -8,12 +8,13 @@ use crate::figures::csv::Table;
 use crate::figures::svg::{Svg, cut};
 use crate::fit::Drawn;
 
-/// Maximum number of coefficients that are drawn.
+/// Maximum number of coefficients drawn.
 const MOST: usize = 25;
-/// Number of colour steps of the scale.
+/// Number of steps of the colour scale in the legend.
 const STEPS: usize = 40;
 
-/// Draws the score correlations of the most significant coefficients; `None` for fewer than two.
+/// Draws the score correlations of the coefficients of the most significant effects; `None` for fewer than two
+/// coefficients.
 pub(super) fn alike(report: &Report) -> Option<Drawn> {
     let all = &report.score_correlations.names;
     let order = strongest(report);
@@ -53,7 +54,7 @@ pub(super) fn alike(report: &Report) -> Option<Drawn> {
     }))
 }
 
-/// Indices of the coefficients, by decreasing significance of their effects; at most 25.
+/// Indices of the coefficients in descending order of their effects' significance; at most [`MOST`].
 fn strongest(report: &Report) -> Vec<usize> {
     let sigmas = |name: &String| {
         let owner = report
@@ -82,7 +83,7 @@ fn draw(report: &Report, order: &[usize], title: &str, layout: Layout) -> String
         .collect();
     let longest = names.iter().map(|n| n.chars().count()).max().unwrap_or(0) as f64;
     let room = (letter * longest + 8.0).min(0.44 * layout.width);
-    // A name is printed at the end of its row, which is the head of its column.
+    // The label at the end of a row is also the label of the column below it.
     let side = ((layout.width - room - 8.0) / (names.len() - 1) as f64).min(34.0);
     let tall = side.max(letters + 3.0);
     let (left, top) = (4.0, 2.0 * letters + 14.0);
@@ -129,7 +130,8 @@ fn draw(report: &Report, order: &[usize], title: &str, layout: Layout) -> String
     )
 }
 
-/// Draws a cell whose opacity increases with the absolute correlation `value`.
+/// Draws a cell whose opacity increases with the absolute correlation `value`; cells that are not finite have a
+/// separate colour.
 fn shade(svg: &mut Svg, value: f64, place: (f64, f64), size: (f64, f64)) {
     if value.is_finite() {
         svg.veil("alike", 0.05 + 0.95 * value.abs().min(1.0), place, size);

@@ -1,4 +1,4 @@
-//! Figures of the unexplained loads over time: small multiples, one plot per flight.
+//! Figures of the unexplained loads over time: one small plot for each flight.
 
 use diagnose::{LoadChannel, LoadHistory, Report};
 
@@ -12,16 +12,20 @@ use crate::fit::Drawn;
 use crate::fit::numbers::{percent, raised};
 use crate::fit::thin::stride;
 
-/// Maximum numbers of channels, of load histories per channel, and of points per history.
+/// Maximum number of load channels drawn, one figure each.
 const MOST_CHANNELS: usize = 12;
+/// Maximum number of load histories drawn for each channel.
 const MOST_HISTORIES: usize = 12;
+/// Maximum number of points drawn for each load history.
 const MOST_POINTS: usize = 120;
-/// Height of a small plot and the space above and below, SVG units.
+/// Height of one plot, SVG units.
 const TALL: f64 = 84.0;
+/// Space above each plot, SVG units.
 const ABOVE: f64 = 24.0;
+/// Space below each plot, SVG units.
 const BELOW: f64 = 24.0;
 
-/// Draws the load histories of each channel, one figure per channel.
+/// Draws the load histories of the missing loads, one figure for each channel.
 pub(super) fn channels(report: &Report) -> Vec<Drawn> {
     let all = report.unattributed.iter().flat_map(|o| &o.channels);
     let all = all.filter(|c| !c.histories.is_empty()).take(MOST_CHANNELS);
@@ -58,7 +62,8 @@ fn figure(index: usize, channel: &LoadChannel) -> Drawn {
     })
 }
 
-/// Time (s), value and standard error at each point of a load history; truncated to the shortest of the three.
+/// Points (time in s, value, standard error) of a load history; points that are not finite are dropped, and the rest
+/// is thinned to at most [`MOST_POINTS`].
 fn points(history: &LoadHistory) -> Vec<[f64; 3]> {
     let all = history.t.iter().zip(&history.value).zip(&history.std_error);
     let all: Vec<[f64; 3]> = all.map(|((t, v), e)| [*t, *v, *e]).collect();
@@ -158,7 +163,7 @@ fn draw(channel: &LoadChannel, title: &str, layout: Layout) -> String {
     svg.finish(title, (layout.width, tall), layout.most, letters)
 }
 
-/// Draws the band of ±2 standard errors as a closed path.
+/// Draws the error band of ±2 standard errors as a closed path.
 fn ribbon(svg: &mut Svg, points: &[[f64; 3]], x: &impl Fn(f64) -> f64, y: &impl Fn(f64) -> f64) {
     let upper = points.iter().map(|[t, v, e]| (x(*t), y(v + 2.0 * e)));
     let lower = points.iter().rev().map(|[t, v, e]| (x(*t), y(v - 2.0 * e)));

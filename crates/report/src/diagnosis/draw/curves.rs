@@ -1,4 +1,4 @@
-//! Figures of coefficient curves before and after the extension, with the number of supporting samples.
+//! Figures of coefficient curves without and with the extension, with the number of samples in each interval.
 
 use diagnose::{CoefficientCurve, Report};
 
@@ -10,10 +10,10 @@ use crate::fit::Drawn;
 use crate::fit::numbers::unit;
 use crate::fit::thin::MOST as MOST_POINTS;
 
-/// Maximum number of curves that are drawn.
+/// Maximum number of curves drawn.
 const MOST: usize = 24;
 
-/// Whether the curve differs before and after the extension of the model.
+/// Whether the extension of the model changes the curve.
 fn moves(curve: &CoefficientCurve) -> bool {
     let largest = curve
         .before
@@ -24,7 +24,7 @@ fn moves(curve: &CoefficientCurve) -> bool {
     pairs.any(|(b, a)| (a - b).abs() > 1e-9 * largest)
 }
 
-/// Draws each curve that has points, changed curves first.
+/// Draws each curve that has points; curves that the extension changes come first.
 pub(super) fn curves(report: &Report) -> Vec<Drawn> {
     let mut curves: Vec<&CoefficientCurve> =
         report.curves.iter().filter(|c| !c.x.is_empty()).collect();
@@ -52,7 +52,7 @@ fn figure(index: usize, curve: &CoefficientCurve) -> Drawn {
     let bars = bars(curve);
     let moved = moves(curve);
     let lines = if moved {
-        // The dashed line is drawn over the solid one, so that both are visible where they coincide.
+        // The dashed line is drawn over the solid one, so that both are visible if they coincide.
         vec![
             line("extended", &curve.after),
             line("before", &curve.before),
@@ -94,7 +94,8 @@ fn figure(index: usize, curve: &CoefficientCurve) -> Drawn {
     )
 }
 
-/// Histogram bars of the number of samples; each bar extends half way to its neighbours.
+/// Histogram bars of the number of samples; each bar extends to the midpoints between its abscissa and the
+/// neighbouring ones.
 fn bars(curve: &CoefficientCurve) -> Vec<Bar> {
     let points = curve.x.iter().zip(&curve.support).take(MOST_POINTS);
     let points: Vec<(f64, f64)> = points
@@ -114,7 +115,7 @@ fn bars(curve: &CoefficientCurve) -> Vec<Bar> {
     (0..points.len()).map(bar).collect()
 }
 
-/// Names of the curves that the extension leaves unchanged; empty if the extension changes none.
+/// Names of the curves that the extension does not change; empty if the extension changes no curve.
 pub(in super::super) fn unmoved(page: &DiagnosisPage<'_>) -> Vec<String> {
     let curves = &page.report.curves;
     if !curves.iter().any(moves) {

@@ -1,4 +1,4 @@
-//! Figure of the RMS residual of each fitted flight before and after the extension of the model.
+//! Figure of the RMS residual of each fitted flight without and with the extension of the model.
 
 use diagnose::{FlightGain, Report};
 use identify::dataset::Role;
@@ -11,9 +11,9 @@ use crate::figures::{Dots, Layout, Line, Look, Panel, figure_of};
 use crate::fit::Drawn;
 use crate::fit::thin::stride;
 
-/// Maximum number of flights with one row each; more flights are drawn as ranked dots.
+/// Maximum number of flights drawn as one row each; more flights are drawn as dots in order of their residual.
 const MOST_ROWS: usize = 16;
-/// Maximum number of dots.
+/// Maximum number of flights drawn as dots.
 const MOST_DOTS: usize = 2000;
 
 /// Draws the RMS residuals of the fitted flights; `None` if the model was not extended.
@@ -53,7 +53,8 @@ pub(super) fn flights(report: &Report) -> Option<Drawn> {
     }))
 }
 
-/// Draws RMS residuals before and after for each flight, ranked by the value before; `noise` in mm.
+/// Draws two dots for each flight, its RMS residual without and with the extension, ranked by the value without;
+/// `noise` in mm.
 fn ranked(title: &str, fitted: &[&FlightGain], noise: f64) -> Drawn {
     let sizes = fitted
         .iter()

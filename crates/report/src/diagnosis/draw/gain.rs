@@ -1,4 +1,4 @@
-//! Figure of the prediction error on held-out flights before and after the extension of the model.
+//! Figure of the prediction error on held-out flights without and with the extension of the model.
 
 use diagnose::{FlightGain, Report};
 use identify::dataset::Role;
@@ -8,10 +8,11 @@ use crate::figures::Layout;
 use crate::figures::chart::{Chart, Row, Shape, axis_for};
 use crate::fit::Drawn;
 
-/// Maximum number of flights with a row.
+/// Maximum number of flights drawn as a row.
 const MOST: usize = 12;
 
-/// Draws prediction errors (mm): a row for all flights, one per held-out flight; `None` if the gain is unknown.
+/// Draws the RMS prediction errors in mm: one row for all flights, and one row for each held-out flight. `None` if
+/// the out-of-sample gain was not measured.
 pub(super) fn gain(report: &Report) -> Option<Drawn> {
     let gain = report.gain.as_ref()?;
     let mm = |metres: f64| 1e3 * metres;
@@ -79,7 +80,7 @@ pub(super) fn gain(report: &Report) -> Option<Drawn> {
     }))
 }
 
-/// Row of a flight: error before and after the extension of the model.
+/// Chart row of a flight: RMS error in mm without and with the extension.
 pub(super) fn row(flight: &FlightGain) -> Row {
     let before = 1e3 * flight.rms_before_m.unwrap_or(f64::NAN);
     let after = flight.rms_after_m.map(|rms| 1e3 * rms);

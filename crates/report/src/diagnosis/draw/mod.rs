@@ -1,4 +1,4 @@
-//! Figures of the diagnosis report, one kind per file.
+//! Figures of the diagnosis report, one kind of figure per file.
 
 mod alike;
 mod channels;
@@ -15,7 +15,7 @@ use crate::figures::Layout;
 use crate::fit::Drawn;
 use crate::fit::draw::predictions;
 
-/// Style sheet of the diagnosis figures, in addition to the common style sheet.
+/// Style sheet of the diagnosis figures; supplements the common style sheet of figures.
 pub(super) const STYLE: &str = r##"rect.bar.cause { fill: #0072b2 } rect.bar.alarm { fill: #d9813f } rect.bar.calm { fill: #b4b9c0 }
 circle.before { fill: #fff; stroke: #d55e00; stroke-width: 2 } circle.after { fill: #0072b2 } line.join { stroke: #9aa0a8; stroke-width: 2 }
 line.reach { stroke: #0072b2; stroke-width: 2 } text.strong { font-weight: 600; fill: #0060a0 } text.weak { fill: #777 }
@@ -23,7 +23,7 @@ rect.alike { fill: #00437c } rect.unknown { fill: #c9b9b9 }
 path.history { stroke: #0072b2; stroke-width: 1.4 } path.dots-after { stroke: #0072b2; stroke-width: 3; stroke-linecap: round }
 "##;
 
-/// Figures of the report, grouped by section.
+/// Figures of the report, grouped by section of the page.
 pub(super) struct Figures {
     pub(super) finding: Option<Drawn>,
     pub(super) gain: Option<Drawn>,
@@ -51,7 +51,7 @@ impl Figures {
         }
     }
 
-    /// All figures in the order of the page.
+    /// Returns all figures in the order of the page.
     pub(super) fn into_all(self) -> Vec<Drawn> {
         let mut all: Vec<Drawn> = Vec::new();
         all.extend(self.finding);
@@ -67,7 +67,8 @@ impl Figures {
     }
 }
 
-/// Draws the predictions of the held-out flights by the extended model, or by the model if it was not extended.
+/// Draws the predictions of the held-out flights by the extended model, or by the model under test if it was not
+/// extended. Empty if the fits are not available.
 fn held_out(page: &DiagnosisPage<'_>) -> Vec<Drawn> {
     let Some(fits) = &page.fits else {
         return Vec::new();
@@ -83,7 +84,8 @@ fn held_out(page: &DiagnosisPage<'_>) -> Vec<Drawn> {
     described.collect()
 }
 
-/// Draws a figure, given its caption and CSV table, in the layout `wide` and, if that is not the small layout, a second version for narrow screens.
+/// Creates a figure with the given caption and CSV table by calling `draw` for the layout `wide`. If `wide` is not
+/// the small layout, a second version is drawn in the small layout, for narrow screens.
 pub(super) fn drawn(
     name: &str,
     title: &str,
@@ -105,7 +107,7 @@ fn described(svg: &str, words: &str) -> String {
     svg.replacen("</title>\n", &more, 1)
 }
 
-/// SVG text without style sheets, for a page that includes the style sheets itself.
+/// Removes the style sheets from an SVG, for a page that already includes them.
 pub(super) fn without_style(svg: &str) -> String {
     let own = format!("<style>\n{STYLE}</style>\n");
     crate::figures::svg::without_style(&svg.replacen(&own, "", 1))

@@ -1,4 +1,5 @@
-//! Figures of the residuals of all flights end to end, of the original and of the extended model.
+//! Figures of the residuals of all flights, plotted one flight after the other, for the model under test and the
+//! extended model.
 
 use identify::FlightEvidence;
 use identify::dataset::Role;
@@ -12,10 +13,11 @@ use crate::fit::draw::MOST_FLIGHTS;
 use crate::fit::draw::residuals::panel;
 use crate::fit::thin::stride;
 
-/// Maximum number of dots per series on a narrow screen.
+/// Maximum number of dots of each series on a narrow screen.
 const NARROW_DOTS: usize = 400;
 
-/// Draws the residuals of the fitted and of the held-out flights; no figure for a role without flights.
+/// Draws one figure for the residuals of the fitted flights and one for the held-out flights; no figure for a role
+/// without flights.
 pub(super) fn residuals(page: &DiagnosisPage<'_>) -> Vec<Drawn> {
     let kinds = [
         (
@@ -67,13 +69,13 @@ pub(super) fn residuals(page: &DiagnosisPage<'_>) -> Vec<Drawn> {
     figures.collect()
 }
 
-/// Flights of one role among the drawn flights.
+/// Flights with the given role, among the flights that are drawn.
 fn of(evidence: &[FlightEvidence], role: Role) -> Vec<&FlightEvidence> {
     let drawn = evidence.iter().take(MOST_FLIGHTS);
     drawn.filter(|f| f.role == role).collect()
 }
 
-/// Panel of one axis: residuals of the original model in grey, of the extended model on top.
+/// Panel of one axis: residuals of the model under test in grey, with residuals of the extended model drawn on top.
 fn both(
     before: &[&FlightEvidence],
     after: &[&FlightEvidence],

@@ -1,4 +1,4 @@
-//! Figure of the score tests of all candidate effects.
+//! Figure of the score tests of all candidate effects, as equivalent z.
 
 use diagnose::{CandidateTest, Report};
 
@@ -8,10 +8,10 @@ use crate::figures::Layout;
 use crate::figures::chart::{Axis, Chart, Row, Shape};
 use crate::fit::Drawn;
 
-/// Maximum number of candidates that are drawn.
+/// Maximum number of candidates drawn.
 const MOST: usize = 60;
 
-/// Draws a bar per candidate, the most significant first; `None` if there are no candidates.
+/// Draws one bar for each candidate, the most significant first; `None` if there are no candidates.
 pub(super) fn sigmas(report: &Report) -> Option<Drawn> {
     let mut all: Vec<&CandidateTest> = report.candidates.iter().collect();
     // Candidates without a finite z-equivalent come last.

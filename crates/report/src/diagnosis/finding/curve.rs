@@ -12,62 +12,64 @@ use crate::angle::{is_angle, is_angle_state};
 use crate::bands::{covariance, std_error};
 use crate::figures::axis::range;
 
-/// Number of intervals of the abscissa.
+/// Number of intervals into which the range of the abscissa is divided.
 const INTERVALS: usize = 32;
-/// Minimum number of samples in an interval, and maximum number of those that are evaluated.
+/// Minimum number of samples in an interval for a point of the curve, and maximum number of samples evaluated in an
+/// interval.
 const SAMPLES: (usize, usize) = (4, 7);
-/// Maximum number of samples over which the range of the abscissa is found.
+/// Maximum number of samples, over all flights, from which the curve is computed.
 const MOST_SAMPLES: usize = 20_000;
 /// Quantiles of the abscissa between which the curve is drawn.
 const QUANTILES: (f64, f64) = (0.005, 0.995);
-/// Smallest change of the quantity along the curve, as a fraction of its size, that makes a curve worth drawing.
+/// Minimum change of the quantity along the curve, relative to its largest absolute value, for the curve to be drawn.
 const FLAT: f64 = 1e-6;
 
-/// Quantity of the extended model over a variable, and of the model without the extension at the same states.
+/// Quantity of the extended model over a variable, and the same quantity of the model without the extension at the
+/// same states.
 #[derive(Clone, Debug, PartialEq)]
 pub(in super::super) struct Curve {
-    /// Name of the quantity, as in the model.
+    /// Name of the quantity in the model.
     pub(in super::super) quantity: String,
-    /// What it is, by its documentation; empty without one.
+    /// Description of the quantity, from its documentation; empty if it has none.
     pub(in super::super) doc: String,
-    /// Unit of the quantity.
+    /// SI unit of the quantity, as text.
     pub(in super::super) unit: String,
-    /// Name of the variable.
+    /// Name of the variable on the abscissa.
     pub(in super::super) over: String,
     /// Documentation of the variable up to its first comma; empty without one.
     pub(in super::super) over_doc: String,
-    /// Unit of the variable, `°` for angles.
+    /// Unit of the variable as text: `°` for angles, otherwise SI.
     pub(in super::super) over_unit: String,
-    /// Points in the order of the variable.
+    /// Points of the curve in ascending order of the variable.
     pub(in super::super) points: Vec<Point>,
 }
 
-/// Medians of the samples within an interval of the abscissa.
+/// Point of a curve: medians of the samples within one interval of the abscissa.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in super::super) struct Point {
-    /// Value of the variable, degrees for angles, else SI.
+    /// Value of the variable, in degrees for angles, otherwise SI.
     pub(in super::super) x: f64,
-    /// Value without the extension; not a number if the model has no such quantity.
+    /// Value of the quantity without the extension, SI; NaN if the model lacks the quantity.
     pub(in super::super) before: f64,
-    /// Value with the extension.
+    /// Value of the quantity with the extension, SI.
     pub(in super::super) after: f64,
-    /// Standard error of the value with the extension.
+    /// Standard error of the value with the extension, SI.
     pub(in super::super) error: f64,
-    /// Number of samples in the interval.
+    /// Number of samples in the interval, including those that were not evaluated.
     pub(in super::super) samples: usize,
 }
 
-/// Variable over which a curve is drawn.
+/// Variable on the abscissa of a curve.
 #[derive(Clone, Copy)]
 enum Abscissa {
     State(usize),
-    /// Index among the quantities of the layout, and among the model's auxiliary variables.
+    /// Index among the quantities of the layout, and index among the model's auxiliary variables.
     Quantity(usize, usize),
     Time,
 }
 
-/// Curve of the first quantity that one of these effects changes; `None` if they change no scalar quantity that depends on
-/// a scalar variable.
+/// Curve of the first scalar quantity that one of the effects changes; `None` if the effects change no scalar
+/// quantity that depends on a scalar variable, or the curve is flat.
 pub(super) fn of<'n>(fits: &Fits<'_>, effects: impl IntoIterator<Item = &'n str>) -> Option<Curve> {
     let after = fits.after?;
     let model = &after.problem().model;
@@ -83,7 +85,8 @@ pub(super) fn of<'n>(fits: &Fits<'_>, effects: impl IntoIterator<Item = &'n str>
     })
 }
 
-/// The variable on which the definition of an auxiliary variable depends; one that the effect names goes first.
+/// Variable on which the definition of the auxiliary variable `at` depends, preferably one that the effect names;
+/// `None` if there is no scalar variable.
 fn abscissa(after: &Fit, at: usize, effect: usize) -> Option<Abscissa> {
     let model = &after.problem().model;
     let mut found = Vec::new();
@@ -105,7 +108,8 @@ fn abscissa(after: &Fit, at: usize, effect: usize) -> Option<Abscissa> {
     first.or(usable.first()).map(|(abscissa, _)| *abscissa)
 }
 
-/// Scalar variables that an expression reads; those that the same effect defines are followed.
+/// Collects the scalar variables that an expression reads. A variable that the effect defines is replaced by the
+/// variables in its definition.
 fn collect<'m>(model: &'m Model, expr: &'m Expr, effect: usize, found: &mut Vec<&'m ExprKind>) {
     match &expr.kind {
         ExprKind::AuxVariable(k) if model.aux_variables[*k].effect == Some(effect) => {
@@ -120,7 +124,7 @@ fn collect<'m>(model: &'m Model, expr: &'m Expr, effect: usize, found: &mut Vec<
     }
 }
 
-/// A sample: flight, time, state.
+/// Sample of a fitted flight: flight index, time, state, and value of the abscissa.
 struct Sample<'f> {
     flight: usize,
     t: f64,
@@ -207,7 +211,7 @@ fn unit_of(model: &Model, over: Abscissa) -> String {
     }
 }
 
-/// Medians in each interval that has enough samples; samples are in the order of the abscissa.
+/// Points of the intervals with enough samples; `samples` are sorted by the abscissa.
 fn points(samples: &[Sample<'_>], models: &Models<'_>) -> Vec<Point> {
     let Some(last) = samples.len().checked_sub(1) else {
         return Vec::new();
@@ -240,16 +244,17 @@ fn points(samples: &[Sample<'_>], models: &Models<'_>) -> Vec<Point> {
     }
 }
 
-/// The quantity by both models, with derivatives by the global parameters of the extended one.
+/// Fits of both models, for evaluating the quantity at a sample, with its standard error from the covariance of the
+/// extended model.
 struct Models<'f> {
     before: &'f Fit,
     after: &'f Fit,
     flights: Vec<(Option<&'f Observations>, Option<&'f Observations>)>,
-    /// Positions of the quantity among the quantities of both models.
+    /// Index of the quantity among the quantities of each model; `None` if the model without the extension lacks it.
     positions: (Option<usize>, usize),
-    /// Step of each global parameter: its standard error, SI.
+    /// Finite-difference step of each global parameter: its standard error, SI.
     steps: Vec<f64>,
-    /// Correlations of the global parameters, 0 for those without a standard error.
+    /// Correlation matrix of the global parameters; 0 for parameters without a standard error.
     correlations: DMatrix<f64>,
 }
 
@@ -288,7 +293,8 @@ impl<'f> Models<'f> {
         }
     }
 
-    /// Value without the extension, with it, and its standard error.
+    /// Value of the quantity without the extension, value with the extension, and standard error of the latter, at a
+    /// sample.
     fn values(&self, sample: &Sample<'_>) -> [f64; 3] {
         let (before, after) = self.flights[sample.flight];
         let unextended = match (before, self.positions.0) {

@@ -1,4 +1,4 @@
-//! The first figure of the page: what the finding is.
+//! First figure of the page: illustration of the main finding.
 
 use diagnose::{CandidateTest, Report, Verdict};
 
@@ -11,14 +11,14 @@ use crate::figures::{Bar, Layout, Line, Panel, figure_of, symbol};
 use crate::fit::Drawn;
 use crate::fit::numbers::{Digits, unit};
 
-/// Name of the figure.
+/// Name of the figure's file.
 const NAME: &str = "finding";
 /// Maximum number of rows of a chart.
 const MOST_ROWS: usize = 10;
-/// Half width of a 95 % interval, standard errors.
+/// Half width of a 95 % confidence interval, in standard errors.
 const WIDTH_95: f64 = 1.96;
 
-/// Label of a value with its unit.
+/// Label of an axis: the name `name` and the unit `of`.
 fn with_unit(name: &str, of: &str) -> String {
     match unit(of).as_str() {
         "" => name.to_owned(),
@@ -26,7 +26,8 @@ fn with_unit(name: &str, of: &str) -> String {
     }
 }
 
-/// Draws the quantity of the model before and after over its variable, with its 95 % band and the number of samples.
+/// Draws the quantity of the model without and with the extension over its variable, with the 95 % confidence band
+/// and the number of samples.
 pub(super) fn curve(curve: &Curve) -> Drawn {
     let line = |name: &str, of: fn(&super::curve::Point) -> f64| Line {
         name: name.into(),
@@ -78,7 +79,8 @@ pub(super) fn curve(curve: &Curve) -> Drawn {
     })
 }
 
-/// Draws the estimates of the first explanation against their smallest sizes of interest, or in standard errors.
+/// Draws the estimates of the first explanation, in units of their smallest sizes of interest if all are declared,
+/// otherwise in standard errors. `None` if there are no estimates.
 pub(super) fn estimates(report: &Report) -> Option<Drawn> {
     let effects = report.causes.first()?.effects.iter();
     let all = effects.flat_map(|e| &e.estimates);
@@ -131,7 +133,7 @@ pub(super) fn estimates(report: &Report) -> Option<Drawn> {
     Some(charted(&chart, caption))
 }
 
-/// Draws the strongest score tests against the threshold.
+/// Draws the most significant score tests with the significance threshold; `None` if there are no candidates.
 pub(super) fn strongest(report: &Report) -> Option<Drawn> {
     let mut all: Vec<&CandidateTest> = report.candidates.iter().collect();
     all.retain(|c| c.z.is_finite());

@@ -1,4 +1,4 @@
-//! The opening of the page: the finding in words, one figure of it, and what to do next.
+//! Opening section of the page: the main finding in sentences, one figure, and the recommended next step.
 
 mod curve;
 mod draw;
@@ -10,18 +10,18 @@ use serde::Serialize;
 use super::DiagnosisPage;
 use crate::fit::Drawn;
 
-/// Words of the opening.
+/// Sentences of the opening section.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(super) struct Finding {
-    /// What is wrong with the model, and by how much.
+    /// States which effect the model lacks, and its size.
     pub(super) what: String,
-    /// How sure it is.
+    /// States how certain the finding is.
     pub(super) sure: String,
-    /// What to do next.
+    /// Recommends the next step.
     pub(super) next: String,
 }
 
-/// Finding with its figure; no figure if there is nothing to draw.
+/// Writes the opening section and draws its figure; the figure is `None` if there is nothing to draw.
 pub(super) fn finding(page: &DiagnosisPage<'_>) -> (Finding, Option<Drawn>) {
     let report = page.report;
     let effects = || {

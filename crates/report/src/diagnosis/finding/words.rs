@@ -1,4 +1,4 @@
-//! Sentences of the opening: what is wrong, how sure it is, what to do next.
+//! Sentences of the opening section: the finding, its certainty, and the recommended next step.
 
 use diagnose::{Cause, CauseEffect, Estimate, Report, Verdict};
 use identify::wording::count;
@@ -10,15 +10,17 @@ use crate::fit::numbers::{Digits, percent, plain, significant, unit};
 use crate::fit::page::sentence;
 use crate::fit::words::names;
 
-/// Standard errors from zero that are far beyond chance in any number of diagnoses.
+/// Minimum distance of an estimate from zero, in standard errors, to be called far beyond chance; large enough for
+/// any number of diagnoses.
 const BEYOND_CHANCE: f64 = 8.0;
-/// Probability above which the least of many p-values, corrected for their number, is nothing unusual.
+/// Bonferroni-corrected p-value above which the strongest remaining candidate is attributed to chance.
 const USUAL: f64 = 0.05;
 
-/// Least share of the samples that lie at a point of the curve or beyond for the point to be named.
+/// Minimum fraction of the samples that must lie on either side of a point of the curve (the point included) for the
+/// point to be named in a sentence.
 const LEAST_SHARE: f64 = 0.025;
 
-/// What is wrong, with its size.
+/// Sentences that state which effect the model lacks, and its size.
 pub(super) fn what(report: &Report, curve: Option<&Curve>) -> String {
     let first = report.causes.first();
     let model = &report.model;
@@ -71,7 +73,7 @@ fn joined(parts: impl IntoIterator<Item = String>) -> String {
     parts.collect::<Vec<_>>().join(" ")
 }
 
-/// What the effects of a cause say.
+/// Descriptions of the effects of a cause, as sentences.
 fn says(cause: &Cause) -> String {
     let each = cause.effects.iter().map(|effect| match effect.doc.trim() {
         "" => sentence(&words::readable(&effect.name)),
@@ -80,7 +82,7 @@ fn says(cause: &Cause) -> String {
     joined(each)
 }
 
-/// Size of a cause: where the curve differs most, or the estimates.
+/// Sentence on the size of a cause: the point where the curve differs most, or the estimates if there is no curve.
 fn size(curve: Option<&Curve>, cause: Option<&Cause>) -> String {
     let estimates = || {
         let effects = cause.into_iter().flat_map(|cause| &cause.effects);
@@ -132,7 +134,8 @@ fn article(noun: &str) -> &'static str {
     }
 }
 
-/// The point where the curves differ most, among those with enough samples further out.
+/// Point at which the curves without and with the extension differ most, among points with enough samples on either
+/// side; `None` if there is none.
 fn farthest(curve: &Curve) -> Option<Point> {
     let size = |p: &Point| match p.before.is_finite() {
         true => (p.after - p.before).abs(),
@@ -160,7 +163,8 @@ fn estimate(name: &str, e: &Estimate) -> String {
     text.trim_end().to_owned()
 }
 
-/// Estimate of a cause that is the most standard errors from zero.
+/// Estimate of a cause that is the most standard errors from zero: its effect, its name, and the number of standard
+/// errors.
 fn clearest(cause: &Cause) -> Option<(&CauseEffect, &String, f64)> {
     let effects = cause.effects.iter();
     let all = effects.flat_map(|effect| effect.estimates.iter().map(move |(n, e)| (effect, n, e)));
@@ -169,7 +173,7 @@ fn clearest(cause: &Cause) -> Option<(&CauseEffect, &String, f64)> {
     known.max_by(|a, b| a.2.total_cmp(&b.2))
 }
 
-/// How sure the finding is.
+/// Sentences that state how certain the finding is.
 pub(super) fn sure(report: &Report) -> String {
     let tested = count(report.candidates.len(), "effect");
     let threshold = words::sigmas(report.threshold.z);
@@ -193,7 +197,7 @@ pub(super) fn sure(report: &Report) -> String {
              is {} (p = {}{}).",
             words::readable(&r.name),
             words::probability(r.p),
-            // The least of many: Bonferroni.
+            // Bonferroni correction for the number of candidates.
             match r.p * report.candidates.len() as f64 > USUAL {
                 true => ", as chance gives among so many",
                 false => "",
@@ -259,7 +263,7 @@ pub(super) fn sure(report: &Report) -> String {
     }
 }
 
-/// What to do next.
+/// Sentences that recommend the next step.
 pub(super) fn next(page: &DiagnosisPage<'_>) -> String {
     let report = page.report;
     if !page.reasons_against.is_empty() {

@@ -7,13 +7,14 @@ use crate::figures::svg::{Svg, cut};
 
 const WIDTH: f64 = 360.0;
 const LETTERS: f64 = 13.0;
-/// Maximum numbers of coefficients that are drawn (`MOST`) and whose values are printed (`MOST_WRITTEN`).
+/// Maximum number of coefficients drawn.
 const MOST: usize = 40;
+/// Maximum number of coefficients for which the values are printed in the cells.
 const MOST_WRITTEN: usize = 12;
 /// Maximum number of coefficients for which the diagonal shows names instead of numbers.
 const MOST_NAMED: usize = 8;
 
-/// Draws the lower triangle of the correlation matrix of estimated coefficients; `None` for fewer than two.
+/// Draws the lower triangle of the correlation matrix of the estimated coefficients; `None` for fewer than two.
 pub(in super::super) fn correlations(page: &FitPage<'_>) -> Option<Drawn> {
     let report = page.report;
     let estimated = |name: &&String| report.coefficients.get(*name).is_none_or(|c| !c.held);
@@ -23,7 +24,7 @@ pub(in super::super) fn correlations(page: &FitPage<'_>) -> Option<Drawn> {
     if names.len() < 2 {
         return None;
     }
-    // Few coefficients have their names on the diagonal; otherwise the columns are numbered there.
+    // For few coefficients, the diagonal shows their names; otherwise the columns are numbered there.
     let named = names.len() <= MOST_NAMED;
     let label = |i: usize| match named {
         true => names[i].clone(),
@@ -85,7 +86,7 @@ pub(in super::super) fn correlations(page: &FitPage<'_>) -> Option<Drawn> {
     Some(Drawn::new("correlations".into(), title.into(), texts))
 }
 
-/// Draws the colour scale, correlation −1 to 1, at (`left`, `top`), pixels.
+/// Draws the colour scale for correlations from −1 to 1, with its upper left corner at (`left`, `top`), SVG units.
 fn scale(svg: &mut Svg, left: f64, top: f64) {
     let steps = 40;
     let wide = (WIDTH - left - 30.0) / f64::from(steps);
@@ -103,13 +104,14 @@ fn scale(svg: &mut Svg, left: f64, top: f64) {
     }
 }
 
-/// Formats a correlation briefly, such as `−.87`, for a cell of width `side`, pixels.
+/// Formats a correlation briefly, such as `−.87`, for a cell of width `side`, SVG units.
 fn short(value: f64, side: f64) -> String {
     let text = plain(value, if side < 27.0 { 1 } else { 2 });
     text.replacen("0.", ".", 1)
 }
 
-/// Colour of a correlation: blue (−1) through white (0) to orange (1), safe for colour blindness; grey if not finite.
+/// Colour of a cell: from blue (−1) through white (0) to orange (1), distinguishable for the colour-blind; grey if
+/// not finite.
 fn colour(value: f64) -> String {
     if !value.is_finite() {
         return "#bbb".to_owned();

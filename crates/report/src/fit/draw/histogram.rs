@@ -7,10 +7,10 @@ use super::super::Drawn;
 use super::small;
 use crate::figures::{Bar, Panel};
 
-/// Minimum number of flights for which a histogram is drawn.
+/// Minimum number of flights for which the histogram is drawn.
 const LEAST: usize = 8;
 
-/// Draws the histogram of RMS residuals (mm) of the fitted flights; `None` for fewer than 8 flights.
+/// Draws the histogram of the RMS residuals (mm) of the fitted flights; `None` for fewer than [`LEAST`] flights.
 pub(in super::super) fn histogram(report: &FitReport) -> Option<Drawn> {
     let mut rms: Vec<f64> = report.used(Role::Fit).map(|f| 1e3 * f.rms()).collect();
     rms.retain(|v| v.is_finite());
@@ -19,7 +19,8 @@ pub(in super::super) fn histogram(report: &FitReport) -> Option<Drawn> {
     }
     rms.sort_by(f64::total_cmp);
     let low = rms[0];
-    // The upper limit is the 98 % quantile, so that a few bad flights do not press the others into one bar.
+    // The upper limit is the 98 % quantile, so that a few flights with large residuals do not compress the others
+    // into one bar.
     let usual = rms[(rms.len() - 1) * 98 / 100];
     let high = if usual > low {
         usual

@@ -1,4 +1,4 @@
-//! Figures of the fit report, one kind per file.
+//! Figures of the fit report, one kind of figure per file.
 
 mod correlations;
 mod histogram;
@@ -26,15 +26,16 @@ use super::Drawn;
 use crate::figures::csv::of_panels;
 use crate::figures::{Layout, Panel, figure_of};
 
-/// Maximum number of flights that are drawn.
+/// Maximum number of flights drawn in a figure, or with one figure each.
 pub(crate) const MOST_FLIGHTS: usize = 12;
 
+/// Draws the panels in the small layout as a figure with CSV data.
 pub(crate) fn small(name: String, title: String, caption: String, panels: &[Panel]) -> Drawn {
     let svg = figure_of(Layout::SMALL, &title, panels);
     Drawn::new(name, title, [caption, svg, of_panels(panels)])
 }
 
-/// Sample indices for which times, measurements and predictions all exist.
+/// Range of sample indices for which times, measurements and predictions all exist.
 fn samples(flight: &FlightEvidence) -> std::ops::Range<usize> {
     let lengths = [flight.measured.len(), flight.predicted.len()];
     0..lengths.into_iter().fold(flight.times.len(), usize::min)
@@ -45,7 +46,7 @@ fn seen(flight: &FlightEvidence, sample: usize, marker: usize) -> Option<[f64; 3
     flight.measured[sample].get(marker).copied().flatten()
 }
 
-/// Whether a measured marker position was classified as an outlier.
+/// Whether a measured marker position was classified as an outlier; false if unknown.
 fn is_outlier(flight: &FlightEvidence, sample: usize, marker: usize) -> bool {
     let row = flight.outlier.get(sample);
     row.and_then(|row| row.get(marker))

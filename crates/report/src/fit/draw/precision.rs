@@ -1,4 +1,4 @@
-//! First figure of the page of a fit: how precisely the flights determine each coefficient.
+//! First figure of the fit page: relative standard error of each coefficient.
 
 use super::super::{Drawn, FitPage};
 use crate::bands::std_error;
@@ -6,12 +6,13 @@ use crate::figures::Layout;
 use crate::figures::chart::{Axis, Chart, Row, Shape};
 use crate::fit::numbers::percent;
 
-/// Relative standard errors between which the axis extends, %.
+/// Minimum and maximum of the axis of relative standard errors, %.
 const AXIS: (f64, f64) = (0.1, 1e3);
-/// Maximum number of rows.
+/// Maximum number of coefficients drawn, one row each.
 const MOST: usize = 24;
 
-/// Draws the relative standard error of each estimated coefficient, the most precise first; `None` without one.
+/// Draws the relative standard error of each estimated coefficient, the smallest first; `None` if no coefficient was
+/// estimated.
 pub(in super::super) fn precision(page: &FitPage<'_>) -> Option<Drawn> {
     let found = page.coefficients().into_iter();
     let sizes = found.map(|(name, c)| (name, c, std_error(c) / c.value.abs()));

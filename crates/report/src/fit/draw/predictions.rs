@@ -1,4 +1,4 @@
-//! Figures of the prediction of held-out flights: errors over time with the band that the fit predicts for them.
+//! Figures of the predictions of held-out flights: prediction errors over time, with their expected 95 % band.
 
 use identify::dataset::Role;
 use identify::{Fit, FlightEvidence, FlightId};
@@ -9,14 +9,15 @@ use super::{is_outlier, predicted, samples, seen, small};
 use crate::bands::{PredictionBand, prediction_band};
 use crate::figures::{Dots, Look, Mark, Panel};
 
-/// Maximum number of flights that are drawn.
+/// Maximum number of flights drawn, one figure each.
 const MOST_FLIGHTS: usize = 6;
 /// Maximum number of dots of a series.
 const MOST_DOTS: usize = 400;
-/// Half width of a 95 % interval, standard errors.
+/// Half width of a 95 % confidence interval, in standard errors.
 const WIDTH_95: f64 = 1.96;
 
-/// Draws the prediction errors of each held-out flight, by `fit` and, in grey, those in `before` by another model.
+/// Draws the prediction errors of each held-out flight by `fit`, whose predictions are in `evidence`. Errors by
+/// another model, with predictions in `before`, are drawn in grey.
 pub(crate) fn predictions(
     fit: &Fit,
     evidence: &[FlightEvidence],
@@ -95,7 +96,7 @@ fn figure(
     small(name, flight.file.clone(), caption, &panels)
 }
 
-/// Times (s) and prediction errors (mm) along an axis, outliers excluded.
+/// Times (s) and prediction errors (mm) along one axis, for all markers, without outliers.
 fn errors(flight: &FlightEvidence, axis: usize) -> Vec<(f64, f64)> {
     let mut errors = Vec::new();
     for sample in samples(flight) {

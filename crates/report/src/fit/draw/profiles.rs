@@ -1,4 +1,5 @@
-//! Figures of profile likelihoods: deviance with one coefficient fixed and all others refitted.
+//! Figures of profile likelihoods: deviance as a function of one fixed coefficient, with all other parameters
+//! refitted.
 
 use identify::FitReport;
 
@@ -7,12 +8,12 @@ use super::super::numbers::{Digits, raised, unit};
 use super::small;
 use crate::figures::{Dots, Line, Look, Mark, Panel};
 
-/// Deviance at which a value is rejected at the 5 % level: 95 % quantile of χ²(1).
+/// Deviance above which a value of the coefficient is rejected at the 5 % level: 95 % quantile of χ²(1).
 const LEVEL: f64 = 3.84;
-/// Maximum number of profiles that are drawn.
+/// Maximum number of profiles drawn.
 const MOST_PROFILES: usize = 24;
 
-/// Draws one figure per profile likelihood.
+/// Draws one figure for each profile likelihood in the report.
 pub(in super::super) fn profiles(report: &FitReport) -> Vec<Drawn> {
     let wanted = report.profiles.iter().take(MOST_PROFILES).enumerate();
     wanted

@@ -1,4 +1,5 @@
-//! Figures of the residuals of all flights end to end, as in Figure 4 of Hubbard & Hummel (2000).
+//! Figures of the residuals of all flights, plotted one flight after the other, as in Figure 4 of Hubbard & Hummel
+//! (2000).
 
 use identify::dataset::Role;
 use identify::{FlightEvidence, NoiseReport};
@@ -9,12 +10,13 @@ use super::{MOST_FLIGHTS, is_outlier, predicted, samples, seen};
 use crate::figures::csv::of_panels;
 use crate::figures::{Dots, Layout, Look, Mark, Panel, figure_of};
 
-/// Maximum number of dots in a panel.
+/// Maximum number of dots in a panel, over all markers.
 const MOST_DOTS: usize = 1500;
-/// Maximum number of dots per marker on a narrow screen.
+/// Maximum number of dots for each marker on a narrow screen.
 const NARROW_DOTS: usize = 150;
 
-/// Draws the residuals of the fitted flights and of the held-out flights; no figure for a role without flights.
+/// Draws one figure for the residuals of the fitted flights and one for the held-out flights; no figure for a role
+/// without flights.
 pub(in super::super) fn residuals(evidence: &[FlightEvidence], noise: &NoiseReport) -> Vec<Drawn> {
     let of = |role: Role| {
         let flights = evidence.iter().take(MOST_FLIGHTS);
@@ -70,7 +72,8 @@ pub(in super::super) fn residuals(evidence: &[FlightEvidence], noise: &NoiseRepo
     kinds.into_iter().filter_map(figure).collect()
 }
 
-/// Panel of residuals (measured − predicted, mm) along `axis` (0 x, 1 y, 2 z); `sigma`: noise standard deviation, m.
+/// Panel of the residuals (measured − predicted, mm) along `axis` (0 x, 1 y, 2 z), one flight after the other;
+/// `sigma` is the standard deviation of the noise, m.
 pub(crate) fn panel(flights: &[&FlightEvidence], axis: usize, name: &str, sigma: f64) -> Panel {
     let markers = flights.iter().map(|f| f.markers.len()).max().unwrap_or(0);
     let mut dots: Vec<Vec<(f64, f64)>> = vec![Vec::new(); markers];

@@ -1,5 +1,5 @@
-//! Figures of the states over time, as in Figures 5 and 6 of Hubbard & Hummel (2000), with angle of attack and airspeed
-//! where the model defines these quantities.
+//! Figures of the states over time, as in Figures 5 and 6 of Hubbard & Hummel (2000), with angle of attack, airspeed
+//! and spin if the model defines these quantities.
 
 use identify::FlightEvidence;
 use model_spec::model::Model;
@@ -9,19 +9,19 @@ use super::super::thin::{MOST, curve};
 use super::{MOST_FLIGHTS, samples, small};
 use crate::figures::{Line, Panel, StateLabel, groups, symbol, what};
 
-/// Largest ratio of the peak magnitudes of two lines in one panel: in a small panel the wobble of the angular rates
-/// must remain visible next to the spin.
+/// Maximum ratio of the peak magnitudes of two states that share a panel. In a small panel, the nutation of the
+/// angular rates must remain visible next to the spin.
 const APART: f64 = 3.0;
-/// Maximum number of lines in a figure.
+/// Maximum number of states drawn in a figure.
 const MOST_LINES: usize = 24;
-/// Quantities that are drawn if the model defines them: name, title, unit.
+/// Quantities that are drawn in addition to the states if the model defines them: name, title and unit.
 const QUANTITIES: [(&str, &str, &str); 3] = [
     ("alpha", "Angle of attack α", "rad"),
     ("V", "Airspeed V", "m/s"),
     ("r", "Spin r", "rad/s"),
 ];
 
-/// Draws the states of each flight over time, one figure per flight.
+/// Draws the fitted states of each flight over time, one figure for each flight.
 pub(in super::super) fn states(evidence: &[FlightEvidence], model: &Model) -> Vec<Drawn> {
     let flights = evidence.iter().take(MOST_FLIGHTS).enumerate();
     let figures = flights.filter_map(|(i, flight)| state_figure(i, flight, model));
@@ -97,7 +97,7 @@ fn state_panels(flight: &FlightEvidence, model: &Model) -> Vec<Panel> {
         .collect()
 }
 
-/// Line of column `at` of a table over time (s); `name` becomes the label.
+/// Line of column `at` of a table (rows are samples) over time in s, labelled with the symbol of `name`.
 fn column(flight: &FlightEvidence, table: &[Vec<f64>], at: usize, name: &str) -> Line {
     let value = |s: usize| table.get(s).and_then(|row| row.get(at)).copied();
     let points = samples(flight).map(|s| (flight.times[s], value(s).unwrap_or(f64::NAN)));

@@ -8,12 +8,12 @@ use super::{MOST_FLIGHTS, is_outlier, predicted, samples, seen, small};
 use crate::figures::axis::range;
 use crate::figures::{Dots, Line, Look, Panel};
 
-/// Maximum number of markers that are drawn: the number of distinct colours.
+/// Maximum number of markers drawn: the number of distinct line colours.
 const MOST_MARKERS: usize = 4;
-/// Maximum number of dots per marker; more would hide the line.
+/// Maximum number of dots for each marker; more dots would hide the line.
 const MOST_DOTS: usize = 80;
 
-/// Draws the marker paths of each flight: top view, and height over time.
+/// Draws the measured and predicted marker paths of each flight: top view, and height over time.
 pub(in super::super) fn tracks(evidence: &[FlightEvidence]) -> Vec<Drawn> {
     let flights = evidence.iter().take(MOST_FLIGHTS).enumerate();
     let maps: Vec<Panel> = evidence.iter().take(MOST_FLIGHTS).map(map).collect();
@@ -30,7 +30,7 @@ fn map(flight: &FlightEvidence) -> Panel {
     panel(flight, |_, p| (p[0], p[1]))
 }
 
-/// Aspect ratio of a top view, height over width, 10 % margin included.
+/// Aspect ratio (height over width) of a top view, including a margin of 10 %.
 fn shape(map: &Panel) -> f64 {
     let points = || map.lines.iter().flat_map(|line| &line.points);
     let (x, y) = (range(points().map(|p| p.0)), range(points().map(|p| p.1)));
@@ -70,7 +70,8 @@ fn track(index: usize, flight: &FlightEvidence, map: Panel, tall: f64) -> Drawn 
     )
 }
 
-/// Panel of measured and predicted marker positions; `at` maps time (s) and position (m) to panel axes.
+/// Panel of the measured and predicted marker positions of a flight; `at` maps time (s) and position (m) to a point
+/// (x, y) of the panel.
 fn panel(flight: &FlightEvidence, at: impl Fn(f64, [f64; 3]) -> (f64, f64)) -> Panel {
     let mut panel = Panel {
         thin: true,

@@ -1,4 +1,4 @@
-//! Figures of residual diagnostics: autocorrelation (whiteness) and normal Q–Q plot.
+//! Figures of the residual diagnostics: autocorrelation (whiteness) and normal Q–Q plot.
 
 use identify::{AxisResiduals, FitReport};
 
@@ -7,7 +7,7 @@ use super::super::thin::{MOST, stride};
 use super::small;
 use crate::figures::{Dots, Line, Look, Panel};
 
-/// Draws autocorrelation and Q–Q plot of the residuals, one figure per axis.
+/// Draws the autocorrelation and the normal Q–Q plot of the residuals, one figure for each axis.
 pub(in super::super) fn whiteness(report: &FitReport) -> Vec<Drawn> {
     let axes = report.residuals.iter().take(3).enumerate();
     let figures = axes.filter_map(|(i, (axis, found))| figure(i, axis, found));
@@ -21,7 +21,7 @@ fn figure(index: usize, axis: &str, found: &AxisResiduals) -> Option<Drawn> {
         let values = values.iter().enumerate().skip(1).take(MOST);
         values.map(|(lag, v)| (lag as f64, *v)).collect::<Vec<_>>()
     };
-    // The dashed line is drawn over the solid one, so that both are visible where they coincide.
+    // The dashed line is drawn over the solid one, so that both are visible if they coincide.
     let lines = [
         ("raw", lags(&found.autocorrelation)),
         ("white", lags(&found.whitened_autocorrelation)),

@@ -1,4 +1,4 @@
-//! Agreement between the lifts of flights and their stated spins, compared with permuted spins.
+//! Agreement between the lift directions of flights and their stated spins, tested against permuted spins.
 
 use nalgebra::{Quaternion, UnitQuaternion};
 use rand::SeedableRng;
@@ -8,35 +8,35 @@ use rand_distr::{Distribution, StandardNormal};
 
 use super::lift::Lift;
 
-/// Number of permutations of the spins among the flights.
+/// Number of random permutations of the spins among the flights.
 const PERMUTATIONS: usize = 10_000;
 
-/// Number of random rotations applied to all spins.
+/// Number of random rotations that are applied to all spins.
 const ROTATIONS: usize = 2_000;
 
-/// Number of permutations for which the rotations are tried.
+/// Number of permutations for which the best rotation is searched.
 const ROTATED_PERMUTATIONS: usize = 20;
 
-/// Agreement between the lifts of flights and their stated spins; permutation test.
+/// Agreement between the lift directions of flights and their stated spins, with a permutation test.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Agreement {
-    /// Number of flights.
+    /// Number of flights in the test.
     pub flights: usize,
-    /// Mean cosine between the lift and ω × v.
+    /// Mean over the flights of the cosine between the lift and ω × v for the stated spin ω.
     pub cosine: f64,
-    /// Mean of that mean over permutations.
+    /// Mean of the mean cosine over permutations of the spins.
     pub permuted: f64,
-    /// Standard deviation of the mean cosine over permutations.
+    /// Standard deviation of the mean cosine over permutations of the spins.
     pub permuted_deviation: f64,
-    /// Fraction of the permutations whose mean cosine is at least as great.
+    /// Permutation p-value: fraction of the permutations with a mean cosine at least as large as `cosine`.
     pub p_value: f64,
-    /// Greatest mean cosine that a common rotation or reflection of all spins gives.
+    /// Maximum mean cosine over a set of random rotations, with and without reflection, applied to all spins in common.
     pub rotated: f64,
-    /// Mean of that greatest mean cosine over permutations.
+    /// Mean over permutations of the spins of the maximum mean cosine under rotations.
     pub rotated_permuted: f64,
 }
 
-/// Tests the agreement of some flights with permutations and rotations drawn from a seed.
+/// Tests the agreement of the flights' lifts with their spins, using permutations and rotations drawn from a seed.
 pub(super) fn agreement(lifts: &[&Lift], seed: u64) -> Agreement {
     let identity: Vec<usize> = (0..lifts.len()).collect();
     let no_rotation = UnitQuaternion::identity();
@@ -71,7 +71,8 @@ pub(super) fn agreement(lifts: &[&Lift], seed: u64) -> Agreement {
     }
 }
 
-/// Mean cosine if each flight has the spin of flight `order[k]`, rotated.
+/// Mean cosine between lift and ω × v if flight `k` has the spin of flight `order[k]`, and all spins are rotated by
+/// `rotation`.
 fn mean_cosine(lifts: &[&Lift], order: &[usize], rotation: &UnitQuaternion<f64>) -> f64 {
     let each = lifts.iter().zip(order);
     let sum: f64 = each
@@ -80,7 +81,8 @@ fn mean_cosine(lifts: &[&Lift], order: &[usize], rotation: &UnitQuaternion<f64>)
     sum / lifts.len().max(1) as f64
 }
 
-/// Greatest mean cosine over rotations and the same with a reflection through the origin, which changes every sign.
+/// Maximum mean cosine over the rotations, with and without a reflection through the origin. The reflection changes the
+/// sign of every cosine.
 fn greatest_rotated(lifts: &[&Lift], order: &[usize], rotations: &[UnitQuaternion<f64>]) -> f64 {
     let means = rotations
         .iter()
@@ -95,7 +97,7 @@ mod tests {
 
     #[test]
     fn spins_in_other_axes_agree_once_they_are_rotated() {
-        // Right spins, all given in axes rotated by a right angle about y.
+        // Right spins, all stated in axes rotated by a right angle about y.
         let rotated: Vec<Lift> = (0..24)
             .map(|k| f64::from(k) * 0.7)
             .map(|a| lift([a.cos(), 0.0, a.sin()], [a.sin(), 0.1, -a.cos()]))

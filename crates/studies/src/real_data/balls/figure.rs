@@ -1,4 +1,4 @@
-//! Figure of the balls: side of the lift by file, and lift coefficient by advance ratio.
+//! Figure of the ball study: direction of the lift by file, and lift coefficient by advance ratio.
 
 use report::figures::{Dots, Line, Look, Panel, figure};
 
@@ -6,7 +6,7 @@ use super::lift::Lift;
 use super::results::Balls;
 use super::stretches::{is_agreeing, number};
 
-/// The figure, SVG.
+/// Draws the figure of the ball study as SVG.
 pub(in super::super) fn balls_figure(balls: &Balls) -> String {
     let dots = |look: Look, agreeing: bool, point: fn(&Lift) -> (f64, f64)| {
         let lifts = balls.lifts.iter();

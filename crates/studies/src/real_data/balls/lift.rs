@@ -1,4 +1,4 @@
-//! The lift of each flight, from its path alone, and the spin that was stated for it.
+//! Estimates the lift of each flight from its trajectory alone, for comparison with the stated spin.
 
 use identify::dataset::{Dataset, Flight, KnownValue, Role};
 use identify::{Fit, FitOptions, FitReport, FlightEvidence, fit};
@@ -8,46 +8,46 @@ use nalgebra::Vector3;
 use super::models::{LIFT_OF_EACH_FLIGHT, with_effects};
 use crate::error::StudyError;
 
-/// The lift of a flight.
+/// Estimated lift and stated spin of a flight.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Lift {
-    /// File of the flight.
+    /// File name of the flight.
     pub(super) file: String,
-    /// Mean speed, m/s.
+    /// Mean speed of the flight, m/s.
     pub(super) speed: f64,
-    /// Unit vector from the first to the last position.
+    /// Unit vector from the first to the last measured position.
     pub(super) direction: Vector3<f64>,
-    /// Lift coefficient, as a vector along the axis about which the lift turns the path.
+    /// Lift coefficient as a vector along the axis about which the lift rotates the velocity.
     pub(super) turn: Vector3<f64>,
-    /// Stated spin ω as the vector radius ω / speed.
+    /// Stated spin vector, normalised: radius ω / speed.
     pub(super) spin: Vector3<f64>,
-    /// Root mean square residual along y, m.
+    /// RMS residual along y, m.
     pub(super) residual_along: f64,
 }
 
 impl Lift {
-    /// Lift coefficient, in any direction across the path.
+    /// Magnitude of the lift coefficient, perpendicular to the path in any direction.
     pub(super) fn coefficient(&self) -> f64 {
         self.across(self.turn).norm()
     }
 
-    /// Advance ratio: radius × spin across the path / speed.
+    /// Advance ratio: radius × spin component perpendicular to the path / speed.
     pub(super) fn advance_ratio(&self) -> f64 {
         self.across(self.spin).norm()
     }
 
-    /// Cosine of the angle between the lift and the direction ω × v for a spin `spin`.
+    /// Cosine of the angle between the lift and ω × v, for a spin ω along `spin`.
     pub(super) fn cosine_with(&self, spin: Vector3<f64>) -> f64 {
         let (turn, spin) = (self.across(self.turn), self.across(spin));
         turn.dot(&spin) / (turn.norm() * spin.norm()).max(f64::MIN_POSITIVE)
     }
 
-    /// Cosine of the angle between the lift and ω × v for the stated spin.
+    /// Cosine of the angle between the lift and ω × v, for the stated spin ω.
     pub(super) fn cosine(&self) -> f64 {
         self.cosine_with(self.spin)
     }
 
-    /// Lift coefficient along ω × v for the stated spin.
+    /// Component of the lift coefficient along ω × v, for the stated spin ω.
     pub(super) fn coefficient_by_spin(&self) -> f64 {
         self.coefficient() * self.cosine()
     }
@@ -57,8 +57,8 @@ impl Lift {
     }
 }
 
-/// The lift of each flight, and the fit that gives it, in which all flights take part. Flights that cannot be fitted or
-/// have no stated spin are absent.
+/// Fits all flights together with a free lift vector for each flight. Returns the lifts and the report of the fit.
+/// Flights that cannot be fitted or have no stated spin are left out.
 pub(super) fn lifts(
     model: &Model,
     flights: &Dataset,
@@ -81,7 +81,7 @@ pub(super) fn lifts(
     };
     let (mass, radius, rho) = (constant("m")?, constant("radius")?, constant("rho")?);
     let area = std::f64::consts::PI * radius * radius;
-    // A lift coefficient C at a speed v turns the path at the rate ρ A C v / 2m.
+    // A lift coefficient C at speed v rotates the velocity at the rate ρ A C v / 2m.
     let scale = |speed: f64| 2.0 * mass / (rho * area * speed);
     let flights = all.flights.iter().enumerate();
     let lifts = flights.filter_map(|(index, flight)| lift(&fitted, index, flight, scale, radius));
@@ -113,7 +113,8 @@ fn lift(
     })
 }
 
-/// Mean velocity (m/s) between the first and the last measured position; `None` if it is 0.
+/// Mean velocity (m/s) between the first and the last measured position; `None` if it is zero or fewer than two
+/// positions are measured.
 fn mean_velocity(flight: &Flight) -> Option<Vector3<f64>> {
     let samples = flight.times.iter().zip(&flight.positions);
     let mut measured = samples.filter_map(|(t, row)| Some((*t, Vector3::from((*row.first()?)?))));
@@ -123,7 +124,7 @@ fn mean_velocity(flight: &Flight) -> Option<Vector3<f64>> {
     (velocity.norm() > 0.0).then_some(velocity)
 }
 
-/// Root mean square residual along y, m.
+/// RMS residual along y, m.
 fn residual_along(evidence: &FlightEvidence) -> f64 {
     let residuals = (0..evidence.times.len()).filter_map(|sample| evidence.residual(sample, 0));
     let (squares, count) = residuals.fold((0.0, 0.0_f64), |(squares, count), residual| {
@@ -136,7 +137,7 @@ fn residual_along(evidence: &FlightEvidence) -> f64 {
 pub(super) mod tests {
     use super::*;
 
-    /// A ball that flies down y, turned about x and z, with a spin.
+    /// A ball that flies along -y, with the given lift vector and spin.
     pub(in super::super) fn lift(turn: [f64; 3], spin: [f64; 3]) -> Lift {
         Lift {
             file: "flight001.csv".into(),

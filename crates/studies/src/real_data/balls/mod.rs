@@ -1,4 +1,5 @@
-//! Table-tennis balls whose spin was measured apart from their path: what lifts them, and whether it is their spin.
+//! Table-tennis balls whose spin was measured independently of their trajectory: whether the measured spin explains
+//! their lift.
 
 mod agreement;
 mod figure;

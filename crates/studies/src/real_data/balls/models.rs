@@ -1,4 +1,4 @@
-//! Fits and diagnoses of the ball with effects of the catalogue and of this study.
+//! Fits and diagnoses the ball with effects of the catalogue and of this study.
 
 use diagnose::Report as Diagnosis;
 use diagnose::{DiagnosisOptions, diagnose};
@@ -9,13 +9,13 @@ use model_spec::model::Model;
 
 use crate::error::StudyError;
 
-/// Effect: a steady lift of each flight, independent of its spin.
+/// Name of an effect: a constant lift vector of each flight, independent of the spin.
 pub(super) const LIFT_OF_EACH_FLIGHT: &str = "lift_of_each_flight";
 
-/// Effect: a lift by the square of the advance ratio.
+/// Name of an effect: a lift proportional to the square of the advance ratio.
 pub(super) const MAGNUS_BY_SQUARE: &str = "magnus_by_square";
 
-/// Names and texts of the study's own effects.
+/// Names and texts of the effects that only this study uses.
 const OWN_EFFECTS: [(&str, &str); 2] = [
     (
         LIFT_OF_EACH_FLIGHT,
@@ -27,7 +27,7 @@ const OWN_EFFECTS: [(&str, &str); 2] = [
     ),
 ];
 
-/// A model with effects, by name, of the catalogue and of this study.
+/// Combines a model with effects, given by name, of the catalogue and of this study.
 pub(super) fn with_effects(model: &Model, effects: &[&str]) -> Result<Model, StudyError> {
     let mut tree = ModelTree::of(model);
     for name in effects {
@@ -41,7 +41,7 @@ pub(super) fn with_effects(model: &Model, effects: &[&str]) -> Result<Model, Stu
     Ok(tree.check()?)
 }
 
-/// Fit of the ball with effects.
+/// Fits the flights by the ball model with the given effects.
 pub(super) fn fitted(
     model: &Model,
     flights: &Dataset,
@@ -51,7 +51,8 @@ pub(super) fn fitted(
     Ok(fit(&model, flights, &FitOptions::default())?.report)
 }
 
-/// Diagnosis of the ball with effects of the catalogue; the error is in words, for the page.
+/// Diagnoses the flights by the ball model with effects of the catalogue. The outer error means that the model cannot
+/// be built; the inner error is the message of a failed diagnosis, for the page.
 pub(super) fn diagnosed(
     model: &Model,
     flights: &Dataset,

@@ -26,25 +26,27 @@ struct Section {
     outlier_fraction: f64,
     common: Vec<FitSummary>,
     free_lift: FitSummary,
-    /// Median over flights of residual along the path / speed, s.
+    /// Median over the flights of (residual along the path / speed), s.
     time_error: Option<f64>,
     stretches: String,
     agreement: Vec<AgreementRow>,
-    /// Greatest angle between lift and ω × v in the agreeing stretches, degrees.
+    /// Maximum angle between lift and ω × v over the flights of the agreeing stretches, degrees.
     greatest_angle: f64,
-    /// Other flights with a cosine above 0.9, and below −0.9.
+    /// Number of flights outside the agreeing stretches whose cosine is above 0.9; `opposite_side` counts those below
+    /// −0.9.
     same_side: usize,
     opposite_side: usize,
     lift_by_spin: Vec<LiftRow>,
     magnus: Estimate,
-    /// Mean lift / advance ratio below an advance ratio of 0.3, and above 0.7.
+    /// Mean lift coefficient / mean advance ratio of the flights with an advance ratio below 0.3; `slope_high` is that
+    /// above 0.7.
     slope_low: f64,
     slope_high: f64,
     added: Vec<AddedRow>,
     diagnoses: Vec<DiagnosisRow>,
 }
 
-/// A value with its cluster-robust standard error.
+/// A coefficient's estimate with its cluster-robust standard error.
 #[derive(Serialize)]
 struct Estimate {
     name: String,
@@ -66,10 +68,10 @@ impl Estimate {
 struct FitSummary {
     effects: String,
     rms_m: f64,
-    /// Noise along x, y, z, m.
+    /// Standard deviation of the noise along x, y, z, m.
     sigma_m: [f64; 3],
     ar1: f64,
-    /// Coefficients other than C_D.
+    /// Estimates of the coefficients that the row shows.
     coefficients: Vec<Estimate>,
 }
 
@@ -89,10 +91,10 @@ struct AgreementRow {
 struct LiftRow {
     model: &'static str,
     rms_m: f64,
-    /// C_D, C_Lw, C_Lww.
+    /// Estimates of C_D, C_Lw and C_Lww; `None` for a coefficient that the model lacks.
     estimates: [Option<Estimate>; 3],
     held_out_m: Option<f64>,
-    /// Reduction of the held-out error by the last effect, and its standard error, m.
+    /// Reduction of the held-out error by the effect added last, and its standard error, m.
     reduction: Option<(f64, f64)>,
 }
 
@@ -111,16 +113,16 @@ struct DiagnosisRow {
     summary: String,
 }
 
-/// Score test of `magnus` in a diagnosis.
+/// Score test of the effect `magnus` in a diagnosis.
 #[derive(Serialize)]
 struct MagnusScore {
     statistic: f64,
-    /// Statistic / the greatest statistic of all candidates.
+    /// Statistic of `magnus` / the maximum statistic of all candidates.
     fraction: f64,
     discordant: usize,
 }
 
-/// The section, in Markdown.
+/// Renders the section on the table-tennis balls as Markdown.
 pub(in super::super) fn balls_section(balls: &Balls) -> Result<String, StudyError> {
     let report = &balls.plain;
     let count = |role: Role| report.flights.iter().filter(|f| f.role == role).count();
@@ -231,7 +233,7 @@ fn lift_rows(balls: &Balls) -> Vec<LiftRow> {
     rows.collect()
 }
 
-/// Mean lift coefficient / mean advance ratio of the flights between two advance ratios.
+/// Mean lift coefficient / mean advance ratio of the flights whose advance ratio is in `low..high`.
 fn slope<'l>(lifts: impl Iterator<Item = &'l Lift>, low: f64, high: f64) -> f64 {
     let within = lifts.filter(|lift| (low..high).contains(&lift.advance_ratio()));
     let (lift, ratio) = within.fold((0.0, 0.0), |(lift, ratio), each| {

@@ -1,4 +1,4 @@
-//! All fits, tests and diagnoses of the balls.
+//! Runs all fits, tests and diagnoses of the balls.
 
 use diagnose::Report as Diagnosis;
 use identify::FitReport;
@@ -11,7 +11,7 @@ use super::models::{MAGNUS_BY_SQUARE, diagnosed, fitted};
 use super::stretches::{agreeing, is_agreeing};
 use crate::error::StudyError;
 
-/// Effects that would bend all paths in the same way, fitted one set at a time.
+/// Sets of effects that bend all paths in the same way. Each set is fitted separately.
 const COMMON_EFFECTS: [&[&str]; 8] = [
     &["gravity"],
     &["tilted_vertical"],
@@ -23,7 +23,7 @@ const COMMON_EFFECTS: [&[&str]; 8] = [
     &["magnus", "spin_decay"],
 ];
 
-/// Effects that are added to the lift by spin, one at a time.
+/// Effects that are added, one at a time, to the models with lift due to spin.
 const ADDED_EFFECTS: [&str; 6] = [
     "spin_decay",
     "gravity",
@@ -33,36 +33,37 @@ const ADDED_EFFECTS: [&str; 6] = [
     "drag_crisis",
 ];
 
-/// Fits with one effect added to the lift by spin.
+/// Fits with one effect added to the models with lift due to spin.
 pub(super) struct Added {
     pub(super) effect: &'static str,
-    /// Added to `magnus`.
+    /// Fit with `magnus` and the added effect.
     pub(super) to_magnus: FitReport,
-    /// Added to `magnus` and the lift by the square of the advance ratio.
+    /// Fit with `magnus`, the lift proportional to the squared advance ratio, and the added effect.
     pub(super) to_square: FitReport,
 }
 
-/// Results on the table-tennis balls.
+/// Results of all fits, tests and diagnoses of the table-tennis balls.
 pub(in super::super) struct Balls {
-    /// Fit with gravity and drag alone.
+    /// Fit of all flights with gravity and drag alone.
     pub(in super::super) plain: FitReport,
-    /// Fits with [`COMMON_EFFECTS`] to all flights.
+    /// Fits of all flights with each set of [`COMMON_EFFECTS`].
     pub(super) common: Vec<(&'static [&'static str], FitReport)>,
     pub(super) lifts: Vec<Lift>,
-    /// Fit with a free lift of each flight.
+    /// Fit of all flights with a free lift vector for each flight.
     pub(super) free_lift: FitReport,
-    /// Agreement of lift and spin: of all flights, of the agreeing stretches, of the others.
+    /// Agreement of lift and spin for all flights, for the agreeing stretches, and for the remaining flights.
     pub(in super::super) agreement: [Agreement; 3],
-    /// Fits to the agreeing stretches: gravity and drag, with `magnus`, with its square.
+    /// Fits of the agreeing stretches with gravity and drag, then with `magnus`, then with `magnus` and its square.
     pub(in super::super) lift_by_spin: [FitReport; 3],
-    /// Fits to the agreeing stretches with [`ADDED_EFFECTS`].
+    /// Fits of the agreeing stretches with each of [`ADDED_EFFECTS`].
     pub(super) added: Vec<Added>,
-    /// Diagnoses of all flights, of the agreeing stretches, and of these with `magnus`.
+    /// Diagnoses of all flights, of the agreeing stretches, and of the agreeing stretches with `magnus` in the model.
+    /// An error is the message of a failed diagnosis.
     pub(super) diagnoses: [Result<Diagnosis, String>; 3],
 }
 
 impl Balls {
-    /// Fits, tests and diagnoses the flights.
+    /// Fits, tests and diagnoses the flights of a dataset.
     pub(in super::super) fn of(flights: &Dataset) -> Result<Self, StudyError> {
         let model: Model = model_spec::load::load(&flights.model, &[])?;
         let part = agreeing(flights);

@@ -1,11 +1,12 @@
-//! Stretches of the recording in which every flight is lifted to the side of its stated spin.
+//! Stretches of the recording in which every flight's lift points to the side that its stated spin implies.
 
 use identify::dataset::Dataset;
 
-/// First and last file number of each agreeing stretch.
+/// First and last file number of each agreeing stretch: a part of the recording in which every lift agrees with the
+/// stated spin.
 pub(super) const AGREEING: [(u32, u32); 2] = [(2, 54), (139, 213)];
 
-/// Number in a file name.
+/// Number formed by the digits of a file name; 0 if it has none.
 pub(super) fn number(file: &str) -> u32 {
     let digits: String = file.chars().filter(char::is_ascii_digit).collect();
     digits.parse().unwrap_or(0)
@@ -18,7 +19,7 @@ pub fn is_agreeing(file: &str) -> bool {
     stretches.any(|(first, last)| (*first..=*last).contains(&number))
 }
 
-/// The flights of the agreeing stretches.
+/// Returns the dataset restricted to the flights of the agreeing stretches.
 pub(super) fn agreeing(flights: &Dataset) -> Dataset {
     let mut part = flights.clone();
     part.flights.retain(|flight| is_agreeing(&flight.file));

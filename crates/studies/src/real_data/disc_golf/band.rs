@@ -8,18 +8,19 @@ use rand_distr::{Distribution, StandardNormal};
 use super::simulate::Simulator;
 use super::throw::{Launch, TRACK_UNCERTAINTY, Throw, UNCERTAINTY, rms_distance};
 
-/// Statistics of the last track points of random launches.
+/// Statistics of the simulated end points of random launches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Band {
-    /// Mean of the last position, m.
+    /// Mean of the last position over the ground, m.
     pub(super) mean: [f64; 2],
-    /// Standard deviation of the last position, m.
+    /// Standard deviation of the last position per coordinate, m.
     pub(super) deviation: [f64; 2],
-    /// Fraction of the launches whose RMS distance from the track is below [`TRACK_UNCERTAINTY`] per coordinate.
+    /// Fraction of the launches whose RMS distance from the measured track is below [`TRACK_UNCERTAINTY`] per
+    /// coordinate.
     pub(super) within: f64,
 }
 
-/// Simulates `draws` launches drawn from their uncertainties.
+/// Simulates `draws` launches drawn from normal distributions with the stated uncertainties.
 pub(super) fn band(simulator: &Simulator<'_>, throw: &Throw, draws: usize, seed: u64) -> Band {
     let points = throw.points();
     let times: Vec<f64> = points.iter().map(|(time, _)| *time).collect();

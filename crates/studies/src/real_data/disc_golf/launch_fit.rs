@@ -1,4 +1,4 @@
-//! Fit of a launch to its track, with the stated launch as a prior.
+//! Fits a launch to its measured track, with the stated launch as a prior.
 
 use flight::batch;
 use nalgebra::{DMatrix, DVector};
@@ -6,39 +6,39 @@ use nalgebra::{DMatrix, DVector};
 use super::simulate::{Factors, Simulator};
 use super::throw::{TRACK_UNCERTAINTY, Throw, UNCERTAINTY, rms_distance};
 
-/// Prior standard deviation of a factor on the table; its mean is 1.
+/// Prior standard deviation of a factor on the table's coefficients; the prior mean is 1.
 const FACTOR_UNCERTAINTY: f64 = 1.0;
 
-/// Number of launch quantities; the three factors are added to them.
+/// Number of launch quantities. A fit with factors has three more unknowns.
 const LAUNCH_UNKNOWNS: usize = 7;
 const ALL_UNKNOWNS: usize = 10;
 
 /// Step of the finite differences, in prior standard deviations.
 const DIFFERENCE: f64 = 0.05;
 
-/// Greatest number of Gauss–Newton steps.
+/// Maximum number of Gauss–Newton steps.
 const MAX_STEPS: usize = 8;
 
-/// Greatest number of halvings of a step.
+/// Maximum number of halvings of a step.
 const MAX_HALVINGS: usize = 6;
 
-/// Decrease of the weighted squares below which the fit ends.
+/// Decrease of the weighted sum of squares below which the fit ends.
 const MIN_DECREASE: f64 = 1e-3;
 
-/// A launch fitted to its track.
+/// Result of fitting a launch to its measured track.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LaunchFit {
-    /// RMS distance per coordinate of the stated launch and of the fitted one, m.
+    /// RMS distance per coordinate from the track, of the stated launch and of the fitted one, m.
     pub rms: [f64; 2],
-    /// Changes of the launch, in its stated uncertainties.
+    /// Changes of the launch quantities, in units of their stated uncertainties.
     pub changes: [f64; 7],
-    /// Factors on lift, drag and moment of the table; 1 if they are not fitted.
+    /// Factors on lift, drag and pitching moment of the table; 1 if they were not fitted.
     pub factors: [f64; 3],
-    /// Standard errors of the factors; 0 if they are not fitted.
+    /// Standard errors of the factors; 0 if they were not fitted.
     pub factor_errors: [f64; 3],
 }
 
-/// Fits a launch, with factors on the table or without; `None` if the normal equations are singular.
+/// Fits a launch, with or without factors on the table; `None` if the normal equations are singular.
 pub(super) fn launch_fit(
     simulator: &Simulator<'_>,
     throw: &Throw,
@@ -50,7 +50,7 @@ pub(super) fn launch_fit(
         true => ALL_UNKNOWNS,
         false => LAUNCH_UNKNOWNS,
     };
-    // Unknowns are departures from the prior means, in prior standard deviations.
+    // The unknowns are deviations from the prior means, in prior standard deviations.
     let track = |unknowns: &[f64]| {
         let launch = std::array::from_fn(|k| throw.launch[k] + UNCERTAINTY[k] * unknowns[k]);
         simulator.track(throw, &launch, &factors(unknowns), &times)
@@ -84,8 +84,8 @@ fn factors(unknowns: &[f64]) -> Factors {
     std::array::from_fn(|k| 1.0 + FACTOR_UNCERTAINTY * unknown(k))
 }
 
-/// Unknowns with the least squares, from 0, by Gauss–Newton steps that are halved until the squares decrease; and their
-/// covariance.
+/// Minimises the sum of squared residuals by Gauss–Newton, starting from 0. Steps are halved until the sum decreases.
+/// Returns the unknowns and their covariance; `None` if the normal equations are singular.
 fn minimised(
     count: usize,
     residuals: impl Fn(&[f64]) -> DVector<f64> + Sync,

@@ -1,5 +1,5 @@
-//! Disc-golf throws filmed from above, compared with the oracle's flights of a disc with a computed aerodynamic table, from
-//! launches that are known with stated uncertainties.
+//! Disc-golf throws filmed from above, with stated launch uncertainties, compared with the oracle's simulation of a
+//! disc with a computed aerodynamic table.
 
 mod band;
 mod launch_fit;

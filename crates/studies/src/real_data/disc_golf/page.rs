@@ -23,7 +23,7 @@ struct Section {
 #[derive(Serialize)]
 struct ThrowRow {
     number: u32,
-    /// Last point of the track, m.
+    /// Position of the last point of the track, m.
     end: [f64; 2],
     stated_rms: Option<f64>,
     mean: [f64; 2],
@@ -42,13 +42,13 @@ struct LaunchRow {
 struct FactorRow {
     number: u32,
     rms: f64,
-    /// Factors on lift, drag, moment with their standard errors.
+    /// Factors on lift, drag and pitching moment, each with its standard error.
     factors: [(f64, f64); 3],
-    /// Greatest change of the launch, in its stated uncertainties.
+    /// Maximum change of a launch quantity, in units of its stated uncertainty.
     greatest_change: f64,
 }
 
-/// The section, in Markdown.
+/// Renders the section on the disc-golf throws as Markdown.
 pub(in super::super) fn disc_golf_section(data: &DiscGolf) -> Result<String, StudyError> {
     let launches = || data.throws.iter().filter_map(launch_row);
     let section = Section {

@@ -1,4 +1,4 @@
-//! Files of the throws: a disc's table, launches, tracks.
+//! Reads the files of the throws: the disc's aerodynamic table, the launches, the tracks.
 
 use std::path::Path;
 
@@ -7,7 +7,7 @@ use crate::error::StudyError;
 use crate::real_data::files::{absent, bad_line, numbers, rows, text_of};
 use crate::real_data::wind_tunnel::Measured;
 
-/// Reads a disc's YAML file.
+/// Reads the YAML file of a disc.
 pub(super) fn disc(file: &Path) -> Result<Disc, StudyError> {
     let text = text_of(file)?;
     let number = |key: &str| number(&text, key).ok_or_else(|| absent(file, key));
@@ -28,25 +28,25 @@ pub(super) fn disc(file: &Path) -> Result<Disc, StudyError> {
     })
 }
 
-/// Text after the first `key:`.
+/// Text after the first occurrence of `key:`; `None` if there is none.
 fn after<'t>(text: &'t str, key: &str) -> Option<&'t str> {
     let key = format!("{key}:");
     Some(text.split_once(&key)?.1)
 }
 
-/// The number after a key.
+/// Parses the number after a key; `None` if there is none.
 fn number(text: &str, key: &str) -> Option<f64> {
     after(text, key)?.split_whitespace().next()?.parse().ok()
 }
 
-/// The list of numbers in brackets after a key.
+/// Parses the bracketed list of numbers after a key; `None` if there is none.
 fn list(text: &str, key: &str) -> Option<Vec<f64>> {
     let list = after(text, key)?.split_once('[')?.1;
     let cells = list.split(']').next()?.split(',');
     cells.map(|cell| cell.trim().parse().ok()).collect()
 }
 
-/// Reads `throw_params.csv` and the tracks in the same folder.
+/// Reads the throws from `throw_params.csv` and the tracks in the same folder.
 pub(crate) fn throws(folder: &Path) -> Result<Vec<Throw>, StudyError> {
     let file = folder.join("throw_params.csv");
     let text = text_of(&file)?;
@@ -75,7 +75,8 @@ pub(crate) fn throws(folder: &Path) -> Result<Vec<Throw>, StudyError> {
     throws.collect()
 }
 
-/// Reads a track: a time, s, and a position, m, on each line after two of header.
+/// Reads a track from a file with two header lines and a time (s) and a position (m) on each further line. Times are
+/// shifted to start at 0.
 fn track(file: &Path) -> Result<Vec<TrackPoint>, StudyError> {
     let text = text_of(file)?;
     let points = rows(&text, 2).filter_map(|(_, line)| {

@@ -1,4 +1,4 @@
-//! All throws, simulated and fitted.
+//! Simulates and fits all disc-golf throws.
 
 use std::path::Path;
 
@@ -14,21 +14,21 @@ use crate::error::StudyError;
 /// Number of random launches simulated for each throw.
 pub(super) const DRAWS: usize = 100;
 
-/// Results on one throw.
+/// Simulations and fits of one throw.
 pub(super) struct ThrowResult {
     pub(super) throw: Throw,
     pub(super) band: Band,
-    /// Fits without and with factors on the table.
+    /// Fits without and with factors on the table; `None` if a fit is singular.
     pub(super) fits: [Option<LaunchFit>; 2],
 }
 
-/// Results on the disc-golf throws.
+/// Simulations and fits of all disc-golf throws.
 pub(in super::super) struct DiscGolf {
     pub(super) throws: Vec<ThrowResult>,
 }
 
 impl DiscGolf {
-    /// Simulates and fits the throws of a folder.
+    /// Simulates and fits the throws of a folder that contains `dd2.yaml`, `throw_params.csv` and the tracks.
     pub(in super::super) fn of(folder: &Path, model: &Model) -> Result<Self, StudyError> {
         let disc = disc(&folder.join("dd2.yaml"))?;
         let simulator = Simulator::new(model, &disc)?;
@@ -42,7 +42,7 @@ impl DiscGolf {
         })
     }
 
-    /// Fits of each throw, without and with factors on the table.
+    /// Fits of each throw, without and with factors on the aerodynamic table; `None` if a fit is singular.
     pub(in super::super) fn fits(&self) -> impl Iterator<Item = &[Option<LaunchFit>; 2]> {
         self.throws.iter().map(|result| &result.fits)
     }

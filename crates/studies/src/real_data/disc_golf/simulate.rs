@@ -1,4 +1,4 @@
-//! Simulation of a throw by the oracle.
+//! Simulates a disc-golf throw by the oracle.
 
 use model_spec::model::Model;
 use nalgebra::{Matrix3, Vector3};
@@ -9,28 +9,28 @@ use crate::error::StudyError;
 use crate::oracle_flights::{angle_of_attack, integrate_with_constants, reference_of, set_curves};
 use crate::real_data::wind_tunnel::{Measured, interpolated};
 
-/// Mass of the discs, kg, as the paper on the throws states it.
+/// Mass of the discs, kg, as stated in the paper on the throws.
 const MASS: f64 = 0.175;
 
-/// Density of the air in that paper, kg/m³.
+/// Air density in the paper on the throws, kg/m³.
 const DENSITY: f64 = 1.225;
 
-/// Roughness length of the ground in that paper's logarithmic wind profile, m.
+/// Roughness length of the logarithmic wind profile in the paper on the throws, m.
 const ROUGHNESS: f64 = 0.1;
 
-/// Height at which the wind was measured, m.
+/// Height above the ground at which the wind was measured, m.
 const WIND_HEIGHT: f64 = 1.5;
 
-/// Greatest interval between times between which a path is taken as straight, s.
+/// Maximum interval between path points that are interpolated linearly, s.
 const MAX_INTERVAL: f64 = 0.02;
 
-/// Below this angle of attack (rad) the tabulated pitching moment is taken as 0.
+/// Angle of attack (rad) below which the tabulated pitching moment is set to 0.
 const MIN_ALPHA: f64 = 1e-4;
 
-/// Factors on lift, drag and pitching moment of the table.
+/// Factors by which lift, drag and pitching moment of the table are multiplied.
 pub(super) type Factors = [f64; 3];
 
-/// Simulates throws of one disc.
+/// Simulates throws of one disc with tabulated coefficients.
 pub(super) struct Simulator<'a> {
     model: &'a Model,
     reference: Reference,
@@ -39,7 +39,7 @@ pub(super) struct Simulator<'a> {
 }
 
 impl<'a> Simulator<'a> {
-    /// For a disc, with the model's damping of pitch and spin, which the table does not have.
+    /// Creates a simulator for a disc. Pitch and spin damping, which the table lacks, are those of the model.
     pub(super) fn new(model: &'a Model, disc: &'a Disc) -> Result<Self, StudyError> {
         let mut constants = Point::defaults(model);
         let radius = disc.diameter / 2.0;
@@ -70,7 +70,7 @@ impl<'a> Simulator<'a> {
         })
     }
 
-    /// Positions over the ground, m, at `times` (s) after a launch; constant after the landing.
+    /// Positions over the ground, m, at `times` (s) after a launch. Times after the landing give the landing position.
     pub(super) fn track(
         &self,
         throw: &Throw,
@@ -117,7 +117,7 @@ impl<'a> Simulator<'a> {
         positions.collect()
     }
 
-    /// Constants in a wind (m/s) that give the table's coefficients at the body's angle of attack.
+    /// Model constants in a wind (m/s) that reproduce the table's coefficients at the body's angle of attack.
     fn constants_at(
         &self,
         body: &Physical<f64>,
@@ -136,8 +136,8 @@ impl<'a> Simulator<'a> {
     }
 }
 
-/// The state at the release, with the launch angles as the program of the paper on the throws defines them: the pitch is
-/// added to the attitude of a rolled disc.
+/// State at the release. As in the program of the paper on the throws, the pitch is added to the attitude of the rolled
+/// disc.
 fn release(throw: &Throw, launch: &Launch) -> Physical<f64> {
     let [speed, pitch, roll, nose, yaw, ..] = *launch;
     let turned = |v: Vector3<f64>| {
@@ -166,7 +166,7 @@ fn release(throw: &Throw, launch: &Launch) -> Physical<f64> {
 pub(super) mod tests {
     use super::*;
 
-    /// A disc with smooth curves.
+    /// A disc with smooth aerodynamic curves.
     pub(in super::super) fn smooth_disc() -> Disc {
         let row = |k: i32| {
             let alpha = f64::from(k).to_radians();
@@ -199,7 +199,7 @@ pub(super) mod tests {
         };
         let times = [0.1, 1.0, 2.0];
         let track = simulator.track(&throw, &throw.launch, &[0.0, 0.0, 0.0], &times);
-        // Without aerodynamic forces: down where 0.5 - 15 sin(0.2) t - g t²/2 is 0.
+        // Without aerodynamic forces the disc lands where 0.5 - 15 sin(0.2) t - g t²/2 is 0.
         let fall = 15.0 * 0.2_f64.sin();
         let time = (-fall + (fall * fall + 2.0 * 9.81 * 0.5).sqrt()) / 9.81;
         assert!(

@@ -1,11 +1,11 @@
-//! Discs, throws and their tracks.
+//! Data types of the disc-golf study: discs, throws and tracks.
 
 use crate::real_data::wind_tunnel::Measured;
 
-/// Radians in a degree.
+/// Conversion factor from degrees to radians.
 pub(super) const RAD: f64 = std::f64::consts::PI / 180.0;
 
-/// Quantities of a launch, SI.
+/// Names of the launch quantities.
 pub(crate) const LAUNCH_NAMES: [&str; 7] = [
     "speed",
     "pitch",
@@ -16,50 +16,52 @@ pub(crate) const LAUNCH_NAMES: [&str; 7] = [
     "crosswind",
 ];
 
-/// Values of [`LAUNCH_NAMES`], m/s and rad.
+/// Values of the launch quantities in the order of [`LAUNCH_NAMES`], m/s and rad.
 pub(crate) type Launch = [f64; 7];
 
-/// Stated uncertainties (standard deviations) of a launch, m/s and rad. That of the crosswind is assumed to be as great as
-/// that of the tailwind.
+/// Stated uncertainties (standard deviations) of the launch quantities, m/s and rad. The uncertainty of the crosswind
+/// is not stated; it is assumed equal to that of the tailwind.
 pub(crate) const UNCERTAINTY: Launch = [0.6, RAD * 2.0, RAD * 5.0, RAD * 2.0, RAD * 2.0, 1.0, 1.0];
 
-/// Uncertainty of a point of a track, m: a camera at 100 m sees a disc at 5 to 10 m above the ground 5 to 10 % too far out.
+/// Uncertainty of a point of a track, m. A camera at 100 m sees a disc at 5 to 10 m above the ground 5 to 10 % too far
+/// out.
 pub(super) const TRACK_UNCERTAINTY: f64 = 1.0;
 
-/// Number of track points compared; neighbouring points have nearly the same error.
+/// Number of track points that are compared. More would not help, because neighbouring points have nearly the same
+/// error.
 const POINTS: usize = 12;
 
-/// A disc.
+/// Size, inertia and aerodynamic table of a disc.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Disc {
-    /// Diameter, m.
+    /// Diameter of the disc, m.
     pub(super) diameter: f64,
     /// Moments of inertia / mass, m²: about a diameter, about the axis.
     pub(super) inertia: [f64; 2],
-    /// Coefficients by angle of attack.
+    /// Aerodynamic coefficients, by angle of attack.
     pub(super) table: Vec<Measured>,
 }
 
-/// A time, s, and the position over the ground, m.
+/// Time (s) and position over the ground (m) of a point of a track.
 pub(crate) type TrackPoint = (f64, [f64; 2]);
 
-/// A throw.
+/// A filmed throw.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Throw {
     /// Number of the throw in the data.
     pub(crate) number: u32,
-    /// Stated launch.
+    /// Launch as stated in the data.
     pub(crate) launch: Launch,
-    /// Spin, rad/s.
+    /// Magnitude of the spin, rad/s.
     pub(crate) spin: f64,
-    /// Height of the release, m.
+    /// Height of the release above the ground, m.
     pub(crate) height: f64,
-    /// Track, with times from the first point.
+    /// Points of the track, with times from the first point.
     pub(crate) track: Vec<TrackPoint>,
 }
 
 impl Throw {
-    /// The points of the track that are compared, evenly spread.
+    /// Selects the points of the track that are compared, evenly spaced.
     pub(crate) fn points(&self) -> Vec<TrackPoint> {
         let last = self.track.len().saturating_sub(1);
         let points = (1..=POINTS).filter_map(|k| self.track.get(k * last / POINTS));
@@ -67,7 +69,7 @@ impl Throw {
     }
 }
 
-/// Root mean square difference of a coordinate, m.
+/// RMS difference per coordinate between positions and track points, m.
 pub(crate) fn rms_distance(positions: &[[f64; 2]], points: &[TrackPoint]) -> f64 {
     let pairs = positions.iter().zip(points);
     let differences = pairs.flat_map(|(a, (_, b))| [a[0] - b[0], a[1] - b[1]]);

@@ -4,16 +4,17 @@ use report::figures::{Dots, Line, Look, Panel, figure};
 
 use super::fit::DiscPose;
 
-/// Half width of a 95 % interval of a normal variable, standard deviations.
+/// Half width of a 95 % interval of a normal variable, in standard deviations.
 const NORMAL_95: f64 = 1.96;
 
-/// Each throw alone with its interval, and the interval of all by the jackknife, SVG.
+/// Draws the ratio of each throw alone with its 95 % interval, and the jackknife interval of all throws together, as
+/// SVG.
 pub(in super::super) fn ratio_figure(data: &DiscPose) -> String {
     let alone = || {
         let each = data.throws.iter().enumerate();
         each.filter_map(|(index, throw)| Some((index as f64 + 1.0, throw.alone?)))
     };
-    // A gap after each interval, so that they are one line.
+    // A NaN after each interval ends its line, so that all intervals are drawn as one series.
     let bars = alone().flat_map(|(at, own)| {
         let ends = [-NORMAL_95, NORMAL_95].map(|z| (at, own.value + z * own.std_error));
         ends.into_iter().chain([(f64::NAN, f64::NAN)])

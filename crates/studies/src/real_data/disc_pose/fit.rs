@@ -1,4 +1,4 @@
-//! All throws fitted together, each alone, and all but each.
+//! Fits the throws of a golf disc: all together, each alone, and all but one.
 
 use std::path::Path;
 
@@ -10,7 +10,8 @@ use serde::Serialize;
 use super::read::Poses;
 use crate::error::StudyError;
 
-/// The body, SI: mass and diameter of a golf disc. Nobody stated the moments of inertia; only their ratio shows.
+/// Assumed constants of the golf disc, SI. The moments of inertia were not stated by the source; the data determine
+/// only their ratio.
 pub(super) const BODY: [(&str, f64); 7] = [
     ("m", 0.175),
     ("d", 0.212),
@@ -21,10 +22,10 @@ pub(super) const BODY: [(&str, f64); 7] = [
     ("g", 9.81),
 ];
 
-/// Moment of inertia about a diameter, kg·m², that ratios are relative to.
+/// Assumed moment of inertia about a diameter, kg·m², by which the fitted I_a is divided.
 const I_D: f64 = 0.00063;
 
-/// What is known of discs before these throws: name, mean, standard deviation, SI.
+/// Priors of the aerodynamic coefficients: name, mean, standard deviation, SI.
 pub(super) const PRIORS: [(&str, f64, f64); 8] = [
     ("C_L0", 0.2, 0.2),
     ("C_La", 2.4, 0.7),
@@ -36,50 +37,52 @@ pub(super) const PRIORS: [(&str, f64, f64); 8] = [
     ("C_Nr", 0.0, 1e-4),
 ];
 
-/// A ratio I_a/I_d.
+/// Ratio I_a/I_d of the moments of inertia, with standard errors.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Ratio {
-    /// The estimate.
+    /// Estimate of the ratio.
     pub value: f64,
-    /// Standard error by the noise of the samples.
+    /// Standard error due to the noise of the samples.
     pub std_error: f64,
-    /// Standard error by how the throws differ, cluster-robust; `None` for one throw.
+    /// Cluster-robust standard error, from the differences between throws; `None` for one throw.
     pub clustered: Option<f64>,
 }
 
-/// One throw.
+/// Summary of one throw.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Throw {
     pub name: String,
     pub samples: usize,
-    /// Samples of the file that the fit used.
+    /// Number of samples of the file that the fit used.
     pub used: usize,
     /// Spin, rev/min, positive clockwise seen from above, and its standard error.
     pub spin: [f64; 2],
-    /// Angle between the axis and the angular momentum at the first sample, degrees.
+    /// Angle between the disc's axis and the angular momentum at the first sample, degrees.
     pub wobble: f64,
-    /// The ratio from this throw alone; `None` where it was not fitted.
+    /// Ratio from this throw alone; `None` if the throw could not be fitted alone.
     pub alone: Option<Ratio>,
 }
 
-/// What the poses say.
+/// Results of the fits to the measured poses.
 pub(in super::super) struct DiscPose {
-    /// Direction upwards in the axes of the camera by the ground, and scatter of the normals, rad.
+    /// Upward direction in camera axes, from the tag on the ground; `scatter` is the RMS angle of the tag's normals,
+    /// rad.
     pub(super) up: [f64; 3],
     pub(super) scatter: f64,
-    /// Fit of all with priors, and fits without air and with a tilt of the vertical.
+    /// Fit of all throws with priors on the coefficients; `without_air` omits the air, `tilted` adds a tilt of the
+    /// vertical.
     pub(super) joint: FitReport,
     pub(super) without_air: FitReport,
     pub(super) tilted: FitReport,
     pub(super) throws: Vec<Throw>,
-    /// Standard error of the joint ratio by leaving out one throw after the other.
+    /// Jackknife standard error of the joint ratio, leaving out one throw at a time.
     pub(super) jackknife: f64,
-    /// Mean of the single throws' ratios under a variance between throws, its standard error, and that deviation between throws.
+    /// Random-effects mean of the single throws' ratios, its standard error, and the standard deviation between throws.
     pub(super) pooled: [f64; 3],
 }
 
 impl DiscPose {
-    /// Fits the throws in a folder.
+    /// Reads and fits the throws of a folder.
     pub(in super::super) fn of(folder: &Path) -> Result<Self, StudyError> {
         let poses = Poses::read(folder)?;
         let model = model_spec::load::load("disc_quaternion", &[])?;
@@ -96,7 +99,7 @@ impl DiscPose {
         }
         let throws = poses.flights.iter().zip(&joint.flights);
         let throws = throws.map(|(flight, report)| {
-            // A throw that cannot be fitted alone says nothing of the ratio.
+            // A throw that cannot be fitted alone gives no ratio.
             let alone = fitted(&model, vec![flight.clone()], held);
             let alone = alone.ok().map(|found| ratio(&found.report));
             throw(flight, report, ratio(&joint).value, alone)
@@ -115,18 +118,18 @@ impl DiscPose {
         })
     }
 
-    /// The ratio from all throws.
+    /// Ratio I_a/I_d from the fit of all throws.
     pub(in super::super) fn ratio(&self) -> Ratio {
         ratio(&self.joint)
     }
 }
 
-/// What a fit knows of the air.
+/// Treatment of the aerodynamic coefficients in a fit.
 #[derive(Clone, Copy)]
 enum Air {
-    /// The coefficients have priors.
+    /// The coefficients are free, with priors.
     Prior,
-    /// There is none.
+    /// All coefficients are fixed at 0.
     None,
 }
 
@@ -165,7 +168,7 @@ fn fitted(model: &Model, flights: Vec<Flight>, air: Air) -> Result<Fit, FitError
     identify::fit(model, &dataset, &options)
 }
 
-/// The ratio of a fit.
+/// Ratio I_a/I_d from a fit; NaN if the fit has no estimate of I_a.
 pub(super) fn ratio(report: &FitReport) -> Ratio {
     match report.coefficients.get("I_a") {
         Some(found) => Ratio {
@@ -181,7 +184,8 @@ pub(super) fn ratio(report: &FitReport) -> Ratio {
     }
 }
 
-/// A throw as the fit of all sees it, where the ratio is `joint`, and as it is fitted alone.
+/// Summarises a throw from its report in the joint fit, with the joint ratio `joint` and the ratio `alone` of its
+/// separate fit.
 fn throw(flight: &Flight, report: &FlightReport, joint: f64, alone: Option<Ratio>) -> Throw {
     let rate = |name: &str| {
         let own = report.initial.get(name);
@@ -189,7 +193,7 @@ fn throw(flight: &Flight, report: &FlightReport, joint: f64, alone: Option<Ratio
     };
     let to_rpm = 60.0 / std::f64::consts::TAU;
     let [[p, _], [q, _], [r, error]] = ["p", "q", "r"].map(rate);
-    // The angular momentum has I_d p, I_d q and I_a r.
+    // The components of the angular momentum are I_d p, I_d q and I_a r.
     let about_axis = joint * r;
     Throw {
         name: flight.file.trim_end_matches(".csv").to_owned(),
@@ -201,7 +205,7 @@ fn throw(flight: &Flight, report: &FlightReport, joint: f64, alone: Option<Ratio
     }
 }
 
-/// Standard error by the jackknife: Efron and Tibshirani, An introduction to the bootstrap (1993), equation 11.5.
+/// Jackknife standard error: Efron and Tibshirani, An introduction to the bootstrap (1993), equation 11.5.
 fn jackknife(left_out: &[f64]) -> f64 {
     let count = left_out.len() as f64;
     let mean = left_out.iter().sum::<f64>() / count;
@@ -209,8 +213,8 @@ fn jackknife(left_out: &[f64]) -> f64 {
     ((count - 1.0) / count * squares).sqrt()
 }
 
-/// Mean of estimates with a variance between them, its standard error, and the standard deviation between them: DerSimonian and
-/// Laird, Controlled Clinical Trials 7 (1986).
+/// Random-effects mean of estimates, its standard error, and the standard deviation between the estimates: DerSimonian
+/// and Laird, Controlled Clinical Trials 7 (1986).
 fn pooled(all: &[Ratio]) -> [f64; 3] {
     let weights = || all.iter().map(|own| own.std_error.powi(-2));
     let (sum, squares) = (
@@ -249,7 +253,7 @@ mod tests {
         };
         let [mean, error, between] = pooled(&[ratio(1.0), ratio(2.0), ratio(3.0)]);
         assert!((mean - 2.0).abs() < 1e-12);
-        // Sample variance 1 = 0.01 by noise and 0.99 between; the mean of three has a third of both.
+        // The sample variance 1 is 0.01 by noise plus 0.99 between; the variance of the mean of three is a third of it.
         assert!((between - 0.99_f64.sqrt()).abs() < 1e-9, "{between}");
         assert!((error - (1.0_f64 / 3.0).sqrt()).abs() < 1e-9, "{error}");
         let [_, error, between] = pooled(&[ratio(2.0), ratio(2.0)]);

@@ -1,4 +1,4 @@
-//! Throws of a golf disc whose full pose was measured for a tenth of a second: one body, many throws.
+//! Throws of one golf disc whose full pose was measured for a tenth of a second each.
 
 mod figure;
 mod fit;

@@ -21,10 +21,10 @@ struct Section<'d> {
     tilted: Ratio,
     jackknife: f64,
     pooled: [f64; 3],
-    /// Estimated tilts of the vertical against the ground's normal, and standard errors, degrees.
+    /// Estimated tilts of the vertical relative to the ground's normal, with standard errors, degrees.
     tilts: Vec<[f64; 2]>,
     coefficients: Vec<CoefficientRow>,
-    /// Root mean square of what the fit leaves of attitudes, degrees, and of positions, mm.
+    /// RMS residuals of the attitudes, degrees, and of the positions, mm.
     left: [f64; 2],
 }
 
@@ -35,11 +35,11 @@ struct CoefficientRow {
     value: f64,
     std_error: f64,
     clustered: f64,
-    /// Standard deviation of the prior over the greater standard error.
+    /// Prior standard deviation / the larger of the two standard errors.
     gain: f64,
 }
 
-/// The section, in Markdown.
+/// Renders the section on the poses of golf discs as Markdown.
 pub(in super::super) fn disc_pose_section(data: &DiscPose) -> Result<String, StudyError> {
     let coefficient = |name: &'static str| {
         let missing = || StudyError::Name {

@@ -1,4 +1,4 @@
-//! Poses of a tag on a disc, turned to upright axes by a tag at rest on the ground.
+//! Reads poses of a tag on a disc and rotates them to upright axes, defined by a tag at rest on the ground.
 
 use std::path::Path;
 
@@ -8,37 +8,37 @@ use nalgebra::{Quaternion, Rotation3, UnitQuaternion, Vector3};
 use crate::error::StudyError;
 use crate::real_data::files::{absent, bad_line, rows, text_of};
 
-/// Times since the first row of a file within which the tag is followed, s: later rows are of lost tracking.
+/// Range of the time since the first row of a file in which the poses are used, s. Later rows come from lost tracking.
 pub(super) const FOLLOWED: (f64, f64) = (0.03, 0.25);
 
-/// File of the tag at rest on the ground.
+/// File with the poses of the tag at rest on the ground.
 const GROUND: &str = "groundplanesample_part.csv";
 
-/// Files that are no throws of their own: another processing of `drive16`, angles in place of a quaternion, and a tag whose
-/// label changed.
+/// Files that are not used as throws: another processing of `drive16`, a file with angles instead of a quaternion, and
+/// a file in which the tag's label changed.
 const LEFT_OUT: [&str; 3] = ["drive17.csv", "throw0.csv", "drive14fliplabel.csv"];
 
-/// Header of a table.
+/// Header line of a table of poses.
 const HEADER: &str = "t_s,x_m,y_m,z_m,qw,qx,qy,qz";
 
-/// One row: time, s, position, m, and attitude of the tag.
+/// One row of a table of poses: time, s, position, m, and attitude of the tag.
 type Row = (f64, Vector3<f64>, UnitQuaternion<f64>);
 
-/// The throws, and what the ground says.
+/// The measured throws in upright axes, and the vertical found from the ground tag.
 pub(super) struct Poses {
-    /// The throws, upright, with one pose for each sample.
+    /// Flights in upright axes, with one pose per sample.
     pub flights: Vec<Flight>,
-    /// Direction upwards in the axes of the camera.
+    /// Upward direction in the axes of the camera.
     pub up: [f64; 3],
-    /// Angles between the tag's normals at rest and their mean, rad: root mean square.
+    /// RMS angle between the normals of the tag at rest and their mean, rad.
     pub scatter: f64,
 }
 
 impl Poses {
-    /// Reads the tables in a folder.
+    /// Reads the tables of a folder.
     pub fn read(folder: &Path) -> Result<Self, StudyError> {
         let ground = table(&folder.join(GROUND))?;
-        // The third axis of the tag points into what it is stuck to.
+        // The third axis of the tag points into the surface to which the tag is attached.
         let normals = || ground.iter().map(|(.., turn)| -(turn * Vector3::z()));
         let up = normals().sum::<Vector3<f64>>().normalize();
         let squares: f64 = normals().map(|normal| normal.angle(&up).powi(2)).sum();
@@ -53,7 +53,7 @@ impl Poses {
             let start = rows.first().map_or(0.0, |row| row.0);
             let within = |row: &&Row| (FOLLOWED.0..=FOLLOWED.1).contains(&(row.0 - start));
             let rows: Vec<Row> = rows.iter().filter(within).copied().collect();
-            // The body's third axis is that of the tag, upwards.
+            // The body's third axis is the tag's third axis reversed, upwards.
             let over = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI);
             let reading = |(_, place, turn): &Row| -> Vec<Option<Reading>> {
                 let place = upright * place;
@@ -96,7 +96,7 @@ fn names(folder: &Path) -> Result<Vec<String>, StudyError> {
     Ok(names)
 }
 
-/// The rows of a table that have a pose.
+/// Reads the rows of a table that contain a pose; rows without one and rows out of time order are skipped.
 fn table(file: &Path) -> Result<Vec<Row>, StudyError> {
     let text = text_of(file)?;
     if text.lines().next().map(str::trim) != Some(HEADER) {

@@ -1,4 +1,5 @@
-//! The record of gyroscope and accelerometer through the ordinary fit and diagnosis: a model of the whole disc.
+//! Fits and diagnoses the record of a gyroscope and an accelerometer with the standard tools and a model of the whole
+//! disc.
 
 use std::path::Path;
 
@@ -12,13 +13,13 @@ use super::record::FLIGHT;
 use crate::error::StudyError;
 use crate::real_data::files::{absent, bad_line, rows, text_of};
 
-/// Standard gravity, m/s²: the record has specific forces in its multiples.
+/// Standard gravity, m/s², the unit of the recorded specific forces.
 const STANDARD_GRAVITY: f64 = 9.80665;
 
-/// Time after the release and before the end that is left out, s.
+/// Time left out after the release and before the end of the flight, s.
 pub(super) const MARGIN: f64 = 0.06;
 
-/// Model of the disc, with the errors of the sensors that every such disc has.
+/// Model of the disc, and effects for the mounting errors of its sensors.
 const MODEL: (&str, [&str; 2]) = (
     "disc_quaternion",
     ["accelerometer_misplaced", "gyroscope_misaligned"],
@@ -32,20 +33,21 @@ pub(super) const PRIORS: [(&str, f64, f64); 4] = [
     ("C_Da", 1.5, 0.5),
 ];
 
-/// What the diagnosis says of the flight.
+/// Results of the fit and the diagnosis of the flight.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(super) struct Diagnosed {
     pub(super) verdict: String,
     pub(super) causes: Vec<CauseRow>,
-    /// Where the accelerometer sits off the centre across the axis, and standard errors, mm.
+    /// Offset of the accelerometer from the centre along the two axes in the disc's plane, each with its standard
+    /// error, mm.
     pub(super) off_mm: [[f64; 2]; 2],
-    /// `C_Nr` without a further effect, and its standard error, N·m·s.
+    /// `C_Nr` in the model without a further effect, and its standard error, N·m·s.
     pub(super) c_nr: [f64; 2],
-    /// Samples that were used.
+    /// Number of samples used.
     pub(super) samples: usize,
 }
 
-/// One explanation.
+/// One hypothesis of the diagnosis.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(super) struct CauseRow {
     pub(super) effects: String,
@@ -53,7 +55,8 @@ pub(super) struct CauseRow {
     pub(super) explained: f64,
 }
 
-/// Diagnoses the flight in a table `t,gx,gy,gz,acc_x,acc_y,acc_z` in s, rad/s and multiples of the standard gravity.
+/// Diagnoses the flight in a table with the columns `t,gx,gy,gz,acc_x,acc_y,acc_z` in s, rad/s and multiples of
+/// standard gravity.
 pub(super) fn diagnosed(file: &Path) -> Result<Diagnosed, StudyError> {
     let dataset = dataset(file)?;
     let (name, effects) = MODEL;
@@ -99,7 +102,7 @@ pub(super) fn diagnosed(file: &Path) -> Result<Diagnosed, StudyError> {
     })
 }
 
-/// The flight as a dataset of a gyroscope and an accelerometer.
+/// Reads the flight as a dataset of a gyroscope and an accelerometer.
 fn dataset(file: &Path) -> Result<Dataset, StudyError> {
     let text = text_of(file)?;
     let within = FLIGHT.0 + MARGIN - 1e-9..=FLIGHT.1 - MARGIN + 1e-9;

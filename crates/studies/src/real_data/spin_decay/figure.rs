@@ -1,4 +1,4 @@
-//! Figure of the decay of a spin: what each form of the torque leaves.
+//! Figure of the decay of a disc's spin, with the residuals of several forms of the torque.
 
 use report::figures::{Line, Panel, figure};
 
@@ -7,10 +7,11 @@ use nalgebra::DVector;
 use super::form::Form;
 use super::results::SpinDecay;
 
-/// Forms that are drawn: the model's own, its square, and the one that is not rejected.
+/// Forms that are drawn: proportional to the spin (as in the model), proportional to its square, and the form that is
+/// not rejected.
 const DRAWN: [Form; 3] = [Form::Linear, Form::Quadratic, Form::Falling];
 
-/// The rate and what three forms leave of it, SVG.
+/// Draws the measured rate and the residuals of three forms as SVG.
 pub(in super::super) fn spin_decay_figure(data: &SpinDecay) -> String {
     let samples = || data.record.times.iter().zip(&data.record.rates);
     let left = DRAWN.iter().filter_map(|form| {

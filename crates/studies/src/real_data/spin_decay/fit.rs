@@ -1,39 +1,39 @@
-//! Maximum-likelihood fit of a form of the decay, under AR(1) noise.
+//! Maximum-likelihood fit of a form of the spin's decay, under AR(1) noise.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::form::Form;
 use super::record::Record;
 
-/// Number of intervals of the grid of lag-1 correlations in [0, 1).
+/// Number of grid points of the lag-1 correlation in [0, 1).
 const CORRELATIONS: usize = 400;
 
-/// Number of Gauss–Newton steps.
+/// Number of Gauss–Newton steps per fit.
 const STEPS: usize = 12;
 
-/// A form fitted under AR(1) noise.
+/// A form of the spin's decay, fitted under AR(1) noise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DecayFit {
-    /// Unknowns of the form; see [`Form`].
+    /// Estimates of the form's unknowns; see [`Form`].
     pub unknowns: Vec<f64>,
-    /// Standard errors of the unknowns.
+    /// Standard errors of the unknowns, in the order of `unknowns`.
     pub std_errors: Vec<f64>,
-    /// Root mean square residual, rad/s.
+    /// RMS residual, rad/s.
     pub rms: f64,
-    /// Lag-1 correlation of the noise, which is fitted too.
+    /// Lag-1 correlation of the noise, estimated with the unknowns.
     pub ar1: f64,
-    /// Akaike information criterion.
+    /// Akaike information criterion of the fit.
     pub aic: f64,
 }
 
-/// The fit with the least AIC over all correlations; `None` if the unknowns are not determined.
+/// Fit with the minimum AIC over a grid of lag-1 correlations; `None` if the record does not determine the unknowns.
 pub(super) fn fit(form: Form, record: &Record) -> Option<DecayFit> {
     let correlations = (0..CORRELATIONS).map(|step| step as f64 / CORRELATIONS as f64);
     let fits = correlations.filter_map(|ar1| fit_with(form, record, ar1));
     fits.min_by(|a, b| a.aic.total_cmp(&b.aic))
 }
 
-/// The fit with a given lag-1 correlation.
+/// Fit with a given lag-1 correlation; `None` if the record does not determine the unknowns.
 fn fit_with(form: Form, record: &Record, ar1: f64) -> Option<DecayFit> {
     let count = record.times.len();
     let first = (1.0 - ar1 * ar1).sqrt();
@@ -71,7 +71,7 @@ fn fit_with(form: Form, record: &Record, ar1: f64) -> Option<DecayFit> {
     let dof = n - unknowns.len() as f64;
     let covariance = normal.try_inverse()? * (squares / dof);
     let deviance = n * (squares / n).ln() - 2.0 * first.ln();
-    // Standard deviation and correlation of the noise are parameters too.
+    // The noise's standard deviation and correlation count as parameters too.
     let aic = deviance + 2.0 * (unknowns.len() as f64 + 2.0);
     aic.is_finite().then(|| DecayFit {
         std_errors: covariance.diagonal().iter().map(|v| v.sqrt()).collect(),
@@ -90,7 +90,7 @@ mod tests {
 
     use super::*;
 
-    /// A spin under a torque, integrated in small steps, with AR(1) noise.
+    /// A simulated spin under a torque, integrated in small steps, with AR(1) noise.
     fn made(torque: impl Fn(f64, f64) -> f64) -> Record {
         let mut random = ChaCha12Rng::seed_from_u64(5);
         let (mut spin, mut noise) = (60.0, 0.0);

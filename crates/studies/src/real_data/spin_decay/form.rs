@@ -1,26 +1,26 @@
-//! Forms of the decay of a spin.
+//! Functional forms of the torque that slows a disc's spin, and of the resulting decay.
 
 use nalgebra::DVector;
 
-/// A form of the torque that slows a spin. Its first two unknowns are the spin at release, rad/s, and the fraction of it that
-/// is lost per second there.
+/// Form of the torque that slows a spin. The first two unknowns of every form are the spin at release, rad/s, and the
+/// fraction of the spin lost per second at release.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// Constant torque.
+    /// Torque that is constant in time.
     Constant,
     /// Torque proportional to the spin.
     Linear,
     /// Torque proportional to the square of the spin.
     Quadratic,
-    /// Torque proportional to a power of the spin; the exponent is the third unknown.
+    /// Torque proportional to a power of the spin. The exponent is the third unknown.
     Power,
-    /// Torque proportional to the spin and a factor that falls linearly with time, as the airspeed may; the third unknown is
-    /// the fraction that the factor loses per second.
+    /// Torque proportional to the spin and to a factor that falls linearly with time, as the airspeed may. The third
+    /// unknown is the fraction of the factor lost per second.
     Falling,
 }
 
 impl Form {
-    /// All forms.
+    /// All forms, in the order of the page's table.
     pub(super) const ALL: [Form; 5] = [
         Form::Constant,
         Form::Linear,
@@ -29,7 +29,7 @@ impl Form {
         Form::Falling,
     ];
 
-    /// Name in the page.
+    /// Name of the form on the page.
     pub(super) fn label(self) -> &'static str {
         match self {
             Form::Constant => "constant",
@@ -40,7 +40,7 @@ impl Form {
         }
     }
 
-    /// Initial guess of the unknowns for a spin at release, rad/s.
+    /// Initial guess of the unknowns, for a spin at release in rad/s.
     pub(super) fn initial_guess(self, spin: f64) -> DVector<f64> {
         match self {
             Self::Power => DVector::from_vec(vec![spin, 0.04, 1.5]),

@@ -1,4 +1,4 @@
-//! Decay of the spin of a disc in flight: forms of the torque, fitted to the record of a gyroscope.
+//! Decay of a disc's spin in flight: forms of the torque, fitted to the record of a gyroscope.
 
 mod diagnosis;
 mod figure;

@@ -9,13 +9,13 @@ use super::results::{SpinDecay, WOBBLE};
 use crate::error::StudyError;
 use crate::page::render;
 
-/// Difference in AIC from the least above which a form is rejected.
+/// A form is rejected if its AIC exceeds the minimum AIC by more than this difference.
 const REJECTED_AIC: f64 = 10.0;
 
 #[derive(Serialize)]
 struct Section<'d> {
     diagnosed: &'d Diagnosed,
-    /// Time that the diagnosis leaves out at either end, s.
+    /// Time that the diagnosis leaves out at the start and at the end of the flight, s.
     margin: f64,
     priors: String,
     samples: usize,
@@ -24,17 +24,17 @@ struct Section<'d> {
     rejected_aic: f64,
     forms: Vec<FormRow>,
     rejected: String,
-    /// Airspeed at the end / at the release that [`Form::Falling`] implies.
+    /// Airspeed at the end / airspeed at the release, as [`Form::Falling`] implies.
     final_factor: f64,
     exponent: f64,
-    /// Exponent without the wobble and its standard error.
+    /// Exponent of [`Form::Power`] without the initial wobble, and its standard error; `None` if that fit failed.
     exponent_without_wobble: Option<(f64, f64)>,
     wobble: f64,
-    /// C_Nr over the whole flight and its standard error, N·m·s.
+    /// Mean C_Nr over the whole flight and its standard error, N·m·s.
     c_nr: (f64, f64),
     axial_inertia: f64,
     model_c_nr: f64,
-    /// C_Nr at the release and at the end by [`Form::Falling`], N·m·s.
+    /// C_Nr at the release and at the end, as [`Form::Falling`] implies, N·m·s.
     c_nr_range: (f64, f64),
 }
 
@@ -42,7 +42,7 @@ struct Section<'d> {
 struct FormRow {
     form: &'static str,
     loss: (f64, f64),
-    /// Third unknown with its standard error.
+    /// Third unknown of the form with its standard error; `None` for a form with two unknowns.
     third: Option<(f64, f64)>,
     is_power: bool,
     rms: f64,
@@ -50,7 +50,7 @@ struct FormRow {
     delta_aic: f64,
 }
 
-/// The section, in Markdown.
+/// Renders the section on the decay of the spin as Markdown.
 pub(in super::super) fn spin_decay_section(data: &SpinDecay) -> Result<String, StudyError> {
     let missing = |form: &str| StudyError::Name {
         of: "list of fitted forms",

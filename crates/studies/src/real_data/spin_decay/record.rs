@@ -1,22 +1,22 @@
-//! The record of a gyroscope in a disc.
+//! Record of a gyroscope in a disc.
 
 use std::path::Path;
 
 use crate::error::StudyError;
 use crate::real_data::files::{absent, bad_line, rows, text_of};
 
-/// Times of the record between which the disc is in flight, s.
+/// Start and end of the flight in the record's time, s.
 pub(super) const FLIGHT: (f64, f64) = (0.14, 2.38);
 
-/// Least number of samples of a flight.
+/// Minimum number of samples of a valid flight.
 const MIN_SAMPLES: usize = 10;
 
-/// Spin of a disc in flight.
+/// Measured spin of a disc in flight.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Record {
     /// Times since the release, s.
     pub(super) times: Vec<f64>,
-    /// Rates about the axis, rad/s.
+    /// Angular rates about the disc's axis, rad/s.
     pub(super) rates: Vec<f64>,
 }
 
@@ -41,7 +41,7 @@ impl Record {
         Ok(record)
     }
 
-    /// The record from `start` (s) on, with times from there.
+    /// The part of the record after `start` (s), with times relative to `start`.
     pub(super) fn from(&self, start: f64) -> Self {
         let first = self.times.partition_point(|time| *time < start);
         Self {

@@ -1,4 +1,4 @@
-//! All forms of the decay, fitted to the record.
+//! Fits all forms of the decay to the record.
 
 use std::path::Path;
 
@@ -10,25 +10,25 @@ use super::form::Form;
 use super::record::Record;
 use crate::error::StudyError;
 
-/// Start of the flight that is left out to see whether its wobble matters, s.
+/// Initial part of the flight that one fit leaves out, to test whether the wobble there matters, s.
 pub(super) const WOBBLE: f64 = 0.5;
 
-/// Results on the decay of the spin.
+/// Fits of all forms of the spin's decay, and the diagnosis of the same flight.
 pub(in super::super) struct SpinDecay {
     pub(super) record: Record,
     pub(super) fits: Vec<(Form, DecayFit)>,
-    /// [`Form::Power`] fitted without the first [`WOBBLE`] seconds.
+    /// Fit of [`Form::Power`] without the first [`WOBBLE`] seconds.
     pub(super) power_without_wobble: Option<DecayFit>,
     /// Axial moment of inertia of the model, kg·m².
     pub(super) axial_inertia: f64,
-    /// C_Nr of the model, N·m·s.
+    /// Value of C_Nr in the model file, N·m·s.
     pub(super) model_c_nr: f64,
-    /// The ordinary diagnosis of gyroscope and accelerometer.
+    /// Diagnosis of the gyroscope and accelerometer record with the model of the whole disc.
     pub(super) diagnosed: Diagnosed,
 }
 
 impl SpinDecay {
-    /// Fits every form to the record in a file.
+    /// Fits every form of the decay to the gyroscope record in a file, and diagnoses the record.
     pub(in super::super) fn of(file: &Path, disc: &Model) -> Result<Self, StudyError> {
         let record = Record::read(file)?;
         let fits = Form::ALL.iter();
@@ -51,7 +51,7 @@ impl SpinDecay {
         })
     }
 
-    /// The fit of a form.
+    /// Fit of a form; `None` if that fit failed.
     pub(in super::super) fn fit(&self, form: Form) -> Option<&DecayFit> {
         let mut fits = self.fits.iter();
         fits.find(|(of, _)| *of == form).map(|(_, fit)| fit)

@@ -1,16 +1,16 @@
-//! Least-squares fits of curves to the table.
+//! Least-squares fits of curves to the wind tunnel's table.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::table::Measured;
 
-/// A coefficient in a row of the table: lift 0, drag 1, pitching moment 2.
+/// Index of a coefficient in a row of the table: lift 0, drag 1, pitching moment 2.
 pub(super) type Coefficient = usize;
 
-/// A function of the angle of attack, rad.
+/// A basis function of the angle of attack, rad.
 pub(super) type Shape = fn(f64) -> f64;
 
-/// Relative singular value below which a direction counts as undetermined.
+/// Singular values below this fraction of the maximum count as 0.
 const RANK_TOLERANCE: f64 = 1e-12;
 
 pub(super) const ONE: Shape = |_| 1.0;
@@ -20,7 +20,7 @@ pub(super) const CUBE: Shape = |alpha| alpha * alpha * alpha;
 /// Shape of the effect `stall`: a parabola above 8°.
 pub(super) const STALL: Shape = |alpha| -(alpha - 8_f64.to_radians()).max(0.0).powi(2);
 
-/// A sum of multiples of shapes.
+/// A linear combination of basis functions of the angle of attack.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Curve {
     pub(super) multiples: Vec<f64>,
@@ -28,12 +28,12 @@ pub(super) struct Curve {
 }
 
 impl Curve {
-    /// A curve with given multiples.
+    /// Creates a curve with given coefficients of the basis functions.
     pub(super) fn new(shapes: &'static [Shape], multiples: Vec<f64>) -> Self {
         Self { multiples, shapes }
     }
 
-    /// The least-squares curve through a coefficient of the rows; `None` if there are fewer rows than shapes.
+    /// Least-squares curve through one coefficient of the rows; `None` if there are fewer rows than basis functions.
     pub(super) fn fitted(
         rows: &[Measured],
         coefficient: Coefficient,
@@ -54,13 +54,13 @@ impl Curve {
         })
     }
 
-    /// Value at an angle of attack, rad.
+    /// Value of the curve at an angle of attack, rad.
     pub(super) fn at(&self, alpha: f64) -> f64 {
         let each = self.multiples.iter().zip(self.shapes);
         each.map(|(multiple, shape)| multiple * shape(alpha)).sum()
     }
 
-    /// Root mean square of the rows' coefficient − the curve.
+    /// RMS residual (table − curve) of one coefficient over the rows.
     pub(super) fn rms(&self, rows: &[Measured], coefficient: Coefficient) -> f64 {
         let residuals = rows
             .iter()
@@ -70,7 +70,7 @@ impl Curve {
     }
 }
 
-/// Angle (rad) of the minimum of a parabola `a + b α + c α²`; `None` if it has no minimum.
+/// Angle (rad) of the minimum of the parabola `a + b α + c α²`; `None` if it has no minimum.
 pub(super) fn minimum([_, b, c]: [f64; 3]) -> Option<f64> {
     (c > 0.0).then(|| -b / (2.0 * c))
 }

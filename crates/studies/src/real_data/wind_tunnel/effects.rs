@@ -1,4 +1,4 @@
-//! Section of docs/real-data.md on the effects of the catalogue that improve the disc's curves.
+//! Section of docs/real-data.md on the effects of the catalogue that improve the disc's aerodynamic curves.
 
 use serde::Serialize;
 
@@ -7,13 +7,13 @@ use super::table::{Measured, between};
 use crate::error::StudyError;
 use crate::page::render;
 
-/// Half-widths of the ranges of angles of attack, degrees.
+/// Half-widths of the ranges of angle of attack over which curves are fitted, degrees.
 const HALF_WIDTHS: [f64; 3] = [10.0, 20.0, 30.0];
 
-/// A form of a curve.
+/// A functional form of an aerodynamic curve.
 struct Form {
     coefficient: Coefficient,
-    /// The model's form, or the effects that make it.
+    /// Description of the model's form, or name of the effect that gives this form.
     name: &'static str,
     shapes: &'static [Shape],
 }
@@ -29,7 +29,7 @@ const fn form(coefficient: Coefficient, name: &'static str, shapes: &'static [Sh
 const LIFT: Form = form(0, "lift: straight", &[ONE, ALPHA]);
 const LIFT_STALL: Form = form(0, "`stall`", &[ONE, ALPHA, STALL]);
 const DRAG: Form = form(1, "drag: parabola about 0", &[ONE, SQUARE]);
-/// A parabola with a linear term is one about another angle.
+/// A parabola with a linear term is a parabola about a shifted angle.
 const DRAG_SHIFTED: Form = form(1, "`zero_lift_drag_angle`", &[ONE, SQUARE, ALPHA]);
 const MOMENT: Form = form(2, "pitching moment: straight through 0", &[ALPHA]);
 const MOMENT_CONSTANT: Form = form(2, "`constant_pitching_moment`", &[ALPHA, ONE]);
@@ -41,7 +41,7 @@ const MOMENT_EVEN: Form = form(
     &[ALPHA, ONE, CUBE, SQUARE],
 );
 
-/// Forms in the order of the table.
+/// Forms in the order of the page's table.
 const FORMS: [&Form; 9] = [
     &LIFT,
     &LIFT_STALL,
@@ -54,7 +54,7 @@ const FORMS: [&Form; 9] = [
     &MOMENT_EVEN,
 ];
 
-/// The model's forms, and the difference from the table above which they count as departing.
+/// Name of the curve, the model's form, and the difference from the table above which the form counts as deviating.
 const DEPARTURES: [(&str, &Form, f64); 3] = [
     ("Lift", &LIFT, 0.1),
     ("Drag", &DRAG, 0.05),
@@ -65,33 +65,34 @@ const DEPARTURES: [(&str, &Form, f64); 3] = [
 struct Section {
     forms: Vec<FormRow>,
     departures: Vec<Departure>,
-    /// Fractions of the RMS residual that effects remove, within the least and the greatest half-width.
+    /// Fraction of the RMS residual that the shifted drag parabola removes, within the minimum and the maximum
+    /// half-width.
     drag_shifted: [Option<f64>; 2],
     stall: [Option<f64>; 2],
     moment_constant: [Option<f64>; 2],
     moment_cubic: [Option<f64>; 2],
-    /// Angle of the least drag within the least and the greatest half-width, degrees.
+    /// Angle of minimum drag, fitted within the minimum and the maximum half-width, degrees.
     least_drag: [Option<f64>; 2],
 }
 
 #[derive(Serialize)]
 struct FormRow {
     name: &'static str,
-    /// RMS residual within each half-width.
+    /// RMS residual within each half-width; `None` if there are too few rows.
     rms: Vec<Option<f64>>,
 }
 
-/// Where the model's form, fitted within the least half-width, first departs from the table.
+/// Angles at which the model's form, fitted within the minimum half-width, first deviates from the table.
 #[derive(Serialize)]
 struct Departure {
     name: &'static str,
     limit: f64,
-    /// Angles of attack above and below 0, degrees.
+    /// First deviating angle of attack above 0, degrees; `below` is that below 0. `None` if the form does not deviate.
     above: Option<f64>,
     below: Option<f64>,
 }
 
-/// The section, in Markdown.
+/// Renders the section on the effects that improve the curves as Markdown.
 pub(in super::super) fn effects_section(table: &[Measured]) -> Result<String, StudyError> {
     let ranges = HALF_WIDTHS.map(|width| between(table, -width, width));
     let rms = |form: &Form, rows: &[Measured]| {

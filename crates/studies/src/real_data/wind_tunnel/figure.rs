@@ -7,10 +7,10 @@ use super::curves::Curve;
 use super::page::{FIGURE_RANGE, NAMES, fitted_curve, model_curves};
 use super::table::{Measured, between};
 
-/// Angles of attack of the rows in the figure, degrees.
+/// Range of angle of attack shown in the figure, degrees.
 const SHOWN: (f64, f64) = (-30.0, 45.0);
 
-/// One panel for each coefficient, SVG.
+/// Draws one panel per coefficient as SVG.
 pub(in super::super) fn tunnel_figure(disc: &Model, table: &[Measured]) -> String {
     let shown = between(table, SHOWN.0, SHOWN.1);
     let fitted_rows = between(table, FIGURE_RANGE.0, FIGURE_RANGE.1);

@@ -1,4 +1,4 @@
-//! Lift, drag and pitching moment of a disc in a wind tunnel, compared with the curves of the model `disc`.
+//! Lift, drag and pitching moment of a disc measured in a wind tunnel, compared with the curves of the model `disc`.
 
 mod curves;
 mod effects;

@@ -8,16 +8,16 @@ use super::table::{Measured, between};
 use crate::error::StudyError;
 use crate::page::render;
 
-/// Ranges of the angle of attack over which the model's curves are fitted, degrees.
+/// Ranges of angle of attack over which the model's curves are fitted, degrees.
 const RANGES: [(f64, f64); 3] = [(-5.0, 10.0), (-5.0, 15.0), (-10.0, 30.0)];
 
-/// Range of the fits in the figure, degrees.
+/// Range of angle of attack of the fits in the figure, degrees.
 pub(super) const FIGURE_RANGE: (f64, f64) = RANGES[1];
 
-/// Names of the coefficients.
+/// Names of the coefficients, in the order of the table.
 pub(super) const NAMES: [&str; 3] = ["lift", "drag", "pitching moment"];
 
-/// Shapes of the model's curves: straight lift, drag about 0, moment through 0.
+/// Basis functions of the model's curves: linear lift, parabolic drag about 0, moment proportional to the angle.
 const MODEL_SHAPES: [&[Shape]; 3] = [&[ONE, ALPHA], &[ONE, SQUARE], &[ALPHA]];
 
 #[derive(Serialize)]
@@ -25,14 +25,14 @@ struct Section {
     curves: Vec<CurveRow>,
     coefficients: Vec<(String, f64)>,
     figure_range: (f64, f64),
-    /// Angle of the least drag, degrees.
+    /// Angle of minimum drag, degrees; `None` if the fitted parabola has no minimum.
     least_drag: Option<f64>,
     lift_slopes: [Option<f64>; 3],
     moment_at_zero: Option<f64>,
     moment_slopes: [Option<f64>; 2],
 }
 
-/// A curve of the model's form, fitted over a range.
+/// A curve of the model's form, fitted over a range of angle of attack.
 #[derive(Serialize)]
 struct CurveRow {
     name: &'static str,
@@ -41,13 +41,13 @@ struct CurveRow {
     constant: f64,
     multiple: f64,
     rms: f64,
-    /// Root mean square of the table − the model's own curve.
+    /// RMS difference between the table and the curve with the model file's coefficients.
     model_rms: f64,
-    /// Root mean square of the table.
+    /// RMS of the table's values.
     magnitude: f64,
 }
 
-/// The section, in Markdown.
+/// Renders the section on the table and the model's curves as Markdown.
 pub(in super::super) fn tunnel_section(
     disc: &Model,
     table: &[Measured],
@@ -102,12 +102,12 @@ fn curve_rows(table: &[Measured], model: &[Curve; 3], (low, high): (f64, f64)) -
     curves.collect()
 }
 
-/// The curve of the model's form that is nearest to the rows.
+/// Least-squares curve of the model's form through one coefficient of the rows; `None` if there are too few rows.
 pub(super) fn fitted_curve(rows: &[Measured], coefficient: usize) -> Option<Curve> {
     Curve::fitted(rows, coefficient, MODEL_SHAPES[coefficient])
 }
 
-/// Curves of lift, drag and pitching moment with the model's coefficients.
+/// Curves of lift, drag and pitching moment with the coefficients of the model file.
 pub(super) fn model_curves(disc: &Model) -> [Curve; 3] {
     let value = |name: &str| {
         let mut coefficients = disc.coefficients.iter();

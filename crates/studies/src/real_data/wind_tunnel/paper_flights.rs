@@ -1,4 +1,5 @@
-//! Section of docs/real-data.md on the paper's two flights with the wind tunnel's coefficients.
+//! Section of docs/real-data.md on the paper's two flights, simulated with the wind tunnel's coefficients and fitted by
+//! the model.
 
 use model_spec::model::Model;
 use serde::Serialize;
@@ -10,17 +11,17 @@ use crate::oracle_flights::{paper_flight, release_angle_of_attack};
 use crate::page::render;
 use crate::paper::printed_coefficient;
 
-/// Number of noise seeds.
+/// Number of noise seeds per flight.
 const SEEDS: u64 = 40;
 
-/// Difference of two estimates, in standard deviations, above which they count as different.
+/// Number of standard deviations above which the estimates from the two flights count as different.
 const DIFFERENT: f64 = 3.0;
 
 const FLIGHTS: [&str; 2] = ["fssh3", "bffl8"];
 
 #[derive(Serialize)]
 struct Section {
-    /// Angle of attack at release, degrees.
+    /// Angle of attack at release of each flight, degrees.
     released: [f64; 2],
     seeds: u64,
     coefficients: Vec<CoefficientRow>,
@@ -30,20 +31,20 @@ struct Section {
 #[derive(Serialize)]
 struct CoefficientRow {
     name: String,
-    /// Mean and standard deviation over the seeds, from each flight.
+    /// Mean and standard deviation over the seeds of the estimates from each flight.
     estimates: [(f64, f64); 2],
     printed: Option<[f64; 2]>,
 }
 
 impl CoefficientRow {
-    /// Difference of the two means / its standard deviation.
+    /// Absolute difference between the two mean estimates / standard deviation of the difference.
     fn difference(&self) -> f64 {
         let [a, b] = self.estimates;
         (a.0 - b.0).abs() / a.1.hypot(b.1)
     }
 }
 
-/// Makes and fits the flights. The section, in Markdown.
+/// Simulates and fits the flights, and renders the section as Markdown.
 pub(in super::super) fn paper_flights_section(
     disc: &Model,
     table: &[Measured],

@@ -1,4 +1,4 @@
-//! The wind tunnel's table.
+//! Reads and interpolates tables of aerodynamic coefficients.
 
 use std::path::Path;
 
@@ -14,7 +14,7 @@ pub(in super::super) struct Measured {
     pub(in super::super) coefficients: [f64; 3],
 }
 
-/// Reads a table `alpha_deg,CL,CD,CM`, whose moment is nose-up positive.
+/// Reads a table with the columns `alpha_deg,CL,CD,CM`. The file's moment is nose-up positive.
 pub(in super::super) fn read(file: &Path) -> Result<Vec<Measured>, StudyError> {
     let text = text_of(file)?;
     let rows = rows(&text, 1).map(|row| {
@@ -29,7 +29,8 @@ pub(in super::super) fn read(file: &Path) -> Result<Vec<Measured>, StudyError> {
     rows.collect()
 }
 
-/// Coefficients at an angle of attack (rad), linear between rows in increasing order, constant beyond them.
+/// Coefficients at an angle of attack (rad), by linear interpolation. The rows must have increasing angles; outside
+/// their range the end values are returned.
 pub(in super::super) fn interpolated(rows: &[Measured], alpha: f64) -> [f64; 3] {
     let above = rows.partition_point(|row| row.alpha <= alpha);
     let below = above.checked_sub(1).and_then(|k| rows.get(k));
@@ -44,7 +45,7 @@ pub(in super::super) fn interpolated(rows: &[Measured], alpha: f64) -> [f64; 3] 
     }
 }
 
-/// Rows between two angles of attack, degrees.
+/// Rows whose angle of attack is between two limits, degrees.
 pub(super) fn between(rows: &[Measured], low: f64, high: f64) -> Vec<Measured> {
     let within = |row: &&Measured| (low - 1e-9..=high + 1e-9).contains(&row.alpha.to_degrees());
     rows.iter().filter(within).copied().collect()

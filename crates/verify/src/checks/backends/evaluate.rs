@@ -1,11 +1,11 @@
-//! Evaluates all functions of a model at many points: on tapes, and through generated code for `f64`.
+//! Evaluates all functions of a model at many points: by tapes, and by generated code for `f64`.
 
 use codegen::program::Program;
 use codegen::tape::{Inputs, Tape};
 use lanes::{Isa, Kernel, Lanes, Real, dispatch_with};
 use oracle::Point;
 
-/// Values of a point, in the order of the compiler's variables.
+/// Values of a point in the order of the compiler's variables: time, states, parameters, marker position.
 pub(super) struct Numbers<T> {
     t: T,
     x: Vec<T>,
@@ -24,7 +24,7 @@ impl Numbers<f64> {
     }
 }
 
-/// Tapes of all functions of a model, in the order of [`codegen::Compiled::functions`]. The first computes the
+/// Tapes of all functions of a model, in the order of [`codegen::Compiled::functions`]. The first tape computes the
 /// parameter-only values that the others use.
 pub(super) struct Tapes(Vec<Tape>);
 
@@ -33,7 +33,7 @@ impl Tapes {
         Self(programs.into_iter().map(Tape::new).collect())
     }
 
-    /// Results of all functions at a point, concatenated.
+    /// Concatenated results of all functions at a point.
     #[inline(always)]
     pub fn results<T: Real>(&self, at: &Numbers<T>) -> Vec<T> {
         let (mut all, mut prepared, mut scratch) = (Vec::new(), Vec::new(), Vec::new());
@@ -55,7 +55,8 @@ impl Tapes {
         all
     }
 
-    /// Concatenated results at each point, computed with one instruction set; `None` if this machine lacks it.
+    /// Concatenated results of all functions at each point, computed with one instruction set; `None` if this machine
+    /// lacks it.
     pub fn on_lanes(&self, isa: Isa, points: &[Point<f64>]) -> Option<Vec<Vec<f64>>> {
         dispatch_with(
             isa,
@@ -97,7 +98,7 @@ impl Kernel for Batch<'_> {
     }
 }
 
-/// Results of all functions of a generated model for `f64`, in the order of [`Tapes::results`].
+/// Concatenated results of all functions of a generated model for `f64`, in the order of [`Tapes::results`].
 pub(super) fn generated_results(m: &generated::Model, at: &Numbers<f64>) -> Vec<f64> {
     let zeros = |n: usize| vec![0.0; n];
     let (n, Numbers { t, x, p, marker }) = (m.states.len(), at);

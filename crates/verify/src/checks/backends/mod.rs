@@ -1,6 +1,6 @@
-//! Every backend against every other: the tape and the generated code, for `f64` and for the lanes of every
-//! instruction set of this machine. Backends that fuse multiply and add must agree to the bit, and so must those that
-//! do not; the two groups differ by rounding. Generated code runs on lanes as recorded programs, see `record`.
+//! Compares every backend with every other: the tape and the generated code, for `f64` and for the lanes of every
+//! instruction set of this machine. Backends with fused multiply-add must agree bit for bit, and so must backends
+//! without it; the two groups differ by rounding. Generated code runs on lanes as recorded programs, see `record`.
 
 mod evaluate;
 mod record;
@@ -19,21 +19,21 @@ pub const BACKENDS: &str = "backends";
 /// Name of the comparison of backends with and without fused multiply-add.
 pub const FMA: &str = "FMA and non-FMA";
 
-/// Name of the statement on the generated code that the program contains.
+/// Name of the check whether the program contains current generated code of the model.
 pub const GENERATED: &str = "generated code";
 
-/// Largest difference by fused multiply-add, relative to the function's largest result: 1e4 roundings, for
-/// cancellation.
+/// Maximum difference caused by fused multiply-add, relative to the largest result of the function. The value allows
+/// for cancellation of 1e4 rounding errors.
 const FMA_TOLERANCE: f64 = 1e-12;
 
-/// Results of one backend at a list of points; for each point the results of all functions, concatenated.
+/// Results of one backend at a list of points.
 #[derive(Clone, Debug)]
 pub struct Run {
     /// Name of the backend.
     pub backend: String,
     /// Whether the backend fuses multiply and add.
     pub fuses: bool,
-    /// Concatenated results at each point.
+    /// For each point, the concatenated results of all functions.
     pub results: Vec<Vec<f64>>,
 }
 
@@ -45,7 +45,7 @@ pub fn functions(compiled: &Compiled) -> Vec<(&'static str, usize)> {
         .into()
 }
 
-/// Evaluates every backend at the points; generated code only if its source hash matches the model.
+/// Evaluates all backends at the points. Generated code is included only if its source hash matches the model.
 pub fn runs(model: &Model, compiled: &Compiled, points: &[Point<f64>]) -> Vec<Run> {
     let tapes = Tapes::new(compiled.functions().map(|f| &f.program));
     let mut runs = vec![Run {
@@ -74,8 +74,8 @@ pub fn runs(model: &Model, compiled: &Compiled, points: &[Point<f64>]) -> Vec<Ru
     runs
 }
 
-/// Whether the program contains code of the model, and of its present text. Code of another text is not compared with
-/// anything, which is remarked.
+/// Checks whether the program contains generated code of the model's current text. The check is skipped without code,
+/// and skipped with a remark if the code belongs to another text and so was not compared.
 pub fn generated_code(model: &Model) -> Row {
     match generated::model(&model.name) {
         _ if !model.effects.is_empty() => {
@@ -104,12 +104,12 @@ fn on_lanes(name: &str, tapes: &Tapes, points: &[Point<f64>]) -> Vec<Run> {
     Isa::ALL.into_iter().filter_map(run).collect()
 }
 
-/// The first run with (`fuses`) or without fused multiply-add.
+/// First run with the given use of fused multiply-add; `None` if there is none.
 fn first(runs: &[Run], fuses: bool) -> Option<&Run> {
     runs.iter().find(|run| run.fuses == fuses)
 }
 
-/// Compares each run bit for bit with the first run of equal multiply-add fusion.
+/// Compares each run bit for bit with the first run that has the same use of fused multiply-add.
 pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
     let mut worst = Worst::default();
     for run in runs {
@@ -147,7 +147,8 @@ pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
     }
 }
 
-/// Compares a run with fused multiply-add with one without; errors relative to the function's largest result.
+/// Compares the first run with fused multiply-add with the first run without. Errors are relative to the largest result
+/// of the function.
 pub fn check_fma(compiled: &Compiled, runs: &[Run]) -> Row {
     let (Some(plain), Some(fused)) = (first(runs, false), first(runs, true)) else {
         return Row::skipped(FMA, "no backend fuses on this machine");
@@ -169,7 +170,7 @@ pub fn check_fma(compiled: &Compiled, runs: &[Run]) -> Row {
     Row::judged(FMA, plain.results.len(), &worst, FMA_TOLERANCE)
 }
 
-/// Name of the function that the concatenated result with this index belongs to.
+/// Name of the function to which the concatenated result with the given index belongs.
 pub fn function_at(compiled: &Compiled, index: usize) -> &'static str {
     let mut end = 0;
     let found = functions(compiled).into_iter().find(|(_, len)| {
@@ -179,12 +180,12 @@ pub fn function_at(compiled: &Compiled, index: usize) -> &'static str {
     found.map_or("nothing", |(name, _)| name)
 }
 
-/// Distance of two numbers in units in the last place; 0 if both are NaN, infinite if one is.
+/// Distance of two values in units in the last place; 0 if both are NaN, infinite if only one is NaN.
 fn ulps(a: f64, b: f64) -> f64 {
     if a == b || (a.is_nan() && b.is_nan()) {
         return 0.0;
     }
-    // Integers in the order of the numbers, on both sides of 0.
+    // Maps floating-point values to integers in the same order, negative values included.
     let place = |v: f64| {
         let bits = v.to_bits() as i64;
         if bits < 0 {

@@ -1,10 +1,10 @@
-//! Generated code recorded as intermediate-representation programs.
+//! Records generated code as programs of the intermediate representation.
 //!
-//! Generated functions are generic over [`Real`], which has no comparison that returns a `bool`: every scalar type
-//! goes through the same operations in the same order. Evaluating a function on [`Recorded`] therefore yields its
-//! operations for all scalar types at once; replayed by a [`Tape`](codegen::tape::Tape), they give what the function
-//! itself gives on any lanes. One instantiation per model replaces one per model and instruction set; a test compares
-//! the replay with the native instantiations.
+//! Generated functions are generic over [`Real`], which has no comparison that returns a `bool`, so every scalar type
+//! performs the same operations in the same order. Evaluating a function on [`Recorded`] therefore yields the
+//! operations for all scalar types. Replayed by a [`Tape`](codegen::tape::Tape), the recording gives the results of the
+//! function itself on any lanes. This needs one instantiation per model instead of one per model and instruction set; a
+//! test compares the replay with the native instantiations.
 
 use codegen::functions::MathFunction;
 use codegen::program::{Binary, Fused, Op, Operand, Program, Statement, Unary};
@@ -45,9 +45,9 @@ fn index(k: usize) -> u32 {
     u32::try_from(k).expect("fewer than 2^32 operands")
 }
 
-/// Scalar type that appends its operations to the recording; the value is an index into the recorded operands.
+/// Scalar type whose operations are appended to the recording. The value is an index into the recorded operands.
 ///
-/// A four-byte value and calls that are not inlined keep the instantiation of a model's functions cheap.
+/// The small size and the calls that are not inlined make the instantiation of a model's functions cheap to compile.
 #[derive(Clone, Copy)]
 struct Recorded(u32);
 
@@ -199,8 +199,8 @@ impl Real for Recorded {
     }
 }
 
-/// The functions of a generated model as programs, in the order of [`codegen::Compiled::functions`]; `None` if no
-/// generated model has that name.
+/// Records the functions of a generated model as programs, in the order of [`codegen::Compiled::functions`]; `None` if
+/// no generated model has that name.
 pub(super) fn programs(model: &str) -> Option<[Program; 8]> {
     generated::visit(model, Recorder)
 }
@@ -213,7 +213,7 @@ impl generated::Visitor for Recorder {
     fn visit<E: generated::Equations>(self) -> [Program; 8] {
         let m = E::MODEL;
         RECORDING.set(Recording::new());
-        // Operands outlive the recording of one function: the inputs are common to all.
+        // The operands remain after a function is recorded, because all functions share the inputs.
         let time = input(Operand::Time);
         let x = &inputs(m.states.len(), Operand::State);
         let p = &inputs(m.parameters.len(), Operand::Parameter);
@@ -253,7 +253,7 @@ fn inputs(count: usize, operand: fn(u32) -> Operand) -> Vec<Recorded> {
     (0..index(count)).map(|k| input(operand(k))).collect()
 }
 
-/// Records one function as a program; `lengths` are the lengths of its result slices.
+/// Records one function as a program; `lengths` are the lengths of the function's result slices.
 fn record<const N: usize>(
     lengths: [usize; N],
     function: impl FnOnce([&mut [Recorded]; N]),
