@@ -1,7 +1,7 @@
 //! Single-lane types: `f64`, and `f64` with fused multiply-add.
 
 use crate::Lanes;
-use crate::kernel::LaneKernel;
+use crate::outlined::LaneKernel;
 use crate::primitive::Primitive;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

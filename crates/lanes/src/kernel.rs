@@ -14,14 +14,6 @@ pub trait Kernel {
     fn run<T: Lanes>(self) -> Self::Output;
 }
 
-/// A computation on lanes of type `T`, for [`Lanes::outlined`].
-///
-/// `run` and all its callees over `T` must be `#[inline(always)]`, as in a [`Kernel`].
-pub trait LaneKernel<T> {
-    /// Runs the computation.
-    fn run(self);
-}
-
 /// A computation on single numbers (one lane), for [`dispatch_scalar`](crate::dispatch_scalar).
 ///
 /// `run` and its callees should be `#[inline(always)]`; otherwise they are compiled for the baseline processor.

@@ -1,6 +1,6 @@
 //! Four lanes in an array, for processors without a vector type of their own in this crate.
 
-use crate::kernel::LaneKernel;
+use crate::outlined::LaneKernel;
 use crate::primitive::Primitive;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

@@ -1,6 +1,6 @@
 //! Primitive operations over which every function is written, so that `f64` and all vector types share one source.
 
-use crate::kernel::LaneKernel;
+use crate::outlined::LaneKernel;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Maximum number of lanes of any lane type.

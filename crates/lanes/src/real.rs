@@ -1,7 +1,7 @@
 //! Traits for arithmetic on one real number or on one real number per lane, implemented by the primitive operations.
 
 use crate::functions::{basic, exponential, inverse_trigonometric, piecewise, trigonometric};
-use crate::kernel::LaneKernel;
+use crate::outlined::LaneKernel;
 use crate::primitive::{MAX_WIDTH, Primitive};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

@@ -1,6 +1,6 @@
 //! `f64` as a single, non-fusing lane.
 
-use crate::kernel::LaneKernel;
+use crate::outlined::LaneKernel;
 use crate::primitive::Primitive;
 
 impl Primitive for f64 {

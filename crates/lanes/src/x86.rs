@@ -15,7 +15,8 @@
 
 use crate::fused::{Fused, ScalarLane};
 use crate::isa::Isa;
-use crate::kernel::{Kernel, LaneKernel, ScalarKernel};
+use crate::kernel::{Kernel, ScalarKernel};
+use crate::outlined::LaneKernel;
 use crate::primitive::Primitive;
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Neg, Sub};

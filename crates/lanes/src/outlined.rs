@@ -1,0 +1,9 @@
+//! Computations that are compiled as functions of their own.
+
+/// A computation on lanes of type `T`, for [`Lanes::outlined`](crate::Lanes::outlined).
+///
+/// `run` and all its callees over `T` must be `#[inline(always)]`, as in a [`Kernel`](crate::Kernel).
+pub trait LaneKernel<T> {
+    /// Runs the computation.
+    fn run(self);
+}
