@@ -159,7 +159,7 @@ fn backends() -> clap::builder::PossibleValuesParser {
     clap::builder::PossibleValuesParser::new(values)
 }
 
-/// Parser of the names of the kinds of figure files.
+/// Parser of an option's value that must be the name of a kind of figure file, such as pdf or png.
 fn figure_kinds() -> clap::builder::PossibleValuesParser {
     clap::builder::PossibleValuesParser::new(report::FigureKind::ALL.map(report::FigureKind::name))
 }

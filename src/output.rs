@@ -25,8 +25,8 @@ pub fn folder(out: Option<&Path>) -> anyhow::Result<Option<ResultFolder>> {
     out.map(open).transpose()
 }
 
-/// Checks that an output folder can be used, before any work is done. A folder that holds files is accepted here and
-/// checked when the results are written.
+/// Checks that an output folder can be created, before any work is done. A folder that already holds files is accepted
+/// here; its contents are checked when the results are written.
 pub fn new_folder(path: &Path) -> anyhow::Result<()> {
     let holds_files = std::fs::read_dir(path).is_ok_and(|mut entries| entries.next().is_some());
     if !holds_files {
@@ -40,7 +40,7 @@ pub fn replace(folder: &ResultFolder, files: &[ResultFile]) -> anyhow::Result<()
     progress::writing(|| folder.replace(files)).context("--out")
 }
 
-/// Appends to `files` a copy of each figure, a file named `….svg`, in each of the requested other `kinds`.
+/// Appends to `files` a conversion of each SVG figure among them to each of the requested `kinds`, such as pdf or png.
 pub fn add_figures(files: &mut Vec<ResultFile>, kinds: &[String]) -> anyhow::Result<()> {
     let is_asked = |kind: &FigureKind| kinds.iter().any(|name| name == kind.name());
     for kind in FigureKind::ALL.into_iter().filter(is_asked) {

@@ -62,7 +62,7 @@ pub fn handle_signals() -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Declares that results computed before a signal are kept, because the work is written to files part by part.
+/// Declares that the command writes its results part by part, so that results computed before a signal are kept.
 pub fn resumes() {
     RESUMES.store(true, Ordering::SeqCst);
 }
@@ -78,7 +78,8 @@ pub fn writing<T>(write: impl FnOnce() -> T) -> T {
     written
 }
 
-/// Changes the phase; does not return if a signal has already announced that nothing is written.
+/// Changes the phase from `from` to `to`. Does not return if a signal has already announced that nothing is written;
+/// the program then ends.
 fn enter(from: u8, to: u8) {
     let entered = PHASE.compare_exchange(from, to, Ordering::SeqCst, Ordering::SeqCst);
     while entered == Err(STOPPED) {

@@ -9,7 +9,7 @@ use model_spec::model::{CheckCase, Expectation, Model, Observable, Target};
 /// Expected result of a check case, and the result computed from the model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
-    /// Result in the notation of the check case: `alpha`, `der(u)`.
+    /// Name of the checked quantity in the notation of the check case: `alpha`, `der(u)`.
     pub name: String,
     /// Unit of the result, an SI unit in the notation of model files; `1` if dimensionless.
     pub unit: String,
@@ -26,8 +26,8 @@ impl Comparison {
     }
 }
 
-/// Evaluates each check case of a model. Returns the title of each case with its expected and computed results, in the
-/// order of the file.
+/// Evaluates the check cases of a model. Returns for each case, in the order of the model file, its title and the
+/// expected and computed results.
 pub fn check_cases(model: &Model) -> Vec<(String, Vec<Comparison>)> {
     let observables: Vec<Observable> = model
         .checks

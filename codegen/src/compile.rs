@@ -30,7 +30,8 @@ pub enum Selection {
 pub enum Effort {
     /// Tries several elimination orders for each Jacobian and uses the one with the lowest cost; for generated code.
     Full,
-    /// Uses one elimination order, and obtains `f_jac` as a subset of `f_jac_par`; for tapes compiled at run time.
+    /// Uses one elimination order, and obtains `f_jac` from `f_jac_par` by omission of the parameter Jacobian; for
+    /// tapes compiled at run time.
     Quick,
 }
 

@@ -67,7 +67,7 @@ pub fn count(program: &Program) -> Count {
     count
 }
 
-/// Counts the operations of a program on which the selected outputs (by index) depend.
+/// Counts the operations on which the selected outputs of a program depend, by kind; `outputs` contains output indices.
 pub fn count_for(program: &Program, outputs: &[usize]) -> Count {
     let mut needed = vec![false; program.statements.len()];
     for &output in outputs {

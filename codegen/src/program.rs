@@ -101,7 +101,7 @@ impl Op {
     }
 }
 
-/// Statement of a program: one operation, whose result is `Temp(k)` for the k-th statement.
+/// Statement of a program: one operation. Operands refer to the result of statement k as `Operand::Temp(k)`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Statement {
     /// Operation that the statement computes.
@@ -118,7 +118,7 @@ pub struct Statement {
 pub struct About {
     /// Index of the auxiliary variable in `Lowered::provenance`.
     pub origin: usize,
-    /// Whether the statement computes the variable itself rather than a subexpression of it.
+    /// Whether the statement computes the auxiliary variable itself; false for a subexpression of its definition.
     pub exact: bool,
 }
 
@@ -127,7 +127,7 @@ pub struct About {
 pub struct Program {
     /// Statements in order of execution; operands refer only to earlier statements.
     pub statements: Vec<Statement>,
-    /// Operands whose values are the results of the program, in the order of the function's sections.
+    /// Operands whose values are the results of the program, in the order of the output sections of the [`Function`].
     pub outputs: Vec<Operand>,
     /// Tables that the statements look up.
     pub tables: Tables,

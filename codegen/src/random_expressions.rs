@@ -48,7 +48,7 @@ enum Step {
 const TABLE: &str = "model table; param tau = 1 s; state a = 0; frame N;
     table hill(x) = { 0: 0, 1: 1, 2: 0 }; der(a) = hill(a)/tau;";
 
-/// Whether random expressions call the function: not where it jumps or has an infinite slope.
+/// Whether the function may occur in random expressions: false for functions with jumps or infinite slopes.
 fn is_smooth(function: &MathFunction) -> bool {
     use MathFunction::{Heaviside, NonZero, Sign, Sqrt};
     !matches!(function, Heaviside | NonZero | Sign | Sqrt)
@@ -113,7 +113,8 @@ fn node(graph: &mut ExprGraph, step: Step, x: NodeId, y: NodeId) -> NodeId {
     }
 }
 
-/// Value of a step by the definition of its operation; `None` within 1e-3 of a point where the operation is not smooth.
+/// Value and derivative of a step for the operands `x` and `y`, by the plain definition of its operation; `None` within
+/// 1e-3 of a point where the operation is not smooth.
 fn value(step: Step, x: Dual64, y: Dual64) -> Option<Dual64> {
     let smooth = |margin: f64| margin.abs() > 1e-3;
     let one = Dual64::from(1.0);
@@ -167,7 +168,8 @@ struct Case {
     magnitude: f64,
 }
 
-/// Builds a random expression; `None` if a step is not smooth or a value exceeds [`MAX_MAGNITUDE`].
+/// Builds the random expression of the given steps with its value and derivatives at the point `at`. `None` if a step
+/// is not smooth there, or if a value or derivative is not below [`MAX_MAGNITUDE`] in magnitude.
 fn case(steps: &[(Step, Index, Index)], at: [f64; VARIABLES]) -> Option<Case> {
     static TABLES: LazyLock<Tables> = LazyLock::new(|| {
         let model = model_spec::load::from_text("table.hyz", TABLE, &[]).expect("a model");

@@ -110,8 +110,8 @@ impl Specialized {
         }
     }
 
-    /// Specialized node of a local. The node is a local again unless the specialized definition is a leaf or a
-    /// constant.
+    /// Node of the new graph for a local symbol of the original graph: a local symbol again, or the specialized
+    /// definition if that is a leaf or a constant.
     fn local(
         &mut self,
         old: &ExprGraph,

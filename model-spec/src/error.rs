@@ -15,7 +15,7 @@ pub enum LoadError {
     /// A model or effect has errors in its text.
     #[error("{}", render(diagnostics, sources, false).trim_end())]
     Faults {
-        /// Errors in the texts, at least one.
+        /// Errors found in the source texts, at least one.
         diagnostics: Vec<Diagnostic>,
         /// Source texts that the diagnostics' spans refer to.
         sources: Vec<Source>,
@@ -31,7 +31,7 @@ pub enum LoadError {
     /// The path is a folder, not a model file.
     #[error("`{path}` is a folder, not a model file")]
     Folder {
-        /// Path of the folder.
+        /// Path of the folder, which was given in place of the path of a model file.
         path: String,
     },
     /// The given name is neither an existing file nor a built-in model.

@@ -16,7 +16,8 @@ index_type!(
 );
 
 index_type!(
-    /// Index into the vector of auxiliary variables, which has one entry per scalar and per vector component.
+    /// Index into [`Layout::quantities`], which has one entry per scalar auxiliary variable and per component of a
+    /// vector.
     pub struct QuantityId;
 );
 
@@ -35,8 +36,8 @@ pub struct Layout {
     pub coefficients: usize,
     /// Names of the marker's three coordinates; empty if the model has no marker.
     pub marker: Vec<String>,
-    /// Names of the auxiliary variables, one per scalar or vector component; without variables that are defined only at
-    /// observations ([`is_of_observation`]).
+    /// Names of the auxiliary variables, one per scalar and per vector component. Variables that can be evaluated only
+    /// together with an observation ([`is_of_observation`]) are omitted.
     pub quantities: Vec<String>,
     /// Default values of the parameters, SI, in parameter-vector order.
     pub defaults: Vec<f64>,
@@ -148,12 +149,12 @@ impl Layout {
         Some([x?, y?, z?])
     }
 
-    /// Default values of the parameters, SI: known constants, coefficients, components of inputs.
+    /// Default values of the parameters, SI, in the order of [`Layout::parameters`].
     pub fn default_parameters(&self) -> Vec<f64> {
         self.defaults.clone()
     }
 
-    /// Default initial values of the states, SI.
+    /// Default initial values of the states, SI, in the order of [`Layout::states`].
     pub fn default_states(&self) -> Vec<f64> {
         self.initial.clone()
     }
@@ -167,8 +168,8 @@ fn position(names: &[String], name: &str) -> Option<usize> {
     names.iter().position(|own| own == name)
 }
 
-/// For each auxiliary variable, whether it is defined only at observations: it depends on the marker, on the specific
-/// force or on the angular acceleration.
+/// For each auxiliary variable, whether it can be evaluated only together with an observation, because it depends on
+/// the marker, on the specific force or on the angular acceleration.
 pub fn is_of_observation(model: &Model) -> Vec<bool> {
     let of_marker = depending_on(model, |kind| matches!(kind, ExprKind::Marker));
     let of_motion = depends_on_accelerations(model);
@@ -205,8 +206,8 @@ fn depending_on(model: &Model, is_leaf: fn(&ExprKind) -> bool) -> Vec<bool> {
     known
 }
 
-/// Whether an expression contains a leaf that satisfies `is_leaf`, directly or through an auxiliary variable `k` with
-/// `known[k]`.
+/// Whether an expression contains a leaf that satisfies `is_leaf`, directly or through an auxiliary variable.
+/// `known[k]` states whether the definition of auxiliary variable `k` contains such a leaf.
 pub(crate) fn depends(e: &Expr, known: &[bool], is_leaf: fn(&ExprKind) -> bool) -> bool {
     match &e.kind {
         kind if is_leaf(kind) => return true,

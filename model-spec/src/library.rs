@@ -2,7 +2,7 @@
 
 include!(concat!(env!("OUT_DIR"), "/library.rs"));
 
-/// Text of a built-in file by its name; `None` if the table has no such entry.
+/// Text stored under `name` in a table of built-in files; `None` if the table has no such entry.
 pub(crate) fn find(table: &[(&'static str, &'static str)], name: &str) -> Option<&'static str> {
     let entry = table.iter().find(|(own, _)| *own == name);
     entry.map(|(_, text)| *text)

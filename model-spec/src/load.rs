@@ -18,13 +18,12 @@ pub struct Loaded {
     pub file: File,
     /// Errors of the model and its effects.
     pub diagnostics: Vec<Diagnostic>,
-    /// Source texts that the spans of tree and diagnostics refer to.
+    /// Source texts to which the spans of [`Loaded::file`] and [`Loaded::diagnostics`] refer.
     pub sources: Vec<Source>,
 }
 
-/// Loads a model without errors from a path or by the name of a built-in model; an existing file takes precedence.
-/// `with` lists the effects to apply, each by path or by the name of an effect in the model's file or of a built-in
-/// effect.
+/// Loads a model from a path or by the name of a built-in model; an existing file takes precedence. `with` lists the
+/// effects to apply, each by path or by the name of an effect in the model's file or of a built-in effect.
 ///
 /// # Errors
 /// [`LoadError`] if a file is missing or any text has an error, unit errors included.
@@ -33,7 +32,8 @@ pub fn load(name_or_path: &str, with: &[&str]) -> Result<Model, LoadError> {
     from_text(&name, &text, with)
 }
 
-/// Loads a model without errors from text and applies the effects `with`; messages refer to the text as `name`.
+/// Loads a model from text and applies the effects `with`; fails if any text has an error. Messages refer to the text
+/// as `name`.
 ///
 /// # Errors
 /// [`LoadError`] if an effect is missing or any text has an error, unit errors included.
@@ -48,7 +48,8 @@ pub fn from_text(name: &str, text: &str, with: &[&str]) -> Result<Model, LoadErr
     }
 }
 
-/// Loads a model, by path or name as in [`load`](load()), and returns its errors as diagnostics.
+/// Loads a model and applies the effects `with`, as [`load`](load()) does, but returns the model's errors as
+/// [`Loaded::diagnostics`].
 ///
 /// # Errors
 /// [`LoadError`] if the model or an effect is missing, or if the file of an effect has errors.
@@ -57,7 +58,8 @@ pub fn inspect(name_or_path: &str, with: &[&str]) -> Result<Loaded, LoadError> {
     inspect_text(&name, &text, with)
 }
 
-/// Loads a model from text and returns its errors as diagnostics; messages refer to the text as `name`.
+/// Loads a model from text and applies the effects `with`, as [`from_text`] does, but returns the model's errors as
+/// [`Loaded::diagnostics`]. Messages refer to the text as `name`.
 ///
 /// # Errors
 /// [`LoadError`] if an effect is missing or if the file of an effect has errors.
@@ -94,8 +96,8 @@ pub fn inspect_text(name: &str, text: &str, with: &[&str]) -> Result<Loaded, Loa
     })
 }
 
-/// Combines the errors `earlier` of a model with the errors of an effect's text; an `error` of another kind is returned
-/// unchanged.
+/// Adds the errors of an effect's text, held by `error`, to the errors `earlier` of the model, so that all are reported
+/// at once. An `error` other than [`LoadError::Faults`] is returned unchanged.
 fn after(tree: ModelTree, mut earlier: Vec<Diagnostic>, error: LoadError) -> LoadError {
     let LoadError::Faults {
         mut diagnostics,

@@ -86,8 +86,8 @@ pub struct Parameter {
     pub doc: String,
     /// Unit, declared or inferred.
     pub unit: Unit,
-    /// Text of the unit of [`Parameter::value`], declared or inferred, always an SI unit: `1`, `1/rad`, `kg*m^2`, or
-    /// `rad` if the file states `deg`.
+    /// Text of the SI unit of [`Parameter::value`], such as `1`, `1/rad` or `kg*m^2`; `rad` for a parameter declared in
+    /// `deg`.
     pub unit_text: String,
     /// Whether the unit was inferred from the uses of the parameter.
     pub inferred: bool,
@@ -197,16 +197,16 @@ pub struct Body {
 pub struct Rotation {
     /// Index into [`Model::frames`] of the body-fixed frame.
     pub body_frame: usize,
-    /// Index into [`Model::frames`] of the frame of [`ExprKind::AngularVelocity`]: the inertia frame unless the body
-    /// states another frame.
+    /// Index into [`Model::frames`] of the frame of the components of [`ExprKind::AngularVelocity`]: equal to
+    /// [`Rotation::inertia_frame`] unless the body states another frame.
     pub angular_velocity_frame: usize,
-    /// Index of the frame in which the inertia tensor is constant: the body-fixed frame, or a frame that differs from
-    /// it by a rotation about an axis of symmetry.
+    /// Index into [`Model::frames`] of the frame in which the inertia tensor is constant: the body-fixed frame, or a
+    /// frame that differs from the body-fixed frame only by rotations about axes of inertial symmetry.
     pub inertia_frame: usize,
     /// Inertia tensor, kg m², symmetric; entries depend on parameters and coefficients alone.
     pub inertia: [[Expr; 3]; 3],
-    /// For a quaternion attitude, indices of the states of the angular velocity and of the frame of its components.
-    /// `None` if the rates of the attitude angles are states.
+    /// For a quaternion attitude, indices into [`Model::states`] of the angular velocity, and index into
+    /// [`Model::frames`] of the frame of its components. `None` for an attitude by angles, whose rates are the states.
     pub angular_velocity: Option<([usize; 3], usize)>,
 }
 
@@ -405,9 +405,10 @@ pub enum ExprKind {
     Axis(usize, u8),
     /// Position of the centre of mass, in the inertial frame 0, m.
     Position,
-    /// Velocity of the centre of mass, in [`Body::velocity_frame`].
+    /// Velocity of the centre of mass relative to the inertial frame, m/s, with components in [`Body::velocity_frame`].
     Velocity,
-    /// Angular velocity of the body, in the frame [`Rotation::angular_velocity_frame`].
+    /// Angular velocity of the body relative to the inertial frame, rad/s, with components in
+    /// [`Rotation::angular_velocity_frame`].
     AngularVelocity,
     /// Specific force: the sum of the forces other than the weight, divided by the mass, in [`Body::velocity_frame`],
     /// m/s². It can be evaluated only after the forces.

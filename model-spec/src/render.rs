@@ -5,7 +5,8 @@ use ariadne::{CharSet, Color, Config, IndexType, Label, Report, ReportKind};
 use crate::diagnostic::{self, Diagnostic, MAX_SHOWN};
 use crate::source::{Source, Span};
 
-/// Maximum length of a source line that is drawn in an excerpt, bytes.
+/// Maximum length, bytes, of a source line that is shown as an excerpt. An error on a longer line is printed without
+/// excerpt.
 const MAX_LINE_BYTES: usize = 300;
 
 /// Formats diagnostics as text, in the order of their source spans, with ANSI colours if `color`. At most 50 are shown;

@@ -1,6 +1,6 @@
 //! Spelling suggestions for misspelt names, by edit distance.
 
-/// Maximum length of a misspelt name for which suggestions are searched, characters.
+/// Maximum length of a misspelt name, characters; for a longer name, no suggestion is searched. It bounds the run time.
 const MAX_NAME_CHARS: usize = 40;
 
 /// Finds the name nearest in spelling to `wrong`: equal except for case, one name a prefix of the other, or a small

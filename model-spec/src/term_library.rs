@@ -97,7 +97,7 @@ pub struct Variable {
     pub quantity: String,
     /// Name of the variable as it appears in names of terms.
     pub name: String,
-    /// Word that states what an effect with this variable depends on: one of [`VARIABLES`](crate::VARIABLES).
+    /// Class of variable, stated by effects that depend on this variable: one of [`VARIABLES`](crate::VARIABLES).
     pub depends_on: String,
     /// Definition of the variable as source text in model notation.
     pub formula: String,
@@ -114,7 +114,7 @@ pub struct Factor {
     pub power: i32,
 }
 
-/// Candidate term: a product of variables that acts on a channel.
+/// Candidate for a term that a model lacks: a product of variables that acts on a channel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Term {
     /// Channel that the term acts on.
@@ -129,7 +129,7 @@ pub enum TermLibraryError {
     /// The text is not valid TOML or does not have the structure of a term library.
     #[error("{name}: {error}")]
     Form {
-        /// Name of the library.
+        /// Name of the library, as passed to [`TermLibrary::parse`].
         name: String,
         /// Error of the TOML reader.
         error: toml::de::Error,
@@ -140,7 +140,7 @@ pub enum TermLibraryError {
     /// A product has a factor that is not the name of a variable.
     #[error("{name}: a product has the factor `{factor}`, which is not the name of a variable")]
     UnknownVariable {
-        /// Name of the library.
+        /// Name of the library, as passed to [`TermLibrary::parse`].
         name: String,
         /// Name of the unknown factor.
         factor: String,
@@ -184,9 +184,9 @@ impl TermLibrary {
         &BUILT_IN
     }
 
-    /// Returns a term library for a model, together with the model extended by the library's loads effect. The library
-    /// is the first built-in one that is compatible with the model, or else one generated from the model's quantities.
-    /// `None` if no library can be generated, because the model has neither a body nor stated equations.
+    /// Returns a term library for a model, and the model extended by [`TermLibrary::loads`]. The library is the first
+    /// built-in one that is compatible with the model, or else one generated from the model's quantities. `None` if the
+    /// model has neither a body nor a stated equation to which a term can be added.
     pub fn for_model(model: &Model) -> Option<(Arc<TermLibrary>, ModelTree)> {
         let (tree, binding) = (ModelTree::of(model), Binding::new(model));
         let with_loads = |library: &TermLibrary| {
@@ -295,8 +295,8 @@ impl TermLibrary {
         }
     }
 
-    /// Words that state what a term depends on, from [`VARIABLES`](crate::VARIABLES), without duplicates; empty for the
-    /// constant 1.
+    /// Classes of variables on which a term depends, from [`VARIABLES`](crate::VARIABLES), without duplicates; empty
+    /// for the constant 1.
     pub fn depends_on(&self, term: Term) -> Vec<&str> {
         let mut words: Vec<&str> = Vec::new();
         for factor in self.factors(term) {
@@ -348,8 +348,8 @@ impl TermLibrary {
 }
 
 impl Variable {
-    /// Creates a variable. Its definition is a `let` of the loads effect, or the name itself if the model declares the
-    /// quantity.
+    /// Creates a variable. Its definition is the right-hand side of the `let` of that name in the effect `loads`, or,
+    /// without such a `let`, the name of the quantity, which the model must then declare.
     fn new(entry: VariableEntry, loads: &EffectTree) -> Variable {
         let defined = loads.tree().parts.iter().find_map(|part| match part {
             EffectPart::Add(item) => match &item.kind {
@@ -411,7 +411,8 @@ fn factors(
     Ok(factors)
 }
 
-/// Copy of a template's statement in which `name` replaces the placeholder `NAME` and `term` replaces `TERM`.
+/// Copy of a statement of a channel's template effect, in which `name` replaces the placeholder `NAME` and `term`
+/// replaces the placeholder `TERM`.
 fn filled(part: &EffectPart, name: &str, term: &Expr) -> EffectPart {
     let mut part = part.clone();
     if let EffectPart::Replace(item) | EffectPart::Add(item) = &mut part {
@@ -475,7 +476,7 @@ fn number(text: &str, unit: Option<UnitExpr>) -> Quantity {
     Quantity { number, unit, span }
 }
 
-/// Declaration `coefficient NAME = 0 [1];` of a dimensionless coefficient.
+/// Creates the statement `coefficient NAME = 0 [1];`, which declares a dimensionless coefficient.
 fn declaration(name: &str) -> Item {
     let one = UnitExpr {
         factors: Vec::new(),

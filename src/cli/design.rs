@@ -34,7 +34,7 @@ pub struct Design {
     /// Number of flights that are sampled for the spread
     #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u32).range(0..=1_000_000))]
     pub samples: u32,
-    /// Number of throws that are evaluated before the descents
+    /// Number of throws that are simulated to find starting points for local searches
     #[arg(long, value_name = "N", default_value_t = 384, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub starts: u32,
     /// Seed of all random numbers

@@ -27,7 +27,7 @@ pub struct Stability {
     /// Constant wind: its velocity in the inertial frame, m/s
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     pub wind: Option<String>,
-    /// Number of times of the flight at which modes are computed
+    /// Number of instants of the flight at which modes are computed
     #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(u32).range(2..=10_000))]
     pub times: u32,
     /// Print the result as JSON

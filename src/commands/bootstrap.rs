@@ -100,7 +100,7 @@ pub fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
     Ok(Answer::No)
 }
 
-/// Number of fitted flights.
+/// Number of flights to which the model was fitted.
 fn flights(fit: &Fit) -> usize {
     let flights = fit.report.flights.iter();
     flights

@@ -14,8 +14,9 @@ use crate::{Answer, output};
 /// File extension of the certificate next to a model's file.
 const ENDING: &str = "certificate.json";
 
-/// Prints whether a certificate is still valid; answers no if something that it covers has changed. With `again` the
-/// checks are repeated.
+/// Prints whether a certificate is still valid; returns `Answer::No` if something that the certificate covers has
+/// changed. If `again`, the certified checks are repeated; `same` selects the models that must describe the same
+/// motion.
 pub fn check(
     path: &Path,
     again: bool,
@@ -47,13 +48,13 @@ pub fn check(
     })
 }
 
-/// The certificate given by an option, or the one next to the file of a model. It is read before any other work;
-/// `None` if there is none.
+/// The certificate of a model that a report cites: path and content, or the reason why the content cannot be read.
+/// `None` if there is no certificate.
 pub struct Found(Option<(PathBuf, Result<Certificate, String>)>);
 
 impl Found {
-    /// Reads the certificate `asked`, which must be readable, or else the one next to the model `name_or_path`, if
-    /// there is one.
+    /// Reads the certificate file `asked`, or without one the certificate next to the file of the model `name_or_path`,
+    /// if there is one. Returns an error only if `asked` cannot be read.
     pub fn read(asked: Option<&Path>, name_or_path: &str) -> anyhow::Result<Self> {
         if let Some(path) = asked {
             let read = Certificate::read(path)
@@ -69,7 +70,7 @@ impl Found {
         Ok(Self(Some((path, read))))
     }
 
-    /// Statement on the certificate and the given model for a report: none, still valid, or changed.
+    /// Statement about the certificate for a report on `model`: no certificate, still valid, or changed.
     pub fn note(&self, model: &Model) -> CertificateNote {
         let Some((path, read)) = &self.0 else {
             return CertificateNote::none();

@@ -11,7 +11,8 @@ use model_spec::{render, summary, with_unit};
 use crate::cli::Check;
 use crate::{Answer, output};
 
-/// Checks each model; answers no if any model has an error or fails one of its check cases.
+/// Runs `hyzer check`: checks each model. Returns `Answer::No` if any model has an error or fails one of its check
+/// cases.
 pub fn run(options: &Check) -> anyhow::Result<Answer> {
     let mut answer = Answer::Yes;
     for name in &options.models {

@@ -18,7 +18,8 @@ const MAX_BYTES: u64 = 1_000_000;
 /// Maximum duration of the compared flights, s.
 const MAX_SECONDS: f64 = 60.0;
 
-/// Compares two models; answers no if the new model is a different function.
+/// Runs `hyzer diff`: compares two models. Returns `Answer::No` if the derivatives of the new model are different
+/// functions.
 pub fn run(options: &Diff) -> anyhow::Result<Answer> {
     if !(options.seconds > 0.0 && options.seconds <= MAX_SECONDS) {
         bail!(

@@ -16,8 +16,8 @@ const SOURCES: &str = "crates/generated/src";
 /// Folder of the model files, relative to the root of the repository.
 const MODELS: &str = "model-spec/models";
 
-/// Writes the generated files that changed; with `--check` prints the differences instead and answers no if there are
-/// any.
+/// Runs `hyzer generate`: writes the generated files that changed. With `--check` prints the differences instead, and
+/// returns `Answer::No` if there are any.
 pub fn run(options: &Generate) -> anyhow::Result<Answer> {
     match &options.out {
         Some(out) => generate_modules(options, out),

@@ -25,7 +25,8 @@ use super::number;
 use crate::cli::Simulate;
 use crate::{Answer, output};
 
-/// Simulates the release, prints a summary, and writes the files if an output folder is given.
+/// Runs `hyzer simulate`: simulates the release, prints a summary, and writes the result files if an output folder is
+/// given.
 pub fn run(options: &Simulate) -> anyhow::Result<Answer> {
     if options.list {
         for (name, text) in BUILT_IN {
@@ -98,7 +99,8 @@ fn summary_file(path: &str, flown: &Flown, model: &Model) -> ResultFile {
 /// Maximum number of rows of `trajectory.csv`, about 200 MB.
 const MAX_ROWS: f64 = 1e6;
 
-/// Returns an error if the table would have too many rows; the message states which option to change.
+/// Returns an error if `trajectory.csv` would have too many rows for a flight of `seconds`; the message states which
+/// option to change.
 fn check_rows(options: &Simulate, seconds: f64) -> anyhow::Result<()> {
     let (rate, rows) = (options.rate, seconds * options.rate);
     if options.out.is_some() && rows > MAX_ROWS {

@@ -15,7 +15,8 @@ use crate::{Answer, output};
 /// Name and text of the built-in plan.
 const BUILT_IN: (&str, &str) = ("backhands", include_str!("sweep/backhands.toml"));
 
-/// Flies the plan and prints the summary, or what remains to be done after a share.
+/// Runs `hyzer sweep`: simulates the flights of the plan and prints the summary, or, after a share of the flights, the
+/// work that remains.
 pub fn run(options: &Sweep) -> anyhow::Result<Answer> {
     if options.example {
         output::print(BUILT_IN.1)?;

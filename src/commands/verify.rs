@@ -12,11 +12,13 @@ use super::certificate;
 use crate::cli::Verify;
 use crate::{Answer, output};
 
-/// Built-in models that describe the same motion in different formulations.
+/// Built-in models that describe the same motion in different formulations, which `hyzer verify` compares with each
+/// other.
 const SAME: [&str; 3] = ["disc", "disc_appendix", "disc_quaternion"];
 
-/// Verifies each model; answers no if any check of any model fails, and undecided if none fails but some applicable
-/// checks could not be made. With `--check`, answers whether a certificate is still valid.
+/// Runs `hyzer verify`: verifies each model. Returns `Answer::No` if any check of any model fails, and
+/// `Answer::Undecided` if none fails but some applicable checks could not be made. With `--check`, answers whether a
+/// certificate is still valid.
 pub fn run(options: &Verify) -> anyhow::Result<Answer> {
     if let Some(path) = &options.check {
         return certificate::check(path, options.again, options.json, is_same);

@@ -21,9 +21,9 @@ pub(crate) enum Step {
     Let(usize),
     /// Assigns sine and cosine of one angle to their local variables.
     SinCos {
-        /// Index of the sine's statement.
+        /// Index of the statement that computes the sine.
         sin: usize,
-        /// Index of the cosine's statement.
+        /// Index of the statement that computes the cosine.
         cos: usize,
         /// Operand whose value is the angle, rad.
         angle: Operand,
@@ -53,7 +53,8 @@ pub(crate) struct Body<'a> {
 }
 
 impl<'a> Body<'a> {
-    /// Plans the body of a function for a language in which `is_reserved` names cannot be local variables.
+    /// Plans the body of a function for one language; `is_reserved` returns whether a name cannot be a local variable
+    /// in that language.
     pub fn new(
         compiled: &'a Compiled,
         function: &'a Function,
@@ -154,7 +155,8 @@ struct Planner<'a> {
     variables: &'a Variables,
     /// For each statement, the indices of the outputs that it computes.
     outputs: Vec<Vec<usize>>,
-    /// Statement indices (sine, cosine) of angles of which both functions are computed, stored under either index.
+    /// For each angle of which both sine and cosine are computed, the indices (sine, cosine) of the two statements;
+    /// stored under both indices.
     pairs: HashMap<usize, (usize, usize)>,
     loaded: HashSet<(Input, u32)>,
     /// Source lines of the model that have been emitted as comments.

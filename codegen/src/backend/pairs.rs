@@ -25,8 +25,8 @@ impl From<Operand> for OperandKey {
     }
 }
 
-/// For each angle of which both sine and cosine are computed: the indices (sine, cosine) of the two statements. Each
-/// pair is stored under the index of either statement.
+/// For each angle of which both sine and cosine are computed, the indices (sine, cosine) of the two statements. Each
+/// pair is stored under both indices.
 pub(crate) fn sin_cos_pairs(program: &Program) -> HashMap<usize, (usize, usize)> {
     #[derive(Default)]
     struct Found {

@@ -26,8 +26,8 @@ struct Jacobians {
 type Columns = (&'static str, usize);
 
 impl Compiler {
-    /// Returns the linearized graphs of the state derivatives and of the observation if some parameters are fixed;
-    /// `None` otherwise.
+    /// Returns the linearized graphs of the state derivatives and of the observation if some parameters are fixed to
+    /// given values; `(None, None)` otherwise.
     ///
     /// Fixed values change which subexpressions are worth sharing. Partial derivatives are therefore taken of the
     /// unspecialized model, and then values and partial derivatives are specialized together.
@@ -65,8 +65,9 @@ impl Compiler {
         self.lowered.graph = at.graph;
     }
 
-    /// Compiles the functions `f`, `f_jac`, `f_jac_par`; `known` is the linearized graph of the state derivatives if it
-    /// has been computed.
+    /// Compiles the model functions `f`, `f_jac` and `f_jac_par`: the state derivatives alone, with the state Jacobian,
+    /// and with state and parameter Jacobians. `known` is the linearized graph of the state derivatives; `None` if it
+    /// must be computed.
     pub(super) fn motion(&mut self, known: Option<Differentiable>) -> [Function; 3] {
         let ssa = self.optimised(&self.lowered.dx);
         let (rows, states) = (ssa.roots.len(), self.lowered.layout.states.len());
@@ -93,8 +94,8 @@ impl Compiler {
         [f, f_jac, f_jac_par]
     }
 
-    /// Compiles the functions `observe`, `observe_jac`; `known` is the linearized graph of the observation if it has
-    /// been computed.
+    /// Compiles the model functions `observe` and `observe_jac`: the observed marker position alone, and with its
+    /// Jacobians. `known` is the linearized graph of the observation; `None` if it must be computed.
     pub(super) fn observation(&mut self, known: Option<Differentiable>) -> [Function; 2] {
         let ssa = self.optimised(&self.observed());
         let layout = &self.lowered.layout;
@@ -131,7 +132,8 @@ impl Compiler {
         states.chain(parameters).collect()
     }
 
-    /// Builds the linearized graph of the roots of `ssa` with respect to `symbols`.
+    /// Builds the linearized graph of the roots of `ssa` with respect to `symbols`. `value` is the name of the output
+    /// section (`dx` or `y`), from which the names of the roots are formed.
     fn linearized(&mut self, ssa: &Ssa, value: &str, symbols: &[Symbol]) -> Differentiable {
         let columns: Vec<String> = symbols.iter().map(|&s| self.symbol_name(s)).collect();
         let rows = (0..ssa.roots.len()).map(|row| self.row_name(value, row));
@@ -159,8 +161,9 @@ impl Compiler {
         }
     }
 
-    /// Compiles the values and their Jacobians with respect to the column groups, by the elimination order with the
-    /// lowest operation cost.
+    /// Compiles the values `of` and their Jacobians; each element of `columns` is a group of Jacobian columns that
+    /// becomes one output section. With [`Effort::Full`], compares two elimination orders and uses the one with the
+    /// lower operation cost.
     fn jacobians(
         &mut self,
         of: &Differentiable,
@@ -211,7 +214,7 @@ impl Compiler {
 }
 
 impl Differentiable {
-    /// Returns the restriction to the derivatives with respect to the first `columns` symbols.
+    /// Returns a copy whose derivatives are restricted to the first `columns` independent symbols.
     fn towards_first(&self, columns: usize) -> Differentiable {
         Differentiable {
             roots: self.roots.clone(),

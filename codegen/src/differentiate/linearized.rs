@@ -91,7 +91,7 @@ impl LinearizedGraph {
         });
     }
 
-    /// Restricts the graph to the first `columns` symbols.
+    /// Restricts the graph to the first `columns` independent symbols.
     pub fn towards_first(mut self, columns: usize) -> LinearizedGraph {
         let beyond: Vec<bool> = self
             .vertices
@@ -107,8 +107,8 @@ impl LinearizedGraph {
         self
     }
 
-    /// Calls `keep` with the lower vertex and the partial derivative of each edge. Removes the edges for which `keep`
-    /// returns false, then the vertices from which no symbol can be reached.
+    /// Calls `keep` for each edge with the index of the operand's vertex and the partial derivative. Removes the edges
+    /// for which `keep` returns false, then the vertices from which no independent symbol can be reached.
     fn retain_edges(&mut self, mut keep: impl FnMut(usize, &mut NodeId) -> bool) {
         let mut dropped = Vec::new();
         for (from, vertex) in self.vertices.iter_mut().enumerate() {
@@ -126,7 +126,7 @@ impl LinearizedGraph {
         self.prune();
     }
 
-    /// Removes vertices from which no symbol can be reached.
+    /// Removes the vertices from which no independent symbol can be reached.
     fn prune(&mut self) {
         let (vertices, roots) = (&mut self.vertices, self.rows.len());
         loop {
@@ -148,7 +148,8 @@ impl LinearizedGraph {
     }
 }
 
-/// Adds the edges from the vertex `from` to its operands, and recursively the vertices and edges below.
+/// Adds the edges from the vertex `from` to its operands, and recursively the vertices and edges on which these
+/// operands depend.
 fn attach(
     graph: &mut ExprGraph,
     from: usize,

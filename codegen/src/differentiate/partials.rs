@@ -83,7 +83,8 @@ pub(crate) fn of_expression(graph: &mut ExprGraph, id: NodeId) -> Vec<(NodeId, N
         .collect()
 }
 
-/// Terms of the partial derivative with respect to each vertex, in order of first occurrence of the vertices.
+/// Terms of the partial derivatives of one expression, grouped by the node with respect to which the derivative is
+/// taken, in order of first occurrence of these nodes.
 #[derive(Default)]
 struct PartialSums {
     sums: Vec<(NodeId, Vec<(Number, NodeId)>)>,

@@ -4,8 +4,8 @@ use crate::graph::{ExprGraph, Node, NodeId, Symbol, ValueFacts};
 use crate::schedule::Namer;
 use crate::ssa::{Ssa, SsaDef};
 
-/// Replaces every sum, and every product with several users, by a local symbol defined by its value; `namer` names the
-/// shared values. Returns the roots expressed by these symbols.
+/// Replaces every sum, and every product that is used several times, by a local symbol defined by its value; `namer`
+/// names the shared values. Returns the roots expressed by these symbols.
 pub(crate) fn share_values(ssa: &Ssa, graph: &mut ExprGraph, namer: &mut Namer) -> Vec<NodeId> {
     let uses = ssa.uses();
     let order = ssa.order();
@@ -46,8 +46,8 @@ pub(crate) fn share_values(ssa: &Ssa, graph: &mut ExprGraph, namer: &mut Namer) 
     roots.collect()
 }
 
-/// Returns a local symbol for a sum. If `rooted`, the square root of the sum is a value too: returns the square of a
-/// local symbol for the square root.
+/// Returns a new local symbol that is defined by the sum `sum`. If `rooted`, that is, if the square root of the sum is
+/// also used, creates a local symbol for the square root instead and returns the square of that symbol.
 fn share_sum(graph: &mut ExprGraph, sum: NodeId, facts: ValueFacts, rooted: bool) -> NodeId {
     if rooted && matches!(graph.node(sum), Node::Sum(..)) {
         let root = graph.local_root(facts, sum);

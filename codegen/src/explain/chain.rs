@@ -70,14 +70,16 @@ fn fraction(above: &str, below: &str) -> String {
     format!(r"\frac{{\partial {above}}}{{\partial {below}}}")
 }
 
-/// Maximum size of a formula, in nodes of its tree, without names for its repeated parts.
+/// Maximum size of a formula, in nodes of its expression tree, up to which repeated subexpressions are written out; in
+/// larger formulas they are replaced by names.
 const MAX_FORMULA: u64 = 2_000;
 
-/// Minimum size of a repeated part that is given a name, in nodes of its tree.
+/// Minimum size, in nodes of its expression tree, of a repeated subexpression that is replaced by a name in a large
+/// formula.
 const MIN_PART: u64 = 6;
 
-/// Maps each sum that is the negative of a named sum to that named sum, because the graph represents the negative of a
-/// sum as a sum of its own with opposite coefficients.
+/// Maps each sum that is the negative of a named sum, and has no separate name, to the named sum. The graph represents
+/// the negative of a sum as another sum, with opposite coefficients.
 fn opposites(source: &ExprGraph) -> FastMap<NodeId, NodeId> {
     let mut graph = source.clone();
     let mut opposites = FastMap::default();
@@ -98,12 +100,12 @@ fn opposites(source: &ExprGraph) -> FastMap<NodeId, NodeId> {
 /// formulas end at names.
 pub(super) struct Cut {
     pub graph: ExprGraph,
-    /// Images of the requested nodes in the copy.
+    /// Nodes of the copy that correspond to the requested nodes of the original graph, in the same order.
     pub roots: Vec<NodeId>,
     layout: Layout,
     /// LaTeX name of each local symbol, by the index of the symbol.
     names: FastMap<u32, String>,
-    /// For each sum whose square root is named, the square of the local symbol of the square root.
+    /// For each sum whose square root is a named quantity V, the node V², where V is the local symbol of the quantity.
     squares: FastMap<NodeId, NodeId>,
     /// Indices of the local symbols that are derivatives, in order of creation.
     made: Vec<u32>,
@@ -169,8 +171,8 @@ impl Cut {
         cut
     }
 
-    /// Replaces each sum whose square root is named by the square of that name, also where differentiation has created
-    /// the sum again.
+    /// Returns copies of the nodes `roots` in which each sum whose square root is a named quantity is replaced by the
+    /// square of that quantity's symbol. Differentiation may have created such sums again.
     pub fn tidy(&mut self, roots: &[NodeId]) -> Vec<NodeId> {
         let source = self.graph.clone();
         let mut images: FastMap<NodeId, NodeId> = FastMap::default();
@@ -185,8 +187,9 @@ impl Cut {
         roots.iter().map(|root| images[root]).collect()
     }
 
-    /// Names the repeated parts of a large formula, whose text would otherwise grow exponentially with the nesting
-    /// depth. A formula of ordinary size is returned unchanged.
+    /// Replaces the repeated subexpressions of a formula by named local symbols if its expression tree has more than
+    /// [`MAX_FORMULA`] nodes; written out, it could grow exponentially with the nesting depth. A smaller formula is
+    /// returned unchanged.
     pub fn share_repeated(&mut self, root: NodeId) -> NodeId {
         let order = self.graph.reachable(&[root]);
         let mut uses: FastMap<NodeId, u32> = FastMap::default();
@@ -276,8 +279,8 @@ impl Cut {
         }
     }
 
-    /// Total derivative of a node with respect to the symbol [`Cut::by`]; the derivatives of named quantities become
-    /// local symbols too.
+    /// Total derivative of a node with respect to the symbol [`Cut::by`]; the derivatives of named quantities in it are
+    /// represented by new local symbols.
     pub fn derivative(&mut self, id: NodeId) -> NodeId {
         let derivative = self.differentiated(id);
         self.tidy(&[derivative])[0]

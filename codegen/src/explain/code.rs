@@ -10,7 +10,8 @@ use crate::rust;
 use crate::schedule::{Hoisted, Namer, schedule};
 use crate::ssa::{Ssa, build};
 
-/// Generated statements with their operation counts.
+/// Generated code of a quantity or derivative: statements that run once per flight, statements that run in every
+/// evaluation, and their operation counts.
 pub(super) struct Made {
     pub once: String,
     pub code: String,
@@ -19,7 +20,7 @@ pub(super) struct Made {
     /// Compiled model whose function `quantities` computes the explained quantity; used by tests.
     #[cfg_attr(not(test), allow(dead_code))]
     pub compiled: Compiled,
-    /// Indices of the components that are not identically 0.
+    /// Indices of the components of the quantity or derivative that are not identically 0.
     #[cfg_attr(not(test), allow(dead_code))]
     pub rows: Vec<u32>,
 }
@@ -125,8 +126,8 @@ fn dense(name: &'static str, len: usize) -> Section {
     }
 }
 
-/// Extracts the statements of a function's body; array loads are removed, and array stores become assignments to
-/// variables.
+/// Extracts the statements of the body of a generated function from its source text. Loads from input arrays are
+/// omitted, and stores to the array `array` become assignments to the variables `outputs`.
 fn statements(text: &str, array: &str, outputs: &[String]) -> String {
     let lines = text
         .lines()

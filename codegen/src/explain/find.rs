@@ -9,7 +9,7 @@ use crate::lower::lower;
 use model_spec::diagnostic::Span;
 use model_spec::model::{AuxVariable, Load, Model};
 
-/// Resolved quantity: label, source location, names and graph nodes.
+/// Quantity found by name: label, source location, formula, and the names and graph nodes of its components.
 pub(super) struct Found {
     pub label: String,
     pub place: String,
@@ -17,9 +17,9 @@ pub(super) struct Found {
     pub doc: String,
     /// LaTeX formula of the definition; `None` if the model does not define the quantity by one expression.
     pub latex: Option<String>,
-    /// Names of the components in generated code.
+    /// Name of each component of the quantity in generated code.
     pub names: Vec<String>,
-    /// LaTeX names of the components.
+    /// LaTeX name of each component of the quantity.
     pub symbols: Vec<String>,
     pub nodes: Vec<NodeId>,
     /// Model to which the nodes belong; an explained force or moment is an additional auxiliary variable of this model.
@@ -177,7 +177,7 @@ fn meaning<'a>(model: &'a Model, wanted: &str) -> Result<Meaning<'a>, ExplainErr
     })
 }
 
-/// Names of the components of a vector; empty for a scalar.
+/// Names of the components of a vector-valued auxiliary variable; empty for a scalar.
 fn components<'a>(
     model: &Model,
     quantity: &'a AuxVariable,
@@ -210,7 +210,8 @@ pub(super) fn symbol(model: &Model, wanted: &str) -> Result<Symbol, ExplainError
     })
 }
 
-/// LaTeX name of a quantity; components of forces and moments are written with the letters F and M, as in the paper.
+/// LaTeX name of a quantity. Components of forces and moments are written with the letters F and M and the name of the
+/// force or moment as subscript.
 pub(super) fn symbol_of(model: &Model, name: &str) -> String {
     for (loads, kind, letter) in [
         (&model.forces, "force_", "F"),

@@ -103,7 +103,8 @@ fn derivatives_agree_with_differences() {
     }
 }
 
-/// Values of the nodes from which the formulas are written.
+/// Derivatives of a quantity with respect to `symbol`, for the states `x` and parameters `p`, computed from the graph
+/// nodes from which the LaTeX formulas are written.
 fn written(
     model: &Model,
     found: &find::Found,
@@ -249,7 +250,8 @@ fn what_is_not_there_is_said_with_what_is() {
     }
 }
 
-/// Checks that the length of a formula grows with the number of its parts, not with the number of paths through them.
+/// Checks that the length of an explanation does not grow exponentially with the number of frames in a chain, because
+/// repeated subexpressions are written only once.
 #[test]
 fn a_chain_of_frames_is_explained_in_little_text() {
     let mut text = String::from("model chain;\nframe F0;\n");

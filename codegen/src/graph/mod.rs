@@ -26,7 +26,8 @@ model_spec::index_type!(
 /// Leaf of an expression: a variable or constant whose value is not computed by the graph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Symbol {
-    /// Time since release, s, as measured.
+    /// Measured time since release, s. In a model with a `clock` statement it is the time of the measuring clock, whose
+    /// rate differs from that of flight time.
     Time,
     /// The constant π.
     Pi,
@@ -34,7 +35,7 @@ pub enum Symbol {
     State(u32),
     /// Parameter, coefficient or input component, by its index among the layout's parameters.
     Parameter(u32),
-    /// Component 0, 1 or 2 of the marker's local position.
+    /// Body-fixed coordinate of the marker, m, by its index (0 to 2).
     Marker(u32),
     /// Named intermediate value with its own definition, by index; see [`ExprGraph::local`].
     Local(u32),
@@ -89,10 +90,11 @@ pub struct ExprGraph {
     facts: Vec<ValueFacts>,
     index: FastMap<Node, NodeId>,
     contents: FastMap<NodeId, product::Content>,
-    /// Value facts and definition of each [`Symbol::Local`].
+    /// Definition of each [`Symbol::Local`], and the known properties of its value.
     locals: Vec<(ValueFacts, NodeId)>,
     local_of: FastMap<NodeId, NodeId>,
-    /// Sums whose square root is a local, mapped to that local; powers of the sum become powers of the local.
+    /// For each sum whose square root is defined as a [`Symbol::Local`], the node of that symbol. Powers of the sum are
+    /// written as powers of the symbol.
     root_of: FastMap<NodeId, NodeId>,
     names: FastMap<NodeId, String>,
     has_masks: bool,
@@ -161,7 +163,7 @@ impl ExprGraph {
         }
     }
 
-    /// Adds the facts `nonneg` and `nonzero` to a node; the fact `fixed` is not changed.
+    /// Adds the properties `nonneg` and `nonzero` of `facts` to the known properties of a node; `fixed` is not changed.
     pub fn know(&mut self, id: NodeId, facts: ValueFacts) {
         self.facts[id.index()].nonneg |= facts.nonneg;
         if facts.nonzero {
@@ -189,9 +191,9 @@ impl ExprGraph {
         self.names.get(&id).map(String::as_str)
     }
 
-    /// Creates a local: a leaf with the given definition, opaque to simplification, so that a value used several times
-    /// is computed once. Within the current [scope](ExprGraph::scope), sums equal to the definition are replaced by
-    /// this leaf.
+    /// Creates a local symbol: a leaf with the given definition, which simplification does not expand, so that a value
+    /// used several times is computed once. Within the current [scope](ExprGraph::scope), sums equal to the definition
+    /// are replaced by this leaf.
     pub fn local(&mut self, facts: ValueFacts, definition: NodeId) -> NodeId {
         self.locals.push((facts, definition));
         let id = self.intern(Node::Symbol(Symbol::Local(self.locals.len() as u32 - 1)));
@@ -201,8 +203,8 @@ impl ExprGraph {
         id
     }
 
-    /// Creates a local for the square root of a sum. Within the current scope, the sum is replaced by the square of the
-    /// local, so that no half powers appear in derivatives.
+    /// Creates a local symbol for the square root of a sum. Within the current [scope](ExprGraph::scope), the sum is
+    /// replaced by the square of that symbol, so that no half-integer powers appear in derivatives.
     pub fn local_root(&mut self, facts: ValueFacts, sum: NodeId) -> NodeId {
         let definition = self.intern(Node::Product(Box::new([(sum, 1)])));
         let root = self.local(
@@ -221,9 +223,9 @@ impl ExprGraph {
         self.locals.len()
     }
 
-    /// Runs `build`, during which each sum that defines a local is replaced by that local. This applies to the locals
-    /// in the range `locals` and to the locals that `build` creates. After `build` the replacement ends; the locals
-    /// stay valid.
+    /// Runs `build` and returns its result. Meanwhile each sum that defines a local symbol is replaced by that symbol;
+    /// this applies to the local symbols with indices in `locals` and to those that `build` creates. Afterwards such
+    /// sums are no longer replaced, and the local symbols remain valid.
     pub fn scope<R>(&mut self, locals: Range<usize>, build: impl FnOnce(&mut ExprGraph) -> R) -> R {
         let first = self.locals.len();
         let contents = std::mem::take(&mut self.contents);

@@ -90,8 +90,8 @@ impl ExprGraph {
         }
     }
 
-    /// Expands a factor into a constant, multiplied onto `coefficient`, and simpler factors, pushed onto `pending`.
-    /// Returns false if the factor cannot be expanded.
+    /// Splits a factor into a constant, which is multiplied onto `coefficient`, and simpler factors, which are appended
+    /// to `pending`. Returns false if the factor cannot be split.
     fn open(
         &mut self,
         id: NodeId,
@@ -192,8 +192,8 @@ impl ExprGraph {
         merged
     }
 
-    /// Whether `whole` is a sum of squares, or the square root of a sum of squares, that has the square of `part` as a
-    /// term.
+    /// Whether `whole` is a sum of squares, or the square root of a sum of squares, in which the square of `part` is a
+    /// term, so that `part` is 0 wherever `whole` is 0.
     fn is_component(&self, part: NodeId, whole: NodeId) -> bool {
         let sum = self.rooted_sum(whole).unwrap_or(whole);
         let Node::Sum(terms, _) = self.node(sum) else {
@@ -205,8 +205,9 @@ impl ExprGraph {
             })
     }
 
-    /// Replaces `NonZero(X)` by 1 inside one sum that is multiplied by X or by `NonZero(X)`. Returns true if a sum was
-    /// replaced; all factors are then moved to `pending`.
+    /// Looks in the product of the factors `flat` for a sum that contains `NonZero(X)` and is multiplied by X or
+    /// `NonZero(X)`. If there is one, replaces `NonZero(X)` by 1 in that sum, moves all factors to `pending` and
+    /// returns true.
     fn unmask(&mut self, flat: &mut Vec<(NodeId, i32)>, pending: &mut Vec<(NodeId, i32)>) -> bool {
         if !self.has_masks {
             return false;

@@ -6,12 +6,13 @@
 use super::{ExprGraph, Node, NodeId};
 use crate::number::Number;
 
-/// Maximum number of terms of an expanded sum of products; longer sums are not simplified.
+/// Maximum number of terms of an expanded sum when projections are simplified; a longer expansion is discarded, so that
+/// the sum is left unchanged.
 const MOST: usize = 48;
 
 impl ExprGraph {
-    /// Expands products to cancel projections in the sum `id`. Returns the expanded sum if it has fewer terms, else
-    /// `id`.
+    /// Expands products in the sum `id` so that projections onto orthonormal vectors cancel. Returns the expanded sum
+    /// if terms cancel or merge, else `id`.
     pub fn project(&mut self, id: NodeId) -> NodeId {
         let Node::Sum(terms, constant) = self.node(id).clone() else {
             return id;
@@ -50,7 +51,8 @@ impl ExprGraph {
         id
     }
 
-    /// Sums that occur with a negative exponent in a product within `depth` operand levels of `id`, sorted.
+    /// Sums that are bases of negative powers in products within `depth` operand levels of `id`, sorted; they may be
+    /// squared lengths of vectors.
     fn lengths(&self, id: NodeId, depth: u32) -> Vec<NodeId> {
         let mut found = Vec::new();
         let mut pending = vec![(id, depth)];
@@ -71,8 +73,8 @@ impl ExprGraph {
         found
     }
 
-    /// Appends to `open` the terms of `c · term`, after expanding the factors that are sums containing one of the
-    /// `components`, at most `depth` levels deep.
+    /// Expands `c · term` and appends the resulting terms to `open`. A factor is expanded if it is a sum in which one
+    /// of the `components` is a factor of a term; nested sums are expanded at most `depth` levels deep.
     fn open_term(
         &mut self,
         c: Number,
@@ -113,7 +115,8 @@ impl ExprGraph {
         }
     }
 
-    /// Whether a node is a sum in which one of `components` is a factor of a term, nested at most `depth` sums deep.
+    /// Whether a node is a sum in which one of `components` is a factor of a term, either directly or within a factor
+    /// that is such a sum itself, at most `depth` levels deep.
     fn holds(&self, id: NodeId, components: &[NodeId], depth: u32) -> bool {
         let Node::Sum(terms, _) = self.node(id) else {
             return false;

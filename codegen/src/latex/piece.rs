@@ -6,10 +6,10 @@ use crate::functions::commands_with_exponent;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Bind {
     Sum,
-    /// Negated scalar or vector product: needs parentheses before any further factor.
+    /// Negated scalar or vector product: in parentheses if it is a factor of another product.
     MinusDotted,
     Minus,
-    /// Scalar or vector product: needs parentheses before any further factor.
+    /// Scalar or vector product: in parentheses if it is a factor of another product.
     Dotted,
     Product,
     Atom,
@@ -200,7 +200,8 @@ fn ends_upright(text: &str) -> bool {
     })
 }
 
-/// Text in parentheses, which are of variable height if the text is tall.
+/// Text in parentheses; with `\left(` and `\right)`, which adapt to the height, if the text contains a fraction, a root
+/// or another tall element.
 pub(crate) fn parentheses(text: &str) -> String {
     let tall = [r"\frac", r"\begin", r"\sqrt", r"\left"];
     if tall.iter().any(|part| text.contains(part)) {

@@ -207,7 +207,8 @@ pub fn angular_velocity(graph: &mut ExprGraph, model: &Model, of: usize, within:
     }
 }
 
-/// Angular velocity of a frame relative to its parent, rad/s, from its angle rate; components in frame `within`.
+/// Angular velocity, rad/s, of a frame relative to its parent: the rotation rate, a state, times the axis of rotation.
+/// Zero if the model has no such state for the frame. Components in frame `within`.
 fn turning(graph: &mut ExprGraph, model: &Model, frame: usize, within: usize) -> Vector {
     match model.frames[frame].kind {
         FrameKind::Turned {

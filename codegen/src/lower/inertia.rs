@@ -10,19 +10,22 @@ use model_spec::model::{FrameKind, Model, Rotation};
 /// Symmetric 3×3 matrix of nodes, by row.
 type Matrix = [Vector; 3];
 
-/// Inertia tensor, kg m², transformed to the frame of the angular velocity, and its part that rotates in that frame.
+/// Inertia tensor transformed from the frame in which it is constant to the frame of the angular velocity.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Turned {
-    /// Complete inertia tensor, in the frame of the angular velocity.
+    /// Complete inertia tensor, kg m², in the frame of the angular velocity.
     pub whole: Matrix,
-    /// Part of the inertia tensor that is not symmetric about the rotation axis, and therefore rotates.
+    /// Part of the inertia tensor, kg m², that is not symmetric about the rotation axis between the two frames, and
+    /// therefore varies in the frame of the angular velocity.
     rest: Matrix,
-    /// Angular velocity, rad/s, of the frame of constant inertia relative to the angular-velocity frame.
+    /// Angular velocity, rad/s, of the frame in which the inertia tensor is constant, relative to the frame of the
+    /// angular velocity.
     relative: Vector,
 }
 
 impl Lowering<'_> {
-    /// Transforms the inertia tensor `given` to the frame of the angular velocity.
+    /// Transforms the inertia tensor `given`, kg m², from the frame in which it is constant to the frame of the angular
+    /// velocity.
     pub(super) fn turned_inertia(&mut self, rotation: &Rotation, given: Matrix) -> Turned {
         let model = self.model;
         let (from, to) = (rotation.inertia_frame, rotation.angular_velocity_frame);
@@ -47,8 +50,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// Rate of change of the angular momentum, N m, that is due to the inertia part K rotating at σ: `σ × K ω - K (σ ×
-    /// ω)`.
+    /// Contribution of the varying part K of the inertia tensor to the rate of change of the angular momentum, N m:
+    /// `σ × K ω - K (σ × ω)`, where ω is the angular velocity `spin` and σ is [`Turned::relative`].
     pub(super) fn drift(&mut self, turned: &Turned, spin: Vector) -> Vector {
         let graph = &mut self.graph;
         let momentum = turned.rest.map(|row| frames::dot(graph, row, spin));
@@ -59,8 +62,8 @@ impl Lowering<'_> {
     }
 }
 
-/// Index (0 to 2) of the axis of the rotation between two frames; `None` if neither is the parent of the other by a
-/// single rotation.
+/// Index (0 to 2) of the coordinate axis of the rotation between two frames; `None` unless one of the frames is the
+/// parent of the other and is related to it by a single rotation about a coordinate axis.
 fn axis_between(model: &Model, a: usize, b: usize) -> Option<usize> {
     let turn = |child: usize, of: usize| match model.frames[child].kind {
         FrameKind::Turned { parent, axis, .. } if parent == of => Some(usize::from(axis) - 1),

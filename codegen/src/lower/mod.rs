@@ -21,7 +21,8 @@ pub struct Provenance {
     pub name: String,
     /// Source span of the declaration in the model text.
     pub span: Span,
-    /// Name of the source file or effect that contains the declaration.
+    /// Name of the source text that contains the declaration: the model file, or an effect (named modification) that is
+    /// applied to the model.
     pub source: String,
     /// Line number in the source, from 1.
     pub line: usize,
@@ -40,8 +41,8 @@ pub struct Lowered {
     pub dx: Vec<NodeId>,
     /// Observed vector of the measurement equation, m, in the inertial frame; `None` if the model has no observation.
     pub observation: Option<Vector>,
-    /// Name and node of each auxiliary variable, one entry per component; variables that depend on the marker are
-    /// omitted.
+    /// Name and node of each component of the auxiliary variables, in order of declaration; auxiliary variables that
+    /// depend on the marker are omitted.
     pub quantities: Vec<(String, NodeId)>,
     /// Expressions of the limits of validity, in order of declaration; the model is valid while each exceeds its bound.
     pub limits: Vec<NodeId>,
@@ -63,8 +64,9 @@ pub(crate) struct Lowering<'a> {
     pub(crate) graph: ExprGraph,
     pub(crate) layout: Layout,
     pub(crate) lets: Vec<Value>,
-    /// Time derivatives of the components of the angular velocity in its frame, and the angular velocity of that frame;
-    /// `None` until the equations of motion are lowered.
+    /// Time derivatives, rad/s², of the components of the body's angular velocity in the model's angular-velocity
+    /// frame, and the angular velocity, rad/s, of that frame; both with components in that frame. `None` until the
+    /// rotational equations are lowered.
     pub(crate) component_rates: Option<(Vector, Vector)>,
     pub(crate) provenance: Vec<Provenance>,
     /// Names that are already in `provenance`.
@@ -158,7 +160,8 @@ pub fn lower(model: &Model) -> Lowered {
 }
 
 impl Lowered {
-    /// Returns the nodes of all outputs: derivatives, limits, observation, quantities and auxiliary variables.
+    /// Returns the nodes of all outputs: state derivatives, limits of validity, observation,
+    /// [`quantities`](Lowered::quantities) and [`lets`](Lowered::lets).
     pub(crate) fn nodes(&mut self) -> Vec<NodeId> {
         let mut nodes = Vec::new();
         self.replace_nodes(|node| {
@@ -188,7 +191,8 @@ fn nodes(value: Value) -> Vec<NodeId> {
 }
 
 impl Lowering<'_> {
-    /// Creates the nodes of states and parameters before all other nodes, so that terms are ordered as in the layout.
+    /// Creates the nodes of states and parameters before all other nodes. The terms of sums are sorted by node index,
+    /// and thereby follow the order of the layout.
     fn leaves(&mut self) {
         for k in 0..self.layout.states.len() {
             self.graph.symbol(Symbol::State(k as u32));
@@ -198,7 +202,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// Marks as nonzero the expressions whose validity limit has a bound of at least 0, and the mass of the body.
+    /// Marks the mass of the body as nonzero, and every expression that a limit of validity requires to exceed a bound
+    /// of at least 0; limits that use auxiliary variables are skipped.
     fn assumptions(&mut self) {
         let model = self.model;
         for limit in &model.limits {

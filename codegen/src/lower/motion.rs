@@ -8,7 +8,9 @@ use crate::number::Number;
 use model_spec::model::{Body, FrameKind, Load, Rotation, Shape};
 
 impl Lowering<'_> {
-    /// Derivatives of all states with respect to measured time, one node per state, in layout order.
+    /// Time derivatives of all states, one node per state, in layout order. In a model with a `clock` statement
+    /// (seconds of flight per second of the measuring clock), they are derivatives with respect to the time of that
+    /// clock.
     pub(crate) fn motion(&mut self) -> Vec<NodeId> {
         let model = self.model;
         let zero = self.graph.whole(0);
@@ -47,7 +49,8 @@ impl Lowering<'_> {
     }
 
     /// Lowers the translational equations: `der(x) = v` in the inertial frame, and `m (der(v) + ω × v) = Σ F` in the
-    /// frame of the velocity. Writes the derivatives of position and velocity to `dx`.
+    /// frame of the velocity, where ω is the angular velocity of that frame. Writes the derivatives of position and
+    /// velocity to `dx`.
     fn newton(&mut self, body: &Body, dx: &mut [NodeId]) {
         let model = self.model;
         let velocity = body
@@ -161,8 +164,8 @@ impl Lowering<'_> {
     }
 
     /// Lowers the rotational equations: `I der(ω) + ω_F × I ω = Σ M` in the frame F of the angular velocity. If the
-    /// inertia is constant in another frame, its rate of change in F times ω is subtracted from Σ M. Writes the
-    /// derivatives of the angular velocity or of the angle rates to `dx`.
+    /// inertia tensor is not constant in F, the term `(dI/dt) ω` is subtracted from Σ M, with the time derivative of I
+    /// as seen in F. Writes the derivatives of the angular velocity or of the angle rates to `dx`.
     fn euler(&mut self, rotation: &Rotation, dx: &mut [NodeId]) {
         let model = self.model;
         let frame = rotation.angular_velocity_frame;

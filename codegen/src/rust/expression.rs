@@ -21,7 +21,7 @@ impl Writer<'_> {
         self.op(self.body.op(k)).tokens
     }
 
-    /// Tokens of an operand as a value.
+    /// Tokens of an operand that is not the receiver of a method call, for example a function argument or a result.
     pub fn value(&self, operand: Operand) -> TokenStream {
         self.operand(operand, false).tokens
     }

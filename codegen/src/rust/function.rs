@@ -24,7 +24,7 @@ pub(super) fn file(compiled: &Compiled, function: &Function) -> String {
     print::file(&[HEADER], quote!(#title #tables use lanes::Real; #item))
 }
 
-/// Item of a function, with its documentation and the given attributes.
+/// Tokens of a generated Rust function, with its documentation and the given attributes.
 pub(super) fn item(
     compiled: &Compiled,
     function: &Function,

@@ -53,7 +53,8 @@ fn documentation(compiled: &Compiled, model: &Model) -> String {
     text
 }
 
-/// Tokens of the type of a model, which implements `Equations`, and of its value of type `Model`.
+/// Tokens of the type of a model, which implements the generated trait `Equations`, and of the static `MODEL`, a value
+/// of the generated type `Model`.
 fn equations(compiled: &Compiled) -> TokenStream {
     let kind = type_ident(&compiled.name);
     let methods = FUNCTIONS.iter().map(|function| {
@@ -352,7 +353,8 @@ fn model(names: &[String]) -> String {
     )
 }
 
-/// Text of `scalar.rs`: every function for a single `f64` lane.
+/// Text of `scalar.rs`: one function over `f64` for each model function, generic over the model, which runs with the
+/// widest instruction set of the processor.
 fn scalar() -> String {
     let head = inner_doc(
         "The functions for `f64`, compiled for each instruction set that [`lanes::dispatch_scalar`] selects from.",

@@ -28,7 +28,8 @@ pub(super) fn blank_line() -> TokenStream {
     quote!(#[comment = #BLANK])
 }
 
-/// Tokens of a comment at the end of a one-line statement; it is printed on the line before a longer statement.
+/// Tokens of a comment at the end of the following statement; if the statement is too long for the comment, the comment
+/// is printed on the line before.
 pub(super) fn trailing_comment(text: &str) -> TokenStream {
     let text = format!("{TRAILING}{text}");
     quote!(#[comment = #text])
@@ -79,7 +80,8 @@ pub(super) fn file(header: &[impl AsRef<str>], tokens: TokenStream) -> String {
     text
 }
 
-/// Replaces the markers in printed code and inserts blank lines between items.
+/// Replaces the marker comments (text that starts with `@`) in printed code by blank lines, trailing comments and
+/// filled arrays, and inserts blank lines between items.
 fn finish(printed: &str) -> String {
     let mut lines: Vec<String> = Vec::new();
     let mut trailing: Option<String> = None;
@@ -153,7 +155,8 @@ fn ends_item(line: &str) -> bool {
     }
 }
 
-/// Whether a blank line is printed between two lines: both belong to items, and not to one list of declarations.
+/// Whether a blank line is printed between two lines: after inner doc comments, and between two items unless both
+/// belong to one list of `mod` or `use` declarations.
 fn separate(last: &str, line: &str) -> bool {
     const LISTS: [&str; 4] = ["mod ", "use ", "pub mod ", "pub use "];
     let indent = |line: &str| line.len() - line.trim_start().len();

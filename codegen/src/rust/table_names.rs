@@ -7,14 +7,14 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use std::collections::BTreeSet;
 
-/// Method of `lanes::Real`, and helper function for `f64`, that looks up a table.
+/// Name of the function that looks up a table: a method of `lanes::Real`, and a helper function in `f64` code.
 pub(super) const METHOD: &str = "piecewise_cubic";
 
 /// Suffixes in the names of the constants for knots and for cubics; in the name of a derivative, the order of the
 /// derivative follows.
 const ENDS: [&str; 2] = ["_KNOTS", "_CUBICS"];
 
-/// Whether a name may be the name of a table's constant.
+/// Whether a name contains a suffix that is reserved for the generated constants of tables.
 pub(super) fn is_constant(name: &str) -> bool {
     ENDS.iter().any(|end| name.contains(end))
 }

@@ -7,7 +7,8 @@ use crate::program::{Operand, Program};
 use crate::ssa::{DefId, Ssa, build};
 use std::collections::BTreeSet;
 
-/// Hoisted expressions of a model. Each has a slot: its index among the results of `prepare`.
+/// Expressions of a model that depend on parameters only and are therefore hoisted from all functions to `prepare`. The
+/// slot of an expression is its index among the results of `prepare`.
 #[derive(Clone, Debug, Default)]
 pub struct Hoisted {
     slots: Vec<NodeId>,
@@ -29,13 +30,13 @@ impl Hoisted {
         }
     }
 
-    /// Names of the hoisted expressions, in the order of their slots.
+    /// Names of the hoisted expressions, in the order of the results of `prepare`.
     pub fn names(&self) -> &[String] {
         &self.names
     }
 
-    /// Returns an operand with the value of a definition or, if `minus`, its negative. Allocates a slot if the
-    /// expression has none.
+    /// Returns an operand with the value of a hoisted definition or, if `minus`, of its negative. Unless the value is a
+    /// constant or a parameter, it becomes a result of `prepare` if it is not one already.
     pub(super) fn operand(
         &mut self,
         ssa: &Ssa,
@@ -76,7 +77,7 @@ impl Hoisted {
         unique
     }
 
-    /// Returns the program of `prepare`, which computes all slots from the parameters.
+    /// Returns the program of `prepare`, which computes all hoisted expressions from the parameters.
     pub fn program(&self, graph: &mut ExprGraph) -> Program {
         let mut ssa = build(graph, &self.slots);
         // `prepare` itself hoists nothing.

@@ -112,7 +112,7 @@ struct Schedule<'a> {
     uses: Uses,
     values: IndexVec<DefId, Option<Operand>>,
     program: Program,
-    /// Operand of each negated value that has been computed.
+    /// For each definition whose negative has been computed, the operand with the value of the negative.
     negated: FastMap<DefId, Operand>,
     namer: &'a mut Namer,
     hoisted: Option<&'a mut Hoisted>,

@@ -40,8 +40,8 @@ pub struct Namer {
 }
 
 impl Namer {
-    /// Creates a namer for a function of these states and parameters; `origins` are the names of the auxiliary
-    /// variables.
+    /// Creates a namer for one function of a model with the given names of states and parameters; `origins` contains
+    /// the names of the auxiliary variables in the order of the model's provenance.
     pub fn new(states: &[String], parameters: &[String], origins: &[String]) -> Namer {
         let taken = ARGUMENTS.iter().map(|&name| name.to_string());
         let taken = taken
@@ -103,8 +103,8 @@ impl Namer {
         name
     }
 
-    /// Names a definition after the function result that it computes. A definition that has a name, a leaf and a
-    /// function call are left unchanged.
+    /// Gives a definition the name `name` of the function output that it computes. Leaves, constants, function calls
+    /// and definitions that already have a name are not renamed.
     pub fn suggest(&mut self, ssa: &Ssa, graph: &ExprGraph, id: DefId, name: &str) {
         let leaf = matches!(
             ssa.defs[id],

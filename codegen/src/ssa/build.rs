@@ -50,7 +50,7 @@ struct Builder<'a> {
     known: FastMap<NodeId, Signed>,
     /// For each node, by index: whether the square root of the node is used.
     rooted: Vec<bool>,
-    /// Terms of a sum with opposite signs, mapped to the node of the sum.
+    /// Maps the terms of the negative of a sum to the node of the sum, so that the negative is expressed by that node.
     opposite: FastMap<Vec<(Number, NodeId)>, NodeId>,
 }
 

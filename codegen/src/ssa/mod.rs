@@ -29,7 +29,7 @@ pub type Signed = (bool, DefId);
 pub enum SsaDef {
     /// Leaf symbol such as a state or parameter.
     Leaf(Symbol),
-    /// Nonnegative numerical constant; signs are stored in references.
+    /// Nonnegative numerical constant; a negative constant is a negated reference to its absolute value.
     Constant(Number),
     /// Sum of signed terms, ordered by definition.
     Sum(Vec<Signed>),
@@ -127,7 +127,7 @@ impl Ssa {
         (self.defs[id] == *def).then_some(id)
     }
 
-    /// Value facts of a product, derived from its factors.
+    /// Known properties of the value of a product ([`ValueFacts`]), derived from its factors.
     fn product_facts(&self, factors: &[DefId]) -> ValueFacts {
         let of = |id: &DefId| self.facts[*id];
         let square = factors.len() == 2 && factors[0] == factors[1];
@@ -138,7 +138,7 @@ impl Ssa {
         }
     }
 
-    /// Value facts of a sum, derived from its signed terms.
+    /// Known properties of the value of a sum ([`ValueFacts`]), derived from its signed terms.
     fn sum_facts(&self, terms: &[Signed]) -> ValueFacts {
         let of = |id: DefId| self.facts[id];
         let nonneg = terms.iter().all(|&(minus, t)| !minus && of(t).nonneg);
@@ -348,7 +348,7 @@ impl Ssa {
     }
 }
 
-/// Sorts terms by definition, plus before minus, and removes pairs of terms with opposite signs.
+/// Sorts the terms of a sum by definition, positive terms first, and removes pairs of equal terms with opposite signs.
 fn cancel(terms: &mut Vec<Signed>) {
     terms.sort_unstable_by_key(|&(minus, def)| (def, minus));
     let mut remaining: Vec<Signed> = Vec::with_capacity(terms.len());

@@ -44,7 +44,8 @@ pub fn settle(ssa: &mut Ssa) {
 enum Place {
     /// Signs of all terms of a sum.
     Terms(DefId),
-    /// Sign of a product or reciprocal, which is not stored but passed on to its users.
+    /// Sign of the value of a product or reciprocal. The definition stores no sign, so that the sign moves to the
+    /// references in the definitions that use the value.
     Through(DefId),
     /// Sign of the k-th operand of a definition: a term of a sum or an argument of a function.
     Operand(DefId, usize),
@@ -77,8 +78,8 @@ fn users(ssa: &Ssa) -> Users {
     users
 }
 
-/// Negates a sum and the affected signs of its users, and records each changed sign in `touched`. Returns false if the
-/// sum cannot be negated; the changes made until then are in `touched`.
+/// Negates a sum and compensates by a change of the signs in the definitions that use it; appends each changed sign to
+/// `touched`. Returns false if the sum cannot be negated; the changes made until then are in `touched`.
 fn turn(ssa: &mut Ssa, users: &Users, id: DefId, touched: &mut Vec<Place>) -> bool {
     if ssa.facts[id].nonneg {
         return false;
@@ -123,7 +124,8 @@ fn pass(ssa: &mut Ssa, users: &Users, id: DefId, touched: &mut Vec<Place>) -> bo
     true
 }
 
-/// Passes a sign through a product or reciprocal to its users; false if that is not possible.
+/// Changes the sign of a product or reciprocal by a change of the signs in the definitions that use it. Returns false
+/// if that is not possible; the changes made until then are in `touched`.
 fn through(ssa: &mut Ssa, users: &Users, id: DefId, touched: &mut Vec<Place>) -> bool {
     if ssa.facts[id].nonneg {
         return false;

@@ -6,7 +6,7 @@ use crate::functions::MathFunction;
 use crate::program::{Op, Operand, Program, Unary};
 use std::collections::HashMap;
 
-/// End of the live range of a program output: an instruction index after the last instruction.
+/// Last use of a program output, which stays live after the last instruction: a number above every instruction index.
 const END: usize = usize::MAX;
 
 /// Compiles a program to bytecode, and returns it with the number of registers.

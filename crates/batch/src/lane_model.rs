@@ -19,17 +19,17 @@ use ode::{
 /// A model whose flights are integrated in SIMD lanes, one flight per lane.
 pub struct LaneModel {
     model: Model,
-    /// Whether generated code of the model is used.
+    /// Whether flights are integrated with generated code of the model rather than with a tape.
     is_generated: bool,
-    /// Compiled when it is first needed.
+    /// The model compiled to a tape (register bytecode); compiled on the first use of the tape.
     tape: OnceLock<TapeModel>,
     /// Lower bound of each limit of validity.
     bounds: Vec<f64>,
 }
 
 impl LaneModel {
-    /// Creates the lane model. Generated code is used if its source hash equals that of the model; otherwise the model
-    /// is compiled to a tape.
+    /// Creates the lane model. It uses generated code if there is generated code whose source hash equals that of
+    /// `model`; otherwise `model` is compiled to a tape.
     pub fn new(model: &Model) -> LaneModel {
         let generated = generated::model(&model.name);
         LaneModel {
@@ -95,7 +95,7 @@ impl LaneModel {
     }
 }
 
-/// Flights to be integrated with generated code.
+/// Arguments of an integration of flights with generated code, passed to [`generated::visit`].
 struct GeneratedTask<'a> {
     queue: &'a mut dyn FlightQueue,
     span: &'a FlightSpan,
@@ -116,7 +116,7 @@ impl Visitor for GeneratedTask<'_> {
     }
 }
 
-/// Right-hand side of the generated equations `E`, evaluated in lanes.
+/// Right-hand side and limits of the generated equations `E`, evaluated in SIMD lanes.
 struct GeneratedRhs<'a, E> {
     bounds: &'a [f64],
     equations: PhantomData<E>,
@@ -150,7 +150,7 @@ impl<E: Equations> LaneRhs for GeneratedRhs<'_, E> {
     }
 }
 
-/// Right-hand side that a tape evaluates in lanes.
+/// Right-hand side and limits of a model that is compiled to a tape, evaluated in SIMD lanes.
 struct TapeRhs<'a> {
     tape: &'a TapeModel,
     bounds: &'a [f64],
@@ -207,7 +207,7 @@ fn evaluate<T: Lanes>(
     });
 }
 
-/// An evaluation of a tape.
+/// Arguments of one evaluation of a tape in SIMD lanes.
 struct Evaluation<'a, T> {
     function: &'a TapeFunction,
     at: LanePoint<'a, T>,

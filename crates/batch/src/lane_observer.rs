@@ -20,11 +20,11 @@ impl LaneObserver {
         }
     }
 
-    /// Computes the three components of the observation at many states, one column per component.
+    /// Computes the observed position, m, at many states: three components, one column per component.
     ///
-    /// `states` holds one column per state of the model. `parameters` holds the values that are equal for all states,
-    /// in the order of the layout. Each element of `varied` is the index of a parameter with a column that replaces its
-    /// value.
+    /// `states` holds one column per state variable; equal rows of the columns form one state vector. `parameters`
+    /// holds the parameter values in the order of the model's layout, equal for all states. Each element of `varied` is
+    /// the index of a parameter and a column of values that replace the value in `parameters` row by row.
     ///
     /// # Panics
     /// If a column is shorter than the first column of `states`, or there are fewer states or parameters than the model

@@ -26,7 +26,8 @@ struct ModelSource {
 }
 
 impl Config {
-    /// Creates a configuration without models, for plain `f64` code written to `OUT_DIR`.
+    /// Creates a configuration without models. Its defaults are plain `f64` code, and the value of the environment
+    /// variable `OUT_DIR` as output directory.
     pub fn new() -> Config {
         Config::default()
     }
@@ -50,7 +51,7 @@ impl Config {
         self
     }
 
-    /// Sets the output directory; the default is `OUT_DIR`.
+    /// Sets the output directory; the default is the value of the environment variable `OUT_DIR`.
     pub fn out_dir(&mut self, directory: impl Into<PathBuf>) -> &mut Config {
         self.out_dir = Some(directory.into());
         self

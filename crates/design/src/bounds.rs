@@ -33,7 +33,8 @@ pub struct Scatter {
     pub parameters: Vec<(usize, f64)>,
 }
 
-/// Default ranges of the quantities of a throw, typical of good throwers, released from the height of the hand.
+/// Default ranges of the quantities of a throw: name, minimum and maximum, in the units that [`FIELDS`] states. They
+/// are typical of good throwers, with a release at the height of the hand.
 const RANGES: [(&str, f64, f64); 8] = [
     ("speed", 8.0, 27.0),
     ("heading", -45.0, 45.0),
@@ -45,8 +46,8 @@ const RANGES: [(&str, f64, f64); 8] = [
     ("wobble", 0.0, 0.0),
 ];
 
-/// Default standard deviations of the quantities of a throw: an assumption of the order of what launch monitors show
-/// for practised throwers, not a measurement.
+/// Default standard deviations of the quantities of a throw, in the units that [`FIELDS`] states: an assumption of the
+/// order of magnitude that launch monitors show for practised throwers, not a measurement.
 const SCATTER: [(&str, f64); 6] = [
     ("speed", 0.5),
     ("heading", 2.0),
@@ -83,7 +84,8 @@ impl Bounds {
         }
     }
 
-    /// Sets the range of the quantity called `name`; ignored if the body does not have this quantity.
+    /// Sets the minimum and maximum of the quantity called `name`, in the unit that [`FIELDS`] states; ignored if the
+    /// body does not have this quantity.
     pub fn set(&mut self, name: &str, least: f64, greatest: f64) {
         for range in self
             .ranges

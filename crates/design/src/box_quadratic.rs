@@ -48,7 +48,8 @@ pub fn minimum(
     step
 }
 
-/// Whether a variable is at a bound and the minimization would move it further outwards, by the sign of `slope`.
+/// Whether a variable is at one of its bounds and a descent would move it beyond the bound; `slope` is the derivative
+/// of the minimized function by the variable.
 fn outward(slope: f64, step: f64, low: f64, high: f64) -> bool {
     step <= low && slope >= 0.0 || step >= high && slope <= 0.0
 }

@@ -21,7 +21,7 @@ use crate::throw_flight::{By, ThrowFlightError, ThrowFlights};
 /// Options of the search for a throw.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SearchOptions {
-    /// Number of throws that are evaluated before the descents; default 384.
+    /// Number of starting throws that are simulated; local descents start at the best of them. Default 384.
     pub starts: usize,
     /// Number of local descents; default 12.
     pub descents: usize,
@@ -83,7 +83,7 @@ pub enum DesignError {
     NoFlight {
         /// Number of throws that were attempted.
         tried: usize,
-        /// Reason why the last of them could not be flown.
+        /// Reason why the last attempted throw could not be flown.
         last: ThrowFlightError,
     },
     /// Throws can be flown, but their derivatives cannot be computed.
@@ -207,7 +207,7 @@ struct Task<'t> {
 /// Starting throw: its point in the unit box, and (violation, objective) for each side of the obstacle.
 type Tried = (DVector<f64>, Vec<(f64, f64)>);
 
-/// The starting throws that could be flown to the ground, and their number.
+/// The starting throws that could be flown to the ground, and the number of these throws.
 struct Explored {
     points: Vec<Tried>,
     flown: usize,
@@ -301,8 +301,8 @@ impl Task<'_> {
         self.goal.target().is_some() || side.is_some()
     }
 
-    /// Moves a starting point to the constraints, or as near to them as the bounds allow, with little change of the
-    /// throw. `None` if a throw on the way has no flight.
+    /// Moves a starting throw, with little change, until it meets the constraints or violates them as little as the
+    /// bounds allow. `accuracy` is an index into [`TOLERANCES`]. `None` if a throw on the way has no flight.
     fn met(&self, side: Option<Side>, from: &DVector<f64>, accuracy: usize) -> Option<Arrival> {
         let near = RefCell::new(None);
         if !self.is_constrained(side) {
@@ -319,7 +319,8 @@ impl Task<'_> {
         Some(arrival)
     }
 
-    /// Minimizes the objective along the constraints, from a feasible point. `None` if that point has no flight.
+    /// Minimizes the objective among throws that meet the constraints, starting from one of them. `None` if the
+    /// starting throw has no flight.
     fn least(&self, side: Option<Side>, from: &DVector<f64>) -> Option<Arrival> {
         let near = RefCell::new(None);
         let problem =
@@ -327,8 +328,8 @@ impl Task<'_> {
         descend(&problem, from)
     }
 
-    /// Minimizes the violation if the constraints cannot be met. Unlike [`Task::met`], this accounts for curvature,
-    /// which matters when the remaining violation is large.
+    /// Minimizes the constraint violation if the constraints cannot be met. Unlike [`Task::met`], this method accounts
+    /// for the curvature of the constraints, which matters when the remaining violation is large.
     fn nearest(&self, side: Option<Side>, from: &DVector<f64>) -> Option<Arrival> {
         let near = RefCell::new(None);
         let problem = |at: &DVector<f64>, _: bool| {
@@ -342,8 +343,8 @@ impl Task<'_> {
         })
     }
 
-    /// Objective of the goal at a point of the unit box; `of_path` is the part of the objective that the path alone
-    /// determines.
+    /// Objective of the goal at a point of the unit box; `of_path` is the objective computed from the path alone, which
+    /// is the result for goals that need nothing else. `None` if the throw has no flight.
     fn objective(&self, at: &DVector<f64>, of_path: f64) -> Option<f64> {
         match self.goal {
             Goal::Hit(_) | Goal::Curve(_) => Some(0.5 * at.map(|v| v - 0.5).norm_squared()),

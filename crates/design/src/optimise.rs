@@ -19,9 +19,9 @@ pub struct Values {
     pub margins: DVector<f64>,
     /// Gradient of the objective by the variables.
     pub gradient: DVector<f64>,
-    /// Jacobian of the equality constraints, one row each.
+    /// Jacobian of the equality constraints by the variables, one row per constraint.
     pub equalities_by: DMatrix<f64>,
-    /// Jacobian of the inequality constraints, one row each.
+    /// Jacobian of the inequality constraints by the variables, one row per constraint.
     pub margins_by: DMatrix<f64>,
 }
 
@@ -32,7 +32,7 @@ impl Values {
         (self.equalities.norm_squared() + short.sum::<f64>()).sqrt()
     }
 
-    /// The same point in the problem whose objective is [`Values::violation`] and which has no constraints.
+    /// Values at the same point for the problem of minimizing [`Values::violation`] without constraints.
     pub fn violation_alone(&self) -> Values {
         let n = self.gradient.len();
         let violation = self.violation();
@@ -66,14 +66,14 @@ impl Values {
     }
 }
 
-/// A problem: a function of a point of the unit box that returns the values there. If the second argument is `false`,
-/// the objective need not be computed. `None` if the problem has no values at the point.
+/// An optimization problem: a function that returns objective and constraints at a point of the unit box, or `None` if
+/// they cannot be computed there. If the second argument is `false`, the objective is not needed.
 pub type Problem<'p> = &'p dyn Fn(&DVector<f64>, bool) -> Option<Values>;
 
 /// Result of an optimization: the point reached and the values there.
 #[derive(Clone, Debug)]
 pub struct Arrival {
-    /// Point of the unit box.
+    /// The point reached, in the unit box.
     pub at: DVector<f64>,
     /// Objective and constraints at the point.
     pub values: Values,
@@ -206,8 +206,8 @@ pub fn descend(problem: Problem<'_>, from: &DVector<f64>) -> Option<Arrival> {
     Some(now)
 }
 
-/// Moves a point near the constraints onto them and evaluates the objective there; `None` if the constraints are not
-/// reached or the problem has no values there.
+/// Moves a point until its constraint violation is at most [`ON`] and evaluates the objective there; `None` if this
+/// violation is not reached or the problem has no values there.
 fn reached(problem: Problem<'_>, there: DVector<f64>) -> Option<Arrival> {
     let first = problem(&there, false).filter(Values::is_finite)?;
     let is_free = first.equalities.len() + first.margins.len() == 0;

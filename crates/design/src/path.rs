@@ -9,18 +9,21 @@ use ode::{SensitivityLayout, Trajectory};
 use crate::point::Point;
 use crate::throw_flight::ThrowFlights;
 
-/// Minimum number of intervals of a flight in which nearest approaches are searched.
+/// Ratio of the duration of a flight to the shortest time interval in which a nearest approach of the path to a point
+/// is searched; the intervals are at most about twice as long.
 const FINEST: f64 = 128.0;
-/// Maximum number of secant steps to a nearest approach.
+/// Maximum number of steps of the secant method that determines the time of a nearest approach to a point.
 const MAX_STEPS: usize = 40;
 
 /// Flight of a throw, with the derivatives of its path if they were requested.
 pub struct Path<'f> {
     flights: &'f ThrowFlights<'f>,
     layout: Option<SensitivityLayout>,
-    /// Integrated trajectory; if derivatives were requested, each state vector is followed by its sensitivities S.
+    /// Integrated trajectory; if derivatives were requested, each state vector is followed by the sensitivity matrix S,
+    /// the derivatives of the states.
     pub trajectory: Trajectory,
-    /// For each quantity by which the path is differentiated, its column of the sensitivity matrix S.
+    /// For each quantity by which the path is differentiated, its column of the sensitivity matrix S, the derivatives
+    /// of the states.
     columns: Vec<usize>,
 }
 
@@ -31,10 +34,10 @@ pub struct Landing {
     pub time: f64,
     /// Position of the mass centre at landing, m.
     pub position: Vector3<f64>,
-    /// Derivatives of the duration, s per unit of each quantity.
+    /// Derivatives of the duration, s per unit of each quantity by which the path is differentiated.
     pub time_by: Vec<f64>,
-    /// Derivatives of the landing position, m per unit of each quantity; their z components are 0, the height of the
-    /// ground.
+    /// Derivatives of the landing position, m per unit of each quantity by which the path is differentiated; their z
+    /// components are 0, because the landing is always on the ground.
     pub position_by: Vec<Vector3<f64>>,
 }
 
@@ -124,8 +127,9 @@ impl<'f> Path<'f> {
         found
     }
 
-    /// Time between `from` and `until` at which the derivative of the squared distance by time is 0; one of the two
-    /// ends if the derivative has no change of sign from negative to positive.
+    /// Time between `from` and `until`, s, at which the distance to the point `to` is minimal, so that the time
+    /// derivative of its square is 0; one of the two ends if this derivative has no change of sign from negative to
+    /// positive.
     fn refined(
         &self,
         mut from: f64,

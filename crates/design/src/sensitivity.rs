@@ -7,7 +7,7 @@ use ode::IntegrationOptions;
 use crate::goal::Goal;
 use crate::throw_flight::{By, ThrowFlightError, ThrowFlights};
 
-/// Effect of one quantity of a throw.
+/// Effect of one quantity of a throw on the position and time of the landing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensitivity {
     /// Index of the quantity in [`FIELDS`].
@@ -35,7 +35,7 @@ pub struct OneUnit {
     pub miss: f64,
 }
 
-/// Effects of all quantities that the throw states and its body can have, in the order of [`FIELDS`].
+/// Effects on the landing of all quantities that the throw states and its body can have, in the order of [`FIELDS`].
 ///
 /// # Errors
 /// [`ThrowFlightError`] if the throw has no flight.

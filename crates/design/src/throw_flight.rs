@@ -168,8 +168,8 @@ impl ThrowFlights<'_> {
         Sensitivities::new(rhs, &vec![0; of_throw], of_parameters)
     }
 
-    /// Derivative of the release state by a parameter, by central differences. It is nonzero only if the throw has a
-    /// wobble or the body's motion depends on the parameter.
+    /// Derivative of the release state by a parameter, by central differences. It is 0 unless the throw has a wobble or
+    /// the parameter affects how the state determines the motion of the body.
     pub(crate) fn state_by_parameter(
         &self,
         throw: &Throw,
@@ -201,8 +201,9 @@ impl ThrowFlights<'_> {
         }
     }
 
-    /// Position (m), velocity and acceleration of the mass centre at a state. The derivatives of position and
-    /// velocity are taken from the given columns of the sensitivity matrix S; without `s` they are empty.
+    /// Position (m), velocity (m/s) and acceleration (m/s²) of the mass centre at a state. The derivatives of position
+    /// and velocity are taken from the columns of the sensitivity matrix S that `s` lists; they are empty if `s` is
+    /// `None`.
     pub(crate) fn point(
         &self,
         t: f64,

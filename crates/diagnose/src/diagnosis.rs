@@ -146,7 +146,8 @@ struct Analysis<'a> {
     context: Context<'a>,
     clock: Clock,
     before: Fit,
-    /// Lack-of-fit test of the residuals of the model under test; `None` if the residuals are too few.
+    /// Lack-of-fit test of the residuals of the model under test; `None` if the residuals are too few to separate noise
+    /// from smooth motion.
     residuals: Option<LackOfFit>,
     model: ScoreTestModel,
     /// Iterate of the fit of the model under test, in the unknowns of the score-test model.
@@ -159,8 +160,9 @@ struct Analysis<'a> {
     notes: Vec<String>,
 }
 
-/// Runs the search with all flights that can be tested. A flight that cannot be tested is removed from the model, its
-/// file is added to `set_aside`, and the search starts again.
+/// Runs the search. If the samples of a flight do not determine its initial state, or its trajectory cannot be
+/// integrated, the flight is removed from the model, its file name is added to `set_aside`, and the search starts
+/// again.
 fn search_testable<'a>(
     model: &mut ScoreTestModel,
     base: &mut Iterate,
@@ -326,9 +328,9 @@ impl<'a> Analysis<'a> {
         Ok((diagnosis, made))
     }
 
-    /// Validates the best explanation by its out-of-sample gain if it is overflexible. Returns the validated
-    /// explanation if it improves predictions. Otherwise drops all overflexible explanations and returns the reason
-    /// as the second value.
+    /// Validates the best explanation by its out-of-sample gain if it is overflexible: if it has more than two effects,
+    /// or one value for each flight. Returns the validated explanation if it improves predictions. Otherwise drops
+    /// all overflexible explanations and returns the reason as the second value.
     fn validate_overflexible(
         &mut self,
     ) -> Result<(Option<Validated>, Option<String>), DiagnosisError> {
@@ -356,8 +358,9 @@ impl<'a> Analysis<'a> {
         Ok((None, refused))
     }
 
-    /// Chooses the extension: the best explanation, or library terms if there is none; library terms are also added
-    /// to the report. `None` if there is nothing to extend, or the time is over and no fit is known.
+    /// Chooses the extension: the best explanation, or selected library terms if there is no explanation. Library terms
+    /// are also added to the report. `None` if there is neither, or if the extended model is not yet fitted and the
+    /// deadline has passed.
     fn choose(
         &mut self,
         validated: Option<Validated>,

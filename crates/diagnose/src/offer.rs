@@ -13,7 +13,7 @@ use crate::parallel::join;
 use crate::report::{self, Report};
 use crate::validation::{ApplyTo, PredictiveGain, cross_validate, gain_of_fits};
 
-/// Extended model chosen to be fitted and measured.
+/// Extended model that was chosen as the extension, before its fit and out-of-sample gain are completed.
 pub(crate) struct Chosen {
     /// The extended model.
     pub extension: ExtendedModel,
@@ -37,7 +37,7 @@ pub(crate) struct Measured<R> {
     made: R,
 }
 
-/// An extended model and its fit, with the result of the caller's function for the extended model.
+/// An extended model and its fit, with the result of the caller's function `on_extension` for the extended model.
 pub(crate) type Offered<R> = ((ExtendedModel, Fit), R);
 
 /// Fits the extended model if it is not yet fitted, measures its out-of-sample gain, and calls `on_extension`. If
@@ -114,8 +114,8 @@ impl<R> Measured<R> {
         gain.is_some_and(PredictiveGain::changes_nothing)
     }
 
-    /// Adds the extension and its gain to the report. Returns the extended model, its fit and the caller's result;
-    /// `None` if the extended model predicts worse.
+    /// Adds the extension and its out-of-sample gain to the report. Returns the extended model, its fit and the result
+    /// of `on_extension`; `None` if the extended model predicts worse than the model under test.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if the caller cancelled.

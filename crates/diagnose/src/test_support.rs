@@ -5,11 +5,11 @@ use identify::{Fit, FitOptions, Iterate, fit};
 
 use crate::context::{CandidateId, Context, DiagnosisOptions, EncompassingModel, ScoreTestModel};
 
-/// The model `disc`, which lacks the effect `stall`, fitted to three flights of the dataset.
+/// The model `disc`, which lacks the effect `stall`, fitted to three flights of `examples/mystery`.
 pub(crate) struct Fixture {
     /// Fit of the model under test.
     pub fit: Fit,
-    /// Score-test model of the fitted flights.
+    /// Score-test model built from the model under test and the flights of `fit`.
     pub model: ScoreTestModel,
     /// Iterate of the fit, in the unknowns of the score-test model.
     pub iterate: Iterate,
@@ -32,7 +32,7 @@ pub(crate) fn mystery(flights: usize) -> Dataset {
     dataset
 }
 
-/// Loads the dataset, fits the model `disc` and creates its score-test model.
+/// Loads three flights of `examples/mystery`, fits the model `disc` to them, and creates its score-test model.
 pub(crate) fn fixture() -> Fixture {
     let dataset = mystery(3);
     let model = model_spec::load::load("disc", &[]).unwrap();

@@ -12,8 +12,8 @@ pub struct BoundModel<'a> {
 }
 
 impl CompiledModel {
-    /// Binds the model to parameter values, in the order of the layout, and computes the invariants that depend on them
-    /// alone.
+    /// Binds the model to parameter values, in the order of its [`Layout`](codegen::Layout), and computes the
+    /// invariants, which are values that depend on the parameters alone.
     pub fn bind(&self, parameters: Vec<f64>) -> BoundModel<'_> {
         let mut prepared = vec![0.0; self.functions.prepared_len()];
         self.functions.prepare(&parameters, &mut prepared);

@@ -9,7 +9,7 @@ use codegen::tape_model::TapeModel;
 use model_spec::model::{Expr, ExprKind, Model, Observation, Shape};
 use std::borrow::Cow;
 
-/// State vector of a model, in the order of the states in its layout.
+/// State vector of a model, in the order of the states in its [`Layout`].
 pub type ModelState = Box<[f64]>;
 
 /// Compiled model: layout, functions with derivatives, and limits of validity. [`bind`](Self::bind) supplies the
@@ -50,7 +50,8 @@ impl Patterns {
 }
 
 impl CompiledModel {
-    /// Uses the generated code for this model if its source hash matches; otherwise compiles the model to a tape.
+    /// Uses the generated code for this model if its source hash matches; otherwise compiles the model to a tape, which
+    /// is interpreted bytecode.
     pub fn new(model: &Model) -> CompiledModel {
         CompiledModel::generated(model).unwrap_or_else(|| CompiledModel::interpreted(model))
     }
@@ -65,7 +66,7 @@ impl CompiledModel {
         })
     }
 
-    /// Compiles the model to a tape, even if generated code exists.
+    /// Compiles the model to a tape (interpreted bytecode), even if generated code for it exists.
     pub fn interpreted(model: &Model) -> CompiledModel {
         // With all derivatives, as in generated code, so that `prepare` hoists the same invariants and results agree
         // to the bit.
@@ -73,9 +74,9 @@ impl CompiledModel {
         CompiledModel::with_functions(model, Box::new(tape))
     }
 
-    /// Compiles the model to a tape specialized to given parameter values, as pairs of index in the layout and value:
-    /// terms that vanish at these values are removed, derivatives by these parameters remain. Values that are later
-    /// bound to these parameters are ignored.
+    /// Compiles the model to a tape (interpreted bytecode) specialized to given parameter values, as pairs of index in
+    /// the layout and value: terms that vanish at these values are removed, derivatives by these parameters remain.
+    /// Values that are later bound to these parameters are ignored.
     pub fn specialized(model: &Model, fixed: &[(usize, f64)]) -> CompiledModel {
         let compiled = compile_at(model, &Selection::All, fixed, Effort::Quick);
         CompiledModel::with_functions(model, Box::new(TapeModel::new(&compiled)))
@@ -93,8 +94,9 @@ impl CompiledModel {
         CompiledModel::of_selection(model, &compiled)
     }
 
-    /// Like [`new`](Self::new), but a tape has derivatives by `parameters` only, which are given by their indices in
-    /// the layout; such a tape is compiled and evaluated faster.
+    /// Like [`new`](Self::new), but if the model is compiled to a tape (interpreted bytecode), the tape has derivatives
+    /// by `parameters` only, which are given by their indices in the layout. Such a tape is compiled and evaluated
+    /// faster.
     pub fn with_derivatives_by(model: &Model, parameters: Vec<usize>) -> CompiledModel {
         CompiledModel::generated(model).unwrap_or_else(|| {
             let compiled = compile_for(model, &Selection::Only(parameters));
@@ -102,9 +104,10 @@ impl CompiledModel {
         })
     }
 
-    /// Compiles a tape whose measurement equation is the auxiliary variable `variable`: a vector by its components in
-    /// its own frame, a scalar as the first of three components. The tape has derivatives by `parameters` only, which
-    /// are given by their indices in the layout. `None` if the model has no such variable.
+    /// Compiles the model to a tape (interpreted bytecode) whose observed quantity is the auxiliary variable `variable`
+    /// instead of a marker position: a vector by its components in its own frame, a scalar as the first of three
+    /// components. The tape has derivatives by `parameters` only, which are given by their indices in the layout.
+    /// `None` if the model has no such variable.
     pub fn observing(
         model: &Model,
         variable: &str,
@@ -133,12 +136,13 @@ impl CompiledModel {
         Some(CompiledModel::of_selection(&observing, &compiled))
     }
 
-    /// Compiles the model to a tape with derivatives by the selected parameters only.
+    /// Compiles the model to a tape (interpreted bytecode) that has derivatives by the parameters in `selection` only.
     pub(crate) fn compiled_for(model: &Model, selection: &Selection) -> CompiledModel {
         CompiledModel::of_selection(model, &compile_for(model, selection))
     }
 
-    /// Compiled model from a tape that has derivatives by selected parameters only.
+    /// Creates the compiled model from a tape that has derivatives by selected parameters only; the columns of its
+    /// parameter Jacobians are renumbered to the parameter indices of the layout.
     fn of_selection(model: &Model, compiled: &Compiled) -> CompiledModel {
         let mut model = CompiledModel::with_functions(model, Box::new(TapeModel::new(compiled)));
         let patterns = &mut model.patterns;
@@ -171,7 +175,7 @@ impl CompiledModel {
         }
     }
 
-    /// Whether the functions are generated code rather than a tape.
+    /// Whether the functions are generated Rust code rather than a tape (interpreted bytecode).
     pub fn is_generated(&self) -> bool {
         self.is_generated
     }
@@ -190,8 +194,8 @@ impl CompiledModel {
         states
     }
 
-    /// Parameter vector of a release, in the order of the layout: the model's defaults, overridden by the release's
-    /// parameters, coefficients, wind and known inputs. Inputs that the model lacks are ignored.
+    /// Parameter vector of a release, in the order of the model's [`Layout`]: the model's defaults, overridden by the
+    /// release's parameters, coefficients, wind and known inputs. Inputs that the model lacks are ignored.
     pub fn release_parameters(&self, release: &Release) -> Vec<f64> {
         let names = self.layout.parameters.iter().map(String::as_str);
         let mut parameters = release.constants(names.zip(self.layout.default_parameters()));

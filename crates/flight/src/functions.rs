@@ -10,9 +10,9 @@ pub type Workspace = Scratch;
 pub struct EvaluationPoint<'a> {
     /// Time since release, s.
     pub t: f64,
-    /// State vector, in the order of the layout.
+    /// State vector, in the order of the model's [`Layout`](codegen::Layout).
     pub x: &'a [f64],
-    /// Parameters, coefficients and input components, in the order of the layout.
+    /// Parameters, coefficients and input components, in the order of the model's [`Layout`](codegen::Layout).
     pub p: &'a [f64],
     /// Parameter-only values that [`ModelFunctions::prepare`] computed from `p`.
     pub prepared: &'a [f64],
@@ -83,7 +83,7 @@ pub trait ModelFunctions: Send + Sync {
         y: &mut [f64; 3],
         jacobians: [&mut [f64]; 3],
     );
-    /// Computes the auxiliary variables of the model, in the order of the layout.
+    /// Computes the auxiliary variables of the model, in the order of its [`Layout`](codegen::Layout).
     fn quantities(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, q: &mut [f64]);
     /// Computes the left-hand sides of the limits of validity; the model is valid if each one is above its bound.
     fn limits(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, l: &mut [f64]);

@@ -18,7 +18,8 @@ pub struct ObservationJacobians<'o> {
     pub by_state_pattern: &'o [(usize, usize)],
     /// Entries of ∂y/∂x, m per state unit.
     pub by_state: &'o [f64],
-    /// (row, parameter) indices of each entry of ∂y/∂p; parameters are in the order of the layout.
+    /// (row, parameter) indices of each entry of ∂y/∂p; parameters are in the order of the model's
+    /// [`Layout`](codegen::Layout).
     pub by_parameter_pattern: &'o [(usize, usize)],
     /// Entries of ∂y/∂p, m per parameter unit.
     pub by_parameter: &'o [f64],

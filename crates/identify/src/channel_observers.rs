@@ -15,7 +15,7 @@ pub struct ChannelConditions<'a> {
 }
 
 impl<'a> ChannelConditions<'a> {
-    /// Binds the parameters of a flight, given in the order of the layout.
+    /// Binds the parameters of a flight, given in the order of the compiled model's parameter vector.
     pub fn new(problem: &'a FitProblem, parameters: &[f64]) -> Self {
         let channels = problem.channels.iter();
         let markers = channels
@@ -48,7 +48,7 @@ pub struct ChannelObservers<'a> {
     instruments: Vec<ModelObserver<'a>>,
 }
 
-/// Marker index of a point that is not a marker.
+/// Marker index that is used for a point on the body that is not a marker.
 const NO_MARKER: usize = usize::MAX;
 
 /// Unit vectors along the axes of the body, as points in body components.
@@ -169,8 +169,8 @@ fn axes(rotation: [f64; 3]) -> Matrix3<f64> {
     *turn.to_rotation_matrix().matrix()
 }
 
-/// Rotation vector from the measured attitude to the predicted directions of the body's axes. Its length is the sine of
-/// the rotation angle.
+/// Rotation vector, in the inertial frame, from the measured attitude to the predicted directions of the body's axes.
+/// Its length is the sine of the rotation angle.
 fn rotation(measured: [f64; 3], predicted: [Vector3<f64>; 3]) -> Vector3<f64> {
     let seen = axes(measured);
     let each = predicted.iter().enumerate();

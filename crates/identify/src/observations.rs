@@ -13,7 +13,8 @@ use crate::report::Truncation;
 use crate::state_manifold::StateManifold;
 use crate::statistics::median;
 
-/// Samples of one flight from the first to the last measured value, with the known values of the flight.
+/// Samples of one flight from the first to the last measured value, with the parameters and initial states that are
+/// known for the flight.
 #[derive(Clone, Debug)]
 pub struct Observations {
     /// File name of the flight.
@@ -37,7 +38,8 @@ pub struct Observations {
     /// Measured positions, as `stand_ins[sample * markers + point]`, m, of the points from which the pose is
     /// determined, if they include points that represent a pose sensor; empty if all points are markers.
     pub stand_ins: Vec<Option<[f64; 3]>>,
-    /// Parameters of the flight in the order of the layout, SI. Global parameters have their initial values here.
+    /// Parameters of the flight in the order of the compiled model's parameter vector, SI. Global parameters have their
+    /// initial values here.
     pub parameters: Vec<f64>,
     /// Known states at the first sample, SI.
     pub known_states: Vec<(StateId, f64)>,
@@ -162,7 +164,7 @@ impl Observations {
         (!intervals.is_empty()).then(|| median(&mut intervals))
     }
 
-    /// Drops all but the first `samples` samples, and records the time and the reason `why`.
+    /// Drops all but the first `samples` samples, and records the time and the reason `why` of the truncation.
     pub fn truncate(&mut self, samples: usize, why: String) {
         let dropped = self.times.len() - samples;
         self.keep(samples);
@@ -193,8 +195,8 @@ impl Observations {
         arc
     }
 
-    /// Copy of this arc with the samples of another range of the whole `flight`. The manifold and known values of the
-    /// arc remain.
+    /// Copy of this arc (a range of the samples of `flight`) that contains the range `samples` of `flight` instead. It
+    /// has the manifold and the known values of this arc.
     pub(crate) fn longer(&self, flight: &Observations, samples: Range<usize>) -> Observations {
         let points = samples.start * self.channels..samples.end * self.channels;
         let stand_ins = samples.start * self.markers..samples.end * self.markers;
@@ -228,7 +230,8 @@ impl Observations {
         state
     }
 
-    /// Parameters of the flight in the order of the layout, SI, with the given values of the global parameters.
+    /// Parameters of the flight in the order of the compiled model's parameter vector, SI, with the given values of the
+    /// global parameters.
     pub fn parameters(&self, problem: &FitProblem, global: &DVector<f64>) -> Vec<f64> {
         let mut parameters = self.parameters.clone();
         for (parameter, &value) in problem.globals.iter().zip(global.iter()) {

@@ -5,7 +5,8 @@
 use crate::noise::{OUTLIER_LIMIT, group_count};
 use crate::statistics::{median, robust_sigma};
 
-/// Number of neighbours on each side through which the line is fitted. Two of these points may be outliers.
+/// Number of neighbours on each side of a value through which a line is fitted to detect whether the value is an
+/// outlier. Two of the neighbours may be outliers.
 const SIDE: usize = 4;
 
 /// Minimum number of measured values of a channel for outlier detection.
@@ -44,8 +45,8 @@ pub fn local_residuals(times: &[f64], residuals: &Residuals) -> Vec<Vec<Option<[
     local_residuals
 }
 
-/// Threshold of the local residual from a least-squares line, in robust standard deviations, above which it is
-/// recomputed with a Theil–Sen line.
+/// Local residual (difference of a value from the least-squares line through its neighbours), in robust standard
+/// deviations, above which it is computed again with a Theil–Sen line, which is robust but expensive.
 const THEIL_SEN_LIMIT: f64 = 2.5;
 
 /// Time (s), sample index and residual (m) of each measured value of one channel.
@@ -59,7 +60,8 @@ impl Series {
         Self(seen)
     }
 
-    /// Local-linear residuals from least-squares lines, m, by sample index; `None` for missing values.
+    /// Differences of the values from least-squares lines through their neighbours, m, scaled to the standard deviation
+    /// of a value, by sample index. `None` for missing values.
     fn local_residuals(&self, samples: usize) -> Vec<Option<[f64; 3]>> {
         let mut local_residuals = vec![None; samples];
         if self.0.len() < MIN_POINTS {
@@ -88,7 +90,8 @@ impl Series {
         seen[first..index].iter().chain(&seen[index + 1..last])
     }
 
-    /// Local-linear residual from a Theil–Sen line of one value along an axis, m. `space` is scratch memory.
+    /// Difference of one value from the Theil–Sen line through its neighbours along one axis, m, scaled to the standard
+    /// deviation of a value. `space` is scratch memory.
     fn local_residual(&self, index: usize, axis: usize, space: &mut Vec<f64>) -> f64 {
         let (time, _, value) = self.0[index];
         let mut points = [(0.0, 0.0); 2 * SIDE];
@@ -104,13 +107,15 @@ impl Series {
     }
 }
 
-/// Weights of neighbouring values whose weighted sum is the value at time 0 of their least-squares line.
+/// Weights of the neighbours of a value, if the value is at time 0: the sum of the weighted neighbours is the ordinate
+/// at time 0 of the least-squares line through them.
 #[derive(Default)]
 struct Line {
     times: [f64; 2 * SIDE],
     count: usize,
     weights: [f64; 2 * SIDE],
-    /// Ratio of the standard deviation of (value at time 0 − line) to the standard deviation of a value.
+    /// Standard deviation of the difference between the value at time 0 and the line, in units of the standard
+    /// deviation of a value.
     spread: f64,
 }
 
@@ -119,7 +124,7 @@ struct Line {
 const SAME_TIME: f64 = 1e-9;
 
 impl Line {
-    /// Computes the weights for at most 2 × `SIDE` points at the given times relative to the middle point.
+    /// Computes the weights for at most 2 × `SIDE` neighbours, given their times relative to the value at time 0.
     fn through(&mut self, times: impl Iterator<Item = f64> + Clone) {
         let near = |(time, drawn): (f64, &f64)| (time - drawn).abs() <= SAME_TIME * drawn.abs();
         if times.clone().count() == self.count && times.clone().zip(&self.times).all(near) {
@@ -176,7 +181,7 @@ pub fn group_scales(local_residuals: &Residuals, group_of: &[usize]) -> Vec<[f64
     }
 }
 
-/// Robust standard deviation of the local residuals of all channels, along each axis, m.
+/// Robust standard deviation along each axis of the local residuals of all channels together, m.
 pub fn robust_scale(local_residuals: &Residuals) -> [f64; 3] {
     let mut sizes = Vec::with_capacity(local_residuals.iter().map(Vec::len).sum());
     [0, 1, 2].map(|axis| {
@@ -187,8 +192,8 @@ pub fn robust_scale(local_residuals: &Residuals) -> [f64; 3] {
     })
 }
 
-/// Scales for the detection of outliers, by flight, group and axis: the robust standard deviation of the flight itself,
-/// or the median over all flights if that is greater.
+/// Standard deviations by which local residuals are judged as outliers, by flight, noise group and axis: the robust
+/// standard deviation of the flight itself (in `own`), or the median over all flights if that is greater.
 pub fn judged_scales(own: &[Vec<[f64; 3]>]) -> Vec<Vec<[f64; 3]>> {
     let groups = own.first().map_or(0, Vec::len);
     let median_of = |group: usize| {

@@ -4,8 +4,8 @@ use nalgebra::Vector3;
 
 use crate::statistics::{median, robust_sigma};
 
-/// Maximum time span of four successive points, in units of the median span. Groups with longer gaps are skipped
-/// because the path may curve in the gap.
+/// Maximum time span of four successive points of a path, in units of the median span of such groups. Groups with a
+/// longer span are skipped because the path may curve in the gap.
 const LONGEST_SPAN: f64 = 1.6;
 
 /// Robust standard deviation of one coordinate about a smooth path of points (time in s, position in m), in m. It is

@@ -19,7 +19,8 @@ pub struct Pose {
 }
 
 impl Pose {
-    /// Residual variance of one coordinate, m²: sum of squared distances over degrees of freedom.
+    /// Residual variance of one marker coordinate, m²: sum of the squared distances between measured and fitted marker
+    /// positions, divided by the degrees of freedom.
     pub fn variance(&self) -> f64 {
         self.squares / (3.0 * self.markers as f64 - 6.0)
     }
@@ -93,11 +94,12 @@ pub fn point_position(markers: &[[f64; 3]], measured: &[Option<[f64; 3]>]) -> Op
     (count > 0).then(|| sum / count as f64)
 }
 
-/// Maximum number of Newton steps for the largest eigenvalue.
+/// Maximum number of Newton steps for the largest eigenvalue of Horn's 4 × 4 matrix, whose eigenvector is the attitude.
 const MAX_STEPS: usize = 100;
 
 /// Least-squares rotation that maps vectors b to vectors s, from the matrix `c` = Σ s bᵀ. `bound`, half the sum of all
-/// squared lengths, is an upper bound of the eigenvalue. `None` for collinear vectors.
+/// squared lengths, is an upper bound of the largest eigenvalue of Horn's 4 × 4 matrix, from which Newton's method
+/// starts. `None` for collinear vectors.
 fn nearest_rotation(c: &Matrix3<f64>, bound: f64) -> Option<UnitQuaternion<f64>> {
     #[rustfmt::skip]
     let key = Matrix4::new(

@@ -43,8 +43,8 @@ pub struct FitProblem {
     pub instruments: Vec<(Instrument, Arc<CompiledModel>)>,
     /// Whether the body of the model has an attitude; `false` for a point mass.
     pub has_attitude: bool,
-    /// Values of all parameters in the order of the layout, SI. Values that are known for single flights only are not
-    /// included.
+    /// Values of all parameters in the order of the compiled model's parameter vector, SI. Values that are known for
+    /// single flights only are not included.
     pub parameters: Vec<f64>,
     /// Global parameters, which are estimated from all flights together.
     pub globals: Vec<GlobalParameter>,
@@ -190,13 +190,13 @@ impl FitProblem {
         NoiseModel::of_groups(groups.collect(), self.noise_groups())
     }
 
-    /// Zero sums, one for each noise group.
+    /// Creates residual sums of value 0, one `Moments` for each noise group.
     pub fn no_moments(&self) -> Vec<Moments> {
         vec![Moments::default(); group_count(&self.noise_groups())]
     }
 
-    /// Whether positions of the body are measured. If not, the data do not determine its initial position and heading,
-    /// which then have weak priors.
+    /// Whether positions of the body are measured. Otherwise, the data do not determine the initial position and
+    /// heading of the body, which then have weak priors.
     pub(crate) fn sees_positions(&self) -> bool {
         self.channels.iter().any(Channel::is_position)
     }
@@ -296,8 +296,8 @@ impl FitProblem {
     }
 }
 
-/// Returns the model with a quantity for each kind of instrument in the dataset: the model's own quantity of that name,
-/// or the default one.
+/// Returns the model with the quantity that each kind of instrument in the dataset measures, such as the angular
+/// velocity for a gyroscope. If the model does not define this quantity, its default definition is added.
 ///
 /// # Errors
 /// [`FitError::Sensor`] if the model can have no such quantity; a point mass, for example, has no angular velocity.

@@ -9,9 +9,10 @@ use crate::ids::LocalId;
 /// Directions in which an initial state may vary: one per free state, and three per unit quaternion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StateManifold {
-    /// Indices of the free states that are not part of a quaternion. They are the first directions.
+    /// Indices of the states that vary and belong to no quaternion. The directions of the manifold begin with one for
+    /// each of these states, in this order.
     direct: Vec<usize>,
-    /// State indices of the components of each free unit quaternion, which varies in three directions.
+    /// State indices of the four components of each unit quaternion that varies; each has three directions.
     quaternions: Vec<[usize; 4]>,
     states: usize,
 }
@@ -72,7 +73,8 @@ impl StateManifold {
         })
     }
 
-    /// State that is the only one to vary along `direction`; `None` if `direction` belongs to a quaternion.
+    /// Index of the state that varies along `direction`; `None` if `direction` belongs to a quaternion, whose four
+    /// components vary together.
     pub fn direct_state(&self, direction: LocalId) -> Option<StateId> {
         let state = self.direct.get(direction.index())?;
         Some(StateId::new(*state))

@@ -2,31 +2,33 @@
 
 use model_spec::model::Model;
 
-/// Integration tolerance for whitened residuals of any number of flights, in units of `sigma0`. The integration error
-/// of a disc after one second is then far below 1/1000 of the noise; that of a fast-spinning body with a quaternion is
-/// below 1/50.
+/// Integration tolerance for whitened residuals of any number of flights, in units of the initial noise estimate
+/// `sigma0`. The integration error of a disc after one second is then far below 1/1000 of the noise; that of a
+/// fast-spinning body with a quaternion is below 1/50.
 pub const FINE_TOLERANCE: f64 = 0.007;
 
-/// Integration tolerance, in units of `sigma0`, for whitened residuals of up to [`FEW_FLIGHTS`] flights without a
-/// quaternion: errors stay below 1/1000 of the noise. Summed over more flights, the errors would exceed the decrease of
-/// the cost in the last steps.
+/// Integration tolerance, in units of the initial noise estimate `sigma0`, for whitened residuals of up to
+/// [`FEW_FLIGHTS`] flights without a quaternion. Integration errors stay below 1/1000 of the noise. Summed over more
+/// flights, these errors would exceed the decrease of the sum of squares in the last steps of a fit.
 const FEW_FLIGHTS_TOLERANCE: f64 = 0.02;
 
 /// Number of flights up to which [`FEW_FLIGHTS_TOLERANCE`] applies. For more flights, the tolerance decreases as the
 /// inverse square root of their number.
 const FEW_FLIGHTS: usize = 200;
 
-/// Integration tolerance for residuals without derivatives, in units of `sigma0`.
+/// Integration tolerance for residuals without derivatives, in units of the initial noise estimate `sigma0`.
 pub const RESIDUAL_TOLERANCE: f64 = 0.02;
 
-/// Integration tolerance for robust losses, in units of `sigma0`, or in units of the scale of the loss if that exceeds
-/// [`LARGE_SCALE`] × `sigma0`. Errors stay below a quarter of the noise.
+/// Integration tolerance for robust losses, in units of the initial noise estimate `sigma0`; or in units of the scale
+/// of the loss if that exceeds [`LARGE_SCALE`] × `sigma0`. Integration errors stay below a quarter of the noise.
 const ROBUST_TOLERANCE: f64 = 0.08;
 
-/// Scale of a robust loss, in units of `sigma0`, above which the tolerance is proportional to that scale.
+/// Scale of a robust loss, in units of the initial noise estimate `sigma0`, above which the integration tolerance is
+/// proportional to that scale.
 const LARGE_SCALE: f64 = 2.0;
 
-/// Integration tolerance for whitened residuals of a number of flights, in units of `sigma0`.
+/// Integration tolerance for whitened residuals of a number of flights, in units of the initial noise estimate
+/// `sigma0`.
 pub fn whitened(model: &Model, flights: usize) -> f64 {
     if model.quaternions().next().is_some() {
         return FINE_TOLERANCE;
@@ -35,7 +37,8 @@ pub fn whitened(model: &Model, flights: usize) -> f64 {
     (FEW_FLIGHTS_TOLERANCE * part.sqrt()).max(FINE_TOLERANCE)
 }
 
-/// Integration tolerance, m, for residuals under a robust loss with the scale `scale`, m.
+/// Integration tolerance, m, for residuals under a robust loss. `scale` is the scale of the loss and `sigma0` the
+/// initial noise estimate, m.
 pub fn robust(scale: f64, sigma0: f64) -> f64 {
     match scale > LARGE_SCALE * sigma0 {
         true => ROBUST_TOLERANCE * scale,

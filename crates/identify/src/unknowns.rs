@@ -27,7 +27,8 @@ const LEVER: (&str, [&str; 3]) = (
     ],
 );
 
-/// Prior standard deviation of an unknown position on a thrown body, m.
+/// Prior standard deviation of each coordinate of an unknown sensor position on the body, m: about the size of a thrown
+/// body.
 const UNKNOWN: f64 = 0.1;
 
 /// A model and a dataset without unknown positions, origin or vertical: effects of the model describe these instead.
@@ -35,7 +36,8 @@ pub struct Resolved<'d> {
     /// The model, with a quantity for each kind of instrument of the dataset and with an effect for each unknown of the
     /// dataset.
     pub model: Model,
-    /// The dataset, with all its unknowns marked as known because the model describes them.
+    /// The dataset, with its positions, origin and vertical marked as known, because the effects in the model describe
+    /// them.
     pub dataset: Cow<'d, Dataset>,
     /// Priors of the fit options and of the unknowns of the dataset.
     pub priors: Vec<Prior>,
@@ -73,7 +75,7 @@ impl Resolved<'_> {
         Ok(())
     }
 
-    /// Returns `options` with the priors and fixed coefficients of this value.
+    /// Copy of `options` with the priors and fixed coefficients of `self`.
     pub fn options<'o>(&'o self, options: &FitOptions<'o>) -> FitOptions<'o> {
         FitOptions {
             priors: &self.priors,

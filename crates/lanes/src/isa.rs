@@ -68,7 +68,7 @@ impl Isa {
     }
 }
 
-/// Returns whether the processor supports (AVX2 with FMA, AVX-512 F and DQ).
+/// Returns whether the processor supports AVX2 with FMA, and whether it supports AVX-512 F and DQ.
 #[cfg(target_arch = "x86_64")]
 fn wide() -> (bool, bool) {
     let avx2 = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");

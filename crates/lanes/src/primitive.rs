@@ -42,7 +42,7 @@ pub(crate) trait Primitive:
     fn load_lanes(from: &[f64]) -> Self;
     fn store_lanes(self, to: &mut [f64]);
 
-    /// Runs a computation in a function that has the instruction set of the type and is not inlined.
+    /// Runs a computation in a separate function that is not inlined, compiled for the instruction set of this type.
     fn run_outlined<K: LaneKernel<Self>>(kernel: K);
 
     /// `self * b + c`, rounded once if the type fuses multiply-adds, else twice.

@@ -142,8 +142,8 @@ pub trait Lanes: Real {
     /// # Panics
     /// If `lane >= WIDTH`.
     fn lane(self, lane: usize) -> f64;
-    /// Runs a computation in a function of its own, compiled once for the instruction set of these lanes: for large code
-    /// that a [`Kernel`](crate::Kernel) uses in several places.
+    /// Runs a computation in a separate function that is not inlined, compiled once for the instruction set of these
+    /// lanes: for large code that a [`Kernel`](crate::Kernel) uses in several places.
     fn outlined<K: LaneKernel<Self>>(kernel: K);
 
     /// Loads up to `WIDTH` numbers of a slice; lanes past the end of the slice are set to `fill`.

@@ -141,7 +141,7 @@ impl ScalarLane for Fused {
     }
 }
 
-/// Implements the three fused operations by the given intrinsics.
+/// Implements the methods `mul_add_op`, `mul_sub_op` and `neg_mul_add_op` of a lane type by the given intrinsics.
 macro_rules! fused {
     ($type:ident, $plus:ident $minus:ident $from:ident) => {
         #[inline(always)]

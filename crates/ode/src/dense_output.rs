@@ -71,7 +71,8 @@ pub(crate) struct HermiteStep<'a, X> {
 }
 
 impl<X: StateVector> HermiteStep<'_, X> {
-    /// Hermite data of component `i`: value at start and end, then h times its derivative at start and end.
+    /// Hermite data of component `i`: its value at the start and end of the step, then the step size times its time
+    /// derivative at the start and end.
     #[inline(always)]
     pub(crate) fn ends(&self, i: usize) -> (f64, f64, f64, f64) {
         (

@@ -240,8 +240,8 @@ pub(crate) fn location_width(t: f64, h: f64) -> f64 {
     (1e-13 * t.abs().max(1.0) / h).min(1e-3)
 }
 
-/// Whether `value` falls from positive to 0 or below between neighbouring points of an even subdivision of a step
-/// into `intervals`; more than one interval finds pairs of zeros within the step.
+/// Whether `value`, a function of the fraction of a step, falls from positive to 0 or below between neighbouring points
+/// that divide the step into `intervals` equal intervals. More than one interval can detect two zeros within the step.
 pub(crate) fn has_falling_zero(intervals: u32, value: impl Fn(f64) -> f64) -> bool {
     let mut before = value(0.0);
     for k in 1..=intervals {

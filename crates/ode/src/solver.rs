@@ -42,7 +42,8 @@ pub(crate) trait StepObserver {
     fn on_step(&mut self, step: DenseOutput<'_>, until: f64);
 }
 
-/// Integrates from (t0, x0) to the time `t_end` or to the first terminal event.
+/// Integrates from the initial time and state `start` to the time `t_end`, or to the first terminal event. Passes each
+/// accepted step to `observer`.
 pub(crate) fn solve<D: OdeRhs, O: StepObserver>(
     rhs: &mut D,
     start: (f64, &D::State),

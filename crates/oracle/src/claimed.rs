@@ -11,7 +11,8 @@ use crate::tree::Tree;
 use model_spec::model::{ClaimedAttitude, ClaimedRotation};
 use nalgebra::{Matrix3, Vector3};
 
-/// Quantities of a claimed body at a point, in inertial components.
+/// Quantities at a point, in inertial components, of the body that a model claims to describe. The claim states mass,
+/// motion and loads of a body whose laws of motion the model's equations should satisfy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ClaimedBody<T> {
     /// Mass, kg.
@@ -26,10 +27,11 @@ pub struct ClaimedBody<T> {
     pub turning: Option<Turning<T>>,
 }
 
-/// Rotational motion of a claimed body at a point, in inertial components.
+/// Rotational motion at a point, in inertial components, of the body that a model claims to describe.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turning<T> {
-    /// Axes, as columns, of the body-fixed frame, or of the frame that contains the axis of revolution.
+    /// Axes, as columns, of the body-fixed frame or, for a body of revolution, of a frame that contains the axis of
+    /// revolution.
     pub axes: Matrix3<T>,
     /// Axis of revolution (1, 2 or 3) if only this axis moves with the body; `None` if the whole frame does.
     pub axis: Option<u8>,
@@ -41,7 +43,7 @@ pub struct Turning<T> {
     pub moment: Vector3<T>,
 }
 
-/// A law of motion that a claimed body must satisfy.
+/// A law of motion that the body claimed by a model must satisfy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum BalanceLaw {
     /// The rate of change of the position is the velocity.
@@ -71,14 +73,15 @@ impl BalanceLaw {
 pub struct Balance<T> {
     /// Law of motion whose sides are given.
     pub law: BalanceLaw,
-    /// Left-hand side: rate of change of a quantity.
+    /// Left-hand side: rate of change of the position, an axis, the momentum or the angular momentum, in SI units.
     pub change: Vector3<T>,
-    /// Right-hand side: cause of the change, such as the force.
+    /// Right-hand side: cause of the change, such as the force, in SI units.
     pub cause: Vector3<T>,
 }
 
 impl<T: Real> ClaimedBody<T> {
-    /// Evaluates the quantities of the claimed body by a vector tree; `None` if the model claims no body.
+    /// Evaluates the quantities of the body that a model claims to describe; `tree` is the model evaluated at a point.
+    /// `None` if the model makes no such claim.
     pub fn of(tree: &Tree<'_, T>) -> Option<Self> {
         let claim = tree.model.claim.as_ref()?;
         Some(Self {
@@ -143,8 +146,8 @@ impl<T: Real> Turning<T> {
 }
 
 impl ClaimedBody<f64> {
-    /// Physical state of the claimed body. For a body of revolution without a body-fixed frame, the spin angle is that
-    /// of the frame of its axis.
+    /// Physical state of the body that the model claims to describe. For a body of revolution without a body-fixed
+    /// frame, the attitude is that of the frame that contains the axis of revolution.
     pub fn physical(&self) -> Physical<f64> {
         Physical {
             position: self.position,
@@ -162,7 +165,8 @@ impl ClaimedBody<f64> {
 }
 
 impl<T: Real> ClaimedBody<Dual<T>> {
-    /// Both sides of every law; the derivatives of the dual numbers must be those with respect to time.
+    /// Both sides of every law of motion of the body; the derivatives of the dual numbers must be those with respect to
+    /// time.
     pub fn balances(&self) -> Vec<Balance<T>> {
         let derivative = |v: &Vector3<Dual<T>>| v.map(|d| d.derivative);
         let value = |v: &Vector3<Dual<T>>| v.map(|d| d.value);

@@ -10,27 +10,32 @@ use model_spec::model::Model;
 use nalgebra::{DMatrix, DVector};
 use num_traits::{One, Zero};
 
-/// Minimum singular value of the scaled system that counts as nonzero, relative to the greatest one.
+/// Minimum ratio of a singular value of the scaled linear system to the greatest one for the singular value to count as
+/// nonzero.
 const RANK: f64 = 1e-10;
-/// Maximum component of a state in a direction that the laws leave free. A state with a greater component counts as
-/// undetermined, even if rounding causes it.
+/// Component of a state in an undetermined combination of rates (a singular vector with singular value 0) up to which
+/// the component counts as 0. A state with a greater component counts as undetermined, even if rounding causes the
+/// component.
 const FREE: f64 = 1e-12;
-/// Minimum residual of a law that counts as unsatisfied, relative to the sum of the magnitudes of the law's terms.
+/// Residual of a law of motion above which the law counts as unsatisfied, relative to the sum of the magnitudes of the
+/// law's terms.
 const RESIDUAL: f64 = 1e-10;
 
-/// Rates of the states that the laws of the claimed body imply, at one point.
+/// Rates of a model's states at one point, as implied by the laws of motion of the body that the model claims to
+/// describe.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClaimedRates {
     /// Rate of each state with respect to the time of flight; `None` if the laws do not determine it.
     pub rates: Vec<Option<ErrorBound>>,
     /// Laws that no rates satisfy, each with its residual relative to the sum of the magnitudes of its terms.
     pub unsatisfied: Vec<(BalanceLaw, f64)>,
-    /// Whether no rate appears in any of the unsatisfied laws, so that the rates solve all other laws.
+    /// Whether the unsatisfied equations contain no rate of a state, so that the rates satisfy all other equations.
     pub solves_the_others: bool,
 }
 
-/// Solves the laws of the claimed body for the rates of the states; `time_rate` is the rate of the measuring clock
-/// relative to the time of flight. `None` if the model claims no body or a value is not finite.
+/// Solves the laws of motion of the body that a model claims to describe for the rates of the model's states;
+/// `time_rate` is the rate of the measuring clock relative to the time of flight. `None` if the model claims no body or
+/// a value is not finite.
 pub fn claimed_rates(
     model: &Model,
     point: &Point<ErrorBound>,
@@ -40,7 +45,8 @@ pub fn claimed_rates(
     system.solved()
 }
 
-/// The laws as a linear system: matrix `a` times rates = `b`, one row per component of a law.
+/// The laws of motion as a linear system for the rates of the states: `a` · rates = `b`, one row per component of a
+/// law; `laws` contains the law of each row.
 struct System {
     a: Vec<Vec<ErrorBound>>,
     b: Vec<ErrorBound>,
@@ -148,7 +154,7 @@ impl System {
         })
     }
 
-    /// Sum of the magnitudes of the terms in each row, for rates with the magnitudes `rates`.
+    /// Sum of the magnitudes of the terms in each row of the linear system; `rates` are the magnitudes of the rates.
     fn terms(&self, rates: impl Iterator<Item = f64> + Clone) -> Vec<f64> {
         let of_row = |(a, b): (&Vec<ErrorBound>, &ErrorBound)| {
             let of_rates = a.iter().zip(rates.clone());
@@ -158,8 +164,8 @@ impl System {
     }
 }
 
-/// Whether each state has a component in a direction that the laws leave free. The system must have at least as many
-/// rows as columns.
+/// Whether each state occurs in a combination of rates that the laws of motion leave undetermined (a singular vector
+/// whose singular value is at most `tolerance`). The system must have at least as many rows as columns.
 fn free_states(
     svd: &nalgebra::SVD<f64, nalgebra::Dyn, nalgebra::Dyn>,
     tolerance: f64,

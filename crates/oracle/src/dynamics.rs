@@ -21,13 +21,14 @@ pub struct MassProperties<T> {
     pub inertia: Option<Matrix3<T>>,
 }
 
-/// Computes the derivative of every state with respect to the time of the measuring clock.
+/// Computes the derivative of every state of a model at a point with respect to the time of the measuring clock, which
+/// produces the time stamps.
 pub fn derivatives<T: Real>(model: &Model, point: &Point<T>) -> Result<Vec<T>, Unsupported> {
     derivatives_of(&Tree::new(model, point))
 }
 
-/// Computes the derivative of every state with respect to the time of the measuring clock, from an evaluated vector
-/// tree.
+/// Computes the derivative of every state of the model that `tree` has evaluated, at the same point, with respect to
+/// the time of the measuring clock, which produces the time stamps.
 pub fn derivatives_of<T: Real>(tree: &Tree<'_, T>) -> Result<Vec<T>, Unsupported> {
     let model = tree.model;
     let mut out = match &model.body {
@@ -49,7 +50,7 @@ pub fn derivatives_of<T: Real>(tree: &Tree<'_, T>) -> Result<Vec<T>, Unsupported
     Ok(out)
 }
 
-/// Mass and inertia tensor of a body, evaluated by the vector tree.
+/// Mass and inertia tensor of a body of the model that `tree` has evaluated, at the same point.
 pub fn mass_properties<T: Real>(tree: &Tree<'_, T>, body: &Body) -> MassProperties<T> {
     MassProperties {
         mass: tree.scalar(&body.mass),
@@ -60,7 +61,8 @@ pub fn mass_properties<T: Real>(tree: &Tree<'_, T>, body: &Body) -> MassProperti
     }
 }
 
-/// Accelerations of a body under a force and a moment, in inertial components.
+/// Accelerations of a body under a force at its mass centre, N, and a moment about it, N·m, by Newton's and Euler's
+/// laws; all vectors are in inertial components.
 pub fn newton_euler<T: Field>(
     body: &Body,
     frames: &[PlacedFrame<T>],
@@ -135,8 +137,8 @@ fn component_rates<T: Field>(
     Some(frame.axes.transpose() * (rate - transport))
 }
 
-/// Writes the rates of an attitude quaternion and of the angular velocity `components` (state indices and frame) to
-/// `out`.
+/// Writes the time derivatives of a body's attitude quaternion and angular velocity to `out`; `components` contains the
+/// state indices of the angular velocity and the index of the frame of its components.
 fn quaternion_rates<T: Field>(
     model: &Model,
     rotation: &Rotation,
@@ -174,7 +176,8 @@ fn quaternion_rates<T: Field>(
     Ok(())
 }
 
-/// Writes the first and second derivatives of three attitude angles to `out`.
+/// Writes the time derivatives of all frame angles, and those of the rates of the body's three attitude angles, to
+/// `out`.
 fn angle_rates<T: Field>(
     model: &Model,
     rotation: &Rotation,

@@ -11,16 +11,16 @@ pub enum BindError {
         /// Unknown name that the model gives after `reference`.
         name: String,
     },
-    /// A parameter or coefficient of the reference is missing from the model.
+    /// A parameter or coefficient of the reference law is missing from the model.
     #[error("`{name}` is not declared")]
     MissingConstant {
-        /// Name of the missing constant in the reference.
+        /// Name of the missing parameter or coefficient in the reference law.
         name: &'static str,
     },
-    /// A state of the reference is missing from the model.
+    /// A state of the reference law is missing from the model.
     #[error("the state `{name}` of the reference is not declared")]
     MissingState {
-        /// Name of the missing state in the reference.
+        /// Name of the missing state in the reference law.
         name: &'static str,
     },
     /// An effect has no reference implementation for the model's law.

@@ -17,7 +17,7 @@ pub struct Point<T> {
     pub inputs: Vec<Vector3<T>>,
     /// Values of [`Model::states`].
     pub states: Vec<T>,
-    /// Coordinates of the marker in the frame of the marker, m.
+    /// Coordinates of the observed marker in the frame in which the model declares marker positions, m.
     pub marker: Vector3<T>,
 }
 

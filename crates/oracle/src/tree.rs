@@ -20,7 +20,8 @@ pub enum Value<T> {
     Vector(Vector3<T>),
 }
 
-/// Vector tree: a model evaluated at a point, with its frames and auxiliary variables.
+/// Direct evaluation of a model's vector expressions at a point: the frames and auxiliary variables of the model, with
+/// all vectors in inertial components.
 pub struct Tree<'a, T> {
     /// Model that is evaluated.
     pub model: &'a Model,
@@ -123,7 +124,7 @@ impl<'a, T: Real> Tree<'a, T> {
             .fold(Vector3::zeros(), |sum, load| sum + self.vector(&load.value))
     }
 
-    /// Seconds of flight per second of the measuring clock; 1 if the model has no clock.
+    /// Seconds of flight per second of the measuring clock; 1 if the model declares no clock.
     pub fn clock(&self) -> T {
         let stated = self.model.clock.as_ref();
         stated.map_or_else(|| T::lit(1.0), |clock| self.scalar(&clock.value))

@@ -5,8 +5,9 @@ use model_spec::model::{Expr, ExprKind, State};
 /// Unit of angles, as text.
 const RADIAN: &str = "rad";
 
-/// Whether an expression is an angle: an inverse tangent or a function call with unit rad. Products are excluded: a
-/// rate times a time also has unit rad, but may be a ratio.
+/// Whether an expression is an angle: an inverse tangent or a function call with unit rad. Products and quotients with
+/// unit rad are excluded, because they may be dimensionless ratios, such as the spin ratio (spin rate times length over
+/// speed).
 pub(crate) fn is_angle(expr: &Expr) -> bool {
     let is_function = matches!(expr.kind, ExprKind::Atan2(..) | ExprKind::Call(..));
     is_function && expr.unit.to_string() == RADIAN

@@ -16,7 +16,7 @@ pub struct CertificateNote {
     pub changes: Vec<String>,
 }
 
-/// Maximum number of changes listed in the sentence.
+/// Maximum number of changed inputs that [`CertificateNote::sentence`] lists.
 const LISTED: usize = 3;
 
 impl CertificateNote {

@@ -30,7 +30,8 @@ pub struct Listed {
     /// Specific effects that replace this general effect; the effect is not considered for a model to which one of
     /// them applies.
     pub without: Vec<String>,
-    /// Origin of the effect: the model's file, the built-in catalogue, or a stated equation of the model.
+    /// Origin of the effect: declared in the model's file, built in, or generated for a differential equation that the
+    /// model file states explicitly.
     pub origin: Origin,
 }
 

@@ -30,7 +30,7 @@ const MOST_SAMPLES: usize = 240;
 enum Shape {
     /// A disc, for a rigid body with its third axis as axis of symmetry.
     Disc,
-    /// Three axes, for any other rigid body.
+    /// Three axes, for a rigid body whose third axis is not an axis of symmetry.
     Cross,
     /// A ball, for a point mass.
     Ball,

@@ -21,38 +21,45 @@ use crate::linearise::Linearised;
 /// Derivatives of the linearised motion that determine how the body axis moves in the stream.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisDerivatives {
-    /// a = q A (C_La + C_D)/(m V) for the built-in discs: decay rate of the angle of attack by lift, 1/s.
+    /// Decay rate a of the angle of attack by lift, 1/s. For the built-in discs a = q A (C_La + C_D)/(m V) with the
+    /// dynamic pressure q, the area A, the mass m and the airspeed V.
     pub lift: f64,
-    /// δ = −q A d C_Mq/I_d: decay rate of the angular rates by damping, 1/s.
+    /// Decay rate δ of the angular rates normal to the body axis by aerodynamic damping, 1/s: −q A d C_Mq/I_d with the
+    /// dynamic pressure q, the area A, the diameter d and the diametral moment of inertia I_d.
     pub damping: f64,
-    /// κ = −q A d C_Ma/I_d: angular acceleration by the pitching moment per rad, 1/s²; positive if the stream lifts the
-    /// nose, so that deviations grow.
+    /// Angular acceleration κ by the pitching moment per rad of the angle of attack, 1/s²: −q A d C_Ma/I_d with the
+    /// dynamic pressure q, the area A, the diameter d and the diametral moment of inertia I_d. It is positive if the
+    /// stream lifts the nose, so that deviations grow.
     pub pitching: f64,
-    /// ν = I_a r/I_d: frequency of the nutation without a stream, rad/s.
+    /// Frequency ν of the nutation without a stream, rad/s: I_a r/I_d with the axial and the diametral moment of
+    /// inertia I_a and I_d and the spin r.
     pub gyroscopic: f64,
-    /// Moment about d2 at the state, divided by I_d, 1/s².
+    /// Moment about d2, the axis to the left in the plane of the body, at the state, divided by the diametral moment of
+    /// inertia, 1/s².
     pub moment: f64,
 }
 
 /// Stability criteria, evaluated for a body in its stream.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Criteria {
-    /// Gyroscopic stability factor S = (ν² + δ² + 2 a δ)/κ. Spin and damping stabilise the axis if S > 1; S is infinite
-    /// or negative if the stream itself stabilises the axis.
+    /// Gyroscopic stability factor S = (ν² + δ² + 2 a δ)/κ with the symbols of [`AxisDerivatives`]. Spin and damping
+    /// stabilise the axis if S > 1; S is infinite or negative if the stream itself stabilises the axis.
     pub gyroscopic_factor: f64,
-    /// Gyroscopic condition: whether ν² + δ² + 2 a δ > κ.
+    /// Gyroscopic condition: whether ν² + δ² + 2 a δ > κ, with the symbols of [`AxisDerivatives`].
     pub gyroscopic: bool,
-    /// Condition for the slow motion: whether a (ν² + δ²) > κ δ, so that lift turns the path to the axis faster than
-    /// damping lets the axis wander.
+    /// Condition for the slow motion of the axis: whether a (ν² + δ²) > κ δ, with the symbols of [`AxisDerivatives`].
+    /// Lift then turns the path to the axis faster than damping lets the axis drift.
     pub slow: bool,
-    /// Condition for the decay of the wobble: whether (2 δ + a)(ν² + δ² + 2 a δ − κ) > a (ν² + δ²) − κ δ.
+    /// Condition for the decay of the wobble: whether (2 δ + a)(ν² + δ² + 2 a δ − κ) > a (ν² + δ²) − κ δ, with the
+    /// symbols of [`AxisDerivatives`].
     pub wobble: bool,
-    /// Frequency of the nutation, ν − κ/(2 ν), rad/s; accurate to first order in κ/ν².
+    /// Frequency of the nutation, |ν| − κ/(2 |ν|), rad/s, with the symbols of [`AxisDerivatives`]; accurate to first
+    /// order in κ/ν².
     pub nutation: f64,
-    /// Decay rate of the nutation, δ − κ (a − δ)/(2 ν²), 1/s.
+    /// Decay rate of the nutation, δ − κ (a − δ)/(2 ν²), 1/s, with the symbols of [`AxisDerivatives`].
     pub nutation_decay: f64,
-    /// Rate at which the plane of the body rolls, M/(I_a r), rad/s: closed form of Crowther and Potts for straight
-    /// flight.
+    /// Rate at which the plane of the body rolls, −M/(I_a r), rad/s, with the moment M about the left axis d2, the
+    /// axial moment of inertia I_a and the spin r: closed form of Crowther and Potts for straight flight.
     pub roll_rate: f64,
 }
 
@@ -85,7 +92,8 @@ impl AxisDerivatives {
         }
     }
 
-    /// Eigenvalues of the motion of the axis, 1/s: the three zeros of (s + a)[(s + δ)² + ν²] − κ (s + δ).
+    /// Eigenvalues of the motion of the axis, 1/s: the three zeros of (s + a)[(s + δ)² + ν²] − κ (s + δ), where a is
+    /// `lift`, δ is `damping`, ν is `gyroscopic` and κ is `pitching`.
     pub fn eigenvalues(&self) -> [Complex<f64>; 3] {
         let AxisDerivatives {
             lift: a,
@@ -124,7 +132,8 @@ impl AxisDerivatives {
 }
 
 impl Criteria {
-    /// Whether all three conditions hold, so that every motion of the axis in the stream decays.
+    /// Whether the conditions `gyroscopic`, `slow` and `wobble` all hold, so that every motion of the axis in the
+    /// stream decays.
     pub fn is_stable(&self) -> bool {
         self.gyroscopic && self.slow && self.wobble
     }

@@ -11,7 +11,8 @@ use model_spec::model::Model;
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use ode::{DifferentiableRhs, OdeRhs};
 
-/// Time step along the flight, s, of the finite differences for Y″ f; `WEIGHTS` are those of the sixth-order formula.
+/// Time step, s, of the sixth-order central differences of the motion along a flight; `WEIGHTS` are the weights of the
+/// differences over 1, 2 and 3 steps to either side.
 const STEP: f64 = 1e-4;
 const WEIGHTS: [f64; 3] = [45.0 / 60.0, -9.0 / 60.0, 1.0 / 60.0];
 
@@ -63,7 +64,7 @@ impl Body {
         })
     }
 
-    /// Binds the body to parameter values, in the order of the model's layout.
+    /// Binds the body to parameter values, in the order of the model's layout ([`CompiledModel::layout`]).
     pub fn with_parameters(&self, parameters: Vec<f64>) -> BoundBody<'_> {
         BoundBody {
             body: self,
@@ -78,7 +79,7 @@ pub struct BoundBody<'b> {
     /// The rigid body without parameter values.
     pub body: &'b Body,
     bound: BoundModel<'b>,
-    /// Parameter values in the order of the model's layout.
+    /// Parameter values, in the order of the model's layout ([`CompiledModel::layout`]).
     pub parameters: Vec<f64>,
 }
 
@@ -211,7 +212,7 @@ impl BoundBody<'_> {
             .then_some((acceleration, angular))
     }
 
-    /// Model bound to the same parameter values, for the integration of flights.
+    /// Model bound to the parameter values of this body, for the integration of flights.
     pub fn bound(&self) -> &BoundModel<'_> {
         &self.bound
     }

@@ -5,14 +5,15 @@ use nalgebra::{Complex, DMatrix, DVector, Vector3};
 
 use crate::linearise::Linearised;
 
-/// Size of a column relative to the norm of the matrix, below which the column counts as 0, so that nothing depends on
-/// its coordinate.
+/// Size of the elements in a coordinate's column of the linearised system, relative to the norm of the system's matrix,
+/// below which the column counts as 0, so that no rate of change depends on the coordinate.
 const IGNORABLE: f64 = 1e-9;
 
 /// Kind of a mode, by the variables that move most in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModeKind {
-    /// The body axis circles at about (I_a/I_d) times the spin: a wobble.
+    /// The body axis circles at about the spin times the ratio of the axial to the diametral moment of inertia: a
+    /// wobble.
     Nutation,
     /// The body axis oscillates without gyroscopic stiffness: pitching or coning of a body that spins little or not at
     /// all.
@@ -84,7 +85,7 @@ impl Mode {
 pub struct Modes {
     /// Modes in order of decreasing magnitude of the eigenvalue.
     pub modes: Vec<Mode>,
-    /// Names of the coordinates that nothing depends on and that are removed from the matrix.
+    /// Names of the coordinates on which no rate of change depends; they are removed from the linearised system.
     pub ignorable: Vec<&'static str>,
     /// Whether the rotation about the body's axis is ignorable, as for a body of revolution. Otherwise the linearised
     /// motion of a spinning body changes within every turn, and eigenvalues at an instant have little meaning.
@@ -177,8 +178,8 @@ pub fn modes(linearised: &Linearised, turn: f64) -> Modes {
     }
 }
 
-/// Classifies modes by the variables that move in them; `gyroscopic` is the nutation frequency without a stream, rad/s,
-/// and `size` the norm of the matrix of the linearised motion.
+/// Assigns a kind to each mode by the variables that move most in it; `gyroscopic` is the frequency of the nutation
+/// without a stream, rad/s, and `size` the norm of the matrix of the linearised motion.
 fn name(modes: &mut [Mode], gyroscopic: f64, size: f64) {
     let (mut has_nutation, mut has_incidence) = (false, false);
     for mode in modes {

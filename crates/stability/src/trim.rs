@@ -15,7 +15,7 @@ use crate::linearise::{BoundBody, Linearised, StabilityError};
 /// A steady flight of a body.
 #[derive(Clone, Debug)]
 pub struct Trim {
-    /// State of the model, above the origin at the default height of a throw.
+    /// State of the model in the steady flight, with the mass centre above the origin at the default height of a throw.
     pub state: Vec<f64>,
     /// Motion of the steady flight, as a throw.
     pub throw: Throw,
@@ -41,8 +41,8 @@ const STARTS: [[f64; 4]; 8] = [
     [15.0, -0.3, 0.05, -1.0],
 ];
 
-/// Finds steady flight at a spin, rad/s about the body's third axis (negative for a right-hander's backhand). Of
-/// several solutions the one with the slowest turn is returned; `None` if none is found.
+/// Finds a steady flight with the given spin, rad/s about the body's third axis (negative for a right-hander's
+/// backhand). Of several such flights the one with the slowest turn is returned; `None` if none is found.
 pub fn trim(body: &BoundBody<'_>, spin: f64) -> Option<Trim> {
     let found = STARTS
         .into_iter()
@@ -53,7 +53,8 @@ pub fn trim(body: &BoundBody<'_>, spin: f64) -> Option<Trim> {
     found.min_by(|a, b| a.turn.abs().total_cmp(&b.turn.abs()))
 }
 
-/// Motion at a spin with the speed, climb angle, nose, hyzer and rate of turn in `of`.
+/// Motion of a steady flight with a spin (rad/s) and with the speed (m/s), climb angle, nose, hyzer (rad) and rate of
+/// change of the heading (rad/s) in `of`.
 fn motion(of: &DVector<f64>, spin: f64) -> Motion {
     let course = Rotation3::from_axis_angle(&Vector3::y_axis(), -of[1]);
     let attitude = course
@@ -71,8 +72,8 @@ fn motion(of: &DVector<f64>, spin: f64) -> Motion {
     }
 }
 
-/// Scaled residual accelerations of a steady flight, and the state that has its motion; `None` if no state has the
-/// motion or the residual is not finite.
+/// Residual accelerations of a steady flight with the motion that `of` and `spin` describe, in units of 10 m/s² and 10
+/// rad/s², and the state with this motion; `None` if no state has the motion or a residual is not finite.
 fn residual(
     body: &BoundBody<'_>,
     of: &DVector<f64>,

@@ -161,7 +161,8 @@ fn spoiled_datasets(options: &cli::Runs) -> anyhow::Result<Page> {
     Ok(spoiled_page(&runs, cuts)?)
 }
 
-/// Fits `datasets` datasets of flights that touch nothing, and a quarter as many of flights that bounce.
+/// Section on truncation at ground contact: fits `datasets` datasets of flights that touch nothing, and a quarter as
+/// many of flights that bounce.
 fn cut_section(datasets: u64, threads: usize) -> CutSection {
     let free = free_flights(datasets as usize, threads, &report_progress);
     let bounces = bounces(datasets.div_ceil(4) as usize, threads, &report_progress);

@@ -18,7 +18,7 @@ const BEGUN: &str = "parts.json";
 /// Name of the JSON file of the summary; it is written last, so its presence means that the computation is complete.
 const SUMMARY: &str = "summary.json";
 
-/// Reason why a folder cannot hold the parts of a computation.
+/// Reason why a folder cannot be used for a computation that is done in parts.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum FolderError {

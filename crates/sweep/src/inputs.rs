@@ -17,7 +17,8 @@ pub(crate) struct InputModel {
     p: Vec<f64>,
     thrown: Option<ThrownModel>,
     vocabulary: Vocabulary,
-    /// If every flight has gusts of its own: the seed of the gusts and the parameter indices of the gusts' phases.
+    /// Seed of the gusts and parameter indices of the gusts' phases if every flight has different random gusts;
+    /// otherwise `None`.
     gusts: Option<(u64, Vec<usize>)>,
 }
 
@@ -56,7 +57,7 @@ pub(crate) struct Inputs<'p> {
     model: &'p InputModel,
     near: Option<NearThrows<'p>>,
     throw: Option<Throw>,
-    /// Independent standard normal draws of the current flight, one per normal axis.
+    /// Independent standard normal draws of the current flight, one per normally distributed quantity.
     independent: Vec<f64>,
     random: ChaCha8Rng,
     is_random: bool,
@@ -82,7 +83,8 @@ impl<'p> Inputs<'p> {
         }
     }
 
-    /// Draws the values of the axes for flight number `flight` and writes them to `values`, in the order of the axes.
+    /// Draws the values of the varied quantities (axes) for flight number `flight` and writes them to `values`, in the
+    /// order of the plan's axes.
     pub(crate) fn draw(&mut self, flight: u64, values: &mut [f64]) {
         let plan = self.plan;
         if self.is_random {

@@ -45,7 +45,7 @@ pub struct Column {
     pub values: Vec<f64>,
 }
 
-/// Table of the flights of one part.
+/// Table of the flights of one part of a sweep, a block of consecutive flights.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rows {
     /// Number of the first flight; the flights of the part are consecutive.
@@ -69,14 +69,14 @@ pub(crate) struct Flier<'p> {
     pub has_spin: bool,
 }
 
-/// Queue of the flights of a part for the integrator, and the table to which the results are written.
+/// Supplies the flights of one part of a sweep to the integrator, one after the other, and collects their results.
 struct Part<'f, 'p> {
     inputs: Inputs<'p>,
     first: u64,
     next: u64,
     last: u64,
     values: Vec<f64>,
-    /// Drawn values of the axes: one vector per axis, with one value per flight.
+    /// Drawn values of the varied quantities: one vector per quantity, with one value per flight.
     axes: &'f mut [Vec<f64>],
     /// End states: one vector per state, with one value per flight.
     states: Vec<Vec<f64>>,

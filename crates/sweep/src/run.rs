@@ -26,7 +26,8 @@ use crate::table;
 pub struct SweepOptions<'a> {
     /// Number of threads; at least 1.
     pub threads: usize,
-    /// Share of the parts to compute: (number from 1, number of shares). `None` computes all parts and joins them.
+    /// Share of the parts to compute, for several processes with one folder: (share number from 1, number of shares).
+    /// `None` computes all parts and joins them.
     pub share: Option<(u64, u64)>,
     /// Whether the flights are also written as CSV.
     pub csv: bool,
@@ -41,8 +42,9 @@ const AHEAD: u64 = 8;
 /// File name of the table of all flights.
 const FLIGHTS: &str = "flights.parquet";
 
-/// Flies a plan and writes `flights.parquet` and `summary.json` to the folder `out`, which is new, empty or holds
-/// earlier parts of the same plan. Returns the contents of `summary.json`; `None` if only a share was computed.
+/// Simulates the flights of a plan and writes `flights.parquet` and `summary.json` to the folder `out`, which is new,
+/// empty or holds earlier parts of the same plan. Returns the contents of `summary.json`; `None` if the options
+/// restrict the run to a share of the parts.
 ///
 /// # Errors
 /// [`SweepError`] if the plan needs a state that the model does not have, or a file cannot be read or written. A

@@ -3,9 +3,11 @@
 
 /// Maximum relative error of a quantile.
 pub(crate) const ACCURACY: f64 = 1e-4;
-/// Smallest magnitude that is resolved: smaller nonzero magnitudes are counted in the first bin.
+/// Smallest magnitude that the bins resolve; smaller nonzero magnitudes are counted in the bin nearest to zero of their
+/// sign.
 const LEAST: f64 = 1e-9;
-/// Maximum bin number, for magnitudes of about 1e12; together with [`LEAST`] it bounds the memory.
+/// Maximum bin number, which counts all magnitudes of about 1e12 and above; together with [`LEAST`] it limits the
+/// number of bins and thus the memory.
 const GREATEST: i32 = 242_000;
 
 /// Quantile sketch: (bin, count) pairs of the nonempty bins, in ascending order of the values. Negative bins hold

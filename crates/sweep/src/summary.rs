@@ -18,14 +18,14 @@ const QUANTILES: [(&str, f64); 7] = [
     ("0.99", 0.99),
 ];
 
-/// Summary statistics of a sweep. The columns count only flights that reached their end: the ground, or the final
-/// time of a plan with a duration.
+/// Summary statistics of a sweep. The statistics of the columns include only flights that reached the intended end: the
+/// ground, or the final time of a plan with a duration.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Summary {
     flights: u64,
     statuses: [u64; STATUSES.len()],
     columns: Vec<(String, ColumnSummary)>,
-    /// Moments of the landing points: x against y.
+    /// Joint moments of the x and y coordinates of the landing points, m.
     landing: Joint,
 }
 
@@ -50,7 +50,8 @@ struct Joint {
 }
 
 impl Summary {
-    /// Summary of the flights of one part; `end` is the index in [`STATUSES`] of flights that reached their end.
+    /// Summary of the flights of one part; `end` is the index in [`STATUSES`] of flights that reached the intended end,
+    /// the ground or the final time.
     pub(crate) fn of(rows: &Rows, end: u8) -> Summary {
         let mut statuses = [0; STATUSES.len()];
         for status in &rows.status {
@@ -77,7 +78,7 @@ impl Summary {
         }
     }
 
-    /// Merges the summary of the next part into this one.
+    /// Merges the summary of the next part of the sweep, a block of consecutive flights, into this one.
     pub(crate) fn merge(&mut self, next: &Summary) {
         self.flights += next.flights;
         for (own, more) in self.statuses.iter_mut().zip(next.statuses) {

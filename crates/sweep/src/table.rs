@@ -23,8 +23,8 @@ const FLIGHT: &str = "flight";
 /// Name of the last column: how the flight ended, a value of [`STATUSES`].
 const STATUS: &str = "status";
 
-/// Writes the table of a part to a file atomically. The file is not synced to the disk, because a part that cannot be
-/// read is computed again.
+/// Writes the table of one part of a sweep (a block of consecutive flights) to a file atomically. The file is not
+/// synced to the disk, because a part whose file cannot be read is computed again.
 pub(crate) fn write(path: &Path, rows: &Rows) -> Result<(), ParquetError> {
     let properties = properties(&rows.columns);
     let schema = schema(rows.columns.iter().map(|column| column.name.as_str()))?;
@@ -100,7 +100,8 @@ fn properties(columns: &[Column]) -> WriterProperties {
     properties.build()
 }
 
-/// Reads the table of a part from a file; the first `inputs` numeric columns are the inputs.
+/// Reads the table of one part of a sweep (a block of consecutive flights) from a file; the first `inputs` numeric
+/// columns are the inputs of the flights.
 pub(crate) fn read(path: &Path, inputs: usize) -> Result<Rows, ParquetError> {
     let reader = SerializedFileReader::new(File::open(path)?)?;
     let mut rows = Rows {

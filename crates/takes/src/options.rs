@@ -22,8 +22,8 @@ pub struct ReadOptions {
 const FASTEST: f64 = 1e6;
 
 impl ReadOptions {
-    /// Unit of length: the option if it is given, otherwise the unit that the file states. Adds a note if the two
-    /// differ. Fails if neither is given, with `place` as the location of the error.
+    /// Unit of length: the user's unit if it is given, otherwise the unit `stated` by the file. Adds a note if both are
+    /// given and differ. Fails if neither is given, with `place` as the location of the error.
     pub(crate) fn length(
         &self,
         stated: Option<LengthUnit>,
@@ -46,8 +46,9 @@ impl ReadOptions {
         }
     }
 
-    /// Frames per second: the option if it is given, otherwise the rate that the file states. Adds a note if the two
-    /// differ. Fails if neither is given or the rate is out of range, with `place` as the location of the error.
+    /// Frames per second: the user's rate if it is given, otherwise the rate `stated` by the file. Adds a note if both
+    /// are given and differ. Fails if neither is given or the rate is out of range, with `place` as the location of the
+    /// error.
     pub(crate) fn rate(
         &self,
         stated: Option<f64>,

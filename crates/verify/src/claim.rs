@@ -7,13 +7,13 @@ use nalgebra::Vector3;
 use oracle::scalar::{Dual, ErrorBound, Field};
 use oracle::{ClaimedBody, Point, Tree, derivatives_of, moving};
 
-/// Dual numbers along the motion: a value and its derivative with respect to the time of flight, each with an error
-/// bound.
+/// Dual numbers along the motion: a value and its derivative with respect to the time of flight, each with a bound of
+/// the rounding error.
 pub type Bounded = Dual<ErrorBound>;
 
-/// The claimed body at a point, with the rates implied by the model's own equations; `None` if the model claims no body
-/// or has no equations to evaluate. The values of the rates are from the equations under test, the magnitudes from the
-/// terms in the vector tree.
+/// Claimed body at a point, with the derivatives of its quantities along the motion that the equations under test give;
+/// `None` if the model claims no body or its equations cannot be evaluated. The error bounds of the rates come from the
+/// terms of the model's vector expressions.
 pub fn along(subject: &Subject<'_>, point: &Point<f64>) -> Option<ClaimedBody<Bounded>> {
     subject.model.claim.as_ref()?;
     let lifted = point.lift::<ErrorBound>();
@@ -36,7 +36,8 @@ pub fn along(subject: &Subject<'_>, point: &Point<f64>) -> Option<ClaimedBody<Bo
     ClaimedBody::of(&Tree::new(subject.model, &point))
 }
 
-/// Compares a change with its cause by component, relative to the magnitudes of their terms, and updates `worst`.
+/// Compares both sides of a balance law component by component: the rate of change `change` (such as dp/dt) and its
+/// cause `cause` (such as the force). Updates `worst` with the difference relative to the magnitudes of the terms.
 /// `what` is the name of the law.
 pub fn see(
     worst: &mut Worst,
@@ -49,7 +50,7 @@ pub fn see(
     }
 }
 
-/// Absolute value of a difference relative to the magnitude of its terms; infinite if it is NaN.
+/// Absolute value of a difference, relative to the sum of the magnitudes of the terms; infinite if the result is NaN.
 pub fn relative(difference: ErrorBound) -> f64 {
     if difference.value == 0.0 {
         return 0.0;
@@ -58,7 +59,7 @@ pub fn relative(difference: ErrorBound) -> f64 {
     if error.is_nan() { f64::INFINITY } else { error }
 }
 
-/// Whether a relative error is larger than rounding explains.
+/// Whether an error, relative to the sum of the magnitudes of the terms, is too large to be due to rounding, or is NaN.
 pub fn is_fault(error: f64) -> bool {
     error.is_nan() || error > TOLERANCE
 }

@@ -12,9 +12,10 @@ use crate::subject::Subject;
 use nalgebra::Vector3;
 use oracle::{ClaimedBody, Point, Quaternion, Tree};
 
-/// Maximum number of draws for a release within the limits of the model.
+/// Maximum number of draws to find a random release within the validity limits of the model.
 const DRAWS: usize = 100;
-/// Maximum deviation of a released state from its default, relative to the typical size of its unit.
+/// Maximum deviation of a state of a random release from the state's default, relative to the typical magnitude of
+/// quantities with the state's unit.
 const SPREAD: f64 = 0.2;
 
 /// Checks that energy and angular momentum are conserved in a flight without air.
@@ -114,12 +115,13 @@ pub fn momenta(subject: &Subject<'_>, options: &Options) -> Row {
 
 const UNRELEASED: &str = "no release was found within the limits of the model";
 
-/// Returns the claimed body at a point; `None` if the model claims none.
+/// Evaluates the body that the model claims at a point; `None` if the model claims none.
 fn body(subject: &Subject<'_>, point: &Point<f64>) -> Option<ClaimedBody<f64>> {
     ClaimedBody::of(&Tree::new(subject.model, point))
 }
 
-/// Whether the loads at both ends of a flight are the same force and no moment.
+/// Whether the loads at the start (`before`) and at the end (`after`) of a flight are a constant force without a
+/// moment, so that the work of the force is F·Δr.
 fn acts_alike(before: &ClaimedBody<f64>, after: &ClaimedBody<f64>) -> bool {
     let moment = |body: &ClaimedBody<f64>| body.turning.map_or(0.0, |t| t.moment.norm());
     let size = before.force.norm() + after.force.norm();
@@ -153,8 +155,9 @@ fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     })
 }
 
-/// Integrates the longest flight within the limits of the model, at most [`DURATION`]. Returns the final point and the
-/// ten integrals; `None` if even the shortest flight leaves the limits.
+/// Integrates the longest of four flights of at most [`DURATION`] that stays within the validity limits of the model.
+/// Returns the final point and the ten time integrals of [`fly_with_sums`]; `None` if even the shortest flight leaves
+/// the limits.
 fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Option<(Point<f64>, Vec<f64>)> {
     if !is_valid(subject.model, from) {
         return None;
@@ -164,8 +167,8 @@ fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Option<(Point<f64>, Vec<f64>
     flights.find(|(end, _)| is_valid(subject.model, end))
 }
 
-/// Integrates the model's equations from a point, together with the velocity, force, moment and power of the claimed
-/// body. Returns the final point and the ten integrals.
+/// Integrates the model's equations from a point for `duration` (s). Returns the final point and ten time integrals for
+/// the claimed body: three components each of velocity, force and moment, then power.
 fn fly_with_sums(
     subject: &Subject<'_>,
     from: &Point<f64>,

@@ -7,7 +7,7 @@ use codegen::tape::{Inputs, Tape};
 use nalgebra::Vector3;
 use oracle::Point;
 
-/// Compiled equations of motion on tapes.
+/// Compiled equations of motion, with one program of the bytecode interpreter (tape) for each function.
 pub struct Engine {
     prepare: Tape,
     f: Tape,
@@ -20,7 +20,7 @@ pub struct Engine {
     observe_layout: Entries,
 }
 
-/// Row and column of the nonzero entries of sparse Jacobians in the dense Jacobian.
+/// Positions (row, column), in the dense Jacobian, of the entries of a function's sparse Jacobians.
 #[derive(Clone, Debug, Default)]
 pub struct Entries {
     rows: usize,
@@ -63,7 +63,8 @@ impl Entries {
     }
 }
 
-/// Values of parameters, coefficients and components of inputs, in the order of the compiler.
+/// Values of parameters, coefficients and components of inputs in one list, in the order of the compiled model's
+/// parameter vector.
 pub fn parameters(point: &Point<f64>) -> Vec<f64> {
     let inputs = point.inputs.iter().flat_map(|v| [v.x, v.y, v.z]);
     point

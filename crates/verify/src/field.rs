@@ -13,7 +13,7 @@ use oracle::Point;
 use oracle::scalar::{Field, PRIME, Prime};
 use std::f64::consts::PI;
 
-/// An angle with its (sine, cosine), as elements of the field.
+/// An angle and its (sine, cosine), as elements of the prime field.
 pub type Angle = (Prime, (Prime, Prime));
 
 /// Maximum integer multiple of a known angle whose sine and cosine are derived by addition formulas.
@@ -24,9 +24,10 @@ pub struct Machine<'a> {
     point: &'a Point<Prime>,
     circles: &'a [(Prime, Prime)],
     parameters: Vec<Prime>,
-    /// Results of the program `prepare`; `None` for a result without a value in the field.
+    /// Results of the program `prepare`, which computes values that depend on parameters only; `None` for a result that
+    /// has no value in the field.
     pub prepared: Vec<Option<Prime>>,
-    /// Whether non-rational functions yield symbols. If false, they have no value.
+    /// Whether functions that are not rational, such as exp, have symbols as values. If false, they have no value.
     symbols: bool,
 }
 
@@ -159,7 +160,8 @@ pub fn on_circle(t: Prime) -> (Prime, Prime) {
     )
 }
 
-/// Value of a function without algebraic relations: a symbol with the parity of the function.
+/// Value in the prime field of a function for which the field has no algebraic relations: a symbol that depends on
+/// function and argument, with the parity of the function.
 pub fn call(function: MathFunction, a: Prime) -> Prime {
     let of_function = MathFunction::ALL.iter().position(|&f| f == function);
     let tag = of_function.map_or(u64::MAX, |k| k as u64);
@@ -175,8 +177,8 @@ pub fn table(fingerprint: u64, order: u8, a: Prime) -> Prime {
     symbol(0x100 + u64::from(order), &[Prime::new(fingerprint), a])
 }
 
-/// Value of a literal: the rational number that rounds to it, else a rational multiple of the symbol π, else a symbol
-/// that depends on the bits of the literal.
+/// Value of a numeric literal in the prime field: the rational number that rounds to the literal, else a rational
+/// multiple of the symbol for π, else a symbol that depends on the literal's bits.
 pub fn literal(c: f64) -> Prime {
     let number = |c: f64| symbol(3, &[Prime::new(c.to_bits())]);
     constant(c)

@@ -15,7 +15,8 @@ use oracle::{
 
 /// Name in reports of the check of energy and angular momentum without air.
 pub const INVARIANTS: &str = "flight without air";
-/// Name in reports of the check against the reference law integrated in momenta.
+/// Name in reports of the check that compares flights by the model's equations with flights by the reference law,
+/// integrated in momenta.
 pub const MOMENTA: &str = "flight: reference in momenta";
 /// Name in reports of the comparison of the flights of two models.
 const FLIGHTS: &str = "flights";
@@ -82,8 +83,8 @@ pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
     Row::judged(INVARIANTS, RELEASES, &worst, TOLERANCE)
 }
 
-/// Compares the final states of flights by the model equations and by the reference law, which is integrated in momenta
-/// and a quaternion.
+/// Compares the final states of flights computed from the model's equations with those of flights computed from the
+/// reference law, which is integrated in momentum, angular momentum and attitude quaternion.
 pub fn momenta(subject: &Subject<'_>, options: &Options) -> Row {
     let Some(reference) = &subject.reference else {
         return subject.without_reference(MOMENTA);
@@ -138,8 +139,9 @@ pub fn same_flights(a: &Subject<'_>, b: &Subject<'_>, options: &Options) -> Row 
     Row::judged(FLIGHTS, RELEASES, &worst, TOLERANCE)
 }
 
-/// Whether the loads at both ends of a flight are the same force and no moment. A law made by the model's author may
-/// leave other loads without air, such as the tension of a cord.
+/// Whether the loads at the start and at the end of a flight are a constant force without a moment. Other loads may
+/// remain without air in a law made by the model's author, such as the tension of a cord; then energy need not be
+/// conserved.
 fn acts_alike(subject: &Subject<'_>, start: &Point<f64>, end: &Point<f64>) -> bool {
     let (Some((force, moment, _)), Some((later, other, _))) =
         (loads(subject, start), loads(subject, end))
@@ -196,8 +198,9 @@ fn any_release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>>
     Some(point)
 }
 
-/// Removes the air: the parameter `rho` and all coefficients are set to 0, or to the value within their bounds that is
-/// closest to 0. Extra coefficients get their null values.
+/// Removes the air from a point: the parameter `rho` (air density) and all coefficients are set to 0, or to the value
+/// within their bounds that is closest to 0. Coefficients that the reference law does not contain get their null
+/// values.
 pub(crate) fn airless(subject: &Subject<'_>, point: &mut Point<f64>) {
     for (constant, value) in subject.model.params.iter().zip(&mut point.params) {
         if constant.name == "rho" {
@@ -337,8 +340,8 @@ fn held(
     })
 }
 
-/// Force, N, moment, N·m, and mass properties in the body frame. They are from the reference, else from the model's
-/// body; `None` if there is neither.
+/// Force (N), moment (N·m) and mass properties in the body frame at a point, from the reference law or, without one,
+/// from the model's body. `None` if the model has neither.
 fn loads(
     subject: &Subject<'_>,
     point: &Point<f64>,

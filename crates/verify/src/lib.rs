@@ -112,8 +112,8 @@ pub fn run(loaded: &Loaded, options: &Options) -> Report {
     report
 }
 
-/// Checks of the model with effects switched on: effects at null values, and effects against their reference
-/// implementations.
+/// Rows of the two checks of effects: the model with effects at their null values against the model without effects,
+/// and effects against their reference implementations.
 fn of_effects(loaded: &Loaded, options: &Options) -> [Row; 2] {
     match checks::effects::variants(loaded) {
         Some((with, without)) => [
@@ -147,8 +147,8 @@ pub fn rounding(model: &Model, options: &Options) -> Rounding {
     rounding::measure(&subject, &compiled, options, Effort::DETAILS)
 }
 
-/// Runs the checks of a compiled program against a model, which need not be the one it was compiled from. The checks
-/// are those of [`run`] except for the text, the effects and the mutants.
+/// Runs the numerical checks on a compiled program against a model, which may differ from the model that the program
+/// was compiled from. Unlike [`run`], it does not check the model's text and effects, and makes no mutants.
 pub fn rows_of_code(model: &Model, compiled: &Compiled, options: &Options) -> Vec<Row> {
     let engine = Engine::new(compiled);
     every_check(&Subject::new(model, &engine), compiled, &engine, options)

@@ -7,11 +7,12 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use oracle::scalar::{Dual, Real};
 use oracle::{Chart, ClaimedBody, Physical, PhysicalRate, Point, Tree, moving};
 
-/// Maximum number of Gauss-Newton steps when solving for the states of a physical state.
+/// Maximum number of Gauss-Newton steps when searching for states that represent a given physical state.
 const STEPS: usize = 60;
 /// Maximum number of halvings of a Gauss-Newton step.
 const HALVINGS: usize = 30;
-/// Maximum residual of a solution, relative to the size of the quantities.
+/// Maximum residual with which solving for the states counts as successful, relative to the magnitudes of the physical
+/// quantities.
 const FOUND: f64 = 1e-12;
 
 /// Physical meaning of the states of a model.
@@ -181,7 +182,8 @@ fn solved(model: &Model, physical: &Physical<f64>, at: &Point<f64>) -> Option<Ve
     (error.amax() <= FOUND).then_some(states)
 }
 
-/// Jacobian of the scaled quantities with respect to the states; `None` if the claimed body cannot be evaluated.
+/// Jacobian, with respect to the states, of the claimed body's position, velocity, axes and angular velocity, each
+/// divided by its scale in `sizes`. `None` if the claimed body cannot be evaluated.
 fn jacobian(
     model: &Model,
     states: &[f64],
@@ -206,7 +208,7 @@ fn jacobian(
     Some(out)
 }
 
-/// Position, velocity, axes that rotate with the body, and angular velocity of a claimed body, concatenated.
+/// Position, velocity, the axes with the indices `axes` (from 1), and angular velocity of a claimed body, concatenated.
 fn quantities<T: Real>(body: &ClaimedBody<T>, axes: &[u8]) -> Vec<T> {
     let mut out: Vec<T> = body.position.iter().copied().collect();
     out.extend(body.velocity.iter());

@@ -118,13 +118,13 @@ impl Row {
         }
     }
 
-    /// Returns the row with a remark on what the check does not cover.
+    /// Returns the row with its remark set to a text on what the check does not cover.
     pub fn remarking(mut self, remark: impl Into<String>) -> Self {
         self.remark = Some(remark.into());
         self
     }
 
-    /// Returns the row with another detail.
+    /// Returns the row with its detail text replaced.
     pub fn saying(mut self, detail: impl Into<String>) -> Self {
         self.detail = detail.into();
         self

@@ -59,7 +59,8 @@ impl SameMotion {
     }
 }
 
-/// Compares each pair of models. All must describe the same kind of body, with equal names for corresponding constants.
+/// Compares each pair of models. All models must describe the same kind of body, with equal names for corresponding
+/// parameters and coefficients.
 pub fn compare(subjects: &[Subject<'_>], options: &Options) -> SameMotion {
     let mut pairs = Vec::new();
     for (k, a) in subjects.iter().enumerate() {

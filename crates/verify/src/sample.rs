@@ -6,10 +6,10 @@ use model_spec::unit::{Base, Unit};
 use nalgebra::Vector3;
 use oracle::{Point, Tree};
 
-/// Maximum number of draws for a point within the validity limits. After that the last draw is moved towards the
-/// defaults.
+/// Maximum number of draws of a point within the validity limits. If none succeeds, the last point is moved towards the
+/// default point until it is within the limits.
 const DRAWS: usize = 1000;
-/// Maximum number of halvings of the distance to the defaults.
+/// Maximum number of halvings of the distance between a drawn point outside the validity limits and the default point.
 const HALVINGS: i32 = 20;
 
 /// Draws a point within the validity limits. States have magnitudes typical of flights, one in four up to 1000 times
@@ -30,8 +30,8 @@ pub fn point(model: &Model, random: &mut Random) -> Point<f64> {
         .unwrap_or(defaults)
 }
 
-/// Interpolates linearly between two points; `fraction` is 0 at `from` and 1 at `to`. Time and marker are those of
-/// `to`.
+/// Interpolates parameters, coefficients, inputs and states linearly between two points; `fraction` is 0 at `from` and
+/// 1 at `to`. The time and the marker position are those of `to`.
 pub fn between(from: &Point<f64>, to: &Point<f64>, fraction: f64) -> Point<f64> {
     let mix = |from: &[f64], to: &[f64]| -> Vec<f64> {
         let pairs = from.iter().zip(to);
@@ -47,7 +47,7 @@ pub fn between(from: &Point<f64>, to: &Point<f64>, fraction: f64) -> Point<f64> 
     }
 }
 
-/// Whether a point is within every limit of the model.
+/// Whether a point is within every validity limit of the model.
 pub fn is_valid(model: &Model, point: &Point<f64>) -> bool {
     let tree = Tree::new(model, point);
     let mut limits = model.limits.iter();

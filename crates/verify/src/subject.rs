@@ -24,7 +24,8 @@ pub struct Subject<'a> {
     pub reference: Option<Reference>,
     /// Reason why the claimed reference law cannot be bound; `None` if it is bound or none is claimed.
     pub unbound: Option<BindError>,
-    /// Physical meaning of the states: from the reference law, else from the declared body; `None` if unknown.
+    /// Conversion between states and physical quantities (position, velocity, attitude, angular velocity): from the
+    /// reference law, else from the body declared in the model; `None` if neither exists.
     pub chart: Option<Chart>,
 }
 
@@ -64,8 +65,9 @@ impl<'a> Subject<'a> {
         rates.into_iter().map(|rate| rate / pace).collect()
     }
 
-    /// Returns the point of another model with the same physical state, time and marker, and the same values of
-    /// constants and inputs of equal names. `None` if a chart is missing or cannot represent the attitude.
+    /// Converts a point of this model to the point of the model `other` with the same physical state, time and marker
+    /// position, and the same values of parameters, coefficients and inputs of equal names. `None` if a chart is
+    /// missing or cannot represent the attitude.
     pub fn corresponding_point(
         &self,
         other: &Subject<'_>,
@@ -129,12 +131,14 @@ impl<'a> Subject<'a> {
         extras.filter(|i| !of_effects.contains(i)).collect()
     }
 
-    /// Whether the meaning of the states is given only by the claimed body.
+    /// Whether the physical meaning of the states is given only by the claimed body: the model has a claim but no
+    /// chart.
     pub fn is_known_by_claim(&self) -> bool {
         self.chart.is_none() && self.model.claim.is_some()
     }
 
-    /// Returns the point with the coefficients of effects at their null values and added states at their defaults.
+    /// Returns the point with the coefficients of effects at their null values, and the states of effects and other
+    /// states beyond those of the body at their defaults.
     pub fn without_effects(&self, mut point: Point<f64>) -> Point<f64> {
         for coefficient in self.model.effects.iter().flat_map(|e| &e.coefficients) {
             point.coefficients[coefficient.index] = coefficient.null_value;
@@ -145,9 +149,9 @@ impl<'a> Subject<'a> {
         point
     }
 
-    /// Row of a check that requires a reference law, for a model that claims none. The check is skipped for a body,
-    /// whose equations are derived from Newton's and Euler's laws, and for a claimed body, which is checked otherwise.
-    /// It is unverified for stated equations without a claim.
+    /// Row for a check that requires a reference law, for a model that claims none. The check is skipped if the model
+    /// has a body (its equations are derived from Newton's and Euler's laws) or claims a body (other checks apply). It
+    /// is unverified if the model states equations without a claim.
     pub fn without_reference(&self, check: &'static str) -> Row {
         if self.model.body.is_some() {
             return Row::skipped(check, "the model claims no reference");
@@ -169,7 +173,8 @@ impl<'a> Subject<'a> {
         Row::unverified(check, "which state stands for what is not known")
     }
 
-    /// Returns the point with extra coefficients at their null values and added states at their defaults.
+    /// Returns the point with the coefficients that the reference law does not contain at their null values, and the
+    /// states of effects and other states beyond those of the body at their defaults.
     pub fn without_extras(&self, mut point: Point<f64>) -> Point<f64> {
         for (index, value) in self.extras() {
             point.coefficients[index] = value;

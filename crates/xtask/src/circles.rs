@@ -210,7 +210,8 @@ fn name_of(item: &Item) -> Option<String> {
     Some(ident.to_string())
 }
 
-/// Directed graph of imports: for each module, the modules that it imports from, without its ancestors.
+/// Directed graph of imports: for each module, the modules that it imports from. Imports from an ancestor in the module
+/// tree are omitted.
 fn arrows(modules: &BTreeMap<ModulePath, Module>) -> BTreeMap<ModulePath, BTreeSet<ModulePath>> {
     let arrows_of = |(here, module): (&ModulePath, &Module)| {
         let targets = module
@@ -223,7 +224,8 @@ fn arrows(modules: &BTreeMap<ModulePath, Module>) -> BTreeMap<ModulePath, BTreeS
     modules.iter().map(arrows_of).collect()
 }
 
-/// Module that defines the item of a path; `None` if no module of the crate defines it.
+/// Module that defines the item to which `path` refers in the module `here`; `None` if no module of the crate defines
+/// it.
 fn target(
     modules: &BTreeMap<ModulePath, Module>,
     here: &ModulePath,
@@ -262,7 +264,7 @@ fn target(
     None
 }
 
-/// Strongly connected components of more than one module.
+/// Strongly connected components with more than one module, which are the import cycles.
 fn strong_components(arrows: &BTreeMap<ModulePath, BTreeSet<ModulePath>>) -> Vec<Vec<ModulePath>> {
     let reach: BTreeMap<&ModulePath, BTreeSet<&ModulePath>> = arrows
         .keys()

@@ -75,7 +75,7 @@ fn unused(metadata: &Metadata) -> Result<Vec<String>> {
     Ok(faults)
 }
 
-/// Whether `text` contains `name` as the first segment of a path, or imports it.
+/// Whether the Rust source `text` uses the crate `name`, as the first segment of a path or in an import.
 fn names(text: &str, name: &str) -> bool {
     text.match_indices(name).any(|(at, _)| {
         let is_word = |c: char| c.is_alphanumeric() || c == '_';

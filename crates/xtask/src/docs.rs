@@ -13,7 +13,8 @@ use crate::source;
 /// A doc comment with the signature of its item.
 struct Documented {
     place: String,
-    /// Header of the struct, enum, trait or impl block that contains the item, as its path in rustdoc would show it.
+    /// First line of the innermost block around the item, such as `impl Model {`; `None` if the item is not inside a
+    /// block.
     parent: Option<String>,
     comment: Vec<String>,
     signature: String,
@@ -69,7 +70,8 @@ fn documented(file: &str, text: &str) -> Vec<Documented> {
     found
 }
 
-/// The last line above the last of these, less indented, that opens a struct, enum, trait, impl block or function.
+/// First line of the innermost block around the last of `lines`: the nearest preceding line that is less indented and
+/// ends with `{`. `None` if there is no such line.
 fn parent(lines: &[&str]) -> Option<String> {
     let indent = |line: &str| line.len() - line.trim_start().len();
     let (item, above) = lines.split_last()?;
@@ -85,7 +87,8 @@ fn parent(lines: &[&str]) -> Option<String> {
         .map(|line| line.trim().to_owned())
 }
 
-/// Lines of an item, joined, up to the line that opens its body or ends it. `lines` starts at the item.
+/// Signature of the item that starts at the first of `lines`: all lines up to the first that ends with `{`, `;`, `,` or
+/// `}`, joined by spaces.
 fn signature(lines: &[&str]) -> String {
     let ends = |line: &&str| line.ends_with(['{', ';', ',', '}']) && !line.ends_with("(,");
     let last = lines.iter().position(ends).unwrap_or(0);

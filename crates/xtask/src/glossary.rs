@@ -7,7 +7,7 @@ use anyhow::{Result, bail};
 
 use crate::source;
 
-/// Heading of the table column that lists the names.
+/// Heading of the glossary's table column whose names are checked.
 const COLUMN: &str = "type";
 
 /// Returns an error if a name in the glossary's column of types occurs in no source file.

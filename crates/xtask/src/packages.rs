@@ -5,7 +5,7 @@ use std::path::Path;
 use anyhow::{Result, bail};
 use cargo_metadata::MetadataCommand;
 
-/// License files that every published package carries.
+/// Licence files that every published package must contain.
 const LICENSE_FILES: [&str; 2] = ["LICENSE-MIT", "LICENSE-APACHE"];
 
 /// Packs every publishable package, after a check that it contains the licence files. With `verify`, each package is

@@ -228,9 +228,9 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Resolves an expression for the mass or an inertia entry of a body, described by `what` in messages. `None`, with
-    /// an error reported, if it is invalid or changes during a flight. A default that is not positive is reported
-    /// unless `signed`.
+    /// Resolves an expression for the mass or for an entry of the inertia tensor; `what` describes it in messages.
+    /// `None`, with an error reported, if the expression is invalid or can change during a flight. Unless `signed`, an
+    /// expression that is not positive at the default parameter values is also reported.
     pub fn constant_of_body(
         &mut self,
         e: &ast::Expr,

@@ -139,8 +139,8 @@ impl Checker<'_> {
         })
     }
 
-    /// Resolves the scalar auxiliary variable in `expect NAME = …`; `None`, with an error reported, if `NAME` is not
-    /// one.
+    /// Resolves the scalar auxiliary variable in `expect NAME = …`; `None`, with an error reported, if `NAME` is not a
+    /// scalar auxiliary variable.
     fn expected_quantity(&mut self, name: &Name) -> Option<Expected> {
         let (message, help) = match self.scope.find(&name.text) {
             Some(Symbol::Let(i)) => match self.definitions.get(i)?.clone() {

@@ -88,7 +88,8 @@ impl<'a> Checker<'a> {
         self.diagnostics.len() == before
     }
 
-    /// Reports a use of `der(…)` in a statement of a claim, since such a claim would hold for any equations.
+    /// Reports a use of `der(…)` in a statement of a claim. Such a claim would hold for any equations, because the
+    /// value of `der(…)` is computed from the equations.
     fn without_derivatives(&mut self, part: &'a ClaimPart) {
         let mut found: Option<(&str, Span)> = None;
         for e in part.kind.expressions() {
@@ -111,7 +112,7 @@ impl<'a> Checker<'a> {
         self.report(fault.help("state the quantity by the states and parameters"));
     }
 
-    /// Reports an auxiliary variable in `e` that depends on `der(…)`. Returns whether there is one.
+    /// Whether `e` uses an auxiliary variable that depends on `der(…)`; if so, reports an error.
     fn is_circular(&mut self, e: &Expr) -> bool {
         let of_equations: Vec<usize> = { self.derivatives.values() }
             .filter_map(|&definition| match self.definitions.get(definition) {

@@ -77,7 +77,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Reports a second occurrence of a statement that may occur only once, with the source spans of both.
+    /// Reports a second occurrence of a statement that may occur only once, with the source spans of both occurrences.
+    /// `what` names the statement in the message.
     pub fn second(&mut self, what: &str, first: Span, again: Span) {
         self.report(
             Diagnostic::new(Kind::Duplicate, again, format!("`{what}` is stated twice"))
@@ -87,8 +88,8 @@ impl<'a> Checker<'a> {
         );
     }
 
-    /// Unit of a declared value: as stated, or dimensionless if none is stated. If it is to be inferred, the term is a
-    /// new unknown and the `bool` is `true`.
+    /// Unit of a declared value, and the same unit as a term of unit inference: as stated, or dimensionless if no unit
+    /// is stated. If the stated unit is `[?]` or invalid, the term is a new unknown and the `bool` is `true`.
     fn declared_unit(&mut self, name: &Name, unit: Option<&UnitExpr>) -> (Measure, Term, bool) {
         let Some(unit) = unit else {
             let term = self.unitless.term(name.span);
@@ -176,8 +177,9 @@ impl<'a> Checker<'a> {
         self.define(&constant.name, symbol);
     }
 
-    /// SI value of a parameter's bound; a bound without a unit has the unit `of` of the default value. `None`, with an
-    /// error reported, if the stated unit differs from that unit.
+    /// SI value of a parameter's lower or upper bound. A bound without a unit has the unit `of`, in which the default
+    /// value is stated. `None`, with an error reported, if the bound states a unit that differs from `of`, or states
+    /// any unit although the parameter's unit is to be inferred (`inferred`).
     fn bound(&mut self, bound: &ast::Quantity, of: &Measure, inferred: bool) -> Option<f64> {
         let Some(unit) = &bound.unit else {
             return Some(of.of(&bound.number).0);
@@ -289,7 +291,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Source span for errors about missing statements: the model's name, otherwise the end of the file.
+    /// Source span for errors about missing statements: the name in `model NAME;`, or the end of the file if this
+    /// statement is missing too.
     pub fn heading(&self) -> Span {
         self.file
             .items

@@ -195,8 +195,8 @@ impl Checker<'_> {
         self.in_range(a.times_power(&b, power), span)
     }
 
-    /// Wraps a computed unit; `None`, which means that an exponent is out of range, is reported and becomes
-    /// [`UnitOf::Faulty`].
+    /// Converts a computed unit to [`UnitOf::Term`]. If an exponent is out of range, which includes a `term` of `None`,
+    /// reports an error and returns [`UnitOf::Faulty`].
     pub fn in_range(&mut self, term: Option<Term>, span: Span) -> UnitOf {
         match term {
             Some(term) if term.has_unknowns() || term.unit().is_some() => UnitOf::Term(term),
@@ -275,8 +275,8 @@ impl Checker<'_> {
         true
     }
 
-    /// For a literal multiplied or divided by names of units, returns whether one of the names is not declared in the
-    /// model. `None` for other expressions.
+    /// For a literal that is multiplied or divided by names of units, such as `5 m/s`, returns whether at least one of
+    /// these names is not declared as a variable. `None` for other expressions.
     fn literal_with_units(&self, e: &ast::Expr) -> Option<bool> {
         match &e.kind {
             ast::ExprKind::Number(q) => q.unit.as_ref().map(|_| false),

@@ -9,7 +9,8 @@ use crate::unit::Unit;
 /// Maximum number of declarations that one unit error labels.
 const MAX_LABELS: usize = 8;
 
-/// Maximum number of operands (names and literals) of an expression that a unit error analyses.
+/// Maximum number of operands (names and literals) of an expression that the message of a unit error takes into
+/// account; further operands are ignored.
 const MAX_LEAVES: usize = 64;
 
 /// An operand of an expression: a name or a literal with a unit.
@@ -247,7 +248,8 @@ impl Checker<'_> {
         }
     }
 
-    /// Suggests a factor that would make the two units of a sum equal; `None` if there is no such single factor.
+    /// Suggests a factor for one term of a sum in which two different units occur, so that the units agree; `None` if
+    /// no single factor achieves this, or if more than two units occur.
     fn advice(&self, terms: &[Typed], groups: &[Vec<usize>]) -> Option<String> {
         let [a, b] = groups else { return None };
         // The unit of the group with more terms is assumed to be the expected one.
@@ -256,8 +258,8 @@ impl Checker<'_> {
         self.missing_factor(&terms[odd[0]], unit(odd[0])?, unit(even[0])?)
     }
 
-    /// Suggests to remove, divide by or multiply by one named quantity, so that the unit `found` becomes `expected`;
-    /// `None` if no such quantity is declared.
+    /// Suggests to remove one named quantity from the expression, or to divide or multiply the expression by one, so
+    /// that its unit `found` becomes `expected`; `None` if no declared quantity has this effect.
     fn missing_factor(&self, typed: &Typed, found: Unit, expected: Unit) -> Option<String> {
         let text = self.text(typed.expr.span);
         let excess = found.checked_div(expected)?;

@@ -7,7 +7,7 @@ use crate::model::{self, FrameKind};
 use crate::suggest;
 use crate::syntax::ast::{self, ItemKind, Name};
 
-/// Maximum number of frames in a model.
+/// Maximum number of frames in a model; a further frame is reported as an error.
 const MAX_FRAMES: usize = 100;
 
 impl<'a> Checker<'a> {

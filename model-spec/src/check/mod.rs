@@ -145,16 +145,18 @@ struct Checker<'a> {
     let_units: Vec<UnitOf>,
     /// Whether each auxiliary variable changes during a flight, by index into [`Model::aux_variables`].
     varies: Vec<bool>,
-    /// Results for all `let` definitions in order of declaration, then for each equation whose `der(…)` an expression
-    /// uses.
+    /// Results of checking definitions: of each `let` in order of declaration, then of each equation whose derivative
+    /// `der(…)` an expression uses.
     definitions: Vec<Definition>,
-    /// Source span of the first use of each declared name of unknown unit, by index of the unknown.
+    /// Source span of the first use of each declared name of unknown unit, by index of the unknown; `None` if not yet
+    /// used.
     first_uses: Vec<Option<Span>>,
     /// Maps the index of each state whose `der(…)` an expression uses to an index into [`Checker::definitions`].
     derivatives: HashMap<usize, usize>,
     /// Number of states of the body, which precede the states declared with `state`.
     of_body: usize,
-    /// The declared body, even if it has errors; `None` if the file declares no body.
+    /// Declaration of the body in the syntax tree, stored even if the declaration has errors; `None` if the file
+    /// declares no body.
     declared_body: Option<&'a ast::Body>,
     /// Declarations without a unit, and the unit errors that they may cause.
     unitless: Unitless,

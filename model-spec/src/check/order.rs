@@ -157,7 +157,7 @@ impl Checker<'_> {
 enum Mark {
     /// Not yet visited.
     New,
-    /// On the search stack.
+    /// Visit begun but not finished: the definition is on the stack of the depth-first search.
     Open,
     /// Finished: already in the topological order.
     Done,

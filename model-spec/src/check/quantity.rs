@@ -12,7 +12,7 @@ pub(super) struct Measure {
     pub unit: Unit,
     pub factor: f64,
     pub exact: Option<(i128, i128)>,
-    /// Text of the unit as written if the conversion factor is 1, otherwise of the SI unit.
+    /// Text of the unit: as written in the file if the conversion factor is 1, otherwise that of the SI unit.
     pub text: String,
 }
 

@@ -28,7 +28,7 @@ pub(super) struct Scope {
     values: HashMap<String, (Symbol, Span)>,
     frames: HashMap<String, (usize, Span)>,
     tables: HashMap<String, (usize, Span)>,
-    /// All names in order of declaration, for spelling suggestions.
+    /// Names of all declared values in order of declaration, for spelling suggestions.
     order: Vec<String>,
 }
 

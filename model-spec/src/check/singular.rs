@@ -13,8 +13,7 @@ pub struct SingularPoint {
     pub span: Span,
     /// Source text of the expression.
     pub text: String,
-    /// Condition under which the expression is singular, and its value or derivative there, such as `derivative 0 where
-    /// …`.
+    /// Behaviour at the singular point and condition under which it occurs, such as `derivative 0 where … is 0`.
     pub what: String,
 }
 
@@ -181,7 +180,7 @@ pub(super) fn limited(model: &Model, e: &Expr) -> bool {
     })
 }
 
-/// Definition of an auxiliary variable; other expressions are returned unchanged.
+/// Defining expression of the auxiliary variable to which `e` refers; `e` itself if it does not refer to one.
 fn named<'m>(model: &'m Model, e: &'m Expr) -> &'m Expr {
     match &e.kind {
         ExprKind::AuxVariable(i) => model.aux_variables.get(*i).map_or(e, |l| &l.value),

@@ -6,18 +6,21 @@ use super::Checker;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{Expr, ExprKind, Function, Shape};
 
-/// Maximum number of factors of a product; a power counts as repeated factors.
+/// Maximum number of factors of a product, where a power counts as repeated factors. It bounds the size of the compiled
+/// model.
 pub(crate) const MAX_FACTORS: u64 = 1_000;
 
-/// Maximum number of scalar operations of a model before differentiation.
+/// Maximum number of scalar operations of a model, counted before differentiation. It bounds the size of the compiled
+/// model.
 pub(crate) const MAX_OPERATIONS: u64 = 10_000;
 
-/// Estimated size of an expression after the compiler has merged nested sums and products.
+/// Estimated size of an expression in the compiled model, where nested sums form one sum and nested products one
+/// product.
 #[derive(Clone, Copy)]
 struct Size {
-    /// Number of terms of each component, written as a sum.
+    /// Number of terms in each component after nested sums are merged; 1 for an expression that is not a sum.
     terms: u64,
-    /// Number of factors of each component, written as a product; a power counts as repeated factors.
+    /// Number of factors in each component after nested products are merged; a power counts as repeated factors.
     factors: u64,
 }
 
@@ -206,8 +209,9 @@ impl Sizes {
         }
     }
 
-    /// Size of an operand of a sum or product with `each` components. The terms or factors of an auxiliary variable
-    /// count again, since they are copied into the sum or product.
+    /// Size of an operand of a sum or product that has `each` components (1 for a scalar, 3 for a vector). If the
+    /// operand is an auxiliary variable, its terms or factors are counted again, because the compiler copies the
+    /// definition of the variable into the sum or product.
     fn merged(&mut self, e: &Expr, each: u64) -> Size {
         let size = self.of(e);
         if matches!(e.kind, ExprKind::AuxVariable(_)) {
@@ -229,7 +233,7 @@ fn product(a: Size, b: Size) -> Size {
     }
 }
 
-/// Formats a count for messages; counts above a billion are not spelled out.
+/// Formats a count for messages; a count above a billion becomes `over a billion`.
 fn shown(count: u64) -> String {
     const MANY: u64 = 1_000_000_000;
     if count > MANY {

@@ -10,9 +10,9 @@ use crate::syntax::ast::{self, Item, Quantity, UnitExpr};
 
 /// Minimum number of knots of a table; two knots would define only a straight line.
 const MIN_KNOTS: usize = 3;
-/// Maximum number of knots of a table.
+/// Maximum number of knots of a table; a table with more knots is reported as an error.
 const MAX_KNOTS: usize = 500;
-/// Maximum number of tables of a model.
+/// Maximum number of tables of a model; a further table is reported as an error.
 const MAX_TABLES: usize = 100;
 /// Minimum width of an interval between knots, relative to the range of the arguments.
 const MIN_WIDTH: f64 = 1e-9;
@@ -79,7 +79,7 @@ impl Checker<'_> {
     }
 
     /// SI value of an argument or value at a knot. A number without a unit has the unit `column`. `None`, with an error
-    /// reported, if the stated unit differs from it.
+    /// reported, if the number states a unit that is not compatible with `column`.
     fn of_table(&mut self, number: &Quantity, column: &Measure) -> Option<f64> {
         let Some(unit) = &number.unit else {
             return Some(column.of(&number.number).0);

@@ -167,7 +167,7 @@ struct Unknown {
     name: String,
     /// Solution as a product that may contain other unknowns; `None` while undetermined.
     solution: RefCell<Option<Term>>,
-    /// Source span of the expression that determined the solution.
+    /// Source span of the expression that determined the solution; `None` while the solution is undetermined.
     at: Option<Span>,
 }
 
@@ -230,7 +230,8 @@ impl Units {
         Some(result)
     }
 
-    /// Substitutes solutions recursively into the solution of an unknown (path compression).
+    /// Replaces the solved unknowns in the stored solution of `unknown` by their solutions, recursively, so that only
+    /// undetermined unknowns remain (path compression).
     fn compress(&self, unknown: u32) {
         let mut path = vec![unknown];
         while let Some(&last) = path.last() {

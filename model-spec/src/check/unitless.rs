@@ -20,8 +20,8 @@ pub(super) struct Unitless {
     infers: bool,
     /// Unit of each declaration, by the span of its name: 1, or an unknown if units are inferred.
     terms: HashMap<Span, Term>,
-    /// Source span of each unit error, with the names' spans of the declarations without a unit that its expressions
-    /// depend on.
+    /// For each unit error, its source span and the declarations without a unit on which the inconsistent expressions
+    /// depend. A declaration is identified by the source span of its name.
     suspects: Vec<(Span, Vec<Span>)>,
 }
 
@@ -40,15 +40,16 @@ impl Unitless {
         self.terms.get(&name).cloned().unwrap_or_else(Term::one)
     }
 
-    /// Whether a unit error may be caused by a declaration without a unit.
+    /// Whether any unit error found so far may be caused by a declaration without a unit.
     pub fn is_suspected(&self) -> bool {
         !self.suspects.is_empty()
     }
 }
 
 impl<'a> Checker<'a> {
-    /// Records the declarations without a unit. Their unknowns are created before those of `[?]`, so that equations are
-    /// solved for the unknowns of `[?]` first.
+    /// Records the declarations without a unit. If units are inferred, the unknowns of these declarations are created
+    /// before those of declarations with `[?]`, because `Units::equate` solves for the newest unknown, here that of
+    /// `[?]`.
     pub fn declare_unitless(&mut self) {
         let file = self.file;
         for item in &file.items {
@@ -121,7 +122,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Adds to each unit error the declarations that would need a unit, as found by the checker run `inferring`.
+    /// Adds to each unit error the declarations without a unit that may have caused it, with the units that they would
+    /// need. `inferring` is a run of the checker that has inferred these units.
     pub fn suggest_units(&mut self, inferring: &Checker<'_>) {
         let remaining: Vec<Span> = inferring
             .diagnostics
@@ -169,7 +171,8 @@ impl<'a> Checker<'a> {
         { declared }.find(|d| d.name.span == name)
     }
 
-    /// Sentence that states which declarations would need which unit; `None` if `needed` is empty.
+    /// Sentence that proposes a unit for each declaration in `needed`, for at most [`MAX_SUGGESTED`] of them; `None` if
+    /// `needed` is empty.
     fn suggestion(&self, needed: &[(Declared<'_>, Unit)]) -> Option<String> {
         let listed = |texts: Vec<String>| texts.join(" and ");
         let shown = &needed[..needed.len().min(MAX_SUGGESTED)];
@@ -214,7 +217,7 @@ impl<'a> Declared<'a> {
         })
     }
 
-    /// Text of the statement with the given unit.
+    /// Source text of the declaration with `unit` added.
     fn with_unit(&self, unit: Unit) -> String {
         let unit = Some(written(unit));
         let mut item = self.item.clone();

@@ -32,10 +32,10 @@ pub enum Unmet {
         /// Names of the models to which the effect is restricted.
         models: Vec<String>,
     },
-    /// The model lacks a quantity that the effect needs or uses.
+    /// The model lacks a quantity, frame or body that the effect needs or uses.
     #[error("it needs {what}")]
     Lacking {
-        /// Description of the missing quantity: kind, name and unit.
+        /// Description of the missing quantity, frame or body, such as ``a vector `wind` in m/s``.
         what: String,
     },
     /// A quantity of the model differs in kind or unit from the one that the effect needs.
@@ -43,9 +43,9 @@ pub enum Unmet {
     Differs {
         /// Name of the quantity.
         name: String,
-        /// Description of the needed quantity: kind, name and unit.
+        /// Description of the needed quantity, such as ``a vector `wind` in m/s``.
         what: String,
-        /// Kind and unit of the model's quantity.
+        /// Kind (vector or number) and unit of the model's quantity, such as `a vector in m/s`.
         found: String,
     },
     /// The model has no statement that the effect's `replace` could refer to.
@@ -62,7 +62,8 @@ pub enum Unmet {
     },
 }
 
-/// Names that a model declares, with kinds and units, against which the requirements of effects are tested.
+/// Names that a model declares, with kinds (scalar or vector) and units, against which the requirements of effects are
+/// tested.
 #[derive(Clone, Debug)]
 pub struct Binding {
     model: String,
@@ -206,8 +207,8 @@ impl Binding {
         Ok(())
     }
 
-    /// Tests a need of an effect. Returns `Some(())` if the model meets it, `None` if the need's fallback expression
-    /// replaces the quantity, or an error if neither is the case.
+    /// Tests whether the model has a quantity that an effect needs. Returns `Some(())` if it has, `None` if it lacks
+    /// the quantity and a fallback expression replaces the quantity, or an error in any other case.
     fn needed(&self, need: &Need) -> Result<Option<()>, Unmet> {
         let name = &need.name.text;
         let unit = need.unit.as_ref().map_or(Some(Unit::ONE), si_unit);
@@ -227,8 +228,9 @@ impl Binding {
         }
     }
 
-    /// Tests a statement that an effect adds. Returns the name of the declared value, or `None` if it declares none,
-    /// such as a load. Returns an error if the name is already used or a load has no body to act on.
+    /// Tests a statement that an effect adds. Returns the name of the value that the statement declares, or `None` if
+    /// it declares no value but, for example, a force. Returns an error if the model already uses the name, or if the
+    /// model lacks the body on which a load would act.
     fn declared<'e>(&self, item: &'e ItemKind) -> Result<Option<&'e str>, Unmet> {
         let name = match item {
             ItemKind::Parameter(own) => &own.name,
@@ -303,7 +305,8 @@ impl Binding {
     }
 }
 
-/// Names that the expressions of an effect may use: the model's, the effect's own, and fallbacks of its needs.
+/// Names that the expressions of an effect may use: names that the model or the effect declares, and names of needed
+/// quantities that a fallback expression replaces.
 struct Uses<'a> {
     binding: &'a Binding,
     own: BTreeSet<&'a str>,

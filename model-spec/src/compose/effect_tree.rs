@@ -58,7 +58,8 @@ impl EffectTree {
         }
     }
 
-    /// Loads an effect from a file. The file must declare exactly one effect, or one with the name of the file.
+    /// Loads an effect from a file. The file must declare exactly one effect, or several effects of which one is named
+    /// like the file without its extension.
     ///
     /// # Errors
     /// [`LoadError::Unreadable`] if the file cannot be read; [`LoadError::Faults`] if it has syntax errors or contains
@@ -79,8 +80,8 @@ impl EffectTree {
         BUILT_IN.iter().find(|effect| effect.name() == name)
     }
 
-    /// Names of the effects of which this effect is the general form, each made for a narrower family of models
-    /// (`generalises` statement).
+    /// Names in the `generalises` statement: effects of which this effect is the general form, each made for a narrower
+    /// family of models.
     pub fn generalises(&self) -> impl Iterator<Item = &str> {
         self.tree.parts.iter().flat_map(|part| match part {
             EffectPart::Generalises(names) => names.iter().map(|name| name.text.as_str()).collect(),
@@ -88,7 +89,8 @@ impl EffectTree {
         })
     }
 
-    /// Parses an effect from text. The text must declare exactly one effect, or one with the name of the file `name`.
+    /// Parses an effect from text; messages refer to the text as `name`. The text must declare exactly one effect, or
+    /// several effects of which one is named like the file `name` without its extension.
     ///
     /// # Errors
     /// [`LoadError::Faults`] if the text has syntax errors or contains no such effect.
@@ -130,7 +132,8 @@ impl EffectTree {
         all.filter(|need| need.otherwise.is_none())
     }
 
-    /// Instruments whose quantities the effect needs, without a fallback.
+    /// Instruments whose measured quantities the effect needs, except quantities for which the effect states a
+    /// fallback.
     pub(crate) fn instruments(&self) -> Vec<Instrument> {
         let is_needed = |instrument: &Instrument| {
             let mut needs = self.needs();

@@ -3,10 +3,10 @@
 /// An instrument whose reading is predicted by an auxiliary variable of the model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Instrument {
-    /// Measures the angular velocity of the body, rad/s, with components in the frame in which markers are fixed.
+    /// Measures the angular velocity of the body, rad/s, with components in the frame of the model's marker.
     Gyroscope,
-    /// Measures the specific force at the instrument's position, which is that of the marker, m/s², with components in
-    /// the frame in which markers are fixed.
+    /// Measures the specific force at the position of the model's marker, m/s², with components in the frame of the
+    /// marker.
     Accelerometer,
     /// Measures a speed, m/s: that of the centre of mass over ground unless the model declares another `speed`.
     Speed,
@@ -33,8 +33,9 @@ impl Instrument {
         }
     }
 
-    /// Default definition of the instrument's quantity as a `let` statement, for the given names of the frame and of
-    /// the model's marker.
+    /// Default definition of the quantity that the instrument measures, as a `let` statement. `frame` is the name of
+    /// the frame of the reading's components, and `marker` is the name of the vector from the centre of mass to the
+    /// instrument.
     pub(super) fn definition(self, frame: &str, marker: &str) -> String {
         match self {
             Self::Gyroscope => format!("let gyroscope = in_{frame}(angular_velocity);"),

@@ -8,12 +8,12 @@ use super::{EffectTree, ModelTree, effects_of, rates};
 use crate::library::{EFFECTS, GENERAL_EFFECTS};
 use crate::model::Model;
 
-/// Source from which an effect is known.
+/// Where a known effect is defined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Origin {
     /// The effect is declared in the model's file.
     Own,
-    /// The effect is built in, for a family of bodies.
+    /// The effect is built in and made for a family of models.
     Specific,
     /// The effect is built in, for models of any kind.
     General,
@@ -21,7 +21,8 @@ pub enum Origin {
     Equation,
 }
 
-/// Reason why an effect is not a candidate for an effect that a model lacks.
+/// Reason why an effect is not a candidate, that is, why a diagnosis does not propose the effect as missing from a
+/// model.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Refused {
     /// The model does not meet a requirement of the effect.
@@ -30,7 +31,8 @@ pub enum Refused {
     /// The effect is already applied to the model.
     #[error("it is switched on")]
     Applied,
-    /// A more specific effect that this one generalises is applicable to the model.
+    /// The effect generalises a more specific effect that is applicable to the model, so only the specific one is a
+    /// candidate.
     #[error("`{by}` says it of this model")]
     Covered {
         /// Name of the more specific effect.
@@ -38,20 +40,24 @@ pub enum Refused {
     },
 }
 
-/// An effect known for a model, with its origin and candidate status.
+/// An effect that can be found by name for a model, with the reason, if any, why a diagnosis does not propose it.
 #[derive(Clone, Debug)]
 pub struct KnownEffect {
     /// Syntax tree of the effect.
     pub effect: EffectTree,
-    /// Source from which the effect is known.
+    /// Where the effect is defined: in the model's file, in the built-in library, or by generation from an equation.
     pub origin: Origin,
-    /// Reason why the effect is not a candidate; `None` if it is a candidate.
+    /// Reason why a diagnosis does not propose the effect as missing from the model; `None` if it may propose the
+    /// effect.
     pub refused: Option<Refused>,
 }
 
-/// Returns all effects known for a checked model: effects of its own file, specific and general built-in effects, and
-/// effects generated for its stated equations. If several have the same name, only the first is returned. Candidates
-/// are determined by names and units, without applying any effect.
+/// Returns all effects that can be found by name for a checked model: effects of the model's file, specific and general
+/// built-in effects, and effects generated for the model's stated equations. If several effects have the same name,
+/// only the first is returned.
+///
+/// An effect is a candidate if a diagnosis may propose it as missing from the model. This is determined by names and
+/// units, without applying the effect.
 pub fn known_effects(model: &Model) -> Vec<KnownEffect> {
     let tree = ModelTree::of(model);
     let binding = Binding::new(model);

@@ -155,8 +155,8 @@ impl ModelTree {
     }
 
     /// Applies effects in order to a copy of the tree. Each effect is given by name or path as in
-    /// [`ModelTree::find_effect`]. If an effect needs the quantity of an [`Instrument`] that the model does not
-    /// declare, its default definition is added.
+    /// [`ModelTree::find_effect`]. If an effect needs the quantity that an [`Instrument`] measures, and the model does
+    /// not declare that quantity, the default definition of the quantity is added first.
     ///
     /// # Errors
     /// The errors of [`ModelTree::find_effect`] and [`ModelTree::with`].

@@ -7,7 +7,7 @@ use super::EffectTree;
 use crate::source::Span;
 use crate::syntax::ast::{Equation, ExprKind, File, ItemKind, State, UnitExpr, UnitFactor};
 
-/// Maximum number of stated equations for which effects are generated.
+/// Maximum number of stated equations for which effects are generated; further equations get no effects.
 const MAX_EQUATIONS: usize = 24;
 
 /// Generates the effects of the stated equations, except equations whose right-hand side is only the name of a state;
@@ -46,7 +46,7 @@ fn states(file: &File) -> Vec<&State> {
     .collect()
 }
 
-/// All stated equations, including those that effects have replaced.
+/// All stated equations of a file; an equation that an applied effect has replaced occurs in its replaced form.
 fn equations(file: &File) -> impl Iterator<Item = &Equation> {
     file.items.iter().filter_map(|item| match &item.kind {
         ItemKind::Equation(equation) => Some(equation),
@@ -59,8 +59,9 @@ fn is_state(equation: &Equation, states: &BTreeSet<&str>) -> bool {
     matches!(&equation.value.kind, ExprKind::Name(name) if states.contains(name.as_str()))
 }
 
-/// Generates the three effects on the equation of a state: constant, proportional to time, and proportional to the
-/// state. The smallest effect size of interest of each coefficient is 0.001 of its unit.
+/// Generates three effects for the equation of a state. Each adds one term to the state's derivative: a constant, a
+/// multiple of time, or a multiple of the state. The smallest effect size of interest of each coefficient is 0.001 in
+/// the unit of the coefficient.
 fn of_equation(state: &State) -> impl Iterator<Item = EffectTree> {
     let name = &state.name.text;
     let per = |seconds: i32| format!("[{}]", per_second(state.value.unit.as_ref(), seconds));

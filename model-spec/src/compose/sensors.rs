@@ -13,8 +13,8 @@ use super::ModelTree;
 use super::instrument::Instrument;
 
 impl ModelTree {
-    /// Returns the model with an auxiliary variable for each of the instruments: the model's own, or else the default
-    /// definition.
+    /// Returns the model with an auxiliary variable for each of the instruments. A variable that the model does not
+    /// declare is added with the default definition of the instrument's quantity.
     ///
     /// # Errors
     /// [`LoadError::Faults`] if the default definition of an instrument is invalid for the model, such as a gyroscope
@@ -77,8 +77,8 @@ impl Model {
         ModelTree::of(self).with_instruments(instruments)?.check()
     }
 
-    /// Returns the model with an auxiliary variable for each instrument whose definition is valid for it. For a point
-    /// mass, this is only the speed.
+    /// Returns the model with an auxiliary variable for each instrument whose default definition is valid for the
+    /// model; the other instruments are omitted. A point mass gets only the speed.
     pub fn with_every_instrument(&self) -> Model {
         let all = Instrument::ALL.into_iter();
         all.fold(self.clone(), |model, instrument| {

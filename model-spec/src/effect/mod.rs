@@ -118,7 +118,8 @@ struct Change<'a> {
     file: File,
     index: usize,
     name: &'a Name,
-    /// Key and span of each statement that this effect has replaced so far.
+    /// Each statement that this effect has replaced so far: description, such as `the clock`, and source span of the
+    /// replacement.
     replaced: Vec<(String, Span)>,
     diagnostics: Vec<Diagnostic>,
 }

@@ -10,7 +10,8 @@ use crate::syntax::ast::{
     Quantity,
 };
 
-/// Maximum number of syntax-tree nodes of a definition after `previous` has been substituted.
+/// Maximum number of syntax-tree nodes of a definition after `previous` has been substituted. It bounds the growth of a
+/// definition that many effects replace.
 const MAX_NODES: usize = 20_000;
 
 impl Change<'_> {
@@ -174,8 +175,8 @@ impl Change<'_> {
 /// The name that refers to the replaced definition in a `replace` statement.
 pub(crate) const PREVIOUS: &str = "previous";
 
-/// Substitutes `old` for each name `previous` in `e` and then sets `found`. Adds the number of visited and inserted
-/// nodes to `nodes`, and stops if it exceeds [`MAX_NODES`].
+/// Substitutes `old` for each name `previous` in `e`, and sets `found` if there is such a name. Adds the number of
+/// visited and inserted nodes to `nodes`, and stops if `nodes` exceeds [`MAX_NODES`].
 fn put_in(e: &mut Expr, old: &Expr, nodes: &mut usize, found: &mut bool) {
     *nodes += 1;
     if *nodes > MAX_NODES {

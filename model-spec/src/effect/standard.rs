@@ -11,27 +11,30 @@ use crate::syntax::ast::{
     Number, Quantity,
 };
 
-/// Standard name of the body's mass.
+/// Standard name by which an effect can refer to the mass of any model's body.
 pub(crate) const MASS: &str = "mass";
 
-/// Standard names of the moments of inertia about axes 1, 2 and 3 of the inertia frame.
+/// Standard names by which an effect can refer to the moments of inertia of any model's body, about axes 1, 2 and 3 of
+/// the frame of the inertia tensor.
 pub(crate) const INERTIA: [&str; 3] = ["inertia_11", "inertia_22", "inertia_33"];
 
-/// Standard names of the inertial frame and of the body-fixed frame.
+/// Standard names by which an effect can refer to the inertial frame and to the body-fixed frame of any model.
 pub(crate) const FRAMES: [&str; 2] = ["inertial", "body"];
 
-/// The model's expressions and frame names that replace the standard names.
+/// Replacements of the standard names by which effects refer to any model: expressions for [`MASS`] and [`INERTIA`],
+/// frame names for [`FRAMES`].
 #[derive(Default)]
 struct Standard {
     values: HashMap<String, Expr>,
     frames: HashMap<&'static str, String>,
 }
 
-/// Returns a copy of an effect in which standard names are replaced by the model's names and expressions. A name that
-/// the model or the effect declares is not replaced.
+/// Returns a copy of an effect in which the standard names ([`MASS`], [`INERTIA`], [`FRAMES`]) are replaced by the
+/// model's expressions and frame names, and needed quantities that the model lacks by their fallback expressions. A
+/// standard name that the model or the effect declares is not replaced.
 ///
 /// # Errors
-/// One diagnostic per quantity that the effect needs and the model does not declare.
+/// One diagnostic per needed quantity that the model does not declare and that has no fallback expression.
 pub(super) fn in_names_of(file: &File, effect: &Effect) -> Result<Effect, Vec<Diagnostic>> {
     let declared = declared(file);
     let own: HashSet<&str> = declared_by(effect).collect();
@@ -138,7 +141,7 @@ impl Standard {
         standard
     }
 
-    /// Replaces the standard names of values and frames in an expression of an effect.
+    /// Replaces the standard names in an expression of an effect by the model's expressions and frame names.
     fn rename(&self, e: &mut Expr) {
         if let ExprKind::Name(name) = &e.kind
             && let Some(value) = self.values.get(name)
@@ -174,7 +177,7 @@ impl Standard {
     }
 }
 
-/// Substitutes in `e` the expressions of `by` for the names that are its keys.
+/// Replaces, in `e`, each name that is a key of `by` by the expression stored under that key.
 fn replace_names(e: &mut Expr, by: &HashMap<String, Expr>) {
     if let ExprKind::Name(name) = &e.kind
         && let Some(value) = by.get(name)

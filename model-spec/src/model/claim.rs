@@ -4,7 +4,7 @@ use super::Expr;
 use crate::source::Span;
 
 /// Physical meaning of stated equations: expressions for the mass, motion and loads of a body. The claim does not
-/// change the equations; verification compares it with them.
+/// change the equations; `hyzer verify` checks whether the equations agree with the claim.
 #[derive(Clone, Debug)]
 pub struct Claim {
     /// Name of the claimed body.
@@ -26,9 +26,9 @@ pub struct Claim {
 /// Claimed rotational motion of a rigid body.
 #[derive(Clone, Debug)]
 pub struct ClaimedRotation {
-    /// Frame or axis that turns with the body.
+    /// Body-fixed frame, or axis of revolution, that states the orientation of the body.
     pub attitude: ClaimedAttitude,
-    /// Index of the frame in which the inertia tensor is constant.
+    /// Index into [`Model::frames`](super::Model::frames) of the frame in which the inertia tensor is constant.
     pub inertia_frame: usize,
     /// Inertia tensor, kg m², symmetric; entries depend on parameters and coefficients alone.
     pub inertia: [[Expr; 3]; 3],
@@ -38,13 +38,13 @@ pub struct ClaimedRotation {
     pub moment: Expr,
 }
 
-/// Frame or axis that turns with the body of a claim.
+/// How the orientation of a claimed body is stated: by a body-fixed frame, or by the axis of revolution alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ClaimedAttitude {
-    /// The frame of this index is fixed to the body.
+    /// The body-fixed frame, by index into [`Model::frames`](super::Model::frames).
     Frame(usize),
-    /// The axis of revolution of the body: axis 1, 2 or 3 (second field) of the frame of this index (first field). The
-    /// frame does not spin with the body.
+    /// The axis of revolution of the body: index into [`Model::frames`](super::Model::frames) of a frame, and number of
+    /// the axis (1 to 3) of that frame. The frame does not spin with the body.
     Axis(usize, u8),
 }
 

@@ -23,10 +23,10 @@ pub struct AppliedEffect {
     /// Sentence that describes the effect if its first coefficient is below the null value (`decreases "…"` statement);
     /// empty if not stated.
     pub decreases: String,
-    /// Coefficients of the effect; their indices refer to [`Model::coefficients`].
+    /// Coefficients that the effect adds; [`EffectUnknown::index`] refers to [`Model::coefficients`].
     pub coefficients: Vec<EffectUnknown>,
-    /// States of the effect; their indices refer to [`Model::states`]. Their initial values are local parameters of
-    /// each flight.
+    /// States that the effect adds; [`EffectUnknown::index`] refers to [`Model::states`]. The initial value of such a
+    /// state is a local parameter, with one value per flight.
     pub states: Vec<EffectUnknown>,
 }
 
@@ -57,7 +57,8 @@ pub struct OfferedEffect {
     pub span: Span,
 }
 
-/// A coefficient or the initial value of a state of an effect. At its null value, the effect is absent.
+/// A coefficient of an effect, or the initial value of a state of an effect, with the null value at which the effect is
+/// absent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EffectUnknown {
     /// Index into [`Model::coefficients`] for a coefficient, or into [`Model::states`] for a state.

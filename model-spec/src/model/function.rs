@@ -51,7 +51,7 @@ impl Function {
         ("tanh", Function::Tanh),
     ];
 
-    /// The built-in function of this name.
+    /// The built-in function of the name `name`; `None` if there is none.
     pub fn named(name: &str) -> Option<Function> {
         Self::NAMES
             .into_iter()

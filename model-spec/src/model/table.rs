@@ -19,7 +19,7 @@ pub struct Table {
     pub name: String,
     /// Documentation: the `///` lines before the declaration.
     pub doc: String,
-    /// Name of the argument.
+    /// Name of the argument, which serves only as documentation.
     pub argument: String,
     /// Unit of the argument.
     pub argument_unit: Unit,

@@ -113,7 +113,8 @@ impl Model {
             .collect()
     }
 
-    /// Iterates over the quaternion frames: indices of the four quaternion states, scalar part first, whose norm is 1.
+    /// Iterates over the frames that are oriented by a quaternion. Each item holds the indices into [`Model::states`]
+    /// of the four quaternion components, scalar part first; the quaternion has norm 1.
     pub fn quaternions(&self) -> impl Iterator<Item = [usize; 4]> {
         self.frames.iter().filter_map(|frame| match frame.kind {
             FrameKind::Quaternion { states, .. } => Some(states),
@@ -121,7 +122,7 @@ impl Model {
         })
     }
 
-    /// Whether the checker added the limit to avoid gimbal lock, so that the file does not state it.
+    /// Whether the limit was added by the checker to avoid gimbal lock rather than stated in the model's file.
     pub fn is_automatic(&self, limit: &ValidityLimit) -> bool {
         self.frames.iter().any(|f| f.span == limit.span)
     }

@@ -24,7 +24,8 @@ pub struct File {
     pub end: Span,
 }
 
-/// An effect that has been applied to a syntax tree, without its statements.
+/// Record of an effect that has been applied to a syntax tree. The statements of the effect are part of [`File::items`]
+/// and are not repeated here.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Applied {
     /// Name of the effect.
@@ -47,7 +48,7 @@ pub struct Applied {
     pub needs: Vec<Need>,
 }
 
-/// A statement of a file.
+/// A statement of a model file, such as a declaration, an equation or a check case.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Item {
     /// Kind of statement, with its content.
@@ -156,7 +157,7 @@ impl UnitExpr {
 pub struct UnitFactor {
     /// Unit symbol, such as `kg`.
     pub symbol: String,
-    /// Twice the exponent of the symbol.
+    /// Twice the exponent of the symbol, so that half powers are stored as integers.
     pub doubled: i32,
     /// Source span of the symbol with its exponent.
     pub span: Span,
@@ -367,7 +368,7 @@ pub struct Limit {
 /// A check case: values to set, and expected results.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Check {
-    /// Title of the case, unique in the file.
+    /// Title of the check case; no other check case of the file has the same title.
     pub title: String,
     /// Statements of the case's block, in order.
     pub parts: Vec<CheckPart>,
@@ -430,7 +431,7 @@ pub enum BinaryOp {
     Pow,
 }
 
-/// Operations and leaves of expressions, as written.
+/// Operations and leaves of expressions, before names are resolved.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ExprKind {
     /// A numeric literal with an optional unit.

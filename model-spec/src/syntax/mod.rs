@@ -23,7 +23,7 @@ pub(crate) use expr::MAX_HEIGHT;
 use crate::diagnostic::{Diagnostic, Kind};
 use crate::source::{Source, Span};
 
-/// Maximum length of a source text, bytes.
+/// Maximum length of the text of a model or effect, bytes. A longer text is reported as an error and not parsed.
 pub const MAX_SOURCE_BYTES: usize = 1_000_000;
 
 /// Result of [`parse`]: syntax tree, source and diagnostics.
@@ -37,12 +37,14 @@ pub struct Parsed {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Parses the text of a model file; messages refer to it as `name`. All spans have source index 0.
+/// Parses the text of a model file; messages refer to the text as `name`. All spans of the tree have [`Span::source`]
+/// 0.
 pub fn parse(name: &str, text: &str) -> Parsed {
     parse_as(name, text, 0)
 }
 
-/// Parses the text of a model file; messages refer to it as `name`. All spans have the source index `source`.
+/// Parses the text of a model file; messages refer to the text as `name`. All spans of the tree have the
+/// [`Span::source`] `source`.
 pub fn parse_as(name: &str, text: &str, source: u16) -> Parsed {
     let text = text.strip_prefix('\u{FEFF}').unwrap_or(text);
     if text.len() > MAX_SOURCE_BYTES {
@@ -61,8 +63,8 @@ pub fn parse_as(name: &str, text: &str, source: u16) -> Parsed {
     }
 }
 
-/// Result of parsing for a text longer than [`MAX_SOURCE_BYTES`]: an empty tree and one error that states `length`,
-/// bytes.
+/// Result of parsing a text of `length` bytes, which exceeds [`MAX_SOURCE_BYTES`]: an empty tree, and one error that
+/// states the length.
 pub(crate) fn too_long(name: &str, length: usize, source: u16) -> Parsed {
     let span = Span {
         source,

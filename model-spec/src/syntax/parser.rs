@@ -5,7 +5,7 @@ use super::token::{self, Lexed, Lexeme, Token};
 use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
 use crate::suggest;
 
-/// Maximum nesting depth of brackets, calls, signs and powers.
+/// Maximum nesting depth of brackets, calls, signs and powers. It bounds the recursion depth of the parser.
 const MAX_DEPTH: u32 = 64;
 
 /// Keywords that begin a statement.
@@ -337,9 +337,9 @@ impl<'a> Parser<'a> {
         result
     }
 
-    /// Recovers from an error in the statement that starts at token index `started`. Skips tokens past the next `;` or
-    /// block at this nesting level, up to a `}` that closes the enclosing block, or up to a line that begins with a
-    /// statement keyword.
+    /// Recovers from an error in the statement that starts at token index `started`: skips tokens until the next
+    /// statement can be parsed. Skipping ends after a `;` or a complete `{ … }` block of this nesting level, before a
+    /// `}` that closes the enclosing block, or before a line that begins with a statement keyword.
     pub fn recover(&mut self, started: usize) {
         let mut open = 0_u32;
         loop {

@@ -14,27 +14,27 @@ use super::{ChannelEntry, LibraryFile, VariableEntry};
 use crate::model::{Body, Expr, ExprKind, Model, Shape};
 use crate::unit::Unit;
 
-/// Maximum number of leading variables of which all products of two are formed.
+/// Maximum number of leading variables of the generated library of which all products of two are formed.
 const MAX_IN_PRODUCTS: usize = 4;
 
-/// Maximum number of variables taken from the model's auxiliary variables.
+/// Maximum number of variables of the generated library that are taken from the model's auxiliary variables.
 const MAX_NAMED: usize = 3;
 
-/// Maximum number of variables taken from the states of stated equations.
+/// Maximum number of variables of the generated library that are taken from the states of a model without a body.
 const MAX_STATES: usize = 6;
 
-/// Maximum number of stated equations that become channels.
+/// Maximum number of stated equations that become channels of the generated library; further equations are skipped.
 const MAX_EQUATIONS: usize = 8;
 
-/// `needs` statement of every effect that refers to the relative wind; without `air_velocity`, the velocity replaces
-/// it.
+/// `needs` statement of every generated effect that uses `air_velocity`, the velocity of the body relative to the air.
+/// In a model without `air_velocity`, the velocity of the body replaces it.
 const NEEDS: &str = "needs vector air_velocity: m/s or velocity;";
 const ALONG: &str = "unit(in_inertial(air_velocity))";
 const LEFT: &str = "unit(cross(inertial.3, in_inertial(air_velocity)))";
 const WEIGHT: &str = "mass*(9.80665 [m/s^2])";
 
-/// A candidate variable with its definition. Variables are sorted by ascending rank; the first [`MAX_IN_PRODUCTS`] form
-/// products.
+/// A variable of the generated library, with its definition. Variables are sorted by ascending rank (0 to 4); products
+/// of two are formed of the first [`MAX_IN_PRODUCTS`] variables.
 struct Variable {
     name: String,
     definition: String,
@@ -268,7 +268,8 @@ fn named_quantities(model: &Model) -> Vec<Variable> {
     named
 }
 
-/// Expression of a quantity divided by a typical magnitude: 10 units for speeds and rates, 1 unit for others.
+/// Text of the expression that divides a quantity by a typical magnitude: 10 SI units for speeds and angular rates, 1
+/// SI unit for others. A dimensionless quantity is not divided.
 fn scaled(name: &str, unit: Unit) -> String {
     match () {
         () if unit.agrees(Unit::ONE) => name.to_owned(),
@@ -279,7 +280,7 @@ fn scaled(name: &str, unit: Unit) -> String {
     }
 }
 
-/// Word that states what an effect with a quantity depends on, guessed from name and unit: one of
+/// Class of variable to which a quantity belongs, guessed from the name and unit of the quantity: one of
 /// [`VARIABLES`](crate::VARIABLES).
 fn depends_on(name: &str, unit: Unit) -> &'static str {
     match () {

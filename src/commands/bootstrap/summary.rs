@@ -62,7 +62,7 @@ pub(super) fn json(fit: &Fit, refits: &[Refit], options: &Bootstrap) -> Value {
     })
 }
 
-/// Estimates of one parameter over the refits, with mean and standard deviation.
+/// Estimates of one parameter in the converged refits of a bootstrap, with their mean and standard deviation.
 struct Column {
     sorted: Vec<f64>,
     mean: f64,
@@ -83,7 +83,8 @@ impl Column {
         }
     }
 
-    /// Quantile by linear interpolation between the order statistics; NaN without refits.
+    /// Quantile of the estimates at the probability `p`, by linear interpolation between the order statistics; NaN
+    /// without refits.
     fn quantile(&self, p: f64) -> f64 {
         let at = p * (self.sorted.len() as f64 - 1.0);
         let value = |k: f64| {

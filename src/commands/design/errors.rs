@@ -7,7 +7,7 @@ use ::design::CoefficientErrors;
 use anyhow::{Context, bail};
 use serde_json::Value;
 
-/// Maximum size of a report, bytes.
+/// Maximum size of the `report.json` of a fit, bytes.
 const MAX_BYTES: u64 = 64 << 20;
 
 /// Standard errors and correlations of the coefficients in the `report.json` of `hyzer fit`.

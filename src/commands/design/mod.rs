@@ -21,7 +21,7 @@ use super::vector;
 use crate::cli::Design as Options;
 use crate::{Answer, output};
 
-/// Searches for the throw, prints it, and writes the files if an output folder is given.
+/// Runs `hyzer design`: searches for the throw, prints it, and writes the result files if an output folder is given.
 pub fn run(options: &Options) -> anyhow::Result<Answer> {
     let out = output::folder(options.out.as_deref())?;
     let mut model = model_spec::load::load(&options.model, &super::names(&options.with))?;

@@ -29,7 +29,8 @@ const CODE: &str = "extended";
 /// Number of random states for each check of the extended model; `hyzer verify` uses more.
 const CASES: usize = 12;
 
-/// Diagnoses the model, prints a summary, and writes the report files.
+/// Runs `hyzer diagnose`: tests a model for missing effects, prints a summary, and writes the result files if an output
+/// folder is given.
 pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     let (hold, priors) = (held(&options.inputs.hold)?, priors(&options.inputs.prior)?);
     let out = output::folder(options.out.as_deref())?;
@@ -139,7 +140,7 @@ fn note(effects: &[String], dataset: &str) -> String {
     )
 }
 
-/// Verifies an extended model, given as text.
+/// Runs the checks of `hyzer verify` on an extended model, given as text.
 fn verified(text: &str) -> anyhow::Result<Verified> {
     let loaded = model_spec::load::inspect_text(EXTENDED, text, &[])?;
     if loaded.model.is_none() || !loaded.diagnostics.is_empty() {

@@ -33,7 +33,8 @@ pub(super) const FLIGHTS: &str = "flights.html";
 /// Folder of the CSV tables of the plotted values of the figures.
 pub(super) const FIGURE_DATA: &str = "figure-data";
 
-/// Fits the model to the dataset, prints a summary, and writes the report files.
+/// Runs `hyzer fit`: fits a model to a dataset, prints a summary, and writes the result files if an output folder is
+/// given.
 pub fn run(options: &Fit) -> anyhow::Result<Answer> {
     let inputs = &options.inputs;
     let (hold, priors) = (held(&inputs.hold)?, priors(&inputs.prior)?);

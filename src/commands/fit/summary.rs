@@ -91,8 +91,8 @@ pub fn summary(model: &Model, report: &FitReport) -> String {
     text
 }
 
-/// Text of the reasons not to rely on a result, and of the faults of the data with their corrections; empty if there
-/// are none.
+/// Text of the reasons not to rely on a result (`what`, such as a fit), and of the faults of the data with instructions
+/// for correcting them; empty if there are neither reasons nor faults.
 pub fn cautions(what: &str, reasons: &[String], faults: &[DataFault]) -> String {
     let mut text = String::new();
     if !reasons.is_empty() {

@@ -13,7 +13,7 @@ use super::template::Template;
 use super::{no_throw, up_of};
 use crate::cli::Import;
 
-/// Maximum distance of the centre of mass from the markers, m.
+/// Maximum magnitude of the value of `--centre-height`, m; larger values suggest millimetres.
 const FARTHEST: f64 = 2.0;
 
 /// An estimated template, a text of the decisions made, and a comment for each marker.
@@ -25,8 +25,8 @@ pub struct Estimated {
     pub origin_error: [f64; 3],
 }
 
-/// Estimates the positions of the points that move as one rigid body in every take that has a throw. Labels that are
-/// not valid marker names are added to `names` with a valid name.
+/// Estimates the positions on the body of the points that move as one rigid body in every recording with a throw. For
+/// each label that is not a valid marker name, a valid name is added to `names`.
 pub fn estimated(
     options: &Import,
     reading: &ReadOptions,
@@ -132,8 +132,8 @@ pub(super) fn name(label: &str) -> String {
     each.collect()
 }
 
-/// Labels of the points that move as one rigid body in all takes, in the order of the first take, and the remaining
-/// labels.
+/// Labels of the points that move as one rigid body in all recordings, and labels of the remaining points, both in the
+/// order of first occurrence.
 fn labels(thrown: &[(Take, Throws)]) -> (Vec<String>, Vec<String>) {
     let is_rigid = |label: &String| thrown.iter().all(|(_, found)| found.labels.contains(label));
     let mut all: Vec<String> = Vec::new();

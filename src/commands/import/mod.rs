@@ -33,11 +33,12 @@ struct Found {
     decisions: String,
     /// Name of the body if the flights are recorded as its poses; `None` if they are recorded as marker positions.
     pose: Option<String>,
-    /// Decisions and curves of each take, for the report page.
+    /// Decisions and curves of each recording, for the report page.
     takes: Vec<ImportedTake>,
 }
 
-/// Reads the takes, cuts them to their throws, writes the dataset, and prints the decisions made.
+/// Runs `hyzer import`: reads the recordings, cuts them to the free flights of the throws, writes the dataset, and
+/// prints the decisions made.
 pub fn run(options: &Import) -> anyhow::Result<Answer> {
     output::new_folder(&options.out)?;
     let mut labels = labels(&options.label)?;
@@ -154,7 +155,8 @@ fn reading(options: &Import) -> anyhow::Result<ReadOptions> {
     })
 }
 
-/// Parses the values `FILE_LABEL=NAME` of the option `--label`: marker names by labels of the files.
+/// Parses the values `FILE_LABEL=NAME` of the option `--label`. The result maps labels of the recordings to marker
+/// names.
 fn labels(texts: &[String]) -> anyhow::Result<BTreeMap<String, String>> {
     let mut labels = BTreeMap::new();
     for text in texts {
@@ -171,7 +173,7 @@ fn labels(texts: &[String]) -> anyhow::Result<BTreeMap<String, String>> {
     Ok(labels)
 }
 
-/// Adds the throws of a take to the flights, and the decisions made to the text and the report page.
+/// Adds the throws of the recording `take` to the flights of `all`, and the decisions made to its text and report page.
 fn add(
     take: &Take,
     file: &Path,
@@ -289,7 +291,7 @@ fn add(
     Ok(())
 }
 
-/// Converts a flight of marker positions to one of pose readings of the followed body.
+/// Replaces the marker positions of a flight by the recorded poses of the followed body.
 fn of_poses(flight: Flight, samples: &Range<usize>, followed: &Followed, take: &Take) -> Flight {
     let readings = samples
         .clone()
@@ -307,7 +309,7 @@ fn of_poses(flight: Flight, samples: &Range<usize>, followed: &Followed, take: &
     }
 }
 
-/// Name in the dataset for a label of the file: the one given by `--label`, or else one made from the label.
+/// Name in the dataset for a label of a recording: the one given by `--label`, or else one made from the label.
 fn dataset_name(label: &str, labels: &BTreeMap<String, String>) -> String {
     labels
         .get(label)
@@ -321,7 +323,7 @@ fn no_throw() -> String {
     format!("found no throw, expected at least one free flight of {shortest} s")
 }
 
-/// Axis of a take that points up, and whether the option `--up` states it.
+/// Axis of the recording `take` that points up, and whether the option `--up`, not the file, states it.
 fn up_of(take: &Take, file: &Path, options: &Import) -> anyhow::Result<(Axis, bool)> {
     let stated = match &options.up {
         Some(text) => match Axis::parse(text) {
@@ -339,12 +341,13 @@ fn up_of(take: &Take, file: &Path, options: &Import) -> anyhow::Result<(Axis, bo
     Ok((up, stated.is_some()))
 }
 
-/// Whether an acceleration, m/s², z up, points downwards rather than sideways, as in most flights.
+/// Whether an acceleration, m/s², in axes with z up, is directed mainly downwards, as expected in free flight.
 fn is_downwards([x, y, z]: [f64; 3]) -> bool {
     -z > 0.5 * x.hypot(y)
 }
 
-/// Another axis with which, taken as up, the take has throws; `None` if there is none.
+/// An axis other than `up` with which, taken as the upward axis, throws are found in the recording `take`; `None` if
+/// there is none.
 fn other_up(take: &Take, labels: &[&str], left_handed: bool, up: Axis) -> Option<Axis> {
     let all = ["+z", "+y", "+x", "-z", "-y", "-x"]
         .into_iter()

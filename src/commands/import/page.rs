@@ -11,7 +11,7 @@ const AROUND: f64 = 0.5;
 /// Maximum number of pairs of markers whose distances are shown.
 const MOST_PAIRS: usize = 45;
 
-/// A recording with z up and its followed points, from which the figures of its flights are made.
+/// A recording with z up, and the points or the body followed in it, from which the figures of flights are made.
 pub struct Shown<'a> {
     pub take: &'a Take,
     pub followed: &'a Followed,
@@ -20,7 +20,7 @@ pub struct Shown<'a> {
 }
 
 impl Shown<'_> {
-    /// Figures of a flight with the recording around it.
+    /// Figures of a flight, which also show the recording shortly before and after the flight.
     pub fn flight(&self, throw: &Throw, flight: &Flight) -> ImportedFlight {
         let times = &self.take.times;
         let span = (times[throw.release.sample], times[throw.end.sample]);
@@ -39,7 +39,8 @@ impl Shown<'_> {
         }
     }
 
-    /// Reduces a time window (s) to the part in which the body is seen.
+    /// Reduces a time window (s) of the recording to the time from the first to the last sample in which the body is
+    /// seen.
     fn seen(&self, (from, to): (f64, f64)) -> (f64, f64) {
         let times = self.motion.map_or(&[][..], |motion| &motion.times);
         let mut inside = times.iter().filter(|time| from <= **time && **time <= to);
@@ -68,8 +69,8 @@ impl Shown<'_> {
         curves
     }
 
-    /// Distances of all pairs of markers in a time window; empty if a pose is followed, because its markers are
-    /// rigid.
+    /// Distances of all pairs of markers in a time window; empty if the markers follow from the pose of a body, because
+    /// their distances are then constant.
     fn distances(&self, window: (f64, f64)) -> Vec<Distance> {
         if self.followed.is_pose() {
             return Vec::new();

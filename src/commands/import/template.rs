@@ -22,11 +22,11 @@ pub struct Template {
     pub markers: Vec<Marker>,
 }
 
-/// Trajectories of a take from which the positions of the template's markers are obtained.
+/// Points or body of a recording from which the positions of the template's markers are obtained.
 pub enum Followed {
-    /// The index of a point of the take for each marker, in the order of the template.
+    /// The index of a point of the recording for each marker, in the order of the template.
     Points(Vec<usize>),
-    /// The index of a body of the take, and the positions, m, of the template's markers on it.
+    /// The index of a body of the recording, and the positions, m, of the template's markers on this body.
     Pose(usize, Vec<[f64; 3]>),
 }
 
@@ -86,8 +86,9 @@ impl Template {
         })
     }
 
-    /// Selects the points of a take that are the template's markers, by their labels or the names that `labels` gives
-    /// them; if no point matches, selects the take's only body.
+    /// Selects the points of the recording `take` that are the template's markers: the label of such a point, or the
+    /// name to which `labels` maps the label, is the name of the marker. If no point matches, selects the recording's
+    /// only body.
     pub fn followed(
         &self,
         take: &Take,
@@ -131,12 +132,12 @@ impl Template {
 }
 
 impl Followed {
-    /// Whether the pose of a body is followed.
+    /// Whether the positions of the markers are obtained from the pose of a body instead of from recorded points.
     pub fn is_pose(&self) -> bool {
         matches!(self, Self::Pose(..))
     }
 
-    /// Labels of the followed points or body in the file.
+    /// Labels, in the recording `take`, of the followed points or body.
     pub fn labels<'t>(&self, take: &'t Take) -> Vec<&'t str> {
         match self {
             Self::Points(points) => points
@@ -147,7 +148,8 @@ impl Followed {
         }
     }
 
-    /// Pose of the followed body in a sample; `None` if points are followed, or if the body was not seen.
+    /// Pose of the followed body in a sample of the recording `take`; `None` if points are followed, or if the body was
+    /// not seen.
     pub fn pose(&self, take: &Take, sample: usize) -> Option<Pose> {
         match self {
             Self::Points(_) => None,
@@ -155,7 +157,8 @@ impl Followed {
         }
     }
 
-    /// Positions of the template's markers in a sample, m; `None` for a marker that was not seen.
+    /// Positions of the template's markers in a sample of the recording `take`, m; `None` for a marker that was not
+    /// seen.
     pub fn positions(&self, take: &Take, sample: usize) -> Vec<Option<[f64; 3]>> {
         match self {
             Self::Points(points) => points

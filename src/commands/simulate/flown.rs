@@ -29,9 +29,9 @@ pub struct Flown {
     pub top_speed: f64,
     /// Position of the mass centre at the end, m.
     pub landing: [f64; 3],
-    /// Motion at release, as a throw.
+    /// Motion of the body at release, by the quantities of a throw (speed, angles, spin, height).
     pub release: Throw,
-    /// Motion at the end, as a throw.
+    /// Motion of the body at the end of the flight, by the quantities of a throw (speed, angles, spin, height).
     pub end: Throw,
     /// Minimum and maximum angle of attack, deg; `None` for a point mass.
     pub alpha: Option<(f64, f64)>,

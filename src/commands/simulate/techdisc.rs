@@ -17,7 +17,8 @@ const SPEED_DIFFERENCE: f64 = 0.01;
 
 /// Speed columns, with the factor that converts the value to m/s.
 const SPEEDS: [(&str, f64); 2] = [("speedMph", 0.44704), ("speedKmh", 1.0 / 3.6)];
-/// Other columns: name of the column, name of the quantity of a throw, and whether the column is required.
+/// Columns other than those of the speed: name of the column, name of the quantity of a throw, and whether the column
+/// is required.
 const COLUMNS: [(&str, &str, bool); 5] = [
     ("spinRpm", "spin", true),
     ("launchAngle", "launch", true),
@@ -26,7 +27,7 @@ const COLUMNS: [(&str, &str, bool); 5] = [
     ("wobbleAngle", "wobble", false),
 ];
 
-/// A throw of the launch monitor.
+/// One throw recorded by a launch monitor: a row of its CSV file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
     /// Text of the column `id`; the number of the row if it has none.
@@ -115,7 +116,7 @@ pub fn choose(rows: Vec<Row>, name: &str) -> anyhow::Result<Row> {
     })
 }
 
-/// Indices of the columns that are read, and the number of columns.
+/// Indices of the columns of a TechDisc file that are read, and the total number of columns.
 struct Header {
     columns: usize,
     id: Option<usize>,

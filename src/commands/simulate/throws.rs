@@ -7,13 +7,13 @@ use model_spec::model::Model;
 
 use crate::cli::{Simulate, ThrowOptions};
 
-/// Whether the options specify a throw by themselves, without a release.
+/// Whether the options state a throw without the help of a release: by a speed or by a launch monitor's file.
 pub fn are_enough(options: &ThrowOptions) -> bool {
     options.speed.is_some() || options.techdisc.is_some()
 }
 
-/// Loads the model of the options and makes a release of it with default values, until the ground, to which a throw
-/// is then applied.
+/// Loads the model that the options name, and makes a release of it with default values that ends at the ground; a
+/// throw is applied to this release afterwards.
 pub fn bare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     let Some(name) = &options.model else {
         bail!(
@@ -35,8 +35,8 @@ pub fn bare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     Ok((model, release))
 }
 
-/// Sets the initial states of the release to the motion of a throw, in which the options replace single quantities.
-/// If `throw` is `None`, the options modify the release's own motion.
+/// Sets the initial states of the release to the motion of `throw`, in which the options replace single quantities. If
+/// `throw` is `None`, the options modify the motion that the release states.
 pub fn apply(
     options: &ThrowOptions,
     throw: Option<Throw>,

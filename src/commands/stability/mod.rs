@@ -17,27 +17,30 @@ use super::vector;
 use crate::cli::Stability as Options;
 use crate::{Answer, output};
 
-/// Speeds of the map, m/s. `SPINS` are the number of intervals and the maximum of its spins, rpm.
+/// Speeds of the map over speed and spin, m/s. The spins are evenly spaced from 0; `SPINS` states the number of
+/// intervals and the maximum, rpm.
 const SPEEDS: [f64; 12] = [
     6.0, 8.0, 10.0, 12.0, 14.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 31.0,
 ];
 const SPINS: (u32, f64) = (24, 1200.0);
-/// Default speed (m/s) and spin (rpm) of a throw.
+/// Speed (m/s) and spin (rpm) of the throw if neither a release nor options state them.
 const THROW: (f64, f64) = (16.0, 700.0);
 
-/// Modes and criteria of a body, the result of the command.
+/// Modes and stability criteria of a body, the result of `hyzer stability`.
 pub struct Found {
-    /// Modes and criteria at release.
+    /// Modes and stability criteria at release.
     pub release: Instant,
-    /// Modes and criteria along the flight to the ground; empty if the flight cannot be simulated.
+    /// Modes and stability criteria along the flight to the ground; empty if the flight cannot be simulated.
     pub flight: Vec<Instant>,
-    /// Steady (trimmed) flight at the spin of release, with its modes; `None` if no steady flight is found.
+    /// Steady (trimmed) flight with the same spin as at release, and its modes; `None` if no steady flight is found.
     pub trim: Option<(::stability::Trim, ::stability::Modes)>,
-    /// Modes and criteria of the throw of the release, at a grid of speeds and spins.
+    /// Modes and stability criteria for the throw at release with other speeds and spins, one entry per point of a
+    /// grid.
     pub map: Vec<Instant>,
 }
 
-/// Computes modes and criteria, prints them, and writes the files if an output folder is given.
+/// Runs `hyzer stability`: computes modes and stability criteria, prints them, and writes the result files if an output
+/// folder is given.
 pub fn run(options: &Options) -> anyhow::Result<Answer> {
     let out = output::folder(options.out.as_deref())?;
     if options.throw.techdisc.is_some() {

@@ -5,7 +5,7 @@ use crate::compile::Compiled;
 use crate::program::{Function, Operand, Program};
 use std::collections::{HashMap, HashSet};
 
-/// Maximum length, in characters, of the owner's name within the variable name `part_of_…` of a subexpression.
+/// Maximum length, in characters, of the name that follows `part_of_` in the variable name of a subexpression.
 const MAX_STEM: usize = 24;
 
 /// Local variable names of input elements, and of statements that are not inlined.
@@ -125,7 +125,8 @@ fn input_name(compiled: &Compiled, operand: Operand) -> String {
     names[k as usize].clone()
 }
 
-/// Returns a variable name for a subexpression: `part_of_` and the truncated name of its owner.
+/// Returns a new variable name for a subexpression: `part_of_` and the truncated name of `owner`, the variable or
+/// output whose expression contains the subexpression; `part_of_result` if `None`.
 fn part_name(owner: Option<&str>, names: &mut UniqueNames<impl Fn(&str) -> bool>) -> String {
     let owner = owner.unwrap_or("result");
     let stem = match owner.char_indices().nth(MAX_STEM) {

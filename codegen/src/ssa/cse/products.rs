@@ -71,8 +71,9 @@ fn count(list: &[DefId], pair: Pair) -> usize {
     }
 }
 
-/// Score of a pair of factors. The number of multiplications saved is the number of occurrences - 1, or, for a
-/// parameter-only pair, the number of occurrences in products of more than two factors. `None` if nothing is saved.
+/// Score of a pair of factors that occurs in the products `users`. The number of multiplications saved is the number of
+/// occurrences minus 1; for a pair that depends on parameters only, it is the number of occurrences in products of more
+/// than two factors. `None` if nothing is saved.
 fn score(ssa: &Ssa, pair: Pair, users: &[DefId]) -> Option<Score> {
     let (mut places, mut whole) = (0, 0);
     for &id in users {

@@ -79,8 +79,9 @@ fn sign(list: &[Signed], pair: Pair) -> Option<bool> {
     (pair.0 != pair.1 && (first != second) == pair.2).then_some(first)
 }
 
-/// Score of a pair of terms. The number of additions saved is the number of occurrences - 1, or, for a parameter-only
-/// pair, the number of occurrences in sums of more than two terms. `None` if nothing is saved.
+/// Score of a pair of terms that occurs in the sums `users`. The number of additions saved is the number of occurrences
+/// minus 1; for a pair that depends on parameters only, it is the number of occurrences in sums of more than two terms.
+/// `None` if nothing is saved.
 fn score(ssa: &Ssa, pair: Pair, users: &[DefId]) -> Option<Score> {
     let holds = |id: DefId| sign(terms(ssa, id), pair).is_some();
     let places = users.iter().filter(|&&id| holds(id)).count();

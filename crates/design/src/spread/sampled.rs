@@ -12,7 +12,7 @@ use super::linear::Landings;
 use super::scattered::Scattered;
 use crate::throw_flight::{By, ThrowFlights};
 
-/// Number of distances at which the bands are computed.
+/// Number of distances from the release at which the quantile bands of the paths are computed.
 const STATIONS: usize = 40;
 /// Probabilities of the quantiles in each [`Band`].
 pub const QUANTILES: [f64; 3] = [0.05, 0.5, 0.95];
@@ -35,7 +35,7 @@ pub struct Sampled {
 /// Quantiles of the paths at the points where they first reach a given distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Band {
-    /// Distance from the release along the line to the mean landing of the linear spread, m.
+    /// Horizontal distance from the release, m, along the line to the mean landing of the linear spread.
     pub distance: f64,
     /// Number of flights that reach this distance.
     pub flights: usize,
@@ -45,8 +45,8 @@ pub struct Band {
     pub height: [f64; 3],
 }
 
-/// Integrates `count` flights drawn from the scatter; `target` is the end of the line along which the bands are
-/// computed. `None` if fewer than three flights land.
+/// Integrates `count` flights drawn from the scatter; the bands are computed along the line from the release to
+/// `target`, m. `None` if fewer than three flights land.
 pub(super) fn sampled(
     flights: &ThrowFlights<'_>,
     throw: &Throw,

@@ -22,27 +22,30 @@ const ALPHA_REJECT: f64 = 0.002;
 /// Minimum number of flights for a test of agreement; with fewer flights the sign-flip test cannot be significant.
 const MIN_FLIGHTS: usize = 20;
 
-/// Minimum fraction of the excess χ² that a hypothesis must explain, of all flights or of the concordant flights.
+/// Minimum fraction of the excess χ² that a hypothesis must explain to be accepted. The excess χ² is the weighted sum
+/// of squares minus its expectation for pure noise, over all flights or over the concordant flights.
 const MIN_EXPLAINED: f64 = 0.5;
 
-/// Minimum fraction of the flights that must be concordant.
+/// Minimum fraction of concordant flights for the diagnosis to be repeated without the discordant flights.
 const MIN_CONCORDANT: f64 = 0.5;
 
 /// Result of the search for hypotheses on which the flights agree.
 pub(crate) struct Consensus {
-    /// Hypotheses that explain at least half of the excess χ² of all flights, best fit first; empty if a hypothesis
-    /// explains only the concordant flights.
+    /// Hypotheses that explain at least half of the excess χ² of all flights, best fit first. Empty if no hypothesis
+    /// does so, but one explains at least half of the excess χ² of its concordant flights.
     pub hypotheses: Vec<Hypothesis>,
-    /// Fraction of the excess χ² that the best hypothesis explains.
+    /// Fraction, 0 … 1, of the excess χ² (weighted sum of squares minus its expectation for pure noise) that the best
+    /// hypothesis explains, over all flights, or over the concordant flights if `hypotheses` is empty.
     pub explained: f64,
-    /// Familywise p-value of the sign-flip test for the best hypothesis.
+    /// Familywise p-value of the sign-flip test of the best hypothesis' effect: probability of such an agreement of the
+    /// flights by chance.
     pub p_value: f64,
     /// Indices of the discordant flights; the search is to be repeated without them.
     pub discordant: Vec<usize>,
 }
 
-/// Searches for hypotheses on which the flights agree; `None` if there are too few flights, or no single candidate on
-/// which they agree explains enough.
+/// Searches for hypotheses of one effect on which the flights agree. `None` if there are fewer than [`MIN_FLIGHTS`]
+/// flights, or no such hypothesis explains the fraction [`MIN_EXPLAINED`] of the misfit beyond noise.
 ///
 /// # Errors
 /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated, or the caller cancelled.
@@ -85,15 +88,16 @@ struct Agreed {
     p_value: f64,
 }
 
-/// The concordant flights of one candidate that explains most of their excess χ².
+/// Result for a candidate that explains most of the excess χ² (misfit beyond noise) of its concordant flights:
+/// explained fraction, p-value of the sign-flip test, and indices of the discordant flights.
 struct ConcordantMajority {
     explained: f64,
     p_value: f64,
     discordant: Vec<usize>,
 }
 
-/// Fits each single candidate on which the flights agree; returns those that leave no further agreement, best fit
-/// first.
+/// Fits each single candidate on which the flights agree, and returns the hypotheses, best fit first. A hypothesis is
+/// omitted if, once it is included, the flights still agree on a further candidate or library term.
 fn agreed_hypotheses(
     context: Context<'_>,
     model: &ScoreTestModel,
@@ -130,8 +134,9 @@ fn agreed_hypotheses(
     Ok(agreed)
 }
 
-/// Finds, among the agreed candidates with one coefficient, the candidate that explains most of the excess χ² of its
-/// concordant flights; `None` if no candidate explains enough or too few flights are concordant.
+/// Finds, among the hypotheses in `agreed` whose effect has one coefficient, the one that explains the largest fraction
+/// of the excess χ² (misfit beyond noise) of its concordant flights. `None` if no fraction reaches [`MIN_EXPLAINED`],
+/// or too few flights are concordant.
 fn explained_without_discordant(
     model: &ScoreTestModel,
     test: &SignFlipTest,

@@ -13,8 +13,8 @@ use ode::DifferentiableRhs;
 pub(crate) struct BasisLoads<'a, B> {
     motion: DifferentiableModelRhs<'a>,
     pattern: Vec<(usize, usize)>,
-    /// For each additional entry of the parameter Jacobian: the entry of its load coefficient, and the index of its
-    /// basis function.
+    /// For each entry that the basis functions add to the parameter Jacobian: index of the model's entry by the load
+    /// coefficient, and index of the basis function by which that entry is multiplied.
     sources: Vec<(usize, usize)>,
     own_entries: usize,
     basis: B,
@@ -22,8 +22,9 @@ pub(crate) struct BasisLoads<'a, B> {
 }
 
 impl<'a, B: FnMut(f64, &[f64], &mut [f64])> BasisLoads<'a, B> {
-    /// Adds one parameter for each of `loads`, the load coefficients of the basis functions; their indices start at
-    /// `first`. `basis` is called with the time in s and the state, and writes the value of each basis function.
+    /// Extends the equations of motion `conditions` by one parameter for each load coefficient in `loads`, with indices
+    /// from `first` on. `basis` is called with the time in s and the state, and writes one basis function value for
+    /// each of `loads`.
     pub fn new(conditions: &'a BoundModel<'a>, loads: &[ParamId], first: usize, basis: B) -> Self {
         let motion = conditions.differentiable_rhs();
         let mut pattern = motion.parameter_jacobian_pattern().to_vec();

@@ -10,8 +10,8 @@ pub(crate) struct Candidate {
     pub name: String,
     /// Description of the effect, from the comment in its file.
     pub doc: String,
-    /// Sentences that describe the effect for a coefficient above and below the null value; the general description
-    /// if the effect states no such sentence.
+    /// Sentences that describe the effect if its first coefficient is above (index 0) or below (index 1) its null
+    /// value; the general description for an effect that declares no such sentence.
     pub senses: [String; 2],
     /// Site of the effect: the load or equation that it changes.
     pub site: String,

@@ -82,8 +82,8 @@ impl ScoreTestModel {
         })
     }
 
-    /// Calls `each` with every residual of a flight and the residual's derivatives by the local directions, the
-    /// global parameters and the coefficients of the library terms.
+    /// Calls `each` with every residual of a flight and the residual's derivatives by the tangent directions of the
+    /// flight's initial state, the global parameters and the coefficients of the library terms.
     ///
     /// # Errors
     /// [`FitError::Flight`] if the trajectory cannot be integrated.

@@ -31,7 +31,8 @@ pub(crate) struct Refitted {
     pub iterate: Iterate,
     /// Weighted sum of squares of the residuals at the fitted values.
     pub squares: f64,
-    /// Whether the refit ended before the maximum number of steps and was not given up.
+    /// False if the refit reached the maximum number of steps, or was abandoned because progress was slow at a mean
+    /// squared whitened residual above [`MISFIT_RATIO`]; true otherwise.
     pub is_finished: bool,
 }
 

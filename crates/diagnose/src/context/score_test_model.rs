@@ -31,7 +31,8 @@ pub(crate) struct ScoreTestModel {
     /// Terms of the term library, `None` if no library is compatible with the model. Their columns follow those of
     /// the global parameters.
     pub terms: Option<LibraryTerms>,
-    /// Observations of the fitted flights, in which every state that is not known is an unknown of the initial state.
+    /// Observations of the fitted flights. Every state without a known initial value, including the states of
+    /// candidates, is an unknown of the flight's initial state.
     pub flights: Vec<Observations>,
     /// Number of threads for computations over flights.
     pub threads: usize,
@@ -205,8 +206,8 @@ impl ScoreTestModel {
         iterate
     }
 
-    /// Iterate of a fit of the model under test with some candidates, in the unknowns of this model; `None` if it
-    /// fitted other flights.
+    /// Converts the result of `fit`, a fit of the model under test with some candidates, to an iterate in the unknowns
+    /// of this model. `None` if `fit` used other flights than this model.
     pub fn iterate_of(&self, context: Context<'_>, fit: &Fit) -> Option<Iterate> {
         let (flights, local) = fitted_flights(&self.problem, context, fit).ok()?;
         let global = fitted_globals(&self.problem, fit);

@@ -7,8 +7,8 @@ use identify::{FitProblem, Iterate};
 /// Maximum size of one cache in bytes; trajectories of flights that do not fit are integrated again at each use.
 const MAX_CACHE_BYTES: usize = 128 << 20;
 
-/// States and sensitivities of one flight at its sample times, in the memory layout of `identify`; `None` until they
-/// are first computed.
+/// States and sensitivities of one flight at its sample times, in the memory layout of `identify::linearise_with`;
+/// `None` until they are first computed.
 pub(crate) type CachedTrajectory = Option<Vec<f64>>;
 
 /// Cache of the trajectories of all flights at one linearization point. Sensitivities to the coefficients of library
@@ -27,7 +27,7 @@ pub(crate) enum TrajectoryCache {
 pub(crate) struct LinearizationPoint<'p> {
     /// The estimation problem.
     pub problem: &'p FitProblem,
-    /// Values of the unknowns of `problem`.
+    /// Values of all unknowns of the estimation problem: global parameters and initial states of the flights.
     pub iterate: &'p Iterate,
     /// Cache of the trajectories computed from `iterate`.
     pub cache: &'p TrajectoryCache,
@@ -44,8 +44,8 @@ impl TrajectoryCache {
         matches!(self, Self::Disabled)
     }
 
-    /// Calls `work` with the cached trajectory of a flight. The trajectory that `work` leaves is stored if the size
-    /// limit allows.
+    /// Calls `work` with the cached trajectory of a flight, and returns the result of `work`. A trajectory that `work`
+    /// writes to its argument is stored unless the cache would exceed [`MAX_CACHE_BYTES`].
     pub fn with_flight<R>(
         &self,
         flight: usize,

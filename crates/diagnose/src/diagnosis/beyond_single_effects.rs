@@ -66,8 +66,9 @@ impl Analysis<'_> {
         stepwise.extend(self.context, &self.model, search, &self.before, most)
     }
 
-    /// Selects library terms with the candidates `effects` included in the model. The result replaces the present
-    /// terms if it is better.
+    /// Selects library terms with the candidates `effects` included in the model. The result replaces the earlier
+    /// selection of library terms if only the result is adequate, or if both or neither are adequate and the result has
+    /// the smaller sum of squares.
     fn search_terms_beside(&mut self, effects: &[CandidateId]) -> Result<(), DiagnosisError> {
         let (context, model, search) = (self.context, &self.model, &self.search);
         let Some(single) = model.fit_hypothesis(effects, &self.base, &search.noise) else {
@@ -78,8 +79,8 @@ impl Analysis<'_> {
         Ok(())
     }
 
-    /// Searches for hypotheses on which the flights agree, and stores them as accepted; also stores the discordant
-    /// flights.
+    /// Searches for hypotheses whose effect has the same sign in most flights, and stores them as accepted. Also stores
+    /// the discordant flights, which contradict such an effect.
     fn search_consensus(&mut self) -> Result<(), DiagnosisError> {
         let found = consensus(self.context, &self.model, &self.search, &self.base)?;
         let Some(found) = found else {

@@ -21,7 +21,8 @@ pub(super) struct BandedGram {
 /// Projections of the right-hand sides on the columns of a banded design.
 #[derive(Clone, Debug)]
 pub(super) struct Projected {
-    /// L⁻¹ Bᵀ z for each right-hand side z: `sides` values for each column of the design B; 0 for dependent columns.
+    /// L⁻¹ Bᵀ z for each right-hand side z, where B is the design and L the Cholesky factor of BᵀB. Stored as `sides`
+    /// values for each column of B; 0 for linearly dependent columns.
     pub coordinates: Vec<f64>,
     /// Cholesky factor L of the Gram matrix, stored by columns in the same band layout; 0 for dependent columns.
     factor: Vec<[f64; BANDWIDTH + 1]>,

@@ -27,7 +27,7 @@ pub(super) struct ScaledStatistic {
 }
 
 impl ScaledStatistic {
-    /// Adds a statistic whose noise is estimated independently.
+    /// Adds `other`, a statistic with an independent estimate of the noise variance, such as from another flight.
     pub fn add(&mut self, other: &Self) {
         self.value += other.value;
         self.dof += other.dof;

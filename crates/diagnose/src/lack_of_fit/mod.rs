@@ -60,8 +60,8 @@ pub struct LackOfFit {
     pub departures: Vec<SmoothMisfit>,
     /// Standard deviation of the noise of one coordinate, m, estimated from changes that no smooth motion can follow.
     pub noise_floor_m: f64,
-    /// Root mean square of the residuals in excess of the noise, m: the root of mean square minus noise variance, or
-    /// 0.
+    /// Root mean square of the residuals in excess of the noise, m: √(mean square of the residuals − noise variance),
+    /// or 0 if the difference is negative.
     pub beyond_noise_m: f64,
     /// Excess χ²: sum of squares that splines remove from the residuals, over the noise variance, minus its
     /// expectation for pure noise.
@@ -244,7 +244,8 @@ impl FittedFlight<'_> {
         })
     }
 
-    /// Residuals of the inliers with their derivatives by the local parameters of the flight.
+    /// Residuals of the inliers with their derivatives by the local parameters of the flight; the spline basis is
+    /// copied from `from`.
     fn with_derivatives(&self, fit: &Fit, from: &FlightSeries) -> Result<FlightSeries, FitError> {
         let Some((observed, local)) = fit.flight(self.id) else {
             return Ok(FlightSeries {

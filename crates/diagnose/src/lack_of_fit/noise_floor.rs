@@ -14,7 +14,8 @@ use super::spline_basis::SplineBasis;
 /// Range (minimum, maximum) in which the lag-1 autocorrelation is searched.
 const AR1_RANGE: (f64, f64) = (-0.8, 0.95);
 
-/// Number of steps of the golden-section search; 10 steps reduce the range to a hundredth.
+/// Number of steps of the golden-section search for the lag-1 autocorrelation; 10 steps reduce the range to a
+/// hundredth.
 const GOLDEN_STEPS: usize = 10;
 
 /// Step in the autocorrelation for the finite-difference curvature of the deviance.
@@ -31,12 +32,13 @@ pub(super) struct FlightSeries {
     pub fine: SplineBasis,
 }
 
-/// Estimated noise that no smooth motion can follow.
+/// Noise floor: noise estimated from the fast changes of the residuals, which no smooth motion can follow.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct NoiseFloor {
-    /// Noise model: standard deviation and lag-1 autocorrelation by channel group and axis.
+    /// Noise model: standard deviation and lag-1 autocorrelation for each axis of each noise group, a group of channels
+    /// with common noise parameters.
     pub noise: NoiseModel,
-    /// Standard errors of the lag-1 autocorrelations, by channel group and axis.
+    /// `ar1_std_error[group][axis]`: standard error of the lag-1 autocorrelation of a noise group.
     pub ar1_std_error: Vec<[f64; 3]>,
 }
 
@@ -45,8 +47,8 @@ pub(super) struct NoiseFloor {
 struct Likelihood {
     /// Restricted deviance: −2 ln of the restricted likelihood, maximized over the variance of each flight.
     deviance: f64,
-    /// Sum of squared innovations that the splines leave, each divided by its variance relative to the noise
-    /// variance, m².
+    /// Sum of squares, m², of the innovations after projecting out the splines. Each square is divided by the ratio of
+    /// the innovation's variance to the noise variance.
     squares: f64,
     /// Number of residuals minus the number of fitted splines.
     dof: f64,
@@ -97,8 +99,8 @@ impl NoiseFloor {
         })
     }
 
-    /// Relative standard deviation of the ratio of slow to fast noise power, averaged over the axes: the error of
-    /// extrapolating the noise of slow motions from the noise of fast ones.
+    /// Relative standard error of the low-frequency noise variance, which the AR(1) model extrapolates from high
+    /// frequencies. Computed for the ratio of low- to high-frequency noise power, averaged over the axes.
     pub fn relative_error(&self) -> f64 {
         let axes = 3.0 * self.ar1_std_error.len() as f64;
         let pairs = self.noise.groups().iter().zip(&self.ar1_std_error);

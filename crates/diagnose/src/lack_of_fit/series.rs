@@ -10,9 +10,11 @@ use super::spline_basis::{SUPPORT, SplineBasis};
 pub(super) struct Series {
     /// Sample times of the inliers, s.
     pub times: Vec<f64>,
-    /// `sides[sample * count + k]`: the residual, m, for `k = 0`, then its derivatives by the local parameters.
+    /// `sides[sample * count + k]`: residual, m, for `k = 0`; for larger `k`, derivative of the residual by local
+    /// parameter `k − 1` of the flight (tangent direction of the initial state).
     pub sides: Vec<f64>,
-    /// Number of values for each sample in `sides`: 1 plus the number of local parameters.
+    /// Number of values that `sides` contains for each sample: the residual and its derivatives by the local parameters
+    /// of the flight.
     pub count: usize,
 }
 
@@ -30,7 +32,7 @@ pub(super) struct WhitenedProducts {
 }
 
 impl Series {
-    /// Creates an empty series with `count` values for each sample.
+    /// Creates a series without samples, whose samples will have `count` values: residual and derivatives.
     pub fn new(count: usize) -> Self {
         Self {
             count,

@@ -9,8 +9,9 @@ use super::noise_floor::FlightSeries;
 use super::series::Series;
 use super::spline_basis::SplineBasis;
 
-/// Minimum eigenvalue of the scaled normal matrix of the local columns; along directions with smaller eigenvalues,
-/// splines replace the local unknowns entirely.
+/// Minimum eigenvalue of the Gram matrix of the local columns: the residuals' derivatives by the flight's initial
+/// state, scaled to unit norm. Directions with smaller eigenvalues, after projecting out the splines, are dropped,
+/// because the splines reproduce them.
 const MIN_TOLERANCE: f64 = 1e-9;
 
 /// Lack-of-fit statistics of one flight: reduction of its sum of squares by two sets of splines.
@@ -18,21 +19,23 @@ const MIN_TOLERANCE: f64 = 1e-9;
 pub(super) struct FlightMisfit {
     /// Statistic of splines with knots a fifth of the flight apart: misfit caused by wrong forces.
     pub slow: ScaledStatistic,
-    /// Statistic of splines with knots a fraction of a turn apart: misfit in marker positions, attitude and spin.
+    /// Statistic of splines with several knots for each turn of the body: misfit in marker positions, attitude and
+    /// spin.
     pub fine: ScaledStatistic,
 }
 
-/// Sums of products over all series of a flight, before and after projecting out one spline basis.
+/// Sums of products over all series of a flight, before and after projecting out one spline basis. Local columns are
+/// the derivatives of the residuals by the flight's initial state.
 struct Projection {
-    /// Sum of squares of the residuals projected on the splines, and total rank of the splines.
+    /// Sum of squares of the residuals' projection on the splines.
     squares: f64,
     rank: usize,
-    /// Gram matrix of the local columns after projecting out the splines, and its right-hand side (products with the
-    /// residuals).
+    /// Gram matrix of the local columns after projecting out the splines; `left_gradient` contains the products of
+    /// these columns with the residuals.
     left: DMatrix<f64>,
     left_gradient: DVector<f64>,
-    /// Sum of squares of the residuals, Gram matrix of the local columns, and products of these columns with the
-    /// residuals.
+    /// Sum of squares of the residuals without projection. Also without projection are `local`, the Gram matrix of the
+    /// local columns, and `gradient`, the products of the local columns with the residuals.
     total: f64,
     local: DMatrix<f64>,
     gradient: DVector<f64>,
@@ -79,14 +82,15 @@ impl FlightMisfit {
         })
     }
 
-    /// p-value of the flight; `relative_error` is the relative error of the noise extrapolated to slow motions.
+    /// p-value of the flight's lack-of-fit test. `relative_error` is the relative standard error of the noise variance
+    /// at low frequencies, which is extrapolated from high frequencies.
     pub fn p_value(&self, relative_error: f64) -> f64 {
         least_p(self.slow, self.fine, relative_error)
     }
 }
 
-/// Bonferroni-corrected p-value of the more significant of two tests, with the relative error of the extrapolated
-/// noise included in both.
+/// Bonferroni-corrected p-value of the more significant of two tests. `relative_error` is the relative standard error
+/// of the noise variance at low frequencies; it widens the null distribution of either statistic.
 pub(super) fn least_p(slow: ScaledStatistic, fine: ScaledStatistic, relative_error: f64) -> f64 {
     let p = [slow, fine].map(|mut statistic| {
         statistic.noise_variance += (statistic.dof * relative_error).powi(2);
@@ -143,8 +147,9 @@ impl Projection {
     }
 }
 
-/// Reduction of the sum of squares by fitting columns with Gram matrix `matrix` and right-hand side `gradient`, and
-/// the number of independent directions. `scale` normalizes the columns before projection.
+/// Reduction of the sum of squares by fitting columns with Gram matrix `matrix` and products `gradient` with the
+/// residuals, and the number of independent directions. The columns are multiplied by `scale` before the rank is
+/// determined.
 fn decrease(matrix: &DMatrix<f64>, gradient: &DVector<f64>, scale: &DVector<f64>) -> (f64, usize) {
     let size = gradient.len();
     if size == 0 {

@@ -14,7 +14,8 @@ use crate::score_test::{ScoreTests, keep_directions};
 /// Removing weaker directions would bias the estimated variance low and distort the autocorrelation.
 const MIN_SCORE: f64 = 4.0;
 
-/// Maximum log p-value at which the states of a per-flight candidate are estimated before the noise is estimated.
+/// Maximum log p-value of the score test of a candidate with states (one value for each flight) at which the states are
+/// estimated along with the other parameters, before the noise is estimated.
 const MAX_LN_P_OF_STATES: f64 = -14.0;
 
 /// Damping added when local parameters are eliminated, relative to the diagonal of JᵀJ.
@@ -56,7 +57,8 @@ impl ScoreTestModel {
         Ok(self.noise_of(&remaining, unknowns, noise.interval))
     }
 
-    /// The candidates in `conditioned_on`, followed by the per-flight candidates whose states are significant.
+    /// The candidates in `conditioned_on`, followed by the significant candidates that have one value for each flight
+    /// (a state).
     fn with_significant_states(
         &self,
         tests: &ScoreTests,
@@ -123,8 +125,8 @@ impl ScoreTestModel {
         Ok(remaining)
     }
 
-    /// Marks outliers among the residuals and estimates the noise of the inliers; `unknowns` is the number of
-    /// parameters fitted to these residuals.
+    /// Marks outliers among the residuals and estimates the noise of the inliers. `unknowns` is the number of
+    /// parameters fitted to the residuals, and `interval` the sampling interval, s.
     fn noise_of(&mut self, residuals: &[Residuals], unknowns: usize, interval: f64) -> NoiseModel {
         let pairs = self.flights.iter().zip(residuals);
         let local: Vec<_> = pairs

@@ -16,7 +16,7 @@ use crate::score_test::{eliminate_locals, keep_directions};
 /// Maximum time between knots, s; exceeded only if a flight would need more than [`MAX_KNOTS`] knots.
 const KNOT_INTERVAL: f64 = 0.2;
 
-/// Maximum number of knots of one flight.
+/// Maximum number of knots of a load coefficient's history in one flight.
 const MAX_KNOTS: usize = 9;
 
 /// Maximum number of flights whose load histories are estimated.
@@ -38,7 +38,7 @@ pub struct LoadHistory {
     pub file: String,
     /// Times of the knots, s after the first sample.
     pub t: Vec<f64>,
-    /// Estimated load coefficient at each knot; 0 where the model explains the flight.
+    /// Estimated load coefficient at each knot; near 0 at times at which the model lacks no such load.
     pub value: Vec<f64>,
     /// Standard errors of `value`, one for each knot.
     pub std_error: Vec<f64>,
@@ -96,7 +96,7 @@ impl WalkSigma {
     };
 }
 
-/// Sum of expected squares, and the number of summands.
+/// Sum of expected squares of random-walk values or increments, and number of summands; their ratio is the variance.
 #[derive(Clone, Copy, Debug, Default)]
 struct SquareSum {
     squares: f64,

@@ -51,9 +51,10 @@ fn departures(model: &ScoreTestModel, columns: &[ColumnId], at: &Iterate) -> Vec
     columns.iter().map(departure).collect()
 }
 
-/// Smallest separation of two hypotheses, in standard deviations. For each ordered pair, one hypothesis is assumed
-/// true and the other is fitted to its predictions; the separation is the root of the remaining χ². `nuisance` are
-/// the columns of the model under test. Returns 0 if no pair of hypotheses differs in a column.
+/// Smallest separation among all ordered pairs of hypotheses, in standard deviations. The first hypothesis of a pair is
+/// assumed true. The second hypothesis, together with the parameters of the columns `nuisance`, is fitted to the
+/// predictions of the first; the separation is the square root of the remaining χ². Returns 0 if no hypothesis has a
+/// column that another lacks.
 pub(super) fn separation(
     nuisance: &[ColumnId],
     hypotheses: &[Alternative],

@@ -12,8 +12,8 @@ const MAX_LOCAL_TOLERANCE: f64 = 1e-9;
 /// Standard normal quantile of the power 0.9.
 const Z_OF_POWER: f64 = 1.281_551_565_544_6;
 
-/// Minimum projection share of a nuisance parameter, relative to the largest share, for the parameter to be named as
-/// confounding.
+/// Minimum length of a candidate column's projection on a nuisance parameter, relative to the longest projection, for
+/// the parameter to be named as confounding.
 const MIN_SHARE: f64 = 0.25;
 
 /// Maximum number of confounding parameters named for one effect.
@@ -47,8 +47,8 @@ pub struct MinDetectableEffect {
     pub unit: String,
 }
 
-/// Lists the candidates that are not identifiable, and the minimum detectable sizes of the coefficients of all
-/// others. A test is significant if its log p-value is below `detect`.
+/// Returns the candidates that are not identifiable, and the minimum detectable sizes of the coefficients of the
+/// identifiable candidates. `detect` is the log p-value below which a test is significant.
 pub(crate) fn detectable(
     model: &ScoreTestModel,
     tests: &ScoreTests,

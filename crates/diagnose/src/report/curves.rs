@@ -31,9 +31,9 @@ pub struct CoefficientCurve {
     pub unit: String,
     /// Centres of the intervals, in the unit of the abscissa.
     pub x: Vec<f64>,
-    /// Medians of the coefficient without the extension, one for each interval.
+    /// Medians of the coefficient in the model without the extension, one for each interval of the abscissa.
     pub before: Vec<f64>,
-    /// Medians of the coefficient with the extension, one for each interval.
+    /// Medians of the coefficient in the extended model, one for each interval of the abscissa.
     pub after: Vec<f64>,
     /// Number of samples in each interval, without the extension.
     pub support: Vec<usize>,

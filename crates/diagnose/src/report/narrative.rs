@@ -214,7 +214,8 @@ fn described_effect(effect: &CauseEffect) -> String {
     )
 }
 
-/// Sentence that explains why an adequate but overflexible hypothesis is not accepted.
+/// Sentence that explains why a hypothesis is not accepted although the residuals are noise: it can fit almost any data
+/// and does not improve out-of-sample predictions.
 pub(crate) fn refused(validated: &Validated) -> String {
     let names = validated.extension.effects.join(" with ");
     let errors = validated.gain.as_ref().map_or_else(String::new, |gain| {

@@ -81,8 +81,8 @@ pub(crate) fn build_report(
     report
 }
 
-/// Verdict from whether the fit of the model under test has a significant effect or lack of fit, and from the
-/// accepted explanations.
+/// Derives the verdict from the accepted explanations `causes`. `is_significant` states whether the model under test
+/// has a significant candidate effect or lack of fit.
 fn verdict(is_significant: bool, causes: &[Cause]) -> Verdict {
     let is_negligible = |cause: &Cause| cause.effects.iter().all(|effect| effect.negligible);
     match causes {
@@ -94,7 +94,9 @@ fn verdict(is_significant: bool, causes: &[Cause]) -> Verdict {
     }
 }
 
-/// Sets the fraction of the excess χ² that a cause explains, and the root mean square that remains.
+/// Sets two fields of `cause`: `explained`, the fraction of the excess χ² (misfit beyond noise) that the cause
+/// explains, and `remaining_m`, the root mean square of the residuals in excess of the noise once the cause is
+/// included, m.
 fn add_share(cause: &mut Cause, residuals: &LackOfFit) {
     let share = cause.chi2_decrease / residuals.excess_chi2.max(f64::MIN_POSITIVE);
     cause.explained = share.clamp(0.0, 1.0);
@@ -372,9 +374,9 @@ fn extension_effects(extension: &ExtendedModel, after: &Fit) -> Vec<CauseEffect>
     effects.collect()
 }
 
-/// Replaces standard errors by cluster-robust ones if these are larger, and the estimates of the first cause by those
-/// of the extended fit. This is needed if a cause does not explain everything: the remaining misfit is correlated
-/// within a flight.
+/// Replaces standard errors by cluster-robust (by flight) standard errors where the latter are larger, and the
+/// estimates of the first cause by the estimates of `after`, the fit of the extended model. This is needed if the cause
+/// does not explain the entire misfit, because the remaining misfit is correlated within a flight.
 pub(crate) fn use_clustered_errors(report: &mut Report, after: &Fit) {
     let fitted = |name: &str| {
         let found = after.report.coefficients.get(name)?;
@@ -435,8 +437,8 @@ mod tests {
     use crate::selection::Search;
     use crate::test_support::mystery;
 
-    /// Report on flights of which the first has no samples, from a fit that did not converge, and whether the result
-    /// was significant before and after the threshold changed.
+    /// Report of a fit that did not converge, on flights of which the first has no samples. The second value states
+    /// whether the search was significant before and after its detection threshold was set to −∞.
     fn report_of_faulty_fit() -> (Report, [bool; 2]) {
         let mut dataset = mystery(4);
         dataset.flights[0]

@@ -6,7 +6,7 @@ use crate::extension::ExtendedModel;
 use crate::lack_of_fit::{LackOfFit, SmoothMisfit};
 use crate::text::{millimetres, three_figures};
 
-/// Maximum number of deviations described in a sentence.
+/// Maximum number of flights whose largest smooth deviation is described in the sentence on the lack of fit.
 const MAX_DEPARTURES: usize = 3;
 
 /// Replaces the lack-of-fit test in the report by that of the extended model, and updates the fraction that the first
@@ -22,8 +22,8 @@ pub(crate) fn add_residuals(report: &mut Report, residuals: Option<LackOfFit>) {
     report.lack_of_fit = residuals.or(report.lack_of_fit.take());
 }
 
-/// Removes the list of deviations if the lack-of-fit test passes. Otherwise adds a description of the largest
-/// deviations to the report.
+/// Clears the list of smooth deviations in the report if the lack-of-fit test passes. Otherwise adds a description of
+/// the largest deviations to the report.
 pub(crate) fn describe_departures(report: &mut Report) {
     let alpha = report.threshold.alpha;
     let Some(found) = &mut report.lack_of_fit else {
@@ -94,7 +94,8 @@ pub(crate) fn note_not_offered(report: &mut Report, extension: &ExtendedModel) {
     ));
 }
 
-/// Marks the report as incomplete and adds a note with the reason.
+/// Marks the report as incomplete and adds a note with the reason: the deadline if `is_out_of_time`, otherwise the
+/// maximum number of steps.
 pub(crate) fn note_incomplete(report: &mut Report, is_out_of_time: bool) {
     report.complete = false;
     let why = match is_out_of_time {

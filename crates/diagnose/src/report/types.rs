@@ -98,9 +98,9 @@ fn converged_by_default() -> bool {
 pub enum Verdict {
     /// No error of the model is detected: no candidate effect is significant, and the residuals are noise.
     None,
-    /// Exactly one explanation is accepted.
+    /// Exactly one explanation is accepted, and its effects are not negligible.
     Named,
-    /// Several explanations are accepted, and these flights cannot distinguish them.
+    /// Several explanations are accepted, not all of them negligible, and these flights cannot distinguish them.
     Ambiguous,
     /// There is a significant lack of fit, and no candidate effect explains it.
     #[serde(rename = "outside")]
@@ -123,7 +123,7 @@ pub struct Cause {
     /// … 1.
     #[serde(default)]
     pub explained: f64,
-    /// Root mean square of the residuals in excess of the noise that remains with this cause, m.
+    /// Root mean square of the residuals in excess of the noise once this cause is included in the model, m.
     #[serde(default)]
     pub remaining_m: f64,
     /// The most significant other candidate once the effects of this cause are included; `None` if no other candidate
@@ -259,10 +259,10 @@ pub struct FlightGain {
     pub file: String,
     /// Role of the flight declared in the dataset: fitted or held out.
     pub role: Role,
-    /// Use of the flight: `fitted`, `held-out` or `excluded`; `None` in older reports.
+    /// Use of the flight: `fitted`, `held-out` or `excluded`; `None` in reports written before this field existed.
     #[serde(default)]
     pub outcome: Option<String>,
-    /// Reason why the flight was excluded; `None` if it was used.
+    /// Reason why the flight was excluded from the fit or from the prediction; `None` if it was not excluded.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reason: Option<String>,
     /// Root mean square residual of one coordinate without the extension, m; `None` if the flight was excluded.
@@ -287,10 +287,10 @@ pub struct Unattributed {
 /// to flight.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Consensus {
-    /// Number of fitted flights that agree.
+    /// Number of fitted flights on whose agreement the causes are based; discordant flights are not counted.
     pub flights: usize,
-    /// Fraction of the flights' excess χ² that the first cause explains; `None` if the concordant flights are
-    /// explained entirely.
+    /// Fraction, 0 … 1, of the excess χ² (weighted sum of squares minus its expectation for pure noise) that the first
+    /// cause explains; `None` if the causes explain the concordant flights entirely.
     #[serde(rename = "part")]
     pub explained: Option<f64>,
     /// p-value of the sign-flip test, familywise over all candidates and library terms.

@@ -120,8 +120,8 @@ impl LocalElimination {
 }
 
 impl PerFlightCandidate {
-    /// Adds one flight. `states` are the rows of the candidate's states in `reduced`, and `first` is the index of the
-    /// first global column.
+    /// Adds the normal equations `reduced` of one flight, after eliminating the candidate's states. `states` are the
+    /// rows of these states in `reduced`; `first` is the index of the first global column of `reduced`.
     fn add(&mut self, reduced: &GlobalEquations, states: &[DirectionId], first: usize) {
         let size = self.equations.gradient.len();
         let globals: Vec<DirectionId> = (first..first + size).map(DirectionId::new).collect();

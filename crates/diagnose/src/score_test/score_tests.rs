@@ -29,12 +29,12 @@ pub(crate) struct ScoreTests {
     pub terms: IndexVec<TermId, ScoreTest>,
     /// Partition of the global columns into nuisance and tested columns.
     pub partition: Partition,
-    /// Effective information of the tested columns, scaled by `scale`. Each column has unit diagonal before the
-    /// nuisance parameters are projected out.
+    /// Effective information of the tested columns, with rows and columns multiplied by `scale`. The diagonal would be
+    /// 1 if the nuisance parameters were not projected out.
     pub information: DMatrix<f64>,
     /// Effective scores of the tested columns, scaled by `scale`.
     pub score: DVector<f64>,
-    /// Factor by which each tested column is multiplied.
+    /// Factor by which each tested column is multiplied, so that its norm is 1 after eliminating the local parameters.
     pub scale: Vec<f64>,
     /// Projection coefficients of the tested columns on the nuisance columns.
     pub nuisance_projection: DMatrix<f64>,
@@ -43,7 +43,8 @@ pub(crate) struct ScoreTests {
     /// Squared norms of each tested column, before and after the local parameters are eliminated.
     pub norms: Vec<ColumnNorms>,
     pub(super) nuisance_step: DVector<f64>,
-    /// Whitening matrix of each test with at least one degree of freedom; its columns are the tested columns.
+    /// Matrix of each test with at least one degree of freedom that maps the effective scores to independent standard
+    /// normal variables; one column for each tested column.
     whitenings: Vec<DMatrix<f64>>,
     /// Number of tests of per-flight candidates, whose states are not among the tested columns.
     state_tests: usize,
@@ -64,7 +65,8 @@ pub(crate) struct ScoreTest {
     /// Score statistic: the decrease of the weighted sum of squares that a refit would give, to second order.
     /// Distributed as χ² with `dof` degrees of freedom under the null hypothesis.
     pub statistic: f64,
-    /// Degrees of freedom: number of directions with a tolerance above [`MIN_TOLERANCE`].
+    /// Degrees of freedom: number of principal directions of the tested columns whose tolerance 1 − R² exceeds
+    /// [`MIN_TOLERANCE`], where R² is the fraction that the nuisance parameters explain.
     pub dof: usize,
     /// Natural logarithm of the p-value.
     pub ln_p: f64,
@@ -183,7 +185,8 @@ impl ScoreTests {
         })
     }
 
-    /// Joint test of the columns `own`, where the global columns have the values `values`.
+    /// Joint score test of the columns `own`. `values` are the values of all global parameters and term coefficients at
+    /// the linearization point.
     fn test_columns(&mut self, own: &[ColumnId], values: &DVector<f64>) -> ScoreTest {
         let tested = self.partition.tested.iter().enumerate();
         let at: Vec<usize> = tested

@@ -10,9 +10,9 @@ const MAX_BIC_DIFFERENCE: f64 = 12.0;
 /// Maximum BIC advantage of library terms at which the hypotheses are still preferred.
 const TERM_BIC_MARGIN: f64 = 1.0;
 
-/// Retains the hypotheses whose BIC is near the smallest, in their order; none if adequate library terms have a
-/// smaller BIC. Several effects together, or one value for each flight, can fit almost any data, so their unknowns
-/// must be penalized. Hypotheses of at most `free` unknowns are retained regardless of their BIC.
+/// Returns the hypotheses whose BIC is near the smallest, without changing their order. Hypotheses with at most `free`
+/// unknowns are retained whatever their BIC. The result is empty if adequate library terms have a smaller BIC. Unknowns
+/// are penalized because several effects together, or one value for each flight, can fit almost any data.
 pub(crate) fn select_by_bic(
     model: &ScoreTestModel,
     hypotheses: Vec<Hypothesis>,
@@ -35,8 +35,10 @@ pub(crate) fn select_by_bic(
     each.filter(|(_, keep)| *keep).map(|(h, _)| h).collect()
 }
 
-/// For each hypothesis, given by (BIC, number of unknowns), whether it is retained in comparison with library terms
-/// of BIC `of_terms`.
+/// Returns for each hypothesis, given by (BIC, number of unknowns), whether it is retained. No hypothesis is retained
+/// if the BIC of the library terms, `of_terms`, is smaller than the BIC of every hypothesis by more than
+/// [`TERM_BIC_MARGIN`]. Otherwise a hypothesis is retained if it has at most `free` unknowns, or its BIC is near the
+/// smallest.
 fn near_least(scored: &[(f64, usize)], of_terms: f64, free: usize) -> Vec<bool> {
     let least = scored.iter().map(|s| s.0).fold(f64::INFINITY, f64::min);
     if of_terms < least - TERM_BIC_MARGIN {

@@ -7,7 +7,7 @@ use crate::context::{CandidateId, LinearizationPoint, Refitted, ScoreTestModel, 
 use crate::error::DiagnosisError;
 use crate::score_test::ScoreTests;
 
-/// Maximum number of effects of a hypothesis that does not count as overflexible.
+/// Maximum number of effects of a hypothesis that is accepted without improving out-of-sample predictions.
 const MAX_EFFECTS_UNVALIDATED: usize = 2;
 
 /// One or several candidate effects, fitted together with the model under test.
@@ -22,7 +22,8 @@ pub(crate) struct Hypothesis {
     pub squares: f64,
     /// Score tests of all other candidates, with the effects of this hypothesis as nuisance parameters.
     pub tests: ScoreTests,
-    /// Whether the refit ended before its maximum number of steps.
+    /// False if the fit reached the maximum number of steps or was abandoned, as in [`Refitted::is_finished`]; true
+    /// otherwise.
     pub is_finished: bool,
     cache: TrajectoryCache,
 }

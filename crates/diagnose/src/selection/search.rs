@@ -8,14 +8,14 @@ use crate::context::{CandidateId, Context, LinearizationPoint, ScoreTestModel, T
 use crate::error::{DiagnosisError, if_possible};
 use crate::score_test::{ScoreTest, ScoreTests};
 
-/// Margin in χ² of the expected sum of squares over the best; hypotheses within the margin are refitted.
+/// Margin in χ²: a hypothesis is refitted if its expected sum of squares exceeds the smallest expected one by less.
 const CHI2_MARGIN: f64 = 30.0;
 
-/// Additional margin of the expected sum of squares, as a fraction of the best statistic; allows for linearization
-/// error.
+/// Addition to [`CHI2_MARGIN`] that allows for linearization error, as a fraction of the largest expected decrease of
+/// the sum of squares.
 const CHI2_MARGIN_RELATIVE: f64 = 0.25;
 
-/// Maximum number of refits for each number of effects.
+/// Maximum number of hypotheses that are refitted for each number of effects in a hypothesis.
 const MAX_REFITS: usize = 6;
 
 /// Maximum number of effects in one hypothesis.
@@ -49,8 +49,8 @@ pub(crate) struct Search<'a> {
     pub rejected: Vec<Hypothesis>,
 }
 
-/// Score tests at a linearization point, with familywise thresholds of their p-values and the weighted sum of
-/// squares.
+/// Score tests at a linearization point, familywise thresholds of the tests' p-values, and weighted sum of squares of
+/// the residuals at this point.
 pub(crate) struct TestsAtPoint {
     pub tests: ScoreTests,
     pub thresholds: Thresholds,
@@ -152,8 +152,8 @@ impl<'a> Search<'a> {
         ln_p(candidate).min(ln_p(term)) < self.thresholds.detect
     }
 
-    /// Whether a sum of squares expected from linearization is below the fitted sum of squares, or above it by no
-    /// more than the linearization error.
+    /// Whether the sum of squares `expected` from linearization is below the sum of squares `fitted`, or exceeds it by
+    /// less than the margins [`CHI2_MARGIN`] and [`CHI2_MARGIN_RELATIVE`].
     pub fn is_near(&self, expected: f64, fitted: f64) -> bool {
         expected < fitted + CHI2_MARGIN + CHI2_MARGIN_RELATIVE * (self.squares - fitted)
     }
@@ -199,8 +199,8 @@ impl<'a> Search<'a> {
         Ok(fitted)
     }
 
-    /// Fits a hypothesis again from the samples, because its refit did not converge from the fit of the model under
-    /// test. Returns the better of the two fits.
+    /// Fits a hypothesis again, with initial values estimated from the samples, because its refit from the fit of the
+    /// model under test did not converge. Returns the fit with the smaller sum of squares.
     fn fitted_from_scratch(
         &self,
         model: &ScoreTestModel,
@@ -363,7 +363,8 @@ fn penalized(test: &ScoreTest) -> f64 {
     test.statistic - 2.0 * test.dof as f64
 }
 
-/// Single candidates whose penalized statistic is near the largest, strongest first.
+/// Hypotheses of one candidate whose score statistic, minus 2 for each degree of freedom, is near the largest; in
+/// descending order.
 fn strongest_singles(tests: &ScoreTests) -> Vec<Vec<CandidateId>> {
     let each = tests.candidates.iter_enumerated();
     let mut decreases: Vec<(CandidateId, f64)> = each

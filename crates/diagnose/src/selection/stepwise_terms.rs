@@ -19,7 +19,8 @@ use crate::text::three_figures;
 /// Maximum number of terms selected by the stepwise regression.
 pub(crate) const MAX_SELECTED: usize = 4;
 
-/// Maximum number of terms in the report that are listed for their statistics; selected terms are added to these.
+/// Maximum number of terms with the largest statistics that are listed in the report. Selected terms are listed in
+/// addition.
 const MAX_REPORTED: usize = 12;
 
 /// Result for one library term in a report.
@@ -99,7 +100,8 @@ impl StepwiseModel {
         self.selected.len() + self.effect_unknowns
     }
 
-    /// Returns the better of two models: an adequate model, otherwise the model with the smaller sum of squares.
+    /// Returns the better of two models: the adequate one, or, if both or neither are adequate, the one with the
+    /// smaller sum of squares. `None` if both arguments are `None`.
     pub fn better(one: Option<Self>, other: Option<Self>) -> Option<Self> {
         let rank = |model: &Self| (!model.is_adequate, model.squares);
         match (one, other) {
@@ -251,8 +253,8 @@ impl StepwiseModel {
 }
 
 /// Generates effects for the selected terms, fits the model extended by them, and computes the score tests at the
-/// fit. `None` if the model cannot be composed or the fit has other flights. The fit starts at `before`; if it does
-/// not converge, the model is also fitted from the samples.
+/// fit. `None` if the model cannot be composed, or the fit used other flights than `model`. The fit starts at `before`;
+/// if it does not converge, the model is also fitted from initial values estimated from the samples.
 fn fit_terms(
     context: Context<'_>,
     model: &ScoreTestModel,

@@ -3,8 +3,8 @@
 use identify::dataset::Role;
 use identify::{CONDITIONING_FRACTION, Fit};
 
-/// Maximum increase of the weighted sum of squares, χ², of a flight's conditioning segment by an extension; a larger
-/// increase contradicts the extension.
+/// Maximum increase by an extension of the weighted sum of squares, χ², of a flight's conditioning segment, the first
+/// 30 % of its samples; a larger increase contradicts the extension.
 const MAX_CHI2_INCREASE: f64 = 10.0;
 
 /// Rule that selects the held-out flights to which an extension is applied.
@@ -12,7 +12,8 @@ const MAX_CHI2_INCREASE: f64 = 10.0;
 pub(crate) enum ApplyTo {
     /// The extension is applied to all held-out flights.
     AllFlights,
-    /// The extension is applied to flights whose conditioning segment does not contradict the extension.
+    /// The extension is applied to held-out flights whose conditioning segment, the first 30 % of the samples, does not
+    /// contradict the extension.
     ConcordantFlights,
 }
 
@@ -27,7 +28,8 @@ impl ApplyTo {
     }
 }
 
-/// Sums of squared residuals in the conditioning segment of a flight, along each axis, and the number of points.
+/// Sum of squared residuals along each axis, m², and number of measured marker positions, in the conditioning segment
+/// of a flight: the first 30 % of the samples, to which the initial state is fitted.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct SegmentSquares {
     squares: [f64; 3],
@@ -74,8 +76,9 @@ fn contradicted(before: &Fit, after: &Fit) -> Vec<usize> {
     worse(&segments.collect::<Vec<_>>())
 }
 
-/// Indices of the flights whose weighted sum of squares increases significantly with the extension. Each flight has
-/// its sums of squares without and with the extension; the noise variance is estimated from the smaller of the two.
+/// Indices of the flights whose weighted sum of squares in the conditioning segment increases significantly with the
+/// extension. Each tuple contains a flight's index and its sums of squares without and with the extension. The noise
+/// variance is estimated from the smaller of the two sums of each flight.
 fn worse(segments: &[(usize, SegmentSquares, SegmentSquares)]) -> Vec<usize> {
     let mut noise = SegmentSquares::default();
     for (_, before, after) in segments {

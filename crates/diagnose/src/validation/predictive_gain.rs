@@ -9,15 +9,17 @@ use serde::{Deserialize, Serialize};
 /// statistic.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PredictiveGain {
-    /// RMS prediction error of one coordinate over all flights without the extension, m.
+    /// RMS prediction error of one coordinate by the model without the extension, m; the mean is over all predicted
+    /// flights.
     pub held_out_rms_before_m: f64,
-    /// RMS prediction error of one coordinate over all flights with the extension, m.
+    /// RMS prediction error of one coordinate by the extended model, m; the mean is over all predicted flights.
     pub held_out_rms_after_m: f64,
     /// Jackknife standard error, over flights, of the difference of the two RMS errors, m; NaN for a single flight.
     pub standard_error_m: f64,
     /// Standard deviation of the noise of one coordinate, m: the smallest possible prediction error.
     pub noise_floor_m: f64,
-    /// Number of predicted flights.
+    /// Number of flights predicted by both models, the one without and the one with the extension; flights in
+    /// `set_apart` are not counted.
     pub flights: usize,
     /// Number of predicted flights to which the extension is not applied, because it contradicts their first samples.
     #[serde(default)]
@@ -31,10 +33,10 @@ pub struct PredictiveGain {
     /// Number of flights with a larger RMS prediction error with the extension than without it.
     #[serde(default)]
     pub worsened: usize,
-    /// Median over flights of the RMS prediction error without the extension, m.
+    /// Median, over the predicted flights, of the flight's RMS prediction error by the model without the extension, m.
     #[serde(default)]
     pub median_before_m: f64,
-    /// Median over flights of the RMS prediction error with the extension, m.
+    /// Median, over the predicted flights, of the flight's RMS prediction error by the extended model, m.
     #[serde(default)]
     pub median_after_m: f64,
     /// p-value of the sign test: probability that at least `improved` flights improve by chance.
@@ -51,31 +53,34 @@ impl PredictiveGain {
         self.held_out_rms_before_m - self.held_out_rms_after_m
     }
 
-    /// Whether the error reduction exceeds its standard error.
+    /// Whether the extension reduces the RMS prediction error by more than the standard error of the reduction.
     pub(crate) fn is_improvement(&self) -> bool {
         self.error_reduction_m() > self.standard_error_m
     }
 
-    /// Whether the RMS error increases by more than the standard error.
+    /// Whether the extension increases the RMS prediction error by more than the standard error of the increase.
     pub(crate) fn is_worse(&self) -> bool {
         self.error_reduction_m() < -self.standard_error_m
     }
 
-    /// Whether the predictions without and with the extension are equal in all flights, up to [`SAME_ERROR`].
+    /// Whether the predictions without and with the extension are practically the same: the difference of the RMS
+    /// errors and its standard error are below the fraction [`SAME_ERROR`] of the noise.
     pub(crate) fn changes_nothing(&self) -> bool {
         let same = SAME_ERROR * self.noise_floor_m;
         self.error_reduction_m().abs() < same && self.standard_error_m < same
     }
 }
 
-/// Difference of RMS errors, as a fraction of the noise, below which two models count as making the same predictions.
+/// Difference of RMS errors, as a fraction of the noise standard deviation, below which two models count as making the
+/// same predictions.
 const SAME_ERROR: f64 = 1e-3;
 
-/// A flight is set apart if its smaller RMS error exceeds this multiple of the median over flights (or of the noise,
-/// if that is larger).
+/// A flight is set apart (excluded from the statistics, because neither model predicts it) if the smaller of its two
+/// RMS errors exceeds this multiple of the median of that error over the flights, or of the noise if the noise is
+/// larger.
 const SET_APART: f64 = 6.0;
 
-/// Minimum number of flights for any to be set apart.
+/// Minimum number of predicted flights; with fewer flights, no flight is set apart.
 const MIN_FLIGHTS: usize = 4;
 
 /// Prediction errors of one flight, without and with the extension.

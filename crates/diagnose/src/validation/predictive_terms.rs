@@ -10,9 +10,9 @@ use crate::context::Context;
 use crate::error::{DiagnosisError, if_possible};
 use crate::selection::{FittedTerms, StepwiseModel};
 
-/// Number of selected terms to keep, in the order of selection: the first term, and each following term until one
-/// does not improve out-of-sample predictions by more than the standard error. `noise_floor_m` is the noise of one
-/// coordinate, m.
+/// Number of the first selected library terms that are retained: the first term, and each following term until one does
+/// not reduce the out-of-sample prediction error by more than the standard error of the reduction. `noise_floor_m` is
+/// the noise of one coordinate, m.
 ///
 /// # Errors
 /// [`DiagnosisError::Fit`] if the caller cancelled.

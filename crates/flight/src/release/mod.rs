@@ -33,7 +33,7 @@ pub struct Release {
     pub wind: [f64; 3],
     /// Wind by height and gusts, if stated; such a release is flown with the model that [`WindField::compose`] returns.
     pub wind_field: Option<WindField>,
-    /// Values (SI) of the model's known inputs other than the wind, by name.
+    /// Values (SI) of the model's vector inputs other than the wind, by name; the inputs are known for each flight.
     pub known: Vec<(String, [f64; 3])>,
 }
 

@@ -357,8 +357,8 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Names and values in the table `key`, either `parameters` or `coefficients`; `names` are the names valid in this
-    /// table, `others` those valid in the other one.
+    /// Parses the table `key` of the document, either `parameters` or `coefficients`, and returns its names and values.
+    /// `names` are the names that are valid in this table, `others` those that belong in the other one.
     fn constants(
         &mut self,
         document: &DeTable<'t>,

@@ -9,10 +9,10 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use super::motion::{BoundMotion, Motion};
 use super::{FIELDS, RPM, Throw};
 
-/// Step of the difference formula, rad or the unit of a state. A coarse step suffices, since the motion is linear in
-/// speeds and rates and polynomial in sines and cosines of angles.
+/// Step of a state in the difference formula for the Jacobian, in the unit of the state. A coarse step suffices, since
+/// the motion is linear in speeds and rates and polynomial in sines and cosines of angles.
 const STEP: f64 = 0.01;
-/// Weights of the central differences over 1, 2 and 3 steps.
+/// Weights of the sixth-order central difference formula, for the differences over 1, 2 and 3 steps to either side.
 const WEIGHTS: [f64; 3] = [45.0 / 60.0, -9.0 / 60.0, 1.0 / 60.0];
 /// Ratio of a singular value to the greatest one below which a direction of the state, such as the length of a
 /// quaternion, does not move the body.

@@ -6,19 +6,20 @@ use nalgebra::{DMatrix, DVector};
 
 use super::motion::{BoundMotion, Motion};
 
-/// Norm of the differences below which two motions count as equal.
+/// Norm of [`BoundMotion::differences`] below which two motions count as equal.
 const SAME: f64 = 1e-9;
 /// Maximum number of Gauss–Newton steps from one starting state.
 const MAX_STEPS: usize = 100;
 /// Maximum number of starting states from which the search is run.
 const MAX_STARTS: usize = 16;
-/// Maximum number of starting states that are generated and compared.
+/// Maximum number of starting states that are generated; the search runs from the `MAX_STARTS` of them whose motion is
+/// closest to the wanted one.
 const MAX_COMPARED: usize = 4096;
-/// Offset to either side in the central differences for the Jacobian.
+/// Offset of a state to either side in the central differences for the Jacobian, in the unit of the state.
 const DIFFERENCE_STEP: f64 = 1e-5;
 
-/// State within the model's limits at which the body has the motion `wanted`. The search starts at `near` or, without
-/// it, at the default state with its frames at quarter turns. `None` if no such state is found.
+/// State within the model's limits at which the body has the motion `wanted`. The search starts at `near` or, if it is
+/// `None`, at default states whose frames are rotated by multiples of a quarter turn. `None` if no such state is found.
 pub fn state(bound: &BoundMotion<'_>, wanted: &Motion, near: Option<&[f64]>) -> Option<Vec<f64>> {
     let mut starts = match near {
         Some(state) => vec![state.to_vec()],
@@ -34,7 +35,7 @@ pub fn state(bound: &BoundMotion<'_>, wanted: &Motion, near: Option<&[f64]>) -> 
     })
 }
 
-/// Starting states: the default state with each of its frames at quarter turns.
+/// Starting states of the search: copies of the default state with each frame rotated by multiples of a quarter turn.
 fn starts(bound: &BoundMotion<'_>) -> Vec<Vec<f64>> {
     let half = 0.5_f64;
     let root = half.sqrt();

@@ -90,7 +90,7 @@ pub enum ThrowError {
         "found wobble without spin; expected a spin other than 0, about which the axis can turn"
     )]
     NoSpin,
-    /// The model declares neither a body nor a claim of one, so that the meaning of its states is unknown.
+    /// The model neither declares a body nor claims to describe one, so that the meaning of its states is unknown.
     #[error(
         "the model {model} has neither a body nor a claim of one, so that its states cannot be found from a throw; expected \
          [initial] with every state"
@@ -223,7 +223,7 @@ impl ThrownModel {
     /// Prepares a model for the conversion between throws and states.
     ///
     /// # Errors
-    /// [`ThrowError::NoBody`] if the model declares neither a body nor a claim of one.
+    /// [`ThrowError::NoBody`] if the model neither declares a body nor claims to describe one.
     pub fn new(model: &Model) -> Result<ThrownModel, ThrowError> {
         let name = model.name.clone();
         match MotionModel::new(model) {
@@ -237,14 +237,14 @@ impl ThrownModel {
         self.motion.has_attitude()
     }
 
-    /// Parameter vector of a release, in the order of the model's layout.
+    /// Parameter vector of a release, in the order of the model's [`Layout`](codegen::Layout).
     pub fn release_parameters(&self, release: &Release) -> Vec<f64> {
         self.motion.release_parameters(release)
     }
 
     /// Computes the state of the model that has the motion of a throw from above the point `ground` (x, y), m. The
-    /// body's first axis points forward. `parameters` are in the order of the model's layout; states that the motion
-    /// does not determine have their default values.
+    /// body's first axis points forward. `parameters` are in the order of the model's [`Layout`](codegen::Layout);
+    /// states that the motion does not determine have their default values.
     ///
     /// # Errors
     /// [`ThrowError`] if the throw is invalid, it states an attitude that the body lacks, or no state has its motion.
@@ -328,7 +328,7 @@ impl ThrownModel {
         self.motion.bind(parameters).state_by_throw(throw, state)
     }
 
-    /// Motion of the body at a state; `parameters` are in the order of the model's layout.
+    /// Motion of the body at a state; `parameters` are in the order of the model's [`Layout`](codegen::Layout).
     pub fn motion(&self, state: &[f64], parameters: &[f64]) -> Motion {
         self.motion.bind(parameters).motion(state)
     }

@@ -26,8 +26,8 @@ pub struct Motion {
 /// Attitude and angular velocity of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Turning {
-    /// Axes of the body as columns, in the inertial frame; of a claimed body of revolution only the third is fixed in
-    /// the body.
+    /// Axes of the body, as columns, in the inertial frame. If the model claims to describe a body of revolution by its
+    /// axis alone, only the third axis is fixed in the body.
     pub axes: Matrix3<f64>,
     /// Angular velocity in the inertial frame, rad/s.
     pub rates: Vector3<f64>,
@@ -38,7 +38,7 @@ pub struct MotionModel {
     pub(super) compiled: CompiledModel,
     has_attitude: bool,
     pub(super) is_revolution: bool,
-    /// Indices of the states that the motion does not determine.
+    /// Indices of the states on which the motion of the body does not depend, such as those that effects add.
     pub(super) added: Vec<usize>,
     /// Indices of the states that are angles of frames.
     pub(super) angles: Vec<usize>,
@@ -53,7 +53,7 @@ pub(super) const VECTORS: usize = 12;
 pub(super) const POINT_VECTORS: usize = 2;
 
 impl MotionModel {
-    /// Compiles the motion of a model's body; `None` if the model has neither a body nor a claim of one.
+    /// Compiles the motion of a model's body; `None` if the model neither declares a body nor claims to describe one.
     pub fn new(model: &Model) -> Option<MotionModel> {
         let (vectors, is_revolution) = vectors(model)?;
         let mut own = model.clone();
@@ -92,12 +92,12 @@ impl MotionModel {
         self.has_attitude
     }
 
-    /// Parameter vector of a release, in the order of the model's layout.
+    /// Parameter vector of a release, in the order of the model's [`Layout`](codegen::Layout).
     pub fn release_parameters(&self, release: &Release) -> Vec<f64> {
         self.compiled.release_parameters(release)
     }
 
-    /// Binds the motion to parameter values, in the order of the model's layout.
+    /// Binds the motion to parameter values, in the order of the model's [`Layout`](codegen::Layout).
     pub fn bind(&self, parameters: &[f64]) -> BoundMotion<'_> {
         BoundMotion {
             model: self,
@@ -107,8 +107,8 @@ impl MotionModel {
 }
 
 /// Copy of the model whose observation has three components: the speed of the mass centre over the ground (m/s), the
-/// spin as in a [`Throw`](super::Throw) (rpm; 0 for a point mass), and 0. `None` if the model has neither a body nor a
-/// claim of one.
+/// spin as in a [`Throw`](super::Throw) (rpm; 0 for a point mass), and 0. `None` if the model neither declares a body
+/// nor claims to describe one.
 pub fn speed_and_spin(model: &Model) -> Option<Model> {
     let (vectors, _) = vectors(model)?;
     let scalar = |kind| Expr {
@@ -200,7 +200,8 @@ impl BoundMotion<'_> {
         all.iter().flat_map(|v| [v.x, v.y, v.z]).collect()
     }
 
-    /// The compiled vectors of the motion at a state, which are the last auxiliary variables.
+    /// Vectors that describe the motion at a state, in the order of [`VECTORS`]. The compiled model has them as its
+    /// last auxiliary variables.
     fn vectors(&self, state: &[f64]) -> Vec<Vector3<f64>> {
         let count = if self.model.has_attitude {
             VECTORS
@@ -213,8 +214,9 @@ impl BoundMotion<'_> {
     }
 }
 
-/// Expressions of the motion in the inertial frame, in the order of [`VECTORS`], and whether the body is a claimed body
-/// of revolution, with which no frame rotates. `None` if the model has neither a body nor a claim of one.
+/// Expressions of the vectors that describe the motion, in the inertial frame and in the order of [`VECTORS`]; and
+/// whether the model claims to describe a body of revolution by its axis alone, without a frame that rotates with the
+/// body. `None` if the model neither declares a body nor claims to describe one.
 fn vectors(model: &Model) -> Option<(Vec<Expr>, bool)> {
     let vector = |kind, frame, unit| Expr {
         kind,

@@ -13,7 +13,8 @@ const UNKNOWNS: usize = 13;
 const MAX_STEPS: usize = 20;
 /// Maximum angle of a rotation that Newton's method is to find at once, rad; greater rotations are split.
 const WIDEST_TURN: f64 = 0.5;
-/// Offset to either side in the central differences by the attitude.
+/// Offset of an attitude state to either side in the central differences of the body axes, rad for an angle,
+/// dimensionless for a quaternion component.
 const DIFFERENCE_STEP: f64 = 1e-5;
 /// Maximum difference, relative to the scale of the motion, between two motions that count as equal.
 const SAME: f64 = 1e-9;
@@ -250,7 +251,8 @@ fn axes_of(at: &Vectors) -> Matrix3<f64> {
     Matrix3::from_columns(&at.0[2..5])
 }
 
-/// Angular velocity of a throw whose body has the given axes; `None` if the inertia tensor is singular.
+/// Angular velocity of the body in the inertial frame, rad/s, for the spin and wobble of a throw; `axes` are the axes
+/// of the body, and `at` contains the inertia tensor. `None` if the inertia tensor is singular.
 fn rates(throw: &Throw, axes: &Matrix3<f64>, at: &Vectors) -> Option<Vector3<f64>> {
     let spin = -throw.spin.unwrap_or(0.0) * RPM;
     let wobble = throw.wobble.unwrap_or(0.0).to_radians();

@@ -53,14 +53,14 @@ impl WindField {
     }
 }
 
-/// Effect of this name from `model-spec/winds`.
+/// Parses the built-in wind effect of this name, a file in `model-spec/winds`.
 fn law(name: &str) -> Result<EffectTree, LoadError> {
     let found = WINDS.iter().find(|(own, _)| *own == name);
     let text = found.map_or("", |(_, text)| *text);
     EffectTree::parse(&format!("{name}.hyz"), text)
 }
 
-/// Effect of this name, extended by further statements.
+/// Built-in wind effect of this name with the statements `parts` appended.
 fn extended(name: &str, parts: Vec<EffectPart>) -> Result<EffectTree, LoadError> {
     let mut tree = law(name)?.tree().clone();
     tree.parts.extend(parts);
@@ -75,7 +75,8 @@ fn profile(profile: &Profile) -> Result<EffectTree, LoadError> {
     }
 }
 
-/// Mean wind as an expression of the height: the constant input plus the profile.
+/// Mean wind as an expression of the height: the model's constant input `wind` if it has one, plus the wind profile if
+/// there is one.
 struct MeanWind<'a> {
     has_input: bool,
     profile: Option<&'a EffectTree>,

@@ -8,7 +8,7 @@ use rand_chacha::ChaCha8Rng;
 /// Number of sinusoids per component of the gusts.
 pub const GUST_TERMS: usize = 24;
 
-/// Lower edge of the second band and upper edge of the last band, as products of wavenumber and length scale.
+/// Upper edge of the first and of the last wavenumber band, as products of wavenumber and length scale of the gusts.
 const BAND: (f64, f64) = (0.1, 20.0);
 
 /// Components of the gusts: u along the flight, v across it, w upwards.
@@ -41,12 +41,12 @@ pub fn gust_spectrum(component: usize) -> [(f64, f64); GUST_TERMS] {
     })
 }
 
-/// Fraction of the variance of u at wavenumbers below x = LΩ.
+/// Fraction of the variance of the gust component u at wavenumbers below x/L, where L is the length scale.
 fn part_along(x: f64) -> f64 {
     2.0 / PI * x.atan()
 }
 
-/// Fraction of the variance of v and w at wavenumbers below x = LΩ.
+/// Fraction of the variance of the gust components v and w at wavenumbers below x/L, where L is the length scale.
 fn part_across(x: f64) -> f64 {
     (2.0 * x.atan() - x / (1.0 + x * x)) / PI
 }

@@ -139,7 +139,8 @@ impl WindField {
         values
     }
 
-    /// Sets the parameter of this name; returns false if the wind has no such parameter.
+    /// Sets the parameter of this name to a value in the unit that [`parameters`](Self::parameters) uses; returns false
+    /// if the wind has no such parameter.
     pub fn set(&mut self, name: &str, value: f64) -> bool {
         let at = match &mut self.profile {
             Some(Profile::Log { at, roughness }) => {

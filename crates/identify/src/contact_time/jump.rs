@@ -10,35 +10,34 @@ use super::rows::{Point, Row};
 use super::trajectory::{Trajectory, over_noise};
 use crate::noise::NoiseModel;
 
-/// Maximum number of samples after a contact that are used to detect it.
+/// Maximum number of samples after a tried contact that are used to test for it.
 const AFTER: usize = 40;
-/// Prior standard deviation of the displacement of the markers at the time of contact, in units of the noise.
+/// Prior standard deviation of the displacement of a marker by the contact itself, in units of the noise of a marker
+/// coordinate. It is small, because a contact changes velocities and not positions.
 const SLACK: f64 = 0.3;
 
-/// Result of the comparison of free motion with motion whose velocities jump before a sample.
+/// Result of the comparison of free motion with motion whose velocities jump just before a sample.
 #[derive(Clone, Debug)]
 pub struct Comparison {
-    /// Decrease of the whitened sum of squares by the jump.
+    /// Decrease of the whitened sum of squares if the jump is allowed.
     pub gain: f64,
     /// Difference between the initial state of the motion after the jump and that of the motion before it.
     pub change: DVector<f64>,
 }
 
-/// Comparisons of free motion with motion that jumps, for each sample before which a contact is tried.
+/// Comparisons of free motion with motion whose velocities jump, for jumps just before each of the tried samples.
 pub struct Jumps {
-    /// Index of the first sample before which a contact is tried.
+    /// Index of the first tried sample: the first one for which a jump in the preceding interval is tested.
     tried: usize,
-    /// For each sample before which a contact is tried, the change of the initial state fitted to the samples before
-    /// it.
+    /// For each tried sample, the change of the initial state with which free motion is fitted to all earlier samples.
     before: Vec<DVector<f64>>,
-    /// For each sample before which a contact is tried, comparisons that use the samples up to itself, and up to each
-    /// later sample.
+    /// `comparisons[i][k]` tests a jump just before sample `tried + i`, with the samples up to `tried + i + k`.
     comparisons: Vec<Vec<Comparison>>,
 }
 
 impl Jumps {
-    /// Compares free motion with a jump before each sample from `trajectory.tried` on. `None` if the preceding samples
-    /// do not determine the free motion.
+    /// Tests a jump just before each sample from `trajectory.tried` on. `rows` contains the whitened residuals by
+    /// sample from `trajectory.first` on. `None` if the samples before a jump do not determine the free motion.
     pub fn new(trajectory: &Trajectory, rows: &[Vec<Point>], noise: &NoiseModel) -> Option<Self> {
         let (dimension, tried) = (trajectory.dimension, trajectory.tried);
         let end = trajectory.first + rows.len();
@@ -85,8 +84,8 @@ impl Jumps {
         })
     }
 
-    /// Jump with the greatest decrease of the sum of squares over the samples up to `last`, with the index of the first
-    /// sample after the jump.
+    /// Of the jumps tested with the samples up to `last`, the one with the greatest decrease of the sum of squares,
+    /// with the index of the first sample after it. `None` if no jump was tested.
     pub fn best(&self, last: usize) -> Option<(usize, &Comparison)> {
         self.until(last)
             .max_by(|a, b| a.1.gain.total_cmp(&b.1.gain))
@@ -103,14 +102,14 @@ impl Jumps {
         each.filter_map(move |(contact, by)| Some((contact, by.get(last - contact)?)))
     }
 
-    /// Change of the initial state that is fitted to the samples before `contact`.
+    /// Change of the initial state with which free motion is fitted to the samples before `contact`.
     pub fn before(&self, contact: usize) -> &DVector<f64> {
         &self.before[contact - self.tried]
     }
 }
 
-/// Derivatives of a residual after a jump before sample `contact`: by the initial state, then by the change of the
-/// initial state.
+/// Derivatives of a residual, if the velocities jump just before sample `contact`: first by the initial state before
+/// the jump, then by the change of the initial state that represents the jump.
 fn after(point: &Point, row: &Row, contact: usize) -> DVector<f64> {
     let is_first = point.previous.is_none_or(|previous| previous < contact);
     let by_change = match is_first {

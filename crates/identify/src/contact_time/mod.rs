@@ -26,30 +26,33 @@ use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 
-/// Number of samples before the first sample at which a jump is tried; the free flight is determined from them.
+/// Number of samples before the first sample at which a velocity jump is tried; the free flight is fitted to them.
 const BEFORE: usize = 24;
-/// Number of samples before the searched range at which jumps are also tried, to estimate by how much a jump usually
-/// decreases the sum of squares in free flight.
+/// Number of samples before the range to be searched at which velocity jumps are also tried. They show by how much a
+/// jump decreases the sum of squares in free flight.
 const USUAL: usize = 8;
-/// Maximum number of samples by which a contact may precede the range of samples that is searched.
+/// Maximum number of samples by which a detected contact may precede the range to be searched. An earlier deviation is
+/// attributed to the model, not to a contact.
 const LATE: usize = 2;
-/// Minimum decrease of the whitened sum of squares by a velocity jump that is considered a contact. Noise exceeds it at
+/// Minimum decrease of the whitened sum of squares by a velocity jump for the jump to be a contact. Noise exceeds it at
 /// one sample in 10⁹.
 const MIN_GAIN: f64 = 60.0;
-/// Minimum ratio of the decrease of the sum of squares by a contact to the largest decrease by a jump tried before it;
-/// deviations due to a wrong model grow smoothly.
+/// Minimum ratio of the decrease of the sum of squares by a velocity jump to the largest decrease by the jumps tried
+/// before it, for the jump to be a contact. Deviations due to a wrong model grow smoothly and stay below this ratio.
 const MIN_GROWTH: f64 = 4.0;
-/// Maximum difference between the decreases of the sum of squares by the best jump and by an earlier one for the
-/// earlier jump to be used: the 90 % quantile of χ² with one degree of freedom. An extra sample after the contact is
-/// worse than a missing one before it.
+/// An earlier jump is preferred to the best jump if its decrease of the sum of squares is smaller by at most this
+/// value, the 90 % quantile of χ² with one degree of freedom. A contact time that is too late leaves disturbed samples
+/// in the data, which is worse than the loss of undisturbed samples by one that is too early.
 const UNDECIDED: f64 = 2.71;
-/// Number of further samples that must confirm a contact, and minimum ratio by which the decrease of the sum of squares
-/// must grow with them; the effect of an outlier does not grow.
+/// Number of further samples that must confirm a contact; and minimum factor by which the decrease of the sum of
+/// squares must grow with them if it has just grown abruptly (see `OUTLIER`). With an outlier, it does not grow
+/// further.
 const CONFIRMING: (usize, f64) = (2, 1.2);
-/// Increase of the gain of a jump (decrease of the sum of squares) by one additional sample, above which that sample is
-/// an outlier unless later samples confirm a contact.
+/// Growth of the decrease of the sum of squares by one additional sample, above which that sample contains an outlier
+/// unless the following samples confirm a contact (see `CONFIRMING`).
 const OUTLIER: f64 = 26.0;
-/// Maximum number of marker positions that are excluded as outliers.
+/// Maximum number of marker positions that are excluded as outliers from the free flight before the first tried jump,
+/// and maximum number of attempts to exclude further ones at later samples.
 const MOST_OUTLIERS: usize = 12;
 
 /// A contact with the ground or another object.
@@ -61,8 +64,9 @@ pub struct Onset {
     pub jump: Vector3<f64>,
 }
 
-/// Finds the first contact before one of the samples `tried`, relative to the flight predicted from the fitted
-/// `unknowns`. `None` if no contact is found or the trajectory cannot be computed.
+/// Finds the first contact within the range `tried` of samples, as a deviation from the flight that is predicted from
+/// `unknowns`, the global parameters and the fitted initial state. `None` if no contact is found or the trajectory
+/// cannot be computed.
 pub fn contact_time(
     problem: &FitProblem,
     observations: &Observations,
@@ -103,13 +107,14 @@ pub fn contact_time(
 
 /// A deviation of the samples from free motion.
 enum Departure<'a> {
-    /// A velocity jump; contains the index of the first sample after it.
+    /// A velocity jump; contains the index of the first sample after it and the comparison that detected it.
     Contact(usize, &'a Comparison),
     /// An outlier in a single sample; contains the sample index.
     Outlier(usize),
 }
 
-/// First deviation from free motion; `None` if there is none. `is_seen` returns whether a sample has measured markers.
+/// First deviation from free motion at the samples `tried`, a contact or an outlier; `None` if there is none. `is_seen`
+/// returns whether a sample has measured markers.
 fn departure(
     jumps: &Jumps,
     tried: Range<usize>,
@@ -139,7 +144,7 @@ fn departure(
     None
 }
 
-/// Jump of the mean velocity of the markers before `sample`, m/s.
+/// Jump of the mean velocity of the markers at a contact just before `sample`, m/s.
 fn jump_of_velocity(
     trajectory: &Trajectory,
     observations: &Observations,

@@ -8,11 +8,12 @@ use crate::observations::Observations;
 
 /// Squared whitened residual of a marker position above which it is an outlier; noise exceeds it with probability 10⁻⁵.
 const LIMIT: f64 = 26.0;
-/// Maximum deviation of the distance between two markers from that on the body, in standard deviations of a coordinate.
+/// Maximum deviation of the measured distance between two markers from their distance on the body, in units of the
+/// noise standard deviation of a coordinate.
 const DISTANCE: f64 = 6.0;
 
-/// Marks as outliers the marker positions for which most distances from the other markers of the sample differ from
-/// those on the body.
+/// Marks as outliers the marker positions whose measured distances from most other markers in the same sample differ
+/// from the distances on the body.
 pub fn leave_out_displaced(
     observations: &mut Observations,
     trajectory: &Trajectory,
@@ -43,8 +44,8 @@ pub fn leave_out_displaced(
     }
 }
 
-/// Marks as outliers the marker positions that free motion does not explain, one by one and at most `most`. Only
-/// samples before those at which contacts are tried are examined.
+/// Marks as outliers the marker positions that are far from free motion, one after another and at most `most`. Only the
+/// samples before `trajectory.tried` are examined, at which no contact is tried.
 pub fn leave_out_before(
     observations: &mut Observations,
     trajectory: &Trajectory,

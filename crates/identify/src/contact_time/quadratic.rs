@@ -2,7 +2,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-/// Relative increase of the diagonal of the normal matrix, for directions that the samples do not determine.
+/// Relative increase of the diagonal of the normal matrix, so that it is invertible if the samples do not determine all
+/// unknowns.
 const RIDGE: f64 = 1e-9;
 
 /// A sum of squared residuals that are linear in the unknowns.
@@ -15,7 +16,7 @@ pub struct Quadratic {
 }
 
 impl Quadratic {
-    /// Creates an empty sum.
+    /// Creates a sum of squares without terms, for a number of unknowns.
     pub fn zeros(unknowns: usize) -> Self {
         Self {
             normal: DMatrix::zeros(unknowns, unknowns),
@@ -31,7 +32,7 @@ impl Quadratic {
         self.constant += residual * residual;
     }
 
-    /// Copy of the sum with `further` additional unknowns on which it does not depend.
+    /// Copy of the sum of squares with `further` unknowns appended, on which it does not depend.
     pub fn extended(&self, further: usize) -> Self {
         let few = self.right.len();
         let mut extended = Self::zeros(few + further);
@@ -42,8 +43,8 @@ impl Quadratic {
         extended
     }
 
-    /// Copy of the sum with additional squares of linear functions of its last unknowns, the rows of a matrix; `None`
-    /// if the matrix has more columns than there are unknowns.
+    /// Copy of the sum of squares to which the square of (row · last unknowns) is added for each row of the matrix
+    /// `rows`. `None` if the matrix has more columns than there are unknowns.
     pub fn with_last(&self, rows: &DMatrix<f64>) -> Option<Self> {
         let count = rows.ncols();
         let first = self.right.len().checked_sub(count)?;

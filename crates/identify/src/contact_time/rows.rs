@@ -23,19 +23,21 @@ pub struct Row {
     pub residual: f64,
     /// Derivatives of the residual by the initial state.
     pub derivatives: DVector<f64>,
-    /// Derivatives of the residual without the contribution of the preceding sample.
+    /// Derivatives of the residual by the initial state through the present sample only, without the AR(1) contribution
+    /// of the preceding sample that whitening subtracts.
     pub fresh: DVector<f64>,
 }
 
 impl Point {
-    /// Squared residual, summed over the coordinates, after a change of the initial state.
+    /// Sum of the squared residuals of the three coordinates, after the change `change` of the initial state.
     pub fn square(&self, change: &DVector<f64>) -> f64 {
         let each = self.rows.iter();
         each.map(|row| (row.residual + row.derivatives.dot(change)).powi(2))
             .sum()
     }
 
-    /// Adds the squared residuals to the sum of squares of free motion.
+    /// Adds the squares of the point's residuals, as functions of the initial state, to the sum of squares of free
+    /// motion.
     pub fn add_to(&self, sum: &mut Quadratic) {
         for row in &self.rows {
             sum.add(&row.derivatives, row.residual);

@@ -10,20 +10,21 @@ use crate::predict::each_residual;
 use crate::problem::FitProblem;
 use crate::state_manifold::StateManifold;
 
-/// Fractions of the interval between two samples at which a contact is tried.
+/// Times within the interval between two samples at which a contact is tried, as fractions of the interval.
 const PARTS: [f64; 4] = [0.125, 0.375, 0.625, 0.875];
 
 /// Predicted marker positions of a flight, with derivatives by the initial state.
 pub struct Trajectory {
-    /// Number of directions of the initial state.
+    /// Number of free directions in which the initial state may vary (see [`StateManifold`]).
     pub dimension: usize,
     /// Index of the first evaluated sample.
     pub first: usize,
-    /// Index of the first sample before which contacts are tried.
+    /// Index of the first sample for which contacts in the preceding interval are tried.
     pub tried: usize,
-    /// Predicted markers, by sample from `first` on.
+    /// Predicted markers at each sample from `first` on, indexed by the sample counted from `first`, and the marker.
     pub samples: Vec<Vec<Predicted>>,
-    /// Predicted markers at several times before each sample from `tried` on, by sample and time.
+    /// Predicted markers at the times `PARTS` within the interval before each sample from `tried` on, indexed by the
+    /// sample counted from `tried`, the time, and the marker.
     pub contacts: Vec<Vec<Vec<Predicted>>>,
 }
 
@@ -32,21 +33,23 @@ pub struct Trajectory {
 pub struct Predicted {
     /// Predicted position in the inertial frame, m.
     pub position: [f64; 3],
-    /// Derivatives of each coordinate by the directions of the initial state.
+    /// Derivatives of each coordinate by the free directions of the initial state (see [`StateManifold`]).
     pub derivatives: [DVector<f64>; 3],
 }
 
-/// Kind of a time at which the trajectory is evaluated.
+/// Kind of a time at which the trajectory is evaluated: its initial time, a sample, or a time between two samples.
 #[derive(Clone, Copy)]
 enum Place {
     Start,
     Sample,
-    /// Before a sample, given by its index counted from `tried`.
+    /// A time between two samples at which a contact is tried; contains the index of the later sample, counted from
+    /// `tried`.
     Before(usize),
 }
 
 impl Trajectory {
-    /// Computes the trajectory at the samples `seen`, and at several times before each of them from `tried` on.
+    /// Computes the trajectory at the samples `seen`, and at the times `PARTS` within the interval before each of these
+    /// samples from `tried` on. `unknowns` are the global parameters and the initial state.
     ///
     /// # Errors
     /// [`FlightError::Integration`] if the trajectory cannot be computed.
@@ -117,7 +120,7 @@ impl Trajectory {
         Ok(trajectory)
     }
 
-    /// Derivatives of the mean position of the markers in a sample by the initial state.
+    /// Derivatives, by the initial state, of the mean position of the markers in a sample.
     pub fn centre(&self, sample: usize) -> Matrix3xX<f64> {
         let markers = &self.samples[sample - self.first];
         Matrix3xX::from_fn(self.dimension, |axis, column| {

@@ -70,7 +70,7 @@ fn syntax(file: &Path, text: &str, error: &toml::de::Error) -> InputError {
     InputError::at(file, place, found, expected)
 }
 
-/// Checks the values of the manifest and converts them.
+/// Checks and converts the values of `dataset.toml`.
 pub(super) struct Checker<'a>(pub(super) Fields<'a>);
 
 impl Checker<'_> {
@@ -231,7 +231,8 @@ impl Checker<'_> {
         Err(self.0.fault(value.span(), found, expected))
     }
 
-    /// Record of a marker without a position, located at `value`.
+    /// Creates the record of marker number `marker`, whose position is unknown; `value` is its entry in the file, to
+    /// which error messages refer.
     pub(super) fn unplaced(&self, marker: usize, value: &Value<'_>) -> Unplaced {
         Unplaced {
             marker,

@@ -8,14 +8,14 @@ use super::words::{listed, meant, shown};
 use super::{Marker, Sensor, SensorKind, names};
 use crate::input_error::InputError;
 
-/// Value of `kind` for a sensor that is a marker.
+/// Value of the key `kind` in an entry of `[[sensors]]` that declares a marker.
 const MARKER: &str = "marker";
 
 const KEYS: [&str; 5] = ["name", "kind", "position", "sigma", "sigma_angle"];
 
 impl Checker<'_> {
-    /// Reads the sensors. Entries of kind "marker" are added to `markers`, and their standard deviation becomes the
-    /// dataset's `sigma`.
+    /// Reads the entries of `[[sensors]]`. Entries of kind "marker" are added to `markers`, and a standard deviation
+    /// stated in such an entry becomes `sigma`, the standard deviation of the marker positions, m.
     pub(super) fn sensors(
         &self,
         document: &DeTable<'_>,

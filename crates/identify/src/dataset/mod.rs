@@ -77,7 +77,7 @@ pub enum Role {
     HeldOut,
 }
 
-/// A value of one flight known by other means, such as a measured wind; identified by its name in the model.
+/// Value, for one flight, of a quantity of the model that was measured or set by other means, such as the wind.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum KnownValue {
     /// Value of a parameter, or of a state at the first sample, SI.

@@ -94,12 +94,12 @@ impl Recording {
         }
     }
 
-    /// Converts a time of the tables to s.
+    /// Converts a time from the unit of the tables to s.
     pub fn seconds(&self, time: f64) -> f64 {
         time * self.time.seconds()
     }
 
-    /// Converts a coordinate of the tables to m.
+    /// Converts a coordinate from the unit of the tables to m.
     pub fn metres(&self, coordinate: f64) -> f64 {
         coordinate * self.length.metres()
     }

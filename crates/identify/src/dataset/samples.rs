@@ -85,8 +85,8 @@ pub(super) fn whole(file: &Path, flight: &Flight, markers: &[Marker]) -> Result<
     Ok(())
 }
 
-/// Median measured distance and declared distance of the first two markers, m; `None` if these are never seen
-/// together.
+/// Median measured distance and declared distance of the first two markers, m; `None` for fewer than two markers or if
+/// no sample shows both.
 fn apart(flight: &Flight, markers: &[Marker]) -> Option<(f64, f64)> {
     let [first, second, ..] = markers else {
         return None;

@@ -3,7 +3,8 @@
 use model_spec::compose::Instrument;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-/// Offset, m, of the virtual marker points that represent a pose sensor in computations based on points.
+/// Distance, m, of the virtual marker points of a pose sensor from the sensor along its axes; the points represent the
+/// pose in computations that use marker positions.
 const REACH: f64 = 0.1;
 
 /// Kind of quantity that a sensor measures.

@@ -9,12 +9,13 @@ use crate::input_error::InputError;
 use crate::pose::{fix_attitude, pose};
 use crate::statistics::median;
 
-/// A marker whose position is not stated.
+/// A marker with the position `"unknown"` in `dataset.toml`.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Unplaced {
     /// Index of the marker.
     pub marker: usize,
-    /// Location of the marker's entry in the file, as an error whose texts are still empty.
+    /// Location of the marker's entry in the file, as an error whose texts are filled in if the position cannot be
+    /// estimated.
     pub place: InputError,
 }
 
@@ -28,7 +29,7 @@ impl Unplaced {
     }
 }
 
-/// Requirement for locating a marker without a position: the expectation stated in the error message.
+/// Markers that are required for estimating the position of a further marker, as stated in the error message.
 const NEEDED: &str = "at least three markers with positions that are not on a line, or none";
 
 /// Estimates the unknown positions of markers and pose sensors and writes them into `markers` and `sensors`. If all
@@ -58,7 +59,8 @@ pub(super) fn place(
     Ok(origin_error)
 }
 
-/// Estimates the positions of all markers from the free flights. Returns the standard errors of the mass centre, m.
+/// Estimates the positions of all markers from their motion in free flight. Returns the standard errors of the position
+/// of the mass centre along the body axes, m.
 fn place_all(
     markers: &mut [Marker],
     first: &Unplaced,
@@ -83,7 +85,7 @@ fn place_all(
     Ok(template.origin_error())
 }
 
-/// Estimates the positions of some markers from those of the others.
+/// Estimates the unknown positions of some markers from the known positions of the remaining markers.
 fn place_some(
     markers: &mut [Marker],
     unplaced: &[Unplaced],
@@ -123,8 +125,8 @@ fn place_some(
     Ok(())
 }
 
-/// Estimates the unknown positions of pose sensors if the markers determine an attitude; otherwise the fit estimates
-/// them.
+/// Estimates the unknown positions of pose sensors if the markers determine an attitude; otherwise the positions remain
+/// unknown, and the fit estimates them.
 fn place_poses(markers: &[Marker], sensors: &mut [Sensor], flights: &[Flight]) {
     let known: Vec<[f64; 3]> = markers.iter().map(|marker| marker.position).collect();
     let mut channel = 0;

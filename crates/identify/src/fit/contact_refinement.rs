@@ -28,33 +28,37 @@ use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 
-/// Numbers of samples before and after the end of a flight, as found without the model, between which its contact is
-/// searched.
+/// Numbers of samples before and after the end of a truncated flight between which its contact is searched again. The
+/// end was found from the samples alone, without the fitted model.
 const NEAR: (usize, usize) = (12, 14);
-/// Number of samples that two successive searches for a contact have in common.
+/// Number of samples by which the ranges of two successive searches for a contact in one flight overlap.
 const OVERLAP: usize = 8;
 /// Minimum ratio of the vertical component to the magnitude of the velocity jump at a contact with the ground.
 const MIN_UPWARD_PART: f64 = 0.3;
-/// Ratio of a flight's residual scale to the median scale, above which the whole flight is searched for a contact.
+/// Ratio of a flight's residual scale to the median scale, above which the flight is left out of the reference fit,
+/// because it may contain a contact. The whole length of a truncated flight is restored if its ratio is then at most
+/// this value.
 const STANDS_OUT: f64 = 1.2;
-/// Number of standard errors by which a flight's residual scale must also exceed the median for the whole flight to be
-/// searched.
+/// Number of standard errors by which a flight's residual scale must also exceed the median scale for the flight to be
+/// left out of the reference fit.
 const SURELY: f64 = 4.0;
-/// Ratio to the median residual scale, and excess over it in standard errors, above which a contact is searched, in a
-/// fit of the other flights alone.
+/// A flight is searched for a contact if its residual scale exceeds the median scale by more than this ratio (first
+/// value) and by more than this number of standard errors (second value), both in the reference fit, which leaves out
+/// flights that may contain contacts.
 const SUSPICIOUS: (f64, f64) = (1.05, 3.0);
-/// Maximum ratio of the median residual scale to the noise at which the model predicts flights well enough to reveal
-/// contacts that the poses do not show.
+/// Maximum ratio of the median residual scale to the initial noise estimate `sigma0`, at which the model is accurate
+/// enough to reveal contacts that were not found from the poses.
 const FLYING_RATIO: f64 = 1.3;
 
-/// A flight whose end was moved, with its initial state.
+/// Observations of a flight whose end was moved, with the initial state fitted to them.
 struct Moved {
     observations: Observations,
     local: DVector<f64>,
 }
 
-/// Moves the ends of flights to their contacts. `cache` contains the residuals at `state`, which was fitted with the
-/// present ends. Returns the residuals at the new state.
+/// Searches flights for contacts with the fitted model, and truncates each of them at its contact or restores its whole
+/// length. `cache` contains the residuals at `state`, which was fitted to the flights as they were truncated before.
+/// Returns the residuals at the new state.
 ///
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
@@ -149,8 +153,8 @@ pub fn refine_contacts(
     exclude_failed(state, residuals, options)
 }
 
-/// Fits the flights whose residual scale is not far above `usual`, m, without the other flights, and returns them with
-/// their residuals. `None` if these are all flights or fewer than half of them.
+/// Reference fit: fits the flights whose residual scale is not far above `usual`, m, without the other flights. Returns
+/// the fitted flights and their residuals; `None` if these are all flights or fewer than half of them.
 fn fitted_without(
     problem: &FitProblem,
     state: &State,
@@ -173,18 +177,19 @@ fn fitted_without(
     Ok(Some((others, residuals)))
 }
 
-/// Data of the present fit that the search for contacts uses.
+/// Data with which contacts are searched: problem, global parameters and noise of the reference fit, and options.
 struct Search<'a> {
     problem: &'a FitProblem,
     global: &'a DVector<f64>,
     noise: &'a NoiseModel,
-    /// Reference residual scale of a flight, m.
+    /// Usual residual scale of a flight, m: the median over the reference fit, or `sigma0` if that is greater.
     usual: f64,
     options: &'a FitOptions<'a>,
 }
 
 impl Search<'_> {
-    /// Moves the end of a fitted flight to its contact; `None` if the flight has no contact or already ends there.
+    /// Searches a fitted flight for its contact. Returns the flight truncated there, or its whole length if a contact
+    /// found before is not confirmed; `None` if the end of the flight does not change.
     fn moved(
         &self,
         flight: &Flight,
@@ -211,7 +216,7 @@ impl Search<'_> {
         is_contact.then_some(moved)
     }
 
-    /// Restores a flight to its whole length if the model predicts all of it, since the contact found before was none;
+    /// Restores the whole length of a flight that was truncated at a supposed contact, if the model predicts all of it;
     /// `None` otherwise.
     fn whole(&self, whole: Observations, local: &DVector<f64>) -> Option<Moved> {
         let samples = whole.times.len();
@@ -224,8 +229,8 @@ impl Search<'_> {
         })
     }
 
-    /// Ends a flight, which no fit predicts to its end, at its contact. `None` if no contact is found or if its
-    /// residuals up to there are larger than those of the other flights.
+    /// Truncates a flight, which was excluded because no fit predicts its whole length, at its contact. `None` if no
+    /// contact is found or if the residuals before the contact are larger than those of the other flights.
     fn like_the_others(&self, flight: &Flight) -> Option<Moved> {
         let whole = Observations::new(self.problem, flight).ok()?;
         let guesses = refined_guesses(self.problem, &whole, self.global, self.options).ok()?;
@@ -238,7 +243,7 @@ impl Search<'_> {
         self.is_like_the_others(&moved).then_some(moved)
     }
 
-    /// Whether the residuals of a flight up to its end are similar to those of the other flights.
+    /// Whether the residuals of a flight up to its new end are similar to those of the other flights.
     fn is_like_the_others(&self, moved: &Moved) -> bool {
         let (observations, unknowns) = (&moved.observations, (self.global, &moved.local));
         let samples = observations.times.len();

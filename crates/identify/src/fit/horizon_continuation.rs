@@ -13,33 +13,37 @@ use crate::options::FitOptions;
 use crate::predict::Loss;
 use crate::problem::FitProblem;
 
-/// Length of the first time horizon, s.
+/// First time horizon, s: duration of the initial part of each flight that is fitted first.
 const FIRST_HORIZON: f64 = 0.4;
 
 /// Ratio of the length of each horizon to that of the previous one.
 const HORIZON_GROWTH: f64 = 2.5;
 
-/// Ratio of the longest flight to a horizon, below which whole flights are fitted instead of that horizon.
+/// Minimum ratio of the duration of the longest flight to a horizon for this horizon to be fitted; if the ratio is
+/// smaller, whole flights are fitted instead.
 const MIN_REMAINING_GROWTH: f64 = 1.2;
 
-/// Number of least-squares steps over a horizon, above which a distortion of its samples by the measurement is
-/// suspected.
+/// Number of least-squares steps over a horizon, above which it is suspected that the measurement distorts the samples,
+/// for example by late recording, so that the initial guesses are poor.
 const MANY_STEPS: usize = 15;
 
-/// Maximum number of restarts from samples corrected for the distortion; each restart starts with a better estimate of
-/// it.
+/// Maximum number of restarts from samples corrected for their distortion by the measurement. Each restart uses a
+/// better estimate of the distortion.
 const MAX_STARTS: usize = 3;
 
-/// Residual scale, in units of `sigma0`, below which the fit over a short horizon is sufficient and the horizon grows.
+/// Residual scale, in units of the initial noise estimate `sigma0`, below which the fit over a short horizon is
+/// sufficient and the horizon is extended.
 const HORIZON_SCALE: f64 = 5.0;
 
-/// Maximum median residual scale, in units of `sigma0`, at which residuals are considered noise.
+/// Maximum median of the flights' residual scales, in units of the initial noise estimate `sigma0`, at which the
+/// residuals are considered noise.
 const MAX_MEDIAN_NOISE: f64 = 1.1;
 
-/// Maximum residual scale of a single flight, in units of `sigma0`, at which its residuals are considered noise.
+/// Maximum residual scale of a single flight, in units of the initial noise estimate `sigma0`, at which its residuals
+/// are considered noise.
 const MAX_FLIGHT_NOISE: f64 = 2.0;
 
-/// Ratio of the median residual scale after a step to the scale before it, above which the step is rejected.
+/// Maximum ratio of the median residual scale after a step to that before it for the step to be accepted.
 const MAX_GROWTH: f64 = 1.1;
 
 /// Fits all flights over a time horizon that grows to their whole length. Far from the solution, long flights have
@@ -76,9 +80,9 @@ pub fn continue_horizon(
     anneal_scale(problem, state, options)
 }
 
-/// Fits the first samples of all flights, up to `horizon`, s. If the fit takes many steps, the probable reason is that
-/// the measurement distorts the samples: the fit is then repeated from samples corrected for the distortion estimated
-/// so far, and the better of both fits is used.
+/// Fits the samples of all flights up to the time `horizon`, s. If the fit takes many steps, the measurement probably
+/// distorts the samples: the fit is then repeated from initial states estimated from corrected samples, and the better
+/// one of the two fits is used.
 fn fit_undistorted(
     problem: &FitProblem,
     state: &mut State,
@@ -136,11 +140,12 @@ fn step_to_noise(
     Ok(stepped.map(|step| step.cache).filter(is_noise))
 }
 
-/// An accepted step after which only residuals were computed, no derivatives.
+/// A least-squares step that was accepted from the residuals after it, without computing derivatives there.
 pub struct AcceptedStep {
     /// Residuals after the step.
     pub cache: ResidualCache,
-    /// Predicted reduction of the sum of squares by the step; `None` if the solver gives none.
+    /// Reduction of the sum of squares by the step that the linearised problem predicts; `None` if the solver does not
+    /// return it.
     pub predicted_reduction: Option<f64>,
 }
 
@@ -216,7 +221,7 @@ pub fn fit_horizon(
 }
 
 /// Fits whole flights with a robust loss whose scale decreases to that of the residuals. Returns the residuals of the
-/// fit, which may be missing for flights that cannot be integrated.
+/// fit; flights that cannot be integrated have none.
 ///
 /// # Errors
 /// The errors of [`continue_horizon`].

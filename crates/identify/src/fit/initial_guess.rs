@@ -28,9 +28,9 @@ const MIN_FIRST_SAMPLES: usize = 12;
 /// Minimum initial estimate of the noise of one coordinate, m, at the level of rounding in tables.
 const MIN_SIGMA0: f64 = 1e-7;
 
-/// Ratio of the noise floor of the paths to the noise estimated from the rigidity of the markers, below which the
-/// latter is not noise: the marker positions or the sampling times are wrong. For correlated noise, the ratio is
-/// higher.
+/// Ratio of the noise floor (scatter about smooth paths) to the noise estimated from the rigidity of the markers, below
+/// which the noise floor is used instead. The deviations from rigidity are then due to wrong marker positions or
+/// sampling times. Correlated noise also lowers the ratio, but less.
 const MAX_FLOOR_RATIO: f64 = 0.2;
 
 /// Root mean square of the standard deviations along the three axes.
@@ -56,8 +56,8 @@ pub struct ObservedFlights {
     /// Initial estimate of the noise of one coordinate, m, from deviations from rigidity; `None` if the samples do not
     /// determine it.
     pub sigma0: Option<f64>,
-    /// Noise floor: noise of one coordinate along each axis estimated by a smoother, m; `None` if the samples do not
-    /// determine it.
+    /// Noise floor: standard deviation along each axis of the noise of one coordinate, estimated by a smoother, m;
+    /// `None` if the samples do not determine it.
     pub noise_floor: Option<[f64; 3]>,
 }
 
@@ -67,8 +67,8 @@ pub fn first_segment(observations: &Observations) -> usize {
     samples.max(MIN_FIRST_SAMPLES).min(observations.times.len())
 }
 
-/// Extracts the observations of the given flights and estimates their noise. `contacts` contains the contacts of the
-/// flights of the dataset, as far as they were searched for.
+/// Extracts the observations of the given flights and estimates their noise. `contacts` contains, by index of the
+/// flight in the dataset, the results of an earlier search for contacts; it may be shorter or empty.
 pub fn observe(
     problem: &FitProblem,
     dataset: &Dataset,
@@ -121,7 +121,7 @@ fn exclude(dataset: &Dataset, flight: FlightId, reason: FlightError) -> Excluded
     }
 }
 
-/// Determines initial guesses of the flights, with the global parameters at the model's values.
+/// Determines initial guesses of the flights, with the global parameters at their initial values.
 ///
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight has an initial guess; [`FitError::Interrupted`] if the work is cancelled.

@@ -6,14 +6,16 @@ use crate::observations::Observations;
 use crate::problem::FitProblem;
 use crate::report::MarkerDistance;
 
-/// Difference between measured and predicted distance, in standard errors, above which it is significant.
+/// Difference between the mean measured and predicted distance of two markers, in standard errors, above which it is
+/// significant.
 const MIN_SIGNIFICANCE: f64 = 5.0;
 
-/// Difference between measured and predicted distance, in units of the noise of a coordinate, above which it is
-/// reported.
+/// Difference between the mean measured and predicted distance of two markers, in units of the noise standard deviation
+/// of a coordinate, above which a significant difference is reported.
 const MIN_NOISE_RATIO: f64 = 1.0;
 
-/// Sums over the samples of one flight of the differences of one marker distance.
+/// Number, sum and sum of squares of the differences (measured − predicted) of the distance between two markers, over
+/// the samples of one flight.
 #[derive(Clone, Copy, Debug, Default)]
 struct Sum {
     count: f64,
@@ -69,8 +71,8 @@ pub fn wrong_distances(
     each.collect()
 }
 
-/// Sums of (measured − predicted) distances of two markers in one flight, m. `residuals` are predicted − measured
-/// positions.
+/// Sums over one flight of the differences (measured − predicted) of the distance between two markers, m. `residuals`
+/// contains the residuals of both markers by sample, predicted − measured, m.
 fn differences(
     observations: &Observations,
     residuals: [&Vec<Option<[f64; 3]>>; 2],
@@ -96,8 +98,9 @@ fn differences(
     sum
 }
 
-/// Mean difference over all flights with its standard error: the greater one of the errors for independent samples and
-/// for independent flights. `None` for fewer than two samples.
+/// Mean over all flights of the differences (measured − predicted) of a marker distance, m, and its standard error: the
+/// greater one of the standard errors for independent samples and for independent flights. `None` for fewer than two
+/// samples.
 fn mean(flights: &[Sum]) -> Option<(f64, f64)> {
     let total = |of: fn(&Sum) -> f64| flights.iter().map(of).sum::<f64>();
     let count = total(|sum| sum.count);

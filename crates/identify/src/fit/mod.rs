@@ -65,7 +65,8 @@ pub struct Fit {
     flights: Vec<Option<FittedFlight>>,
     global: DVector<f64>,
     noise: NoiseModel,
-    /// Noise floor: noise of one coordinate along each axis estimated by a smoother, m; `None` if not determined.
+    /// Noise floor: standard deviation along each axis of the noise of one coordinate, estimated by a smoother, m;
+    /// `None` if it was not determined.
     noise_floor: Option<[f64; 3]>,
     /// Flights that the fit excluded.
     excluded: Vec<ExcludedFlight>,
@@ -240,8 +241,9 @@ fn fit_after(
     })
 }
 
-/// Performs the stages before the noise is estimated. Returns the state and its residuals, at the minimum or as near to
-/// it as these stages lead.
+/// Performs the stages of a fit from the initial guesses up to the estimation of the noise. `doubtful` contains flights
+/// excluded for a suspected fault, which later stages may include again. Returns the state and its residuals, at the
+/// minimum or near it.
 fn from_guesses(
     problem: &FitProblem,
     dataset: &Dataset,
@@ -267,7 +269,7 @@ fn flights_of(dataset: &Dataset, role: Role) -> Vec<FlightId> {
     of_role.map(|(index, _)| FlightId::new(index)).collect()
 }
 
-/// Reports and fits of all flights, in the order of the dataset.
+/// Reports and fitted flights, both by index of the flight in the dataset.
 struct FlightTable {
     reports: Vec<Option<FlightReport>>,
     fitted: Vec<Option<FittedFlight>>,

@@ -20,21 +20,21 @@ use crate::options::FitOptions;
 use crate::predict::{Loss, linearise};
 use crate::problem::FitProblem;
 
-/// Length of the first and shortest arcs, s.
+/// Duration of the first and shortest arcs, which are parts of a flight with separate initial states, s.
 const ARC: f64 = 0.14;
 
 /// Minimum number of samples of an arc.
 const MIN_ARC_SAMPLES: usize = 12;
 
-/// Number of consecutive arcs that are joined to one.
+/// Number of consecutive arcs of a flight that are joined to one longer arc.
 const JOINED: usize = 3;
 
-/// Distance from its bounds at which a parameter starts if the model's value is nearer to a bound, in units of its
-/// typical magnitude.
+/// Minimum distance between the initial value of a parameter and its bounds, in units of the parameter's typical
+/// magnitude. A model value nearer to a bound is moved inwards.
 const OFF_BOUND: f64 = 0.1;
 
-/// Change of the sum of squares below which a parameter has no effect, for a change of the parameter by its typical
-/// magnitude.
+/// Change of the sum of squares, if a parameter changes by its typical magnitude, below which the parameter is
+/// considered to have no effect.
 const HIDDEN: f64 = 1e-6;
 
 /// Maximum number of parameters without effect for which other initial values are tried.
@@ -67,7 +67,8 @@ pub fn shoot_again(
 }
 
 /// Fits by multiple shooting from the model's values of the global parameters, except for those in `changed`, given as
-/// (index, value). Replaces the state if the new fit is better, and returns the residuals at the final state.
+/// (index of the global parameter, value). Replaces the state if the new fit is better, and returns the residuals at
+/// the final state.
 fn shoot_from(
     problem: &FitProblem,
     state: &mut State,
@@ -88,9 +89,9 @@ fn shoot_from(
     Ok(cache)
 }
 
-/// Global parameters without an effect at the present values of the others, such as an angle that appears only
-/// multiplied by a coefficient equal to 0. Returns two entries (index, initial value) for each, with values between its
-/// bounds; empty if every parameter has an effect.
+/// Finds global parameters without an effect at the present values of the other parameters, such as an angle that
+/// appears only multiplied by a coefficient equal to 0. Returns two entries (index, initial value) for each of them,
+/// with initial values between its bounds; empty if every parameter has an effect.
 fn hidden(problem: &FitProblem, state: &State) -> Vec<(usize, f64)> {
     let loss = Loss::Huber(problem.sigma0);
     let mut effect = vec![0.0; problem.globals.len()];
@@ -199,7 +200,8 @@ fn guess(problem: &FitProblem, arc: &Observations) -> Option<DVector<f64>> {
     Some(guesses.into_iter().next()?.state)
 }
 
-/// Joins consecutive arcs; returns `false` if all arcs are whole flights already.
+/// Joins each group of `JOINED` consecutive arcs of a flight to one arc; returns `false` if all arcs are whole flights
+/// already.
 fn join(state: &State, arcs: &mut State) -> bool {
     let before = std::mem::replace(arcs, State::new(arcs.global.clone(), arcs.interval));
     let mut has_joined = false;

@@ -15,14 +15,14 @@ use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::statistics::median;
 
-/// Ratio of a flight's residual scale to the reference scale, above which it is fitted again.
+/// Ratio of a flight's residual scale to the reference scale of all flights, above which the flight is fitted again.
 const SUSPECT_RATIO: f64 = 3.0;
 
-/// Maximum ratio of the new residual scale of a flight to the old one for the new minimum to be accepted.
+/// Maximum ratio of the new residual scale of a flight to the old one for the new initial state to be accepted.
 const ACCEPTED_RATIO: f64 = 0.7;
 
-/// Median residual scale, in units of `sigma0`, above which the model or most initial guesses are wrong. The reference
-/// scale is then `sigma0` instead of the median.
+/// Median of the flights' residual scales, in units of the initial noise estimate `sigma0`, above which the model or
+/// most initial guesses are wrong. Flights are then compared with `sigma0` instead of the median.
 const MISFIT_RATIO: f64 = 10.0;
 
 /// Refits flights whose residual scale is far above that of the other flights and of the noise. If a refit improves a
@@ -68,7 +68,8 @@ pub fn multistart(
     }
 }
 
-/// Reference scale with which the residual scale of each flight is compared, m.
+/// Residual scale with which that of each flight is compared, m: the median of `scales`, at least `sigma0`; or `sigma0`
+/// if the median is far above the noise.
 fn reference_scale(scales: &[f64], sigma0: f64) -> f64 {
     let median = median(&mut scales.to_vec());
     match median > MISFIT_RATIO * sigma0 {
@@ -100,9 +101,9 @@ fn restart(
     Some((local, note))
 }
 
-/// Minimum residual scale of a flight, m, over fits from all initial guesses at the given global parameters, with the
-/// initial state and the additional turns per sampling interval of that fit. `None` if no guess leads to the end of the
-/// flight.
+/// Fits the initial state of one flight from each of its initial guesses, at given global parameters, up to the whole
+/// length of the flight. Returns the best fit: residual scale (m), initial state, and number of additional turns per
+/// sampling interval. `None` if every fit fails.
 pub fn fly_to_the_end(
     problem: &FitProblem,
     global: &DVector<f64>,

@@ -11,10 +11,11 @@ use crate::options::FitOptions;
 use crate::predict::Loss;
 use crate::problem::FitProblem;
 
-/// Maximum number of scales of the robust loss that are tried in turn.
+/// Maximum number of decreasing scales of the robust loss with which a fit is repeated.
 pub const MAX_SCALES: usize = 8;
 
-/// Maximum ratio of the next loss scale to the present one at which the scale is still decreased.
+/// Maximum ratio of the next scale of the robust loss to the present one for the fit to be repeated with the next
+/// scale.
 pub const MAX_SHRINKAGE: f64 = 0.7;
 
 /// Fits the initial state of one flight to its first `samples` samples at fixed global parameters. Returns the minimum

@@ -28,7 +28,8 @@ use crate::uncertainty::{Covariance, ExcitationRange, interval, non_identifiable
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Ratio of a flight's rms residual to the median of all flights, above which the report mentions the flight.
+/// Ratio of a flight's rms residual to the median over all fitted flights, above which the report contains a note on
+/// the flight.
 const MISFIT_RATIO: f64 = 4.0;
 
 /// A least-squares solution with its uncertainties and residual statistics.

@@ -25,7 +25,7 @@ pub struct PostFit {
     pub ranges: Vec<(f64, f64)>,
 }
 
-/// Sums over the residuals of one channel, in the unit of the channel (without its scale).
+/// Sums over the residuals of one channel, in the unit of the channel: the factor `Channel::scale` is not applied.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ChannelSum {
     /// Sum of squared residuals over all components, outliers excluded.
@@ -56,10 +56,10 @@ fn channel_sums(problem: &FitProblem, observations: &Observations, path: &Path) 
     sums.collect()
 }
 
-/// Number of samples of a flight at which the model's quantities are evaluated.
+/// Approximate number of samples of a flight at which the model's quantities are evaluated for their ranges.
 const EVALUATED_SAMPLES: usize = 12;
 
-/// Empty range: (∞, −∞).
+/// Range (minimum, maximum) that contains no value: the initial value for the union of ranges by `joined`.
 pub const EMPTY_RANGE: (f64, f64) = (f64::INFINITY, f64::NEG_INFINITY);
 
 /// Smallest range (minimum, maximum) that contains both ranges.

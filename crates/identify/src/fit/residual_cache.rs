@@ -16,7 +16,7 @@ use crate::statistics::{median, robust_sigma};
 /// Trajectories and residuals of all flights at one iterate.
 pub struct ResidualCache(Vec<CachedFlight>);
 
-/// Standard error of the robust scale of n normal values is this factor times scale/√n.
+/// Standard error of the robust standard deviation s of n normal values, in units of s/√n.
 const SCALE_ERROR: f64 = 1.17;
 
 struct CachedFlight {
@@ -27,14 +27,14 @@ struct CachedFlight {
 
 /// Trajectory and residuals of one flight.
 pub struct Path {
-    /// Model states at the first samples, concatenated sample by sample.
+    /// Model states at the integrated samples, concatenated sample by sample.
     pub states: Vec<f64>,
     /// Residuals at the samples of `states`, predicted − measured, m.
     pub residuals: Residuals,
 }
 
 impl ResidualCache {
-    /// Integrates each flight over its first `samples` samples and computes the residuals.
+    /// Integrates each flight up to its number of samples in `samples`, and computes the residuals.
     pub fn new(
         problem: &FitProblem,
         state: &State,
@@ -68,8 +68,8 @@ impl ResidualCache {
         self.0.iter().map(|flight| flight.scale).collect()
     }
 
-    /// Whether a flight's residual scale exceeds `usual`, m, by more than the factor `ratio` and also by more than
-    /// `errors` standard errors. `true` if the flight has no scale.
+    /// Whether a flight's residual scale exceeds the reference scale `usual`, m, by more than the factor `ratio` and by
+    /// more than `errors` standard errors. `true` if the flight has no residual scale.
     pub fn stands_out(&self, flight: usize, usual: f64, ratio: f64, errors: f64) -> bool {
         let CachedFlight { path, scale } = &self.0[flight];
         let (Some(scale), Ok(path)) = (scale, path) else {

@@ -18,18 +18,19 @@ use crate::predict::Loss;
 use crate::problem::FitProblem;
 use crate::report::FitStatus;
 
-/// Reciprocal of the fraction of values whose outlier flags may still change at convergence. With very many values, a
-/// few are always near the outlier threshold.
+/// Number of values per changed outlier flag: at convergence, at most one in this number of values may still change its
+/// flag. Among very many values, a few are always near the outlier threshold.
 const POINTS_PER_CHANGED_MARK: usize = 10_000;
 
 /// Maximum number of noise estimates.
 const MAX_ROUNDS: usize = 8;
 
-/// Number of least-squares solutions that end by the maximum number of steps, after which reweighting stops without
+/// Number of least-squares solutions that stop at the maximum number of steps, after which reweighting ends without
 /// convergence.
 const MAX_UNFINISHED: usize = 2;
 
-/// Number of least-squares solutions with residuals far above the noise, after which reweighting stops.
+/// Number of least-squares solutions with residuals far above the noise, after which reweighting ends, because the
+/// weights of such residuals need not converge precisely.
 const MAX_MISFITS: usize = 3;
 
 /// Converged noise estimate and unknowns, or the last iterates if the alternation did not converge.
@@ -40,7 +41,8 @@ pub struct Reweighted {
     pub solution: Solution,
     /// Residuals of the solution.
     pub cache: ResidualCache,
-    /// Whether the least squares converged and the noise model agrees with the residuals.
+    /// Convergence status, which states whether the least squares converged and whether the noise model agrees with the
+    /// residuals.
     pub status: FitStatus,
 }
 
@@ -162,8 +164,8 @@ impl Reweighted {
     }
 }
 
-/// Marks outliers and estimates the noise of the other values. Returns the noise and whether the outlier flags changed
-/// noticeably.
+/// Marks outliers and estimates the noise of the other values. Returns the noise, and whether more outlier flags
+/// changed than convergence allows.
 pub fn estimate_noise(
     problem: &FitProblem,
     state: &mut State,
@@ -214,12 +216,13 @@ pub fn estimate_noise(
     ))
 }
 
-/// Possible outliers of one flight.
+/// Possible outliers of one flight. A local residual is the difference of a residual from the line through the
+/// residuals of the neighbouring samples.
 struct FlightOutliers {
-    /// Scale of the local residuals of the flight, for each group of channels along each axis, m.
+    /// Robust standard deviation of the local residuals of the flight, for each noise group along each axis, m.
     scales: Vec<[f64; 3]>,
-    /// Indices and local residuals, m, of the values that are outliers for the scales `scales`. At larger scales, no
-    /// other value is an outlier.
+    /// Index in `Observations::outlier` and local residual, m, of each value that is an outlier for the standard
+    /// deviations `scales`. For larger standard deviations, no other value is an outlier.
     candidates: Vec<(usize, [f64; 3])>,
 }
 

@@ -11,14 +11,16 @@ use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::statistics::median;
 
-/// Turns per sampling interval that are added to the slowest spin, in order of decreasing probability.
+/// Numbers of turns per sampling interval that are added to the slowest spin compatible with the samples, in order of
+/// decreasing probability.
 const ALIASES: [i32; 3] = [0, -1, 1];
 
-/// Maximum ratio of the median residual scale of an alias to that of the best alias tried before, for the alias to be
-/// accepted.
+/// Maximum ratio of the median residual scale of the fit with one spin alias to that of the best alias tried before,
+/// for the new alias to be preferred. An alias is a number of additional turns between samples.
 const ACCEPTED_RATIO: f64 = 0.9;
 
-/// Fits all flights by horizon continuation from each spin alias, and returns the fit with the smallest residuals.
+/// Fits all flights by horizon continuation once for each spin alias (number of additional turns between samples), and
+/// returns the fit with the smallest residuals.
 ///
 /// # Errors
 /// The errors of [`continue_horizon`], if it fails for every alias.
@@ -61,7 +63,8 @@ pub fn resolve_spin_aliases(
     }
 }
 
-/// Copy of the state with the initial guesses of an alias, for the flights that have such a guess.
+/// Copy of the state in which each flight starts from its initial guess with `alias` additional turns per sampling
+/// interval, if it has such a guess.
 fn with_alias(state: &State, alternatives: &[Vec<InitialGuess>], alias: i32) -> State {
     let mut state = state.clone();
     for (index, guesses) in alternatives.iter().enumerate() {

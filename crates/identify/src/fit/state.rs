@@ -7,7 +7,8 @@ use crate::ids::FlightId;
 use crate::least_squares::{FailedFlight, Iterate, Solution};
 use crate::observations::Observations;
 
-/// Fraction of the time until the failure of a trajectory that is used for the fit.
+/// Fraction of the time between the first sample and the failure of the integration of a flight that is used for the
+/// fit.
 const FLYABLE_PART: f64 = 0.7;
 
 /// Flights that are fitted, with the values of all unknowns, and excluded flights.
@@ -21,7 +22,7 @@ pub(crate) struct State {
     pub global: DVector<f64>,
     /// Initial state of each fitted flight, SI.
     pub local: Vec<DVector<f64>>,
-    /// Time after the first sample up to which each flight is used, s; infinite if the whole flight can be integrated.
+    /// Time after the first sample up to which each flight is used, s; infinite if the whole flight is used.
     pub limits: Vec<f64>,
     /// Excluded flights, with the reasons.
     pub excluded: Vec<ExcludedFlight>,

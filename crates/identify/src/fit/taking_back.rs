@@ -22,8 +22,8 @@ use crate::screening::FaultKind;
 /// Maximum ratio of a flight's residual scale to that of the other flights at which it is considered similar to them.
 pub const LIKE_RATIO: f64 = 3.0;
 
-/// Maximum number of passes over the excluded flights. With more flights, the parameters are better, so that further
-/// flights may return.
+/// Maximum number of passes over the excluded flights. Flights that one pass includes improve the parameters, so that
+/// the next pass may include further flights.
 const MAX_PASSES: usize = 2;
 
 /// Includes excluded flights again if the model predicts them about as well as the others, and fits all flights again.
@@ -85,8 +85,9 @@ pub fn take_back(
     Ok(reweighted)
 }
 
-/// Whether an excluded flight may be included again: it was excluded because of its fit and not because of its samples,
-/// or for a suspected wrong unit of time, which a load that is absent in the other flights can mimic.
+/// Whether an excluded flight may be included again: only if its fit was the reason for the exclusion, and not its
+/// samples. A suspected wrong unit of time is an exception, because an acceleration that the other flights do not have
+/// can cause the same suspicion.
 pub fn may_come_back(excluded: &ExcludedFlight) -> bool {
     match &excluded.reason {
         FlightError::UnlikeTheOthers { .. }

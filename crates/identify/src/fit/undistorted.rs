@@ -16,15 +16,16 @@ use crate::options::FitOptions;
 use crate::predict::states;
 use crate::problem::FitProblem;
 
-/// Number of iterations in which the distortion is computed from the state estimated without it, as it depends on the
-/// motion.
+/// Maximum number of iterations. Each computes the distortion of the samples at the present initial state, and
+/// estimates the initial state again from the corrected samples, because the distortion depends on the motion.
 const PASSES: usize = 4;
 
-/// Maximum displacement of a marker by the measurement, in units of `sigma0`, that is neglected.
+/// Maximum distortion that is neglected: displacement of a marker position by an error of the measurement such as late
+/// recording, in units of the initial noise estimate `sigma0`.
 const NEGLIGIBLE: f64 = 3.0;
 
-/// Returns the initial guesses from the measured samples, followed by one from the samples corrected for the distortion
-/// that the given parameters predict, if the distortion is not negligible.
+/// Returns the initial guesses from the measured samples. If the parameters `global` predict that the measurement
+/// distorts the samples noticeably, for example by late recording, a guess from corrected samples follows.
 ///
 /// # Errors
 /// The errors of [`initial_state::initial_guesses`].
@@ -39,8 +40,8 @@ pub fn initial_guesses(
     Ok(guesses)
 }
 
-/// Initial guess from samples corrected for the distortion that the parameters predict for a flight with the initial
-/// state `local`; `None` if the distortion is negligible.
+/// Initial guess from corrected samples: the distortion by the measurement is subtracted that the parameters `global`
+/// predict for the initial state `local`. `None` if this distortion is negligible.
 fn undistorted_guess(
     problem: &FitProblem,
     observations: &Observations,
@@ -62,9 +63,9 @@ fn undistorted_guess(
     found
 }
 
-/// Initial values of all unknowns for another fit: the present values of the measurement parameters, the model's values
-/// of the other parameters, and initial states from corrected samples. `None` if the measurement does not distort the
-/// samples.
+/// Initial values of all unknowns for another fit. Parameters by which the measurement distorts the samples, such as a
+/// recording delay, have their present values; other parameters have the model's values; initial states are estimated
+/// from samples corrected for the distortion. `None` if no parameter distorts the samples noticeably.
 pub fn start(problem: &FitProblem, state: &State, options: &FitOptions<'_>) -> Option<State> {
     let values = problem.globals.iter().map(|global| global.model_value);
     let mut global = DVector::from_iterator(problem.globals.len(), values);
@@ -102,8 +103,10 @@ pub fn start(problem: &FitProblem, state: &State, options: &FitOptions<'_>) -> O
     Some(started)
 }
 
-/// Corrects the samples by subtracting the displacement of the markers between the given parameters and the model's
-/// values. `None` if the displacement is negligible, or unknown because the flight cannot be integrated.
+/// Subtracts from the samples the distortion by the measurement: the difference between the marker positions predicted
+/// with the parameters `global` and those predicted with the model's initial parameter values on the same trajectory.
+/// `None` if the difference is negligible, if the flight cannot be integrated, or if the pose is not determined by
+/// markers alone.
 fn without_distortion(
     problem: &FitProblem,
     observations: &Observations,

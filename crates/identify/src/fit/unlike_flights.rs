@@ -14,8 +14,8 @@ use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 
-/// Ratio of a flight's residual scale to the median scale, or to `sigma0` if that is greater, above which the other
-/// flights are fitted without it.
+/// Ratio of a flight's residual scale to the median scale over the flights (at least the initial noise estimate
+/// `sigma0`), above which the flight is a suspect: the other flights are then fitted without it.
 const SUSPECT_RATIO: f64 = 3.0;
 
 /// Ratio of a flight's residual scale to that of the other flights, fitted without it, above which it is excluded,
@@ -25,9 +25,9 @@ const UNLIKE_RATIO: f64 = 10.0;
 /// Maximum number of passes in which flights are excluded.
 const MAX_PASSES: usize = 4;
 
-/// Excludes flights whose residuals remain far above those of the others when the others are fitted without them, if
-/// these flights are a minority. `cache` contains the residuals at the present state. Returns the residuals at the new
-/// state.
+/// Excludes a minority of flights whose residuals remain far above those of the other flights, although the global
+/// parameters are fitted to the other flights alone. `cache` contains the residuals at the present state. Returns the
+/// residuals at the new state.
 ///
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
@@ -61,8 +61,9 @@ fn suspects(problem: &FitProblem, cache: &ResidualCache) -> Vec<usize> {
     above.map(|(flight, _)| flight).collect()
 }
 
-/// Fits the other flights without the suspects, and excludes each suspect that the parameters of the others do not
-/// predict, even with a refitted initial state. `None` if no suspect is excluded.
+/// Fits the flights that are not in `suspects`, and then the initial state of each suspect with the resulting global
+/// parameters. Suspects with far larger residuals than the other flights are excluded, and the remaining suspects are
+/// included again. `None` if no suspect is excluded.
 fn fit_without(
     problem: &FitProblem,
     state: &State,

@@ -8,16 +8,18 @@ use super::undistorted;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 
-/// Maximum ratio of the new residual scale to the old one for the new fit to be accepted.
+/// Maximum ratio of the root mean square residual scale of a new fit to that of the present fit for the new fit to be
+/// accepted.
 const ACCEPTED_RATIO: f64 = 0.98;
 
-/// Maximum number of restarts from samples corrected for the distortion by the measurement; each restart starts with a
-/// better estimate of it.
+/// Maximum number of restarts from samples corrected for their distortion by the measurement, such as late recording.
+/// Each restart uses a better estimate of the distortion.
 const MAX_STARTS: usize = 3;
 
-/// Fits all flights again from samples corrected for the distortion by the present measurement parameters, if the
-/// present fit may have ended in a wrong minimum. `cache` contains the residuals at the present state. The state is
-/// replaced if the new fit is better. Returns the residuals at the final state.
+/// If the present fit may have ended in a wrong minimum, fits all flights again from samples corrected for their
+/// distortion by the measurement, as far as the present parameters predict such a distortion. `cache` contains the
+/// residuals at the present state. The state is replaced if the new fit is better. Returns the residuals at the final
+/// state.
 ///
 /// # Errors
 /// The errors of [`continue_horizon`].
@@ -56,7 +58,8 @@ pub fn is_suspect(problem: &FitProblem, state: &State, cache: &ResidualCache) ->
     is_driven_to_bound || !cache.failures().is_empty() || problem.is_misfit(cache.median_scale())
 }
 
-/// Whether the fit `found` predicts more flights than `before`, or as many with smaller residuals.
+/// Whether the fit `found` predicts more flights than the fit `before`, or equally many flights with clearly smaller
+/// residuals.
 pub fn is_better(found: &ResidualCache, before: &ResidualCache) -> bool {
     let (failed, failed_before) = (found.failures().len(), before.failures().len());
     failed < failed_before

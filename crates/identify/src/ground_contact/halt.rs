@@ -4,15 +4,16 @@ use nalgebra::Vector3;
 
 use super::motion::Point;
 
-/// Maximum number of points after an interval within which a hand stops a body. A disc slides for longer.
+/// Maximum number of points after an interval with a possible contact within which a hand stops a body. A disc that
+/// slides on the ground takes longer.
 const WITHIN: usize = 24;
-/// Number of points at the end of the `WITHIN` points, from which the final speed is computed.
+/// Number of points at the end of the `WITHIN` points after the interval, from which the final speed is computed.
 const LAST: usize = 3;
-/// Maximum ratio of the final speed to the speed before for a body to be considered at rest. It is above the effect of
-/// noise and the remaining speed in the last samples of a catch.
+/// Maximum ratio of the final speed to the speed before the contact for a body to be considered at rest. The limit
+/// allows for noise and for samples that end shortly before a caught body is at rest.
 const REST: f64 = 0.2;
 
-/// Whether a body that has the given velocity (m/s) before point `index` is at rest soon after it.
+/// Whether a body that has the given velocity (m/s) before point `index` comes to rest within the next `WITHIN` points.
 pub fn is_stopped(points: &[Point], index: usize, velocity: &Vector3<f64>) -> bool {
     let end = index.saturating_add(WITHIN).min(points.len());
     let soon = points.get(index..end).unwrap_or_default();

@@ -10,32 +10,37 @@ use super::PathPoint;
 use crate::path_noise::path_noise;
 use crate::statistics::median;
 
-/// Maximum number of points on each side of an interval.
+/// Maximum number of points that are used on each side of the tested interval, which is the interval between two
+/// successive points in which an impact is assumed.
 const SIDE: usize = 7;
-/// Minimum numbers of points before and after an interval.
+/// Minimum numbers of points before and after the tested interval.
 const LEAST_SIDES: (usize, usize) = (6, 3);
-/// Minimum number of points for a parabola; with fewer points, the acceleration on the other side of the interval is
-/// used.
+/// Minimum number of points on one side of the tested interval for a parabola. With fewer points after the interval,
+/// only position and velocity are fitted there, and the acceleration before the interval is used.
 const PARABOLA: usize = 5;
-/// Number of coefficients of the smooth polynomial: its degree plus one.
+/// Number of coefficients (degree plus one) of the single polynomial that represents motion without an impact. It is
+/// fitted to the points on both sides of the tested interval.
 const SMOOTH: usize = 5;
 /// Minimum velocity jump of an impact, m/s.
 const MIN_JUMP: f64 = 0.5;
 /// Minimum velocity jump of an impact, in units of its standard error.
 const MIN_SIGNIFICANCE: f64 = 8.0;
-/// Minimum velocity jump of an impact, in units of the median jump over the flight.
+/// Minimum velocity jump of an impact, in units of the median of the jumps that are fitted at other intervals of the
+/// flight.
 const MIN_RATIO: f64 = 3.5;
-/// Minimum velocity jump of an impact, in units of the velocity change in one interval by the accelerations on either
-/// side.
+/// Minimum velocity jump of an impact, in units of the velocity change within the tested interval by the larger one of
+/// the accelerations before and after it.
 const MIN_IMPULSE: f64 = 3.0;
-/// Minimum ratio of the vertical component of a jump to its magnitude, and to the descent speed before it.
+/// Minimum ratios of the upward component of the velocity jump at an impact: to the magnitude of the jump, and to the
+/// descent speed before it.
 const MIN_VERTICAL_PART: (f64, f64) = (0.3, 0.3);
-/// Minimum ratio of the squared residuals of the smooth polynomial to those of the two parabolas, each per degree of
-/// freedom.
+/// Minimum ratio of the residual variance of a single polynomial (motion without an impact) to that of two parabolas
+/// (motion before and after an impact).
 const MIN_SQUARES_RATIO: f64 = 1.5;
-/// Maximum number of points around an interval that are excluded as outliers.
+/// Maximum number of points around the tested interval that are excluded as outliers.
 const MOST_OUTLIERS: usize = 2;
-/// Number of intervals from which the median jump of a flight is computed.
+/// Maximum number of intervals, distributed over the flight, from which the median velocity jump of `MIN_RATIO` is
+/// computed.
 const USUAL: usize = 24;
 
 /// An impact on a path: a velocity jump between two of its points.
@@ -82,7 +87,8 @@ pub fn impact(path: &[PathPoint]) -> Option<Impact> {
     })
 }
 
-/// Median velocity jump over intervals that are distributed over the path, m/s.
+/// Median of the velocity jumps that are fitted at intervals distributed over the path, most of which contain no
+/// impact, m/s. `noise` is the standard deviation of one coordinate, m.
 fn usual_jump(path: &[PathPoint], candidates: std::ops::RangeInclusive<usize>, noise: f64) -> f64 {
     let step = candidates.clone().count().div_ceil(USUAL);
     let kinks = candidates
@@ -101,21 +107,21 @@ fn may_be_impact(path: &[PathPoint], index: usize) -> bool {
     before.z < 0.0 && after.z - before.z > 0.5 * MIN_JUMP
 }
 
-/// Fitted motion before and after an interval.
+/// Test of one interval for an impact: parabolas in time fitted to the motion before and after the interval.
 #[derive(Clone, Copy)]
 struct Kink {
-    /// Index of the first point after the interval.
+    /// Index of the first point after the tested interval.
     index: usize,
-    /// Velocity before the interval, m/s.
+    /// Velocity in the middle of the tested interval, extrapolated from the motion before it, m/s.
     before: Vector3<f64>,
-    /// Jump of the velocity, m/s.
+    /// Jump of the velocity in the tested interval, m/s.
     jump: Vector3<f64>,
     /// Standard error of a component of the jump, m/s.
     error: f64,
-    /// Largest velocity change in one interval by the accelerations on either side, m/s.
+    /// Velocity change within the tested interval by the larger one of the accelerations before and after it, m/s.
     impulse: f64,
-    /// Sum of squared residuals per degree of freedom of the two parabolas (`squares`) and of the smooth polynomial
-    /// (`smooth`), m².
+    /// Residual variances, m²: of the two parabolas (`squares`, at least the noise variance), and of a single
+    /// polynomial through all points (`smooth`).
     squares: f64,
     smooth: f64,
 }
@@ -135,8 +141,8 @@ impl Kink {
     }
 }
 
-/// Compares two parabolas with one smooth polynomial around the interval before point `index`; `None` if there are too
-/// few points.
+/// Fits parabolas before and after the interval that precedes point `index`, and a single polynomial through all their
+/// points. `noise` is the standard deviation of one coordinate, m. `None` if there are too few points.
 fn kink(path: &[PathPoint], index: usize, noise: f64) -> Option<Kink> {
     let (from, to) = (index.saturating_sub(SIDE), (index + SIDE).min(path.len()));
     let time = 0.5 * (path[index - 1].1 + path[index].1);
@@ -182,7 +188,9 @@ fn kink(path: &[PathPoint], index: usize, noise: f64) -> Option<Kink> {
     })
 }
 
-/// Removes points without which the smooth polynomial fits: this is the case for an outlier, but not for an impact.
+/// Removes up to `MOST_OUTLIERS` points without which a single polynomial fits the points of both sides. The removal of
+/// an outlier has this effect; the removal of one point next to an impact has not. `noise` is the standard deviation of
+/// one coordinate, m.
 fn leave_out_outliers(sides: &mut [Vec<(f64, Vector3<f64>)>; 2], noise: f64) {
     for _ in 0..MOST_OUTLIERS {
         let all: Vec<_> = sides.iter().flatten().copied().collect();
@@ -223,8 +231,8 @@ struct Fitted<const N: usize> {
     slope_variance: f64,
 }
 
-/// Fits a polynomial with `N` coefficients through points (time, position). If `quadratic` is given, the coefficient of
-/// the second power is fixed at it. `None` if the normal matrix is singular.
+/// Fits a polynomial in time with `N` coefficients through points (time, position in m). If `quadratic` is given, the
+/// coefficient of the second power is fixed at this value. `None` if the normal matrix is singular.
 fn polynomial<const N: usize>(
     points: &[(f64, Vector3<f64>)],
     quadratic: Option<Vector3<f64>>,

@@ -17,12 +17,14 @@ use crate::pose::{Pose, point_position, pose};
 use crate::problem::FitProblem;
 use crate::statistics::median;
 
-/// Ratio of a pose's variance to the median variance, above which the sample contains an outlier.
+/// Ratio of the residual variance of a pose (of the marker positions about the fitted rigid body) to the median over
+/// the flight, above which the sample contains an outlier.
 const MAX_VARIANCE_RATIO: f64 = 25.0;
-/// Minimum variance of a pose with an outlier, m².
+/// Minimum residual variance of a pose, m², for its sample to contain an outlier.
 const MIN_OUTLIER_VARIANCE: f64 = 1e-8;
 
-/// Maximum difference, in samples, between two detections that are considered the same contact.
+/// Maximum difference, in samples, between a contact detected from the path and one detected from the attitude, for
+/// both to be the same contact.
 const SAME: usize = 4;
 
 /// Sample index, time (s) and position (m) of the body's origin.
@@ -92,7 +94,8 @@ fn contact_of(
     contact(&path, &posed.collect::<Vec<Posed>>())
 }
 
-/// Variance of a pose, m², above which the sample contains an outlier, given the variances of all poses.
+/// Residual variance of a pose, m², above which the sample contains an outlier. `variances` are the residual variances
+/// of all poses of the flight, m².
 pub fn variance_limit(variances: impl Iterator<Item = f64>) -> f64 {
     let limit = MAX_VARIANCE_RATIO * median(&mut variances.collect::<Vec<f64>>());
     limit.max(MIN_OUTLIER_VARIANCE)

@@ -9,27 +9,31 @@ use nalgebra::{SVector, Vector3};
 
 use super::regression::{Regression, Row};
 
-/// Maximum numbers of points used before and after an interval.
+/// Maximum numbers of points that are used before and after the tested interval, which is the interval between two
+/// successive points in which a contact is assumed.
 pub const SIDES: (usize, usize) = (20, 8);
-/// Maximum numbers of samples that the points before and after an interval may span, if some samples have no pose.
+/// Maximum numbers of samples, with or without a pose, that the points used before and after the tested interval may
+/// span.
 const SPANS: (usize, usize) = (26, 16);
-/// Minimum numbers of points before and after an interval.
+/// Minimum numbers of points that are required before and after the tested interval.
 const LEAST_SIDES: (usize, usize) = (8, 4);
-/// Unit of time for the powers of the polynomials, s.
+/// Unit in which time is expressed in the powers of the polynomials, s.
 const SCALE: f64 = 0.1;
-/// Prior standard deviation of the fourth derivative of the position, m/s⁴: lift of several g that decays within half a
-/// second.
+/// Prior standard deviation of the fourth time derivative of the position, m/s⁴. The value allows for a lift of several
+/// g that decays within half a second.
 const SNAP: f64 = 300.0;
-/// Prior standard deviation of the position's terms at the rate of the wobble, m.
+/// Prior standard deviation of the amplitudes of the sine and cosine terms in the position, whose frequency is the
+/// wobble rate, m.
 const WOBBLE: f64 = 0.002;
-/// Prior standard deviation of the coefficient of (time / `SCALE`)³ of the axis.
+/// Prior standard deviation of the cubic coefficient in the polynomial of the axis direction in (time / `SCALE`).
 const BEND: f64 = 0.02;
-/// Maximum number of points around an interval that are excluded as outliers.
+/// Maximum number of points around the tested interval that are excluded as outliers.
 const MOST_OUTLIERS: usize = 2;
-/// Squared residual, in units of the variance, above which a point is an outlier.
+/// Sum of the squared residuals of a point's position and axis, each divided by its noise variance, above which the
+/// point is an outlier.
 const OUTLIER: f64 = 40.0;
-/// Minimum variance used in the test, as a fraction of the variance about the disturbed motion; it guards against
-/// outliers.
+/// Minimum variance by which gains (decreases of a sum of squares) are divided, as a fraction of the residual variance
+/// of the disturbed motion. It prevents outliers, which increase that variance, from causing large gains.
 const LOCAL_PART: f64 = 0.25;
 
 /// Position of the body's origin and direction of its most steady axis in one sample.
@@ -45,29 +49,31 @@ pub struct Point {
     pub axis: Vector3<f64>,
 }
 
-/// Properties that are constant throughout a flight.
+/// Wobble rate and noise properties of one flight, which are constant throughout the flight.
 #[derive(Clone, Copy, Debug)]
 pub struct Character {
     /// Angular rate of the wobble of the axis, rad/s.
     pub rate: f64,
-    /// Correlation of the noise between successive samples.
+    /// Correlation of the measurement noise between successive samples.
     pub correlation: f64,
     /// Standard deviations of the noise: of a component of the position, m, and of a component of the axis.
     pub noise: [f64; 2],
 }
 
-/// Result of the comparison of free motion with motion that is disturbed at an interval.
+/// Result of testing one interval between two points for a contact: comparison of free motion with motion that is
+/// disturbed within the interval, so that its velocity and wobble change.
 #[derive(Clone, Copy, Debug)]
 pub struct Comparison {
-    /// Index of the first point after the interval.
+    /// Index of the first point after the tested interval.
     pub index: usize,
-    /// Decrease of the sum of squared residuals of position and axis by a disturbance, in units of the noise variance.
+    /// Decreases of the sums of squared residuals of position and axis if the disturbance is allowed. Each is divided
+    /// by its noise variance, or by `LOCAL_PART` × its residual variance if that is greater.
     pub gains: [f64; 2],
-    /// Residual variance about the disturbed motion: of the position, m², and of the axis.
+    /// Residual variances of the disturbed motion: of the position, m², and of the axis.
     pub variances: [f64; 2],
-    /// Sum of squared residuals of the disturbed motion, in units of the noise variance.
+    /// Sum of the squared residuals of position and axis for the disturbed motion, each in units of its noise variance.
     pub remaining: f64,
-    /// Velocity before the interval, and its jump (`jump`), m/s.
+    /// Velocity just before the disturbance (`velocity`) and jump of the velocity at the disturbance (`jump`), m/s.
     pub velocity: Vector3<f64>,
     pub jump: Vector3<f64>,
 }
@@ -121,18 +127,22 @@ impl Character {
         [0.0, 0.0, 0.0, self.precision(1, BEND), 0.0, 0.0]
     }
 
-    /// Units of the gains for position, m², and axis, given the residual variances about the disturbed motion.
+    /// Variances by which the gains of position, m², and axis are divided. `variances` are the residual variances of
+    /// the disturbed motion.
     fn units(&self, variances: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|part| self.noise[part].powi(2).max(LOCAL_PART * variances[part]))
     }
 
-    /// Gains of a comparison that was computed with the noise of `other`, converted to the noise of `self`.
+    /// Gains (see `Comparison::gains`) of the comparison `of`, which was computed with the noise in `other`, converted
+    /// to the noise in `self`.
     pub fn gains(&self, of: &Comparison, other: &Character) -> [f64; 2] {
         let (here, there) = (self.units(of.variances), other.units(of.variances));
         [0, 1].map(|part| of.gains[part] * there[part] / here[part])
     }
 
-    /// Fits motion that is disturbed at the time `about`, s, to the positions and to the axes of points.
+    /// Fits motion that is disturbed at the time `about`, s: velocity and acceleration change, and so do the drift and
+    /// the wobble of the axis. Returns the regressions of the positions and of the axes; `None` if the points do not
+    /// determine them.
     fn disturbed(&self, points: &[&Point], about: f64) -> Option<(Regression<9>, Regression<9>)> {
         let since = |point: &Point| (point.time - about).max(0.0);
         let position = |point: &&Point| {
@@ -157,9 +167,9 @@ impl Character {
         ))
     }
 
-    /// Removes points without which free motion fits far better: this is the case for an outlier, but not for a
-    /// contact. Returns the remaining points and the regressions of free motion through them; `None` if they do not
-    /// determine it.
+    /// Removes up to `MOST_OUTLIERS` points without which free motion fits far better. An outlier is such a point; a
+    /// contact affects all later points, so that the removal of one point does not help. Returns the remaining points
+    /// and the regressions of free motion through them; `None` if the points do not determine free motion.
     fn robust<'p>(
         &self,
         points: &'p [Point],
@@ -183,7 +193,8 @@ impl Character {
         Some((kept, free))
     }
 
-    /// Returns the points of `range` without outliers of free motion; `None` if they do not determine free motion.
+    /// Returns the points of `range` that remain after the outliers from free motion are removed; `None` if the points
+    /// do not determine free motion.
     pub fn without_outliers<'p>(
         &self,
         points: &'p [Point],
@@ -193,8 +204,8 @@ impl Character {
         Some(self.robust(points, range, about)?.0)
     }
 
-    /// Compares free motion with motion that is disturbed before point `index`: at the time `at`, s, or in the middle
-    /// of the interval. `None` if there are too few points.
+    /// Tests the interval before point `index` for a contact: compares free motion with motion that is disturbed at the
+    /// time `at`, s; for `None`, in the middle of the interval. Returns `None` if there are too few points.
     pub fn compare(&self, points: &[Point], index: usize, at: Option<f64>) -> Option<Comparison> {
         let first = points.get(index)?;
         let last = points.get(index.checked_sub(1)?)?;
@@ -228,7 +239,8 @@ impl Character {
     }
 }
 
-/// Range of the points before point `index` from which the motion there is determined.
+/// Index range of the points to which the motion before point `index` is fitted: at most `SIDES.0` points, which
+/// precede that point.
 pub fn range_before(points: &[Point], index: usize) -> Range<usize> {
     let end = index.min(points.len());
     let from = end.saturating_sub(SIDES.0);
@@ -238,7 +250,7 @@ pub fn range_before(points: &[Point], index: usize) -> Range<usize> {
     from + far.count()..end
 }
 
-/// Range of the points from point `index` on from which the motion there is determined.
+/// Index range of the points to which the motion from point `index` on is fitted: at most `SIDES.1` points.
 fn range_after(points: &[Point], index: usize) -> Range<usize> {
     let end = (index + SIDES.1).min(points.len());
     let after = points.get(index..end).unwrap_or_default();
@@ -248,7 +260,7 @@ fn range_after(points: &[Point], index: usize) -> Range<usize> {
     index..index + near.count()
 }
 
-/// Copy of a regression row with further basis functions.
+/// Copy of a regression row to which the values `further` of additional basis functions are appended.
 fn extended<const N: usize, const K: usize, const M: usize>(
     row: &Row<N>,
     further: [f64; K],

@@ -2,22 +2,26 @@
 
 use super::motion::{Character, Comparison, Point, SIDES, range_before};
 
-/// Numbers of points before and after the interval of the comparison among which the contact is searched. The
-/// comparison detects a hard contact already at the first interval whose following points include it.
+/// Numbers of points before and after the interval with the detected contact, among which the first point after the
+/// contact is searched. A hard contact is already detected in an earlier interval, as soon as the points used after
+/// that interval include the contact.
 const SOUGHT: (usize, usize) = (7, SIDES.1 + 2);
-/// Minimum number of points before those among which the contact is searched.
+/// Minimum number of points before those among which the first point after the contact is searched; free motion is
+/// fitted to them.
 const LEAST_BEFORE: usize = 8;
-/// Squared innovation of position and axis, in units of the variance, at which a sample is evidence neither for nor
-/// against free motion: three times its expectation.
+/// Sum of the squared innovations of position and axis, in units of their variances, at which a sample is evidence
+/// neither for nor against free motion: three times the expected value.
 const NEUTRAL: f64 = 18.0;
-/// Minimum of the neutral innovation, as a fraction of the gain of the comparison, so that small prediction errors are
-/// not mistaken for a strong contact.
+/// Minimum of the neutral squared innovation (see `NEUTRAL`), as a fraction of the sum of the gains by which the
+/// contact was detected. For a strong contact, it prevents small prediction errors before the contact from being
+/// mistaken for the contact.
 const NEUTRAL_PART: f64 = 0.02;
-/// Maximum innovation that is counted for a sample, in units of the neutral innovation, so that a single outlier is not
-/// mistaken for a contact.
+/// Maximum squared innovation that is counted for a sample, in units of the neutral squared innovation, so that a
+/// single outlier is not mistaken for a contact.
 const MOST: f64 = 2.4;
 
-/// Index of the first sample after the contact that a comparison has detected; `None` if it cannot be determined.
+/// Index of the first sample after a contact, which was detected by `comparison`; `None` if the points do not determine
+/// it.
 pub fn onset(points: &[Point], comparison: &Comparison, character: &Character) -> Option<usize> {
     let index = first_point(points, comparison, character)?;
     let (last, next) = (
@@ -30,7 +34,8 @@ pub fn onset(points: &[Point], comparison: &Comparison, character: &Character) -
     }
 }
 
-/// Index of the first point that does not continue the free motion before it.
+/// Index of the first point that the free motion before it does not predict, near the contact that was detected by
+/// `found`; `None` if the points do not determine the free motion.
 fn first_point(points: &[Point], found: &Comparison, character: &Character) -> Option<usize> {
     let base = found.index.saturating_sub(SOUGHT.0).max(LEAST_BEFORE);
     let base = base.min(found.index);
@@ -64,8 +69,8 @@ fn first_point(points: &[Point], found: &Comparison, character: &Character) -> O
     Some(best.1.min(points.len() - 1))
 }
 
-/// First sample after a contact between points `index − 1` and `index`, if the samples between them have no pose. The
-/// time of contact is the one for which the disturbed motion has the smallest residuals.
+/// First sample after a contact between points `index − 1` and `index`, if the samples between these points have no
+/// pose. It is the sample for which motion that is disturbed just before it has the smallest residuals.
 fn in_gap(points: &[Point], index: usize, character: &Character) -> Option<usize> {
     let (last, next) = (&points[index - 1], &points[index]);
     let samples = last.sample + 1..=next.sample;

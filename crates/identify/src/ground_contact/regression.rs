@@ -21,11 +21,12 @@ pub struct Row<const N: usize> {
 pub struct Regression<const N: usize> {
     /// Coefficients of the basis functions; one column per component of the vector.
     pub coefficients: SMatrix<f64, N, 3>,
-    /// Sum of squared whitened residuals, plus the penalty of the coefficients' prior.
+    /// Sum of squared whitened residuals, plus the penalty by the priors of the coefficients.
     pub squares: f64,
     /// Degrees of freedom of the residuals, at least 3.
     pub freedom: f64,
-    /// Squared residual of each whitened row, divided by 1 − its leverage.
+    /// For each whitened row, the squared residual divided by 1 − leverage: the decrease of the sum of squares if the
+    /// row is removed.
     pub removable: Vec<f64>,
     inverse: SMatrix<f64, N, N>,
     origin: Vector3<f64>,

@@ -12,30 +12,35 @@ use super::wobble::{noise_correlation, points_with_axis, wobble_rate};
 use crate::path_noise::path_noise;
 use crate::statistics::median;
 
-/// Number of points before the first interval that is examined; a shorter motion can fit any curve.
+/// Number of points before the first interval that is tested for a contact. With fewer points, the model of free motion
+/// could follow any curve.
 const LEAST_BEFORE: usize = 32;
-/// Number of points after the last interval that is examined.
+/// Number of points after the last interval that is tested for a contact; the motion after a contact is fitted to them.
 const LEAST_AFTER: usize = 4;
-/// Minimum gains assumed usual in free flight, for position and axis, according to the numbers of coefficients that a
-/// contact adds.
+/// Lower limits of the usual gains of position and axis in free flight. A gain is the decrease of the sum of squared
+/// residuals by allowing a contact; its expected value increases with the number of coefficients that a contact adds.
 const LEAST_USUAL: [f64; 2] = [8.0, 12.0];
-/// Minimum number of earlier gains from which the usual gain is computed.
+/// Minimum number of earlier intervals for the usual gain to be the median of their gains. With fewer, the usual gain
+/// is the lower quartile over the whole flight.
 const EARLIER: usize = 8;
-/// Minimum gain of a contact, in units of the usual gain: of position and axis each, and of their geometric mean.
+/// Minimum gain of a contact, in units of the usual gain. The first value applies to the gains of position and axis,
+/// the second value to the geometric mean of these two gains.
 const MIN_GAINS: (f64, f64) = (3.5, 5.5);
-/// Minimum upward velocity jump of a contact that both position and axis show, m/s.
+/// Minimum upward velocity jump, m/s, of a contact that is evident from both the position and the axis.
 const MIN_JUMP: f64 = 0.15;
-/// Minimum ratio of the upward component to the magnitude of a velocity jump; ground friction limits the rest.
+/// Minimum ratio of the upward component of a velocity jump at the ground to its magnitude; limited friction limits the
+/// horizontal component.
 const MIN_UPWARD_PART: f64 = 0.3;
-/// For a contact that the axis does not show: minimum gain of the position in usual units, and minimum upward velocity
-/// jump, m/s and in units of the descent speed before it.
+/// Thresholds for a contact that is evident from the position alone: minimum gain of the position, in units of the
+/// usual gain; minimum upward velocity jump, m/s; and minimum ratio of this jump to the descent speed before it.
 const MIN_OF_PATH: (f64, f64, f64) = (7.0, 0.8, 0.3);
 
-/// Fraction of the minimum gains and jumps above which a comparison based on a rough noise estimate is a candidate for
-/// a contact.
+/// Factor by which the minimum gains and jumps are multiplied in a first, cheap pass with a rough noise estimate. A
+/// flight in which no interval exceeds these lower thresholds has no contact.
 const ROUGH: f64 = 0.5;
 
-/// Spacing, in points, of the comparisons based on the rough noise estimate; a contact shows in several of them.
+/// Spacing, in points, of the intervals that are tested in the first, cheap pass. A contact affects the tests of
+/// several neighbouring intervals.
 const ROUGH_STEP: usize = 2;
 
 /// A contact of a body with the ground.
@@ -43,11 +48,12 @@ const ROUGH_STEP: usize = 2;
 pub struct Touch {
     /// Index of the first sample after the contact.
     pub sample: usize,
-    /// Upward velocity jump over the next samples, m/s.
+    /// Upward component of the velocity jump at the contact, fitted to the samples before and after it, m/s.
     pub jump: f64,
 }
 
-/// Finds the first contact; `None` if the body flies freely, is caught, has no steady axis, or has too few samples.
+/// Finds the first contact with the ground; `None` if the body flies freely, is caught by a hand, has no steady axis,
+/// or has too few samples.
 pub fn touch(posed: &[Posed]) -> Option<Touch> {
     if posed.len() < LEAST_BEFORE + LEAST_AFTER {
         return None;
@@ -100,7 +106,8 @@ pub fn touch(posed: &[Posed]) -> Option<Touch> {
     })
 }
 
-/// Whether a comparison with the gains `gains`, based on a rough noise estimate, is a candidate for a contact.
+/// Whether a test of the first, cheap pass exceeds the lower thresholds (see `ROUGH`), so that the flight may have a
+/// contact. `gains` are the gains of `comparison`, converted to a better noise estimate.
 fn may_be_touch(comparison: &Comparison, gains: [f64; 2]) -> bool {
     let [position, axis] = [0, 1].map(|part| gains[part] / LEAST_USUAL[part]);
     let jump = comparison.jump.z;

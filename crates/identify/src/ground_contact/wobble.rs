@@ -14,20 +14,21 @@ const MOST_TURN: f64 = 0.3;
 const LEAST_SPIN: f64 = 24.0;
 /// The spin is computed from the first 1/`SPIN_PART` of a flight, because ground friction slows it later.
 const SPIN_PART: usize = 3;
-/// Wobble angles between successive samples that are tried: minimum (rad), step (rad) and number, up to about half a
-/// turn.
+/// Trial values of the wobble angle between successive samples: minimum (rad), step (rad) and number, up to about half
+/// a turn.
 const TURNS: (f64, f64, usize) = (0.25, 0.05, 56);
-/// Spacing, in steps of `TURNS`, of the wobble angles that are tried first.
+/// Spacing, in steps of `TURNS`, of the trial values in the first, coarse search for the wobble rate.
 const COARSE: usize = 3;
-/// Number of points of a segment from which the wobble rate is estimated.
+/// Number of points of each segment to which a wobble of the trial rate is fitted.
 const CHUNK: usize = 12;
-/// Unit of time for the powers of a polynomial over a segment, s.
+/// Unit in which time is expressed in the powers of a polynomial over a segment, s.
 const SCALE: f64 = 0.05;
-/// Minimum sum of squared residuals of the axis; smaller values are rounding errors.
+/// Lower limit of the sum of squared residuals of the axis in a segment, because its logarithm is used; smaller values
+/// are rounding errors.
 const LEAST_SQUARE: f64 = 1e-12;
-/// Spacing and number of the correlations that are tried, from 0 on.
+/// Spacing and number of the trial values of the noise correlation between successive samples; the first one is 0.
 const CORRELATIONS: (f64, i32) = (0.05, 18);
-/// Minimum number of third differences from which a correlation is estimated.
+/// Minimum number of third differences of the positions from which the noise correlation is estimated.
 const DIFFERENCES: usize = 30;
 
 /// Positions and directions of the most steady axis in each sample; `None` if the body has no steady axis or spins
@@ -112,8 +113,8 @@ pub fn wobble_rate(points: &[Point], interval: f64) -> f64 {
     ))
 }
 
-/// Correlation of the noise between successive samples, estimated from third differences of successive samples and of
-/// every second sample; 0 if there are too few samples.
+/// Correlation of the position noise between successive samples, estimated from third differences of successive samples
+/// and of every second sample; 0 if there are too few samples.
 pub fn noise_correlation(points: &[Point]) -> f64 {
     let differences = |stride: usize| -> Vec<f64> {
         let windows = points.windows(3 * stride + 1);

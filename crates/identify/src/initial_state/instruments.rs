@@ -11,16 +11,16 @@ use crate::observations::Observations;
 use crate::problem::FitProblem;
 use crate::statistics::median;
 
-/// Time over which the specific force is averaged, s.
+/// Time from the first accelerometer reading over which the specific force is averaged, s.
 const AVERAGED: f64 = 0.15;
 
-/// Speeds that are tried if no speed is measured, m/s.
+/// Initial speeds of the body that are tried if no speed is measured, m/s.
 const SPEEDS: [f64; 3] = [6.0, 12.0, 22.0];
 
-/// Angles of the velocity below the plane perpendicular to the spin axis that are tried, rad.
+/// Angles of the initial velocity below the plane perpendicular to the spin axis that are tried, rad.
 const ANGLES: [f64; 2] = [0.05, 0.25];
 
-/// Tilt of the body that is tried, rad, about horizontal axes.
+/// Initial tilt of the body about a horizontal axis that is tried, rad.
 const TILT: f64 = 0.35;
 
 /// Angular rate above which the body is considered to spin about an axis, rad/s.
@@ -89,7 +89,7 @@ pub fn motions(
     Ok(motions)
 }
 
-/// Attitudes that are tried: level and tilted, each upright and upside down.
+/// Initial attitudes that are tried: level and tilted, each upright and upside down.
 fn attitudes() -> Vec<UnitQuaternion<f64>> {
     let tilts = [
         Vector3::zeros(),
@@ -112,7 +112,8 @@ fn middle(vectors: impl Iterator<Item = Vector3<f64>>) -> Vector3<f64> {
 }
 
 /// Mean specific force at the centre of mass over the first samples, m/s², in the body axes at the first sample.
-/// Readings are (time, value, position of the sensor).
+/// `rates` and `forces` are readings of gyroscope (rad/s) and accelerometer (m/s²), as (time in s, value, position of
+/// the sensor in m).
 fn mean_force(
     rates: &[(f64, Vector3<f64>, Vector3<f64>)],
     forces: &[(f64, Vector3<f64>, Vector3<f64>)],

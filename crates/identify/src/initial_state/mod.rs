@@ -25,7 +25,8 @@ pub struct InitialGuess {
     pub turns: i32,
 }
 
-/// Maximum spin considered as an alias, rad/s; strong throws reach about 160 rad/s.
+/// Maximum spin of an additional initial guess that has whole turns per sampling interval added (aliasing), rad/s.
+/// Strong throws reach about 160 rad/s.
 const MAX_SPIN: f64 = 400.0;
 
 /// Returns the state of a body that has the given motion at the first sample. `observations` provides parameters and
@@ -83,8 +84,8 @@ pub fn initial_guesses(
     }
 }
 
-/// Initial guesses of a flight without measured positions: one for each motion that is tried. A fit to the samples
-/// selects among them.
+/// Initial guesses of a flight without measured positions: one for each of several motions that the instruments permit.
+/// The caller selects among them by fits to the samples.
 fn instrument_guesses(
     problem: &FitProblem,
     observations: &Observations,

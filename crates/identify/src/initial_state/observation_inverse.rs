@@ -13,17 +13,17 @@ use crate::problem::FitProblem;
 /// Body-fixed points whose positions and velocities determine the motion: the origin and one point on each axis, m.
 const PROBES: [[f64; 3]; 4] = [[0.0; 3], [0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.1]];
 
-/// Distance of the points from their targets below which the search ends, m. Velocities are multiplied by
-/// `VELOCITY_WEIGHT`.
+/// Distance of the probe points from their target positions and velocities, m, below which the search for the state
+/// ends. Velocities are multiplied by `VELOCITY_WEIGHT`.
 const MAX_DISTANCE: f64 = 1e-6;
 
-/// Maximum number of initial guesses from which the search is started.
+/// Maximum number of initial states from which the search for the state with a given motion is started.
 const MAX_GUESSES: usize = 8;
 
-/// Step size of the one-sided finite differences for the Jacobian.
+/// Step size of the one-sided finite differences for the Jacobian, in the SI unit of each state.
 const DIFFERENCE_STEP: f64 = 1e-6;
 
-/// Weight of velocities relative to positions, s.
+/// Time by which velocities are multiplied to be comparable with positions in the distance to be minimised, s.
 const VELOCITY_WEIGHT: f64 = 0.02;
 
 /// Returns the state at which points of the body have the positions and velocities of the given motion, as nearly as
@@ -81,7 +81,7 @@ pub fn state(
     Ok(state)
 }
 
-/// Target positions of the points, m, followed by their target velocities × `VELOCITY_WEIGHT`, m.
+/// Target positions of the probe points, m, followed by their target velocities × `VELOCITY_WEIGHT`, m.
 fn target(motion: &RigidMotion, probes: &[[f64; 3]]) -> DVector<f64> {
     let arm = |probe: &[f64; 3]| {
         let probe = Vector3::from(*probe);
@@ -99,8 +99,8 @@ fn target(motion: &RigidMotion, probes: &[[f64; 3]]) -> DVector<f64> {
     DVector::from_vec(all)
 }
 
-/// Initial states of the search: the model's default state, in every orientation that results from quarter turns of its
-/// frames.
+/// Initial states from which the search starts: the model's default state, in every orientation that results from
+/// quarter turns of the model's frames.
 fn guesses(problem: &FitProblem, observations: &Observations) -> Vec<DVector<f64>> {
     use model_spec::model::FrameKind;
     let plain =
@@ -163,8 +163,8 @@ fn quarter_turns() -> Vec<[f64; 4]> {
     all
 }
 
-/// Levenberg–Marquardt iteration from one initial state. Returns the remaining distance of the points from their
-/// targets, m, and the state; `None` if the iteration fails.
+/// Levenberg–Marquardt iteration from one initial state. Returns the remaining distance of the probe points from their
+/// target positions and velocities, m, and the state; `None` if the iteration fails.
 fn descend(
     problem: &FitProblem,
     observations: &Observations,
@@ -225,7 +225,7 @@ fn descend(
     distance.is_finite().then_some((distance, state))
 }
 
-/// Evaluates positions and velocities of the points at a state of the model.
+/// Evaluates the positions and velocities of the probe points on the body at a state of the model.
 struct ProbeMotion<'a> {
     /// Time of the first sample, s.
     time: f64,
@@ -253,7 +253,7 @@ impl<'a> ProbeMotion<'a> {
         }
     }
 
-    /// Distance of the points from their target positions, m.
+    /// Distance of the probe points from their target positions, m: root of the sum of squares over all points.
     fn distance(&mut self, state: &DVector<f64>, target: &DVector<f64>) -> f64 {
         let mut squares = 0.0;
         for (probe, wanted) in self.probes.iter().zip(target.as_slice().chunks(3)) {

@@ -148,7 +148,8 @@ pub fn of(problem: &FitProblem, observations: &Observations) -> Result<RigidMoti
 /// outlier.
 const MAX_VARIANCE_RATIO: f64 = 25.0;
 
-/// Ratio of a position's squared distance from the parabola to the median, above which the position is dropped.
+/// Ratio of a position's squared distance from the parabola to the median of these squared distances, above which the
+/// position is dropped as an outlier.
 const MAX_SQUARES_RATIO: f64 = 16.0;
 
 /// Maximum number of refits of the parabola after positions were dropped.
@@ -237,8 +238,8 @@ fn rates(seen: &[SeenFrame], observations: &Observations) -> Result<Vector3<f64>
     Ok(rates.into())
 }
 
-/// Attitude at time 0. The first poses are rotated back to time 0, and the one with the smallest sum of angles to the
-/// others is returned.
+/// Attitude at time 0. The first poses are rotated back to time 0, and the one with the smallest sum of rotation angles
+/// to the other poses is returned.
 fn attitude(seen: &[SeenFrame], rates: Vector3<f64>) -> Option<UnitQuaternion<f64>> {
     const FIRST: usize = 5;
     let back = |seen: &SeenFrame| {

@@ -5,9 +5,10 @@ use nalgebra::{DMatrix, DVector};
 use super::Constraint;
 use super::scaled_cholesky::ScaledCholesky;
 
-/// Minimises the reduced quadratic form plus the priors, within the bounds, by an active-set method: a parameter that
-/// would cross a bound is set to the bound, and the other parameters are solved for again. Returns the step and the
-/// decrease of the priors' sum of squares; `None` if the matrix is singular.
+/// Computes the step of the global parameters that minimises the quadratic model of the sum of squares (matrix
+/// `reduced`, `gradient`) plus the priors, within the bounds. Active-set method: a parameter that would cross a bound
+/// is set to the bound, and the step of the other parameters is computed again. Returns the step and the decrease of
+/// the priors' sum of squares; `None` if the matrix is singular.
 pub fn constrained_step(
     reduced: &DMatrix<f64>,
     gradient: &DVector<f64>,

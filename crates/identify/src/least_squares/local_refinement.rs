@@ -9,18 +9,18 @@ use nalgebra::DVector;
 use super::{Constraint, Iterate, LeastSquaresProblem, NormalBlock, SolveError, Unknowns};
 use crate::error::FlightError;
 
-/// Schedule of refinement attempts: after each successive failure, the number of rejected steps before the next attempt
-/// doubles.
+/// Schedule of attempts to refine the local parameters after rejected steps: with each successive failure, the number
+/// of rejected steps before the next attempt doubles.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Backoff {
     /// Number of rejected steps until the next attempt.
     wait: usize,
-    /// Number of rejected steps that were skipped after the last failure.
+    /// Number of rejected steps to wait after the last failed attempt; 0 before the first failure.
     pause: usize,
 }
 
 impl Backoff {
-    /// Whether a refinement is to be tried at this rejected step. Call it once per rejected step.
+    /// Whether to try a refinement of the local parameters at this rejected step. Call it once per rejected step.
     pub fn is_due(&mut self) -> bool {
         let is_due = self.wait == 0;
         self.wait = self.wait.saturating_sub(1);

@@ -19,8 +19,8 @@ pub trait LeastSquaresProblem: Sync {
     /// Number of flights.
     fn flights(&self) -> usize;
 
-    /// Normal equations of a flight's residuals at the given global and local parameters; for the local parameters
-    /// alone if the global ones are fixed.
+    /// Normal equations of a flight's residuals at the values `unknowns` of the global and local parameters, for the
+    /// parameters that `by` selects; for the local parameters alone if the problem fixes the global ones.
     ///
     /// # Errors
     /// [`FlightError`] if the flight cannot be predicted from these values.

@@ -7,8 +7,9 @@ pub struct StoppingCriteria {
     pub ftol_abs: f64,
     /// Predicted reduction, as a fraction of the sum of squares, below which a step is negligible.
     pub ftol_rel: f64,
-    /// Maximum predicted reduction of a final step that is accepted without evaluating its residuals, in multiples of
-    /// the negligible reduction. The next step must also be predicted to be negligible.
+    /// Factor on the negligible reduction (see `ftol_abs` and `ftol_rel`): a step with a predicted reduction below this
+    /// product may be accepted as the last one without evaluating its residuals, if the step after it is predicted to
+    /// be negligible.
     pub accept_unevaluated: f64,
     /// Maximum number of steps.
     pub max_steps: usize,
@@ -23,8 +24,8 @@ const MIN_STEPS: usize = 8;
 const SLOW: f64 = 0.1;
 
 impl StoppingCriteria {
-    /// Criteria for whitened residuals. An unevaluated last step has a length of at most one standard error, which
-    /// leaves an error of about 1/30 standard error.
+    /// Criteria for the final fit of whitened residuals. An unevaluated last step has a length of at most one standard
+    /// error, which leaves an error of about 1/30 standard error.
     pub const CONVERGED: StoppingCriteria = StoppingCriteria {
         ftol_abs: 1e-3,
         ftol_rel: 1e-11,
@@ -32,8 +33,8 @@ impl StoppingCriteria {
         max_steps: 100,
         worthwhile_squares: f64::INFINITY,
     };
-    /// Criteria for a model whose residuals are far larger than the noise. Its steps decrease slowly, and the exact end
-    /// point, within a fraction of a standard error, is meaningless.
+    /// Criteria for a model whose residuals are far larger than the noise. The steps of its fit decrease slowly, and
+    /// the exact solution, within a fraction of a standard error, is meaningless.
     pub const MISFIT: StoppingCriteria = StoppingCriteria {
         ftol_rel: 1e-4,
         max_steps: 40,
@@ -78,8 +79,9 @@ impl StoppingCriteria {
             && predicted_reduction < SLOW * squares
     }
 
-    /// Whether a step may be accepted, without evaluation, as the last one: its predicted reduction is negligible, or
-    /// that of the next step will be, extrapolated by the ratio to the `previous` predicted reduction.
+    /// Whether a step may be accepted, without evaluation, as the last one: its predicted reduction is negligible; or
+    /// it is small, and that of the next step, extrapolated by the ratio to the `previous` predicted reduction, is
+    /// negligible.
     pub(super) fn is_reached(
         &self,
         predicted_reduction: f64,

@@ -8,16 +8,17 @@ use crate::ids::LocalId;
 use crate::least_squares::GramAccumulator;
 use crate::observations::Observations;
 
-/// Columns of a Jacobian row: directions of the initial state with integrated sensitivities, then parameters, then
-/// directions with constant sensitivity. A state on which no derivative of the model depends has the constant
-/// derivative 1 by its initial value.
+/// Order of the columns of a Jacobian row: free directions of the initial state with integrated sensitivities, then
+/// parameters, then free directions with constant sensitivity. The sensitivity to a direction is constant if no
+/// derivative of the model depends on the state that it varies: the derivative of that state by its initial value is
+/// then 1.
 pub(super) struct JacobianColumns<'p> {
-    /// Number of directions of the initial state whose sensitivities are integrated.
+    /// Number of free directions of the initial state whose sensitivities are integrated.
     pub integrated: usize,
-    /// Column index of each direction of the state manifold.
+    /// Column index of each free direction of the initial state (see `StateManifold`).
     local: Vec<usize>,
-    /// For each state, the column of the direction that varies it with constant sensitivity; `None` if its sensitivity
-    /// is integrated.
+    /// For each state with constant sensitivity, the column of the direction that varies it; `None` for states whose
+    /// sensitivities are integrated or that are known.
     constant: Vec<Option<usize>>,
     /// Parameters by which residuals are differentiated.
     pub parameters: &'p [ParamId],
@@ -73,7 +74,7 @@ impl<'p> JacobianColumns<'p> {
         GramAccumulator::new(self.local.clone(), self.parameter_columns().collect())
     }
 
-    /// Column indices of the directions, followed by those of the parameters.
+    /// Column indices of all free directions of the initial state, followed by those of the parameters.
     pub fn local_then_parameters(&self) -> Vec<usize> {
         let local = self.local.iter().copied();
         local.chain(self.parameter_columns()).collect()

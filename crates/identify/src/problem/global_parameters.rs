@@ -12,7 +12,7 @@ use crate::options::FitOptions;
 pub struct GlobalParameter {
     /// Name of the parameter in the model.
     pub name: String,
-    /// Index of the parameter in the model's layout.
+    /// Index of the parameter in the compiled model's parameter vector.
     pub param: ParamId,
     /// Unit as written in the model.
     pub unit: String,

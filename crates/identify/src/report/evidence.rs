@@ -49,8 +49,8 @@ pub struct SensorEvidence {
     pub measured: Vec<Option<[f64; 3]>>,
     /// Whether the measured value is excluded as an outlier, by sample.
     pub outlier: Vec<bool>,
-    /// Residual by sample, measured − predicted; for an attitude, the rotation vector between both in the inertial
-    /// frame. `None` for a missing value.
+    /// Residual by sample, measured − predicted; for an attitude, the rotation vector from the predicted to the
+    /// measured attitude, rad, in the inertial frame. `None` for a missing value.
     pub residuals: Vec<Option<[f64; 3]>>,
 }
 

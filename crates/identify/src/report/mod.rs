@@ -217,7 +217,7 @@ impl FlightReport {
 pub struct Truncation {
     /// Time of the last sample that is used, s, as in the table of the flight.
     pub t: f64,
-    /// Number of samples that were dropped after that time.
+    /// Number of samples after the time `t`, which were dropped.
     pub samples: usize,
     /// Reason for the truncation.
     pub why: String,

@@ -4,8 +4,8 @@ use super::{FitReport, FitStatus};
 use crate::dataset::Role;
 use crate::wording::count;
 
-/// Ratio of the rms residual to the noise floor, above which a fit is not reliable. AR(1) noise of coefficient 0.9
-/// leads to a lower ratio.
+/// Ratio of the rms residual to the noise floor, above which a fit is not reliable. Correlated noise, which lowers the
+/// noise floor, stays below this limit: an AR(1) noise of coefficient 0.9 leads to a lower ratio.
 const MAX_NOISE_RATIO: f64 = 5.0;
 
 /// Minimum noise floor with which residuals are compared, m, because tables are rounded and integration has errors.
@@ -68,7 +68,8 @@ fn data_faults(report: &FitReport) -> Option<String> {
     ))
 }
 
-/// Reason not to rely on a fit if markers are not at their stated positions; `None` if all marker distances agree.
+/// Reason not to rely on a fit if markers are not at the positions given in the dataset; `None` if no marker distance
+/// differs significantly from its prediction.
 fn marker_distances(report: &FitReport) -> Option<String> {
     let worst = report.marker_distances.iter();
     let worst = worst.max_by(|a, b| a.difference_m.abs().total_cmp(&b.difference_m.abs()))?;

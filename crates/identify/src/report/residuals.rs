@@ -28,7 +28,7 @@ pub struct ResidualPool {
 
 #[derive(Clone, Debug)]
 struct Axis {
-    /// Sum and number of products of residuals at each lag.
+    /// For each lag in samples: sum (m²) and number of the products of two residuals that are this far apart.
     raw: Vec<(f64, usize)>,
     whitened: Vec<(f64, usize)>,
     /// Histogram of the whitened residuals: number of values per bin.

@@ -7,17 +7,18 @@ use crate::statistics::{median, robust_sigma};
 /// Maximum number of markers whose mutual distances are compared; more would add little information and much
 /// computation.
 pub const MOST_MARKERS: usize = 8;
-/// Maximum relative deviation of one pair's ratio of measured to declared distance from the median ratio of all
-/// pairs.
+/// Maximum relative deviation of one pair's ratio of measured to declared distance from the median ratio of all pairs,
+/// at which the ratios count as consistent.
 const RATIO_SPREAD: f64 = 0.1;
-/// Maximum relative deviation of a ratio of lengths from that of a unit to the metre at which the unit is named as
-/// the cause.
+/// Maximum relative deviation of a ratio of measured to true lengths from the ratio that a wrong unit causes, at which
+/// this unit is reported as the cause.
 const UNIT_TOLERANCE: f64 = 0.05;
-/// Minimum relative error of a distance that is grossly wrong.
+/// Minimum error of a grossly wrong distance, relative to the declared distance. The limits [`GROSS_DISTANCE`] and
+/// [`GROSS_NOISE`] must be exceeded too.
 const GROSS: f64 = 0.25;
-/// Minimum error of a distance that is grossly wrong, m.
+/// Minimum error of a grossly wrong distance, m; see [`GROSS`].
 const GROSS_DISTANCE: f64 = 0.02;
-/// Minimum error of a distance that is grossly wrong, in units of the distance's noise.
+/// Minimum error of a grossly wrong distance, in units of the standard deviation of its noise; see [`GROSS`].
 const GROSS_NOISE: f64 = 8.0;
 
 /// Units of length that are mistaken for metres: length in metres, and name.
@@ -121,7 +122,8 @@ impl Distances {
         (agree && common > 0.0).then_some(common)
     }
 
-    /// Whether a measured distance of a pair, m, is grossly wrong compared with the declared distance.
+    /// Whether the measured distance, m, of pair number `pair` is grossly wrong: its error exceeds a relative limit, an
+    /// absolute limit and a multiple of the noise.
     pub fn is_gross(&self, measured: f64, pair: usize) -> bool {
         let declared = self.declared[pair];
         let limit = (GROSS * declared)

@@ -12,37 +12,42 @@ use crate::dataset::{Dataset, Flight, KnownValue};
 use crate::problem::FitProblem;
 use crate::statistics::median;
 
-/// Minimum difference between the fitted constant acceleration and gravity that is a fault, in units of gravity.
+/// Minimum deviation of the fitted constant acceleration from gravity at which a fault of all flights is reported, in
+/// units of gravity. [`LEAST_SIGNIFICANCE`] and [`LEAST_RATIO`] must be reached too.
 const LEAST_DEVIATION: f64 = 0.5;
-/// Minimum difference between the fitted constant acceleration and gravity that is a fault, in units of its standard
-/// error.
+/// Minimum deviation of the fitted constant acceleration from gravity at which a fault of all flights is reported, in
+/// units of the standard error of the deviation.
 const LEAST_SIGNIFICANCE: f64 = 8.0;
-/// Minimum ratio of the remaining acceleration with gravity fixed to that with any constant acceleration, for a fault
-/// of all flights.
+/// Minimum ratio, at which a fault of all flights is reported, of the median residual acceleration of the regression
+/// with the constant acceleration fixed at gravity to that of the regression with a fitted constant acceleration.
 const LEAST_RATIO: f64 = 1.7;
-/// Minimum cosine of the angle between an acceleration and the axis along which it counts as pointing: cos 30°.
+/// Minimum cosine of the angle between a measured acceleration and gravity at which the acceleration counts as directed
+/// downwards: cos 30°.
 const ALONG: f64 = 0.866;
-/// Ratios of the fitted constant acceleration to gravity that loads missing in the model may explain. A time scale
-/// wrong by a factor of 2 gives a ratio of 4 or 1/4.
+/// Range of the ratio of the fitted constant acceleration to gravity in which no fault is reported, because loads that
+/// the regression lacks may explain the deviation. A time scale wrong by a factor of 2 gives a ratio of 4 or 1/4.
 const USUAL_FACTORS: std::ops::Range<f64> = 0.38..2.6;
-/// Minimum misfit of a single flight that is examined: in units of gravity, and of the median misfit of all flights.
+/// Minimum misfit (unexplained acceleration) of a single flight at which corrections of its data are tried: the larger
+/// of the first number times gravity and the second number times the median misfit of all flights.
 const SINGLE_MISFIT: (f64, f64) = (0.25, 4.0);
-/// Maximum misfit of a flight after a correction: in units of its misfit before, of the median misfit of all flights,
-/// and of gravity.
+/// Maximum misfit (unexplained acceleration) of a single flight at which a correction of its data is accepted: the
+/// first number times the misfit before the correction, and the larger of the second number times the median misfit of
+/// all flights and the third number times gravity. Neither may be exceeded.
 const MENDED_MISFIT: (f64, f64, f64) = (0.3, 2.5, 0.15);
-/// Maximum misfit after any correction, in units of gravity. A correction that shrinks lengths shrinks every misfit
-/// except that against gravity.
+/// Maximum misfit (unexplained acceleration) of a single flight after any accepted correction, in units of gravity. It
+/// rejects a correction that merely shrinks all lengths: the accelerations then tend to 0 and the misfit to gravity.
 const MOST_MENDED: f64 = 0.4;
-/// Minimum magnitude of the vertical component of the normal of markers in a plane at which the upper side is
-/// unambiguous.
+/// Minimum magnitude of the vertical component of the unit normal of the markers' plane at which it is clear which side
+/// of the body is up.
 const UPRIGHT: f64 = 0.3;
-/// Maximum misfit of the mirror image of a flight that seems turned over, in units of the misfit of the flight
-/// itself.
+/// Maximum ratio of the misfit (unexplained acceleration) of a flight's mirror image to that of the recorded flight, at
+/// which a flight with the body apparently upside down is reported as mirrored.
 const TURNED_MISFIT: f64 = 0.7;
-/// Maximum ratio of the remaining acceleration to the standard error of an acceleration component at which it counts
-/// as noise.
+/// Maximum ratio of the median residual acceleration to the median standard error of the measured accelerations at
+/// which noise alone explains the residuals; gravity is then not questioned.
 const NOISE: f64 = 2.5;
-/// Weight of the scatter of a flight's accelerations in its misfit.
+/// Weight, in the misfit (unexplained acceleration) of a flight, of the scatter of its accelerations about their
+/// median; the deviation of the median from gravity has the weight 1.
 const SCATTER_PART: f64 = 0.25;
 /// Minimum number of flights for which a single flight can be compared with the others.
 const LEAST_FLIGHTS: usize = 4;
@@ -70,13 +75,14 @@ pub struct FreeFall<'a> {
     gravity: Vector3<f64>,
     /// Accelerations and loads in the time windows of each flight; empty for a flight without a track.
     rows: Vec<Vec<Row>>,
-    /// Median vertical component, in each flight, of the normal of the markers' plane; `None` for a point mass or
-    /// without a track.
+    /// Median, over the samples of each flight, of the vertical component of the unit normal of the markers' plane;
+    /// `None` for a point mass or without a track.
     upright: Vec<Option<f64>>,
 }
 
 impl<'a> FreeFall<'a> {
-    /// Computes the windows of the flights' tracks; the track of a flight that already has another fault is `None`.
+    /// Computes the regression data of each flight from its track in `tracks`, which is `None` for a flight that
+    /// already has another fault.
     pub fn new(
         problem: &'a FitProblem,
         dataset: &'a Dataset,
@@ -99,7 +105,8 @@ impl<'a> FreeFall<'a> {
         }
     }
 
-    /// Faults of all flights or of single flights; empty if the accelerations agree with gravity.
+    /// Faults of units, times or axes that the accelerations reveal: the same fault for every flight if the flights
+    /// have it in common, otherwise faults of single flights. Empty if the accelerations agree with gravity.
     pub fn check(&self) -> Vec<DataFault> {
         let all: Vec<&Row> = self.rows.iter().flatten().collect();
         if all.is_empty() {
@@ -128,8 +135,9 @@ impl<'a> FreeFall<'a> {
         self.single(&fixed)
     }
 
-    /// Fault that all flights have in common: kind, detail and correction. `fixed` and `free` are the regressions
-    /// with gravity and with any constant acceleration; `None` if gravity is right.
+    /// Fault that all flights have in common: kind, description and instruction for correcting it. `fixed` and `free`
+    /// are the regressions with the constant acceleration fixed at gravity and with a fitted constant acceleration;
+    /// `None` if the fitted acceleration is no clear evidence of a fault.
     fn of_all(&self, fixed: &Regression, free: &Regression) -> Option<(FaultKind, String, String)> {
         let g = self.gravity.norm();
         let deviation = free.gravity - self.gravity;
@@ -177,8 +185,8 @@ impl<'a> FreeFall<'a> {
         }
     }
 
-    /// Fault of times or of lengths for a constant acceleration that is `ratio` times gravity: kind, detail and
-    /// correction.
+    /// Fault of the unit of length or of the times, if the fitted constant acceleration is directed downwards but is
+    /// `ratio` times gravity: kind, description and instruction for correcting it.
     fn scale(&self, ratio: f64, free: &Regression) -> (FaultKind, String, String) {
         let detail = format!("in all flights free fall is {ratio:.3} times as fast as gravity");
         let length = unit(ratio).or_else(|| {
@@ -209,8 +217,9 @@ impl<'a> FreeFall<'a> {
         self.dataset.markers.len() > 1
     }
 
-    /// Whether the fitted drag, which depends on the unit of length but not of time, suggests a wrong unit of length;
-    /// `None` if the drag is not usable.
+    /// Whether the fitted drag, which depends on the unit of length but not on that of time, agrees better with a wrong
+    /// unit of length than with wrong times as the reason for an acceleration of `ratio` times gravity. `None` if the
+    /// drag of the model is unknown or the fitted drag is not positive.
     fn drag_suggests_lengths(&self, ratio: f64, free: &Regression) -> Option<bool> {
         let expected = super::gravity::drag(self.problem)?;
         let found = -*free.coefficients.first()?;
@@ -249,8 +258,9 @@ impl<'a> FreeFall<'a> {
         faults
     }
 
-    /// Fault of a flight whose planar markers have the opposite side up from all other flights, and that fits better
-    /// as its mirror image. `before` is the flight's misfit, m/s².
+    /// Fault of a flight whose markers, which lie in a plane, show the other side of the body up than in all other
+    /// flights, if the mirror image of the flight has a clearly smaller misfit. `before` is the misfit of the recorded
+    /// flight, m/s².
     fn turned_over(&self, fixed: &Regression, index: usize, before: f64) -> Option<DataFault> {
         let own = self.upright[index]?;
         let others = self
@@ -275,15 +285,16 @@ impl<'a> FreeFall<'a> {
         })
     }
 
-    /// Acceleration of a flight that neither gravity nor the common loads explain, m/s²: that of the median over its
-    /// windows, which averages out noise, plus a fraction of their scatter. `None` without windows.
+    /// Misfit of a flight, m/s²: the deviation of its accelerations from gravity after subtraction of the loads fitted
+    /// to all flights. It is the deviation of their median over the windows plus a fraction of their scatter; `None`
+    /// without windows.
     fn misfit(&self, fixed: &Regression, rows: &[Row]) -> Option<f64> {
         let rest = rows.iter().map(|row| fixed.without_loads(row));
         misfit(&rest.collect::<Vec<_>>(), self.gravity)
     }
 
-    /// Fault of a flight whose correction reduces the misfit to at most `enough`, m/s²; `None` if there is no such
-    /// correction.
+    /// Fault of a flight for which a correction of its units, times or axes reduces the misfit below `enough`, m/s²;
+    /// `None` if no correction does.
     fn mended(
         &self,
         fixed: &Regression,
@@ -355,8 +366,10 @@ impl<'a> FreeFall<'a> {
         None
     }
 
-    /// Unit of length that minimizes a flight's misfit: the misfit, m/s², the unit's length, m, and its name. `None`
-    /// if the distances between markers have already shown that lengths are in metres.
+    /// Unit of length, other than the metre, for which a flight has the smallest misfit if its positions are in this
+    /// unit: misfit, m/s², length of the unit, m, and name. The function `misfit` returns the misfit after
+    /// multiplication of the positions by a matrix. `None` if the distances between markers have already shown that
+    /// lengths are in metres.
     fn length(
         &self,
         misfit: &impl Fn(&Matrix3<f64>) -> Option<f64>,
@@ -383,7 +396,8 @@ pub fn changed(problem: &FitProblem, flight: &Flight, matrix: &Matrix3<f64>) -> 
     Track::until_contact(problem, &flight.times, &rows).0
 }
 
-/// Median vertical component of the normal of the markers' plane; `None` for a point mass or without attitudes.
+/// Median over the samples of the vertical component of the unit normal of the markers' plane; `None` for a point mass
+/// or without attitudes.
 pub fn upright(problem: &FitProblem, track: &Track) -> Option<f64> {
     let normal = problem
         .has_attitude
@@ -422,7 +436,8 @@ fn omega(problem: &FitProblem, flight: &Flight) -> Option<Vector3<f64>> {
     known.next()
 }
 
-/// Texts on a ratio of the fitted acceleration to gravity: what it implies about the times, and how to correct them.
+/// Two texts on wrong times, from the ratio of the fitted acceleration to gravity: the probable mistake, and the
+/// instruction for correcting it.
 fn time_words(ratio: f64) -> (String, String) {
     let factor = ratio.sqrt();
     let told = match factor {

@@ -10,11 +10,12 @@ use crate::problem::FitProblem;
 const FALL: f64 = 1e-2;
 /// Maximum relative difference of accelerations that count as equal.
 const SAME: f64 = 1e-2;
-/// Angles, rad, and factors on shifts, m, of the positions and attitudes at which the accelerations are compared.
+/// Sizes of the variations of the default state for which the accelerations are compared: angles vary by up to this
+/// size in rad, coordinates by up to 3 m times this size.
 const VARIATIONS: [f64; 3] = [0.0, 0.4, -0.9];
 
-/// Acceleration of the body's origin from rest in still air, m/s², if it is the same at all positions and attitudes
-/// tried; `None` for a body that is held, driven or not under gravity.
+/// Acceleration of the body's origin from rest in still air, m/s². `None` if the acceleration is zero or depends on
+/// position or attitude, as for a body that is held, driven or not under gravity.
 pub fn gravity(problem: &FitProblem) -> Option<Vector3<f64>> {
     let falls = VARIATIONS.map(|variation| fall(problem, variation));
     let [first, others @ ..] = falls;
@@ -51,8 +52,8 @@ pub fn drag(problem: &FitProblem) -> Option<f64> {
     Some((moving - still).norm() / (SPEED * SPEED))
 }
 
-/// Acceleration of the body's origin from rest at a varied position and attitude, m/s²; `None` if it cannot be
-/// computed.
+/// Acceleration of the body's origin from rest, m/s², at a position and attitude that differ from the default state by
+/// `variation`, an entry of [`VARIATIONS`]; `None` if the simulation fails.
 fn fall(problem: &FitProblem, variation: f64) -> Option<Vector3<f64>> {
     let model = &problem.model;
     let mut state = problem.body.layout().default_states();

@@ -7,19 +7,23 @@ use super::track::{MIN_POINTS, Parabola, Track, parabola};
 use crate::dataset::Flight;
 use crate::statistics::median;
 
-/// Numbers of points at the start and at the end of a flight over which the motion is examined.
+/// Numbers of points of the intervals at the start and at the end of a flight that are examined for contact with a hand
+/// or the ground.
 const LENGTHS: [usize; 8] = [6, 9, 13, 20, 32, 52, 90, 160];
-/// Minimum forward force of a push by a hand: in units of the weight, and of the total force without gravity.
-/// Aerodynamic forces in moderate wind do not exceed both limits.
+/// Minimum forward component of the force per mass (without gravity) that counts as a push by a hand: in units of
+/// gravity, and of the magnitude of this force; both limits must be exceeded. Aerodynamic forces in moderate wind do
+/// not exceed both.
 const PUSH: (f64, f64) = (1.0, 0.5);
-/// Minimum significance of a force, in units of its standard error.
+/// Margin, in units of the standard error, by which a measured force per mass must exceed its limit to count as
+/// detected.
 const SIGNIFICANT: f64 = 6.0;
-/// Maximum speed of a body at rest: in m/s, and in units of the flight's median speed.
+/// Maximum speed of a body at rest: the smaller of the first number in m/s and the second number times the flight's
+/// median speed.
 const REST: (f64, f64) = (0.5, 0.08);
-/// Minimum supporting force on a body at rest, in units of gravity.
+/// Minimum force per mass (without gravity) on a supported body at rest, in units of gravity.
 const REST_FORCE: f64 = 0.7;
-/// Minimum force of a catch: in units of gravity, and of the force that the air would exert at that speed, judged by
-/// the rest of the flight.
+/// Minimum braking force per mass of a catch: in units of gravity, and of the aerodynamic force that the earlier flight
+/// suggests for the same speed. Both limits must be exceeded.
 const CATCH: (f64, f64) = (3.0, 5.0);
 
 /// Fault of a flight that has samples not of free flight, at its start or its end; `None` if all samples are of free
@@ -79,7 +83,7 @@ impl<'a> Examined<'a> {
         parabola(&self.track.points[from..to], self.track.noise)
     }
 
-    /// Force per mass without gravity, m/s².
+    /// Force per mass other than gravity during the fitted motion, m/s².
     fn force(&self, motion: &Parabola) -> Vector3<f64> {
         motion.acceleration - self.gravity
     }

@@ -7,20 +7,24 @@ use super::track::{Point, Track};
 use crate::dataset::Flight;
 use crate::statistics::median;
 
-/// Number of points on each side of a possible jump from which the motion there is estimated.
+/// Number of points before and after a possible jump to each of which a line is fitted; the jump is the distance
+/// between the two lines.
 const SIDE: usize = 8;
-/// Minimum size of a jump: in units of the noise, and in m.
+/// Minimum size of a jump that is reported: the larger of the first number times the noise of the track and the second
+/// number in m.
 const JUMP: (f64, f64) = (15.0, 0.08);
-/// Minimum size of a jump, in units of the distance that the body moves in one sampling interval.
+/// Minimum size of a jump that is reported, in units of the distance that the body moves in the sampling interval of
+/// the jump.
 const STEPS: f64 = 0.5;
-/// Minimum ratio of an interval to the median interval at which it counts as a gap; jumps across gaps are not
-/// examined.
+/// Maximum ratio of a sampling interval to the median interval at which the interval is examined for a jump; longer
+/// intervals are gaps in the data.
 const GAP: f64 = 1.5;
-/// Minimum cosine of the angle between a jump and the velocity at which the jump counts as one ahead along the path.
+/// Minimum cosine of the angle between a jump and the velocity at which the jump counts as one forward along the path,
+/// which suggests missing frames.
 const AHEAD: f64 = 0.97;
 
-/// Fault for the first jump of a track: a position offset between the motions before and after an interval. `None`
-/// without a jump.
+/// Fault for the first jump in a track: an offset between the position extrapolated from the points before a sampling
+/// interval and that extrapolated from the points after it. `None` if there is no jump.
 pub fn check(track: &Track, flight: &Flight) -> Option<DataFault> {
     let points = &track.points;
     if points.len() < 2 * SIDE {
@@ -71,8 +75,8 @@ pub fn check(track: &Track, flight: &Flight) -> Option<DataFault> {
     None
 }
 
-/// Quick test of whether the step to point `index` differs from the neighbouring steps enough for a jump of at least
-/// `least`, m.
+/// Quick test for a possible jump of at least `least`, m, to point number `index`: whether the displacement from the
+/// previous point deviates enough from the displacements in the two adjacent sampling intervals.
 fn may_jump(points: &[Point], index: usize, least: f64) -> bool {
     let time = |k: usize| points[k].time - points[k - 1].time;
     let rate = |k: usize| (points[k].position - points[k - 1].position) / time(k);

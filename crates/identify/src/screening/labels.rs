@@ -9,26 +9,32 @@ use crate::dataset::{Flight, Marker};
 const ALL_PERMUTATIONS: usize = 4;
 /// Assumed standard deviation of a marker's position in the template, m.
 const TEMPLATE_ERROR: f64 = 1e-3;
-/// Factor on the noise estimated from successive samples, which is an underestimate if the noise is correlated.
+/// Factor applied to the noise estimated from differences of successive samples, because correlated noise makes this
+/// estimate too small.
 const CORRELATION: f64 = 2.0;
-/// Maximum magnitude of one sample's contribution to the log-likelihood ratio, so that outliers do not decide.
+/// Maximum magnitude of one sample's contribution to the log-likelihood ratio of exchanged to declared labels; it
+/// limits the influence of outliers.
 const MOST_OF_SAMPLE: f64 = 25.0;
-/// Minimum log-likelihood ratio of a permutation over consecutive samples.
+/// Minimum log-likelihood ratio of exchanged to declared labels, summed over consecutive samples, at which the labels
+/// are reported as exchanged.
 const LEAST_EVIDENCE: f64 = 100.0;
-/// Maximum ratio of squared distance errors with the permutation to those without, after subtracting the noise.
+/// Maximum ratio of the squared distance errors with exchanged labels to those with the declared labels, both after
+/// subtraction of the noise, at which the labels are reported as exchanged.
 const ERROR_RATIO: f64 = 0.2;
-/// Minimum fraction of a flight's samples with exchanged labels at which they are reported as exchanged in the whole
-/// flight.
+/// Minimum fraction of a flight's samples with exchanged labels at which the fault is reported for the whole flight
+/// instead of for a range of times.
 const WHOLE: f64 = 0.9;
 
-/// Range of consecutive samples in which a permutation fits better, and its log-likelihood ratio there.
+/// Range of consecutive samples in which the distances fit better after a permutation of the labels, and the
+/// log-likelihood ratio in this range.
 struct Stretch {
     first: usize,
     last: usize,
     evidence: f64,
 }
 
-/// Fault of a flight whose labels are exchanged; `None` if the labels match the template.
+/// Fault of a flight in which labels of markers are exchanged; `None` if the measured distances between markers match
+/// the template (the declared positions of the markers).
 pub fn check(distances: &Distances, flight: &Flight, markers: &[Marker]) -> Option<DataFault> {
     let count = markers.len().min(MOST_MARKERS);
     let mut best: Option<(Vec<usize>, Stretch)> = None;
@@ -137,8 +143,9 @@ fn permuted(distances: &Distances, permutation: &[usize]) -> Vec<f64> {
         .collect()
 }
 
-/// The range of consecutive samples with the greatest log-likelihood ratio of the `permuted` to the declared
-/// distances; `None` if the evidence is insufficient.
+/// The range of consecutive samples with the greatest log-likelihood ratio of the distances `permuted`, m, which are
+/// expected for exchanged labels, to the declared distances; `None` if the evidence for exchanged labels is
+/// insufficient.
 fn stretch(distances: &Distances, permuted: &[f64]) -> Option<Stretch> {
     let variance = (CORRELATION * distances.noise).powi(2) + TEMPLATE_ERROR.powi(2);
     let errors = |row: &[f64], declared: &[f64]| -> f64 {

@@ -5,9 +5,10 @@ use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
 use super::track::{Parabola, Point, Track};
 
-/// Prior standard deviation of a load, in units of the typical acceleration.
+/// Standard deviation of the zero-mean prior of each load at the typical speed, in units of the typical acceleration.
 const PRIOR: f64 = 3.0;
-/// Initial scale of the acceleration that the regressors do not explain, relative to the typical acceleration.
+/// Standard deviation of the unexplained acceleration that the first iteration of the regression assumes, in units of
+/// the typical acceleration.
 const FIRST_SCALE: f64 = 0.1;
 /// Number of iterations of reweighting, which reduces the weights of windows with large residuals.
 const REPETITIONS: usize = 6;
@@ -21,7 +22,7 @@ pub struct Row {
     pub loads: Vec<Vector3<f64>>,
 }
 
-/// Result of a regression: gravity and the coefficients of the loads.
+/// Result of a regression of accelerations: the constant acceleration (gravity) and the coefficients of the loads.
 pub struct Regression {
     /// The fitted or given constant acceleration, m/s².
     pub gravity: Vector3<f64>,
@@ -33,7 +34,8 @@ pub struct Regression {
     pub remaining: f64,
 }
 
-/// Regression data of each window of a track; `omega` is the known spin of a point mass, rad/s.
+/// Divides a track into time windows and computes the regression data of each; `omega` is the spin of a point mass,
+/// rad/s, if it is known.
 pub fn rows(track: &Track, omega: Option<Vector3<f64>>) -> Vec<Row> {
     let each = track.windows().into_iter();
     each.map(|(range, motion)| Row {
@@ -43,8 +45,9 @@ pub fn rows(track: &Track, omega: Option<Vector3<f64>>) -> Vec<Row> {
     .collect()
 }
 
-/// Regressors of drag, and of loads along, across and about each body axis, averaged over the points of a window; for
-/// a point mass drag and, with `omega`, lift by spin.
+/// Regressors of the loads in a time window, averaged over its points. For a body with an attitude: drag, and for each
+/// body axis four forces that depend on the direction of this axis relative to the velocity. For a point mass: drag
+/// and, with `omega`, lift by spin.
 fn loads(motion: &Parabola, points: &[Point], omega: Option<Vector3<f64>>) -> Vec<Vector3<f64>> {
     let speed = motion.velocity.norm();
     let along = motion
@@ -75,8 +78,8 @@ fn loads(motion: &Parabola, points: &[Point], omega: Option<Vector3<f64>>) -> Ve
     loads
 }
 
-/// Robust regression of the accelerations on the loads and, unless `gravity` is given, a constant acceleration.
-/// `None` if the windows do not determine it.
+/// Robust regression of the accelerations of `rows` on their loads and on a constant acceleration, which is fitted
+/// unless `gravity` states it, m/s². `None` if the rows do not determine the unknowns.
 pub fn regress(rows: &[&Row], gravity: Option<Vector3<f64>>) -> Option<Regression> {
     let loads = rows.first()?.loads.len();
     let first = if gravity.is_some() { 0 } else { 3 };

@@ -8,13 +8,16 @@ use crate::dataset::Flight;
 use crate::pose::pose;
 use crate::statistics::median;
 
-/// Maximum number of samples that are compared.
+/// Maximum number of samples of a flight in which the markers are compared with the template and with its mirror image.
 const SAMPLES: usize = 20;
-/// Minimum ratio of the thickness of a template to its extent at which its mirror image is distinguishable.
+/// Minimum ratio of the thickness of a set of marker positions to its extent at which the set can be distinguished from
+/// its mirror image.
 const THICKNESS: f64 = 0.05;
-/// Minimum ratio of the mean squared distances from the template to those from its mirror image.
+/// Minimum ratio, at which a flight is reported as mirrored, of the mean squared distance of the measured markers from
+/// the fitted template to that from the fitted mirror image of the template.
 const RATIO: f64 = 10.0;
-/// Minimum root mean square distance of the markers from the template, m.
+/// Minimum root mean square distance of the measured markers from the fitted template, m, at which a flight is reported
+/// as mirrored.
 const LEAST_DISTANCE: f64 = 0.003;
 
 /// Instruction for correcting left-handed axes, for the user.

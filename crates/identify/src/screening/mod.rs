@@ -32,9 +32,11 @@ use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::statistics::median;
 
-/// Minimum ratio of a track's noise to the median noise of all flights at which the track counts as not of a flight.
+/// Minimum ratio of the noise of a track to the median noise of all flights at which the track is reported as not that
+/// of a flight. The limit [`NOISE_PART`] must be exceeded too.
 const NOISE_RATIO: f64 = 30.0;
-/// Minimum ratio of a track's noise to its extent at which the track counts as not of a flight.
+/// Minimum ratio of the noise of a track to its extent at which the track is reported as not that of a flight; see
+/// [`NOISE_RATIO`].
 const NOISE_PART: f64 = 0.1;
 
 /// Result of screening a dataset.
@@ -42,13 +44,13 @@ const NOISE_PART: f64 = 0.1;
 pub(crate) struct Screening {
     /// Faults of the flights, in the order of the dataset, at most one per flight.
     pub faults: Vec<DataFault>,
-    /// First ground contact of each flight of the dataset: the outer `None` if it was not searched for because of a
-    /// fault, the inner `None` for a flight without contact. Empty if the faults were given.
+    /// First ground contact of each flight, in the order of the dataset: `None` if the search was omitted because of a
+    /// fault, `Some(None)` for a flight without contact. Empty if the faults come from an earlier screening.
     pub contacts: Vec<SoughtContact>,
 }
 
 impl Screening {
-    /// Result with faults that an earlier screening found, without contacts.
+    /// Result with the faults that an earlier screening found; `contacts` is empty.
     pub fn of_known_faults(faults: &[DataFault]) -> Self {
         Self {
             faults: faults.to_vec(),
@@ -84,8 +86,8 @@ pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) ->
     Screening { faults, contacts }
 }
 
-/// Adds to the faults of single flights those that show in the comparison of flights with each other and with
-/// gravity.
+/// Completes the faults of single flights by those that a comparison of the flights with each other and with gravity
+/// reveals. `faults` and `tracks` have one entry per flight.
 fn of_all(
     problem: &FitProblem,
     dataset: &Dataset,
@@ -116,8 +118,8 @@ fn of_all(
     faults.into_iter().flatten().collect()
 }
 
-/// Marks as faulty the flights whose tracks are far noisier than those of the others, as no measured flight is, and
-/// removes their tracks.
+/// Adds a fault for each flight whose track is far noisier than the tracks of the other flights and than any measured
+/// flight can be, and removes this track.
 fn no_flights(dataset: &Dataset, faults: &mut [Option<DataFault>], tracks: &mut [Option<Track>]) {
     let mut all: Vec<f64> = tracks.iter().flatten().map(|track| track.noise).collect();
     let usual = median(&mut all);
@@ -140,7 +142,7 @@ fn no_flights(dataset: &Dataset, faults: &mut [Option<DataFault>], tracks: &mut 
     }
 }
 
-/// Flights to exclude because of their faults; empty if the options trust the data.
+/// Flights that a fit excludes because of their faults; empty if the option `trust_data` includes faulty flights.
 pub(crate) fn excluded(
     dataset: &Dataset,
     faults: &[DataFault],

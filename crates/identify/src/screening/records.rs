@@ -7,18 +7,20 @@ use crate::statistics::median;
 
 /// Minimum number of consecutive identical positions of a frozen track.
 const FROZEN_SAMPLES: usize = 4;
-/// Minimum distance, m, that the marker usually moves in the time of a frozen run; otherwise identical positions are
-/// plausible.
+/// Minimum distance, m, that a marker typically moves in the duration of a run of identical positions, at which the run
+/// is reported as frozen; a slower marker may plausibly repeat its position.
 const FROZEN_DISTANCE: f64 = 0.005;
-/// Minimum distance that the marker usually moves in the time of a frozen run, in units of the table's resolution.
+/// Minimum distance that a marker typically moves in the duration of a run of identical positions, at which the run is
+/// reported, in units of the resolution of the recorded coordinates.
 const FROZEN_STEPS: f64 = 10.0;
-/// Minimum fraction of sampling intervals without motion at which values count as repeated throughout, as by
-/// resampling.
+/// Minimum fraction of sampling intervals without motion of a marker at which its values count as repeated throughout
+/// the flight, as after resampling at a higher rate.
 const REPEATED_FRACTION: f64 = 0.3;
 /// Minimum number of samples of a flight that is checked for being a copy.
 const COPY_SAMPLES: usize = 8;
 
-/// First fault of a flight's recorded values; `None` if they are plausible camera data.
+/// First fault in the recorded values of the flight with this index: a copy of an earlier flight, or coordinates that
+/// are repeated or 0. `None` if there is none.
 pub fn check(dataset: &Dataset, flight: usize) -> Option<DataFault> {
     copy(dataset, flight)
         .or_else(|| (0..dataset.markers.len()).find_map(|marker| frozen(dataset, flight, marker)))
@@ -127,7 +129,7 @@ fn frozen(dataset: &Dataset, flight: usize, marker: usize) -> Option<DataFault> 
     )
 }
 
-/// Runs of at least two consecutive identical positions, and the number of sampling intervals within them.
+/// Runs of at least two consecutive identical positions, and the number of sampling intervals within these runs.
 fn runs(track: &[(usize, [f64; 3])]) -> (Vec<Run>, usize) {
     let (mut runs, mut still, mut start) = (Vec::new(), 0, 0);
     for end in 1..=track.len() {

@@ -5,10 +5,12 @@ use super::distances::marker_pairs;
 use crate::marker_observers::MarkerConditions;
 use crate::problem::FitProblem;
 
-/// Maximum derivative of a distance that counts as zero, relative to the derivatives of the positions.
+/// Maximum derivative of a distance between markers by an estimated parameter that counts as zero, relative to the
+/// derivatives of the markers' positions.
 const LEAST_DERIVATIVE: f64 = 1e-9;
 
-/// Whether the distance of each pair of markers is fixed by the template, in the order of [`marker_pairs`].
+/// Whether the declared positions of the markers fix the distance of each pair of markers independently of all
+/// estimated parameters, in the order of [`marker_pairs`].
 pub fn rigid_pairs(problem: &FitProblem) -> Vec<bool> {
     let pairs = marker_pairs(problem.markers.len());
     let parameters = &problem.parameters;

@@ -6,15 +6,16 @@ use super::fault::{DataFault, FaultKind};
 use super::labels;
 use crate::dataset::{Dataset, Flight, Marker};
 
-/// Minimum magnitude of the logarithm of the ratio of measured to declared distances that is reported as a wrong
-/// unit: 20 %.
+/// Minimum magnitude of the natural logarithm of the ratio of measured to declared distances at which a wrong unit is
+/// reported; it corresponds to a deviation of about 20 %.
 const LEAST_LOG_RATIO: f64 = 0.18;
-/// Maximum fraction of a marker's samples with grossly wrong distances that are taken for outliers; above it the
-/// track is faulty.
+/// Maximum fraction of a marker's samples with grossly wrong distances at which these samples count as outliers; with a
+/// larger fraction the whole track of the marker is reported as faulty.
 const GROSS_FRACTION: f64 = 0.15;
 
-/// First fault of a flight revealed by the distances of its rigid pairs; `None` if the distances match the template.
-/// `rigid` is in the order of [`marker_pairs`](super::distances::marker_pairs).
+/// First fault of a flight that the distances between markers reveal; `None` if the distances match the template (the
+/// declared positions of the markers). `rigid` states for each pair, in the order of
+/// [`marker_pairs`](super::distances::marker_pairs), whether the template fixes its distance.
 pub fn check(dataset: &Dataset, flight: usize, rigid: &[bool]) -> Option<DataFault> {
     let (flight, markers) = (&dataset.flights[flight], &dataset.markers[..]);
     let distances = Distances::of(flight, markers, rigid)?;

@@ -13,10 +13,10 @@ use crate::statistics::robust_sigma;
 const OUTLIER: f64 = 4.0;
 /// Minimum number of points for fitting a parabola.
 pub const MIN_POINTS: usize = 6;
-/// Target standard error of a window's acceleration, relative to the acceleration of the flight; it determines the
-/// window length.
+/// Target standard error of the acceleration in a time window, relative to the mean acceleration of the flight; it
+/// determines the length of the windows.
 const WINDOW_ERROR: f64 = 0.04;
-/// Minimum and maximum number of windows of a flight.
+/// Minimum and maximum number of time windows into which a flight is divided.
 const WINDOWS: [usize; 2] = [4, 14];
 
 /// Measured pose or position of the body's origin in one sample.
@@ -44,7 +44,7 @@ pub struct Track {
 /// Motion at the middle of a time window, from a parabola fitted to consecutive points.
 #[derive(Clone, Copy, Debug)]
 pub struct Parabola {
-    /// Velocity at the middle, m/s.
+    /// Velocity at the middle of the time window, m/s.
     pub velocity: Vector3<f64>,
     /// Acceleration, which a parabola takes as constant over the window, m/s².
     pub acceleration: Vector3<f64>,
@@ -121,7 +121,7 @@ impl Track {
         ground_contact::contact(&path, &posed.collect::<Vec<Posed>>())
     }
 
-    /// Maximum over the axes of the range of coordinates, m.
+    /// Extent of the path, m: the largest of the ranges of its x, y and z coordinates.
     pub fn extent(&self) -> f64 {
         let extent = |axis: usize| {
             let values = || self.points.iter().map(|point| point.position[axis]);
@@ -156,7 +156,8 @@ impl Track {
     }
 }
 
-/// Least-squares parabola through points, refitted without outliers; `None` for fewer than [`MIN_POINTS`] points.
+/// Least-squares parabola through points, refitted once without outliers; `noise`, m, is the minimum standard deviation
+/// assumed for a coordinate. `None` for fewer than [`MIN_POINTS`] points.
 pub fn parabola(points: &[Point], noise: f64) -> Option<Parabola> {
     let (first, last) = (points.first()?, points.last()?);
     let time = 0.5 * (first.time + last.time);

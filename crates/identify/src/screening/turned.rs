@@ -16,16 +16,19 @@ use crate::pose::pose;
 use crate::problem::FitProblem;
 use crate::statistics::median;
 
-/// Minimum magnitude of the vertical component of the markers' normal at which the upper side is unambiguous.
+/// Minimum magnitude of the vertical component of the unit normal of the markers' plane at which it is clear which side
+/// of the body is up.
 const UPRIGHT: f64 = 0.3;
-/// Minimum number of flights, all of which must be upside down.
+/// Minimum number of flights at which this fault is reported; the body must be upside down in all of them.
 const LEAST_FLIGHTS: usize = 3;
-/// Maximum number of flights whose accelerations are compared, and of windows per flight.
+/// Maximum number of flights in which measured and modelled accelerations are compared, and maximum number of time
+/// windows per flight.
 const COMPARED: (usize, usize) = (6, 3);
-/// Maximum misfit of the mirror images, in units of the misfit of the flights as recorded.
+/// Maximum ratio of the median deviation between measured and modelled accelerations for the mirror images to that for
+/// the recorded flights, at which the flights are reported as mirrored.
 const MISFIT: f64 = 0.6;
 
-/// Faults of all flights if they seem to be mirror images; otherwise empty.
+/// Faults of all flights if they seem to be mirror images of the true flights; otherwise empty.
 pub fn check(problem: &FitProblem, dataset: &Dataset, tracks: &[Option<Track>]) -> Vec<DataFault> {
     if !problem.has_attitude || mirror::is_decided_by(&problem.markers) {
         return Vec::new();
@@ -82,8 +85,8 @@ pub fn check(problem: &FitProblem, dataset: &Dataset, tracks: &[Option<Track>]) 
     flights.map(|(flight, _)| fault(&flight.file)).collect()
 }
 
-/// Vertical component of the markers' normal in the model's default state; `None` if it is too small to distinguish
-/// the sides.
+/// Vertical component of the unit normal of the markers' plane in the model's default state, which defines the usual
+/// upper side of the body; `None` if the component is too small to distinguish the sides.
 fn usual_side(problem: &FitProblem) -> Option<f64> {
     let conditions = problem.body.bind(problem.parameters.clone());
     let state = problem.body.layout().default_states();
@@ -96,7 +99,8 @@ fn usual_side(problem: &FitProblem) -> Option<f64> {
     (side.abs() > UPRIGHT).then_some(side)
 }
 
-/// Magnitudes of the differences between measured and modelled accelerations, m/s², in some windows of a flight.
+/// Magnitudes of the differences between measured and modelled accelerations, m/s², in evenly spaced time windows of a
+/// flight, at most as many as the second number of [`COMPARED`].
 fn misfits(problem: &FitProblem, observations: &Observations, track: &Track) -> Vec<f64> {
     let windows = track.windows();
     let step = windows.len().div_ceil(COMPARED.1).max(1);
@@ -119,7 +123,8 @@ fn misfits(problem: &FitProblem, observations: &Observations, track: &Track) -> 
     each.collect()
 }
 
-/// Median angular velocity between successive points, rad/s; `None` without attitudes.
+/// Component-wise median of the angular velocities between successive points, rad/s, inertial frame; `None` without
+/// attitudes.
 fn rates(points: &[Point]) -> Option<Vector3<f64>> {
     let pairs = points.windows(2).filter_map(|pair| {
         let turn: UnitQuaternion<f64> = pair[1].attitude? * pair[0].attitude?.inverse();

@@ -35,7 +35,7 @@ impl Default for Spread {
     }
 }
 
-/// Maximum allowed value of `fraction`.
+/// Maximum allowed value of [`Spread::fraction`].
 const MOST: f64 = 2.0;
 
 impl Spread {

@@ -70,8 +70,9 @@ pub fn profile(
     })
 }
 
-/// Parameter value on one side of the estimate at which the deviance reaches its 95 % quantile; `None` if it does not.
-/// The square root of the deviance, which is nearly linear, is interpolated.
+/// Parameter value at which the deviance reaches its 95 % quantile, on one side of the estimate `best`: above it if
+/// `direction` is 1, below it if −1. `None` if the deviance does not reach the quantile. Its square root, which is
+/// nearly linear, is interpolated.
 fn crossing(points: &[[f64; 2]], best: f64, direction: f64) -> Option<f64> {
     let mut side: Vec<[f64; 2]> = points
         .iter()
@@ -88,7 +89,7 @@ fn crossing(points: &[[f64; 2]], best: f64, direction: f64) -> Option<f64> {
     })
 }
 
-/// A least-squares problem whose constraints are replaced by others.
+/// A least-squares problem with other constraints (bounds and priors) than the original `problem`.
 struct Constrained<'a, P> {
     problem: &'a P,
     constraints: Vec<Constraint>,

@@ -4,7 +4,8 @@ use super::{ROUND_TO_INTEGER, polynomial};
 use crate::primitive::{Primitive, map_lanes};
 use std::hint::cold_path;
 
-/// Maximum argument of the Cody–Waite reduction, rad: its products are exact while the quadrant count fits 16 bits.
+/// Maximum argument of the Cody–Waite reduction, rad. Up to this argument the number of quadrants fits in 16 bits, so
+/// that the products of the reduction are exact.
 const MAX_REDUCED: f64 = 1e5;
 
 /// π/2 as three summands (Cody & Waite): 37 bits, the next 37, and the remainder.

@@ -8,10 +8,12 @@ use crate::root::first_past_root;
 /// the order of its square.
 const APEX_WIDTH: f64 = 1e-8;
 
-/// Maximum number of Newton iterations to a landing; each iteration doubles the number of correct digits.
+/// Maximum number of Newton iterations in the search for the time of a landing; each iteration doubles the number of
+/// correct digits.
 const NEWTON_STEPS: u32 = 6;
 
-/// Height at the start and end of a step, and h times its derivative there: the data of the cubic Hermite interpolant.
+/// Height at the start and end of a step, and the step size times its time derivative at both points: the data of the
+/// cubic Hermite interpolant.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct HeightEnds {
     pub start: f64,
@@ -86,8 +88,8 @@ pub(crate) struct HeightStep {
 }
 
 impl HeightStep {
-    /// Degree of the interpolant in s, the value of the odd-numbered factors f₁, f₃, …, and the derivative of these
-    /// factors with respect to s. The even-numbered factors are s.
+    /// Degree of the interpolant in s, the value of the odd-numbered factors f₁ = f₃ = … in [`HeightStep::terms`], and
+    /// the derivative of these factors with respect to s. The even-numbered factors are s.
     #[inline(always)]
     fn factors(&self, s: f64) -> (usize, f64, f64) {
         match self.method {

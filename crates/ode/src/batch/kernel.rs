@@ -43,7 +43,7 @@ impl<R: LaneRhs, Q: FlightQueue + ?Sized> Kernel for Batch<'_, R, Q> {
     }
 }
 
-/// Batch integration in progress: the flights in the lanes, between steps.
+/// State of a batch integration between two steps: the flights in the lanes, and work arrays.
 struct Flying<'a, T, R> {
     rhs: &'a R,
     span: &'a FlightSpan,
@@ -54,11 +54,12 @@ struct Flying<'a, T, R> {
     values: LaneValues<T>,
     staging: Staging<T>,
     stages: Stages<T>,
-    /// Argument of the current stage; after the last stage, the state at the end of the step.
+    /// State at which the current stage is evaluated; after the last stage, the state at the end of the step.
     end: Vec<T>,
     /// State at an interior point of the step.
     within: Vec<T>,
-    /// Margins of the limits of validity in the middle of the step, at its end, and at another point of the step.
+    /// Margins of the limits of validity in the middle of the step, at its end, and at the point that the search for a
+    /// crossing evaluates.
     margins: [Vec<T>; 3],
     scratch: Vec<T>,
     heights: [HeightEnds; MAX_LANES],
@@ -208,7 +209,8 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
         self.evaluations += rows.len() as u64;
     }
 
-    /// Returns which lanes pass the error test. Flights whose next step would be too small end.
+    /// Applies the error test and returns for each lane whether its step is accepted. Ends the flights whose next step
+    /// size would be below the minimum.
     #[inline(always)]
     fn judge<Q: FlightQueue + ?Sized>(&mut self, h: T, queue: &mut Q) -> [bool; MAX_LANES] {
         let ends = (&self.values.x[..], &self.end[..]);
@@ -230,7 +232,8 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
         accepted
     }
 
-    /// Returns the lanes in whose accepted step a landing, an apex or the crossing of a limit of validity is possible.
+    /// Returns for each lane whether a landing, an apex or the crossing of a limit of validity is possible within its
+    /// accepted step; false if the step was rejected.
     #[inline(always)]
     fn attention(&mut self, t: T, h: T, accepted: &[bool; MAX_LANES]) -> [bool; MAX_LANES] {
         let mut asks = [false; MAX_LANES];

@@ -28,7 +28,7 @@ pub struct LaneSizes {
     pub prepared: usize,
     /// Number of limits of validity.
     pub limits: usize,
-    /// Number of scratch values of an evaluation.
+    /// Length of the scratch array that an evaluation requires.
     pub scratch: usize,
 }
 
@@ -60,7 +60,8 @@ pub trait LaneRhs {
     fn limits<T: Lanes>(&self, at: LanePoint<'_, T>, scratch: &mut [T], margins: &mut [T]);
 }
 
-/// Left-hand sides of the limits, in a function of its own: for the rare places that need them.
+/// Computes the margins of the limits of validity in a separate function that is not inlined: for rarely executed code,
+/// so that the limits are not compiled again at each such place.
 #[inline(always)]
 fn outlined_limits<T: Lanes, R: LaneRhs>(
     rhs: &R,
@@ -106,7 +107,7 @@ pub enum FlightOutcome {
     Ground,
     /// The final time was reached.
     Time,
-    /// The limit of validity of this index was crossed, or was already exceeded at the start.
+    /// The limit of validity with this index was crossed, or was already exceeded at the start.
     Limit(usize),
     /// The maximum number of steps was reached.
     TooManySteps,
@@ -129,8 +130,8 @@ pub struct FlightEnd<'a> {
     pub time: f64,
     /// State at the final time.
     pub state: &'a [f64],
-    /// Time and value of the maximum height, which is at the start, at the end, or where the derivative of the height
-    /// falls to 0. The value is NaN if [`FlightSpan::seeks_apex`] is false or there is no height.
+    /// Time and value of the maximum height, which is at the start, at the end, or where the time derivative of the
+    /// height falls to 0. The value is NaN if [`FlightSpan::seeks_apex`] is false or [`FlightSpan::height`] is `None`.
     pub apex: (f64, f64),
     /// Numbers of steps and evaluations of this flight.
     pub stats: SolverStats,
@@ -227,11 +228,11 @@ pub fn fly_on<R: LaneRhs, Q: FlightQueue + ?Sized>(
     dispatch_with(isa, batch(rhs, queue, span, options))
 }
 
-/// As [`fly_on`], compiled only for the widest instruction sets of the architecture; `None` for others, and if the
-/// processor does not support `isa`. See [`lanes::dispatch_widest`].
+/// Integrates as [`fly_on`] does, but is compiled only for the widest instruction sets of the architecture (see
+/// [`lanes::dispatch_widest`]). Returns `None` for other instruction sets, and if the processor does not support `isa`.
 ///
 /// # Panics
-/// As [`fly`].
+/// Under the same conditions as [`fly`].
 pub fn fly_on_widest<R: LaneRhs, Q: FlightQueue + ?Sized>(
     isa: Isa,
     rhs: &R,
@@ -242,7 +243,8 @@ pub fn fly_on_widest<R: LaneRhs, Q: FlightQueue + ?Sized>(
     dispatch_widest(isa, batch(rhs, queue, span, options))
 }
 
-/// The kernel that integrates the flights, after a check of what it is given.
+/// Checks the options, the final time, the number of states and the index of the height, and returns the kernel that
+/// integrates the flights. Panics under the conditions of [`fly`].
 fn batch<'a, R: LaneRhs, Q: FlightQueue + ?Sized>(
     rhs: &'a R,
     queue: &'a mut Q,

@@ -72,7 +72,8 @@ fn errors<T: Lanes>(stages: &Stages<T>, row: Row, start: usize, end: usize) -> [
     sums
 }
 
-/// Root mean squares of `x` and `dx` per lane, each component divided by its tolerated error at `x`.
+/// Root mean squares of the state `x` and its derivative `dx` in each lane, each component divided by its tolerated
+/// error at `x`.
 #[inline(always)]
 pub(crate) fn initial_norms<T: Lanes>(x: &[T], dx: &[T], tolerance: &ErrorTolerance) -> [T; 2] {
     let n = x.len();
@@ -87,7 +88,7 @@ pub(crate) fn initial_norms<T: Lanes>(x: &[T], dx: &[T], tolerance: &ErrorTolera
     [(of_x * one_over_n).sqrt(), (of_dx * one_over_n).sqrt()]
 }
 
-/// Root mean square of `after - before` per lane, each component divided by its tolerated error at `x`.
+/// Root mean square of `after - before` in each lane, each component divided by its tolerated error at the state `x`.
 #[inline(always)]
 pub(crate) fn change_norm<T: Lanes>(
     x: &[T],
@@ -103,7 +104,8 @@ pub(crate) fn change_norm<T: Lanes>(
     (sum * T::splat(1.0 / n as f64)).sqrt()
 }
 
-/// Sizes of the trial Euler steps per lane, from the norms of the state and its derivative.
+/// Size of the trial Euler step in each lane, from which the initial step size is estimated, given the norms of the
+/// state and its derivative.
 #[inline(always)]
 pub(crate) fn euler_steps<T: Lanes>(norms: [T; 2], max_step: f64) -> T {
     T::from_fn(|lane| first_step(norms[0].lane(lane), norms[1].lane(lane), max_step))

@@ -3,7 +3,8 @@
 use crate::method::tableau::{Row, Tableau};
 use lanes::Lanes;
 
-/// Number of components that are summed in parallel: independent accumulators hide the latency of the additions.
+/// Number of state components whose weighted stage sums are accumulated in parallel: independent accumulators hide the
+/// latency of the additions.
 pub(crate) const BLOCK: usize = 6;
 
 /// Stages of a step in all lanes: component i of stage s is at index `s · n + i` of `k`.
@@ -32,7 +33,7 @@ impl<T: Lanes> Stages<T> {
         &mut self.k[s * self.n..][..self.n]
     }
 
-    /// Component `i` of Σ weight · stage.
+    /// Component `i` of Σ weight · stage with the weights `row`.
     #[inline(always)]
     pub(crate) fn sum(&self, row: Row, i: usize) -> T {
         let mut sum = T::splat(0.0);
@@ -42,7 +43,7 @@ impl<T: Lanes> Stages<T> {
         sum
     }
 
-    /// [`BLOCK`] consecutive components of Σ weight · stage, from component `start` on.
+    /// [`BLOCK`] consecutive components, from component `start` on, of Σ weight · stage with the weights `row`.
     #[inline(always)]
     pub(crate) fn block(&self, row: Row, start: usize) -> [T; BLOCK] {
         let mut sums = [T::splat(0.0); BLOCK];
@@ -55,7 +56,7 @@ impl<T: Lanes> Stages<T> {
         sums
     }
 
-    /// Computes `to = x + h Σ weight · stage`.
+    /// Computes `to = x + h Σ weight · stage` with the weights `row`.
     #[inline(always)]
     pub(crate) fn advance(&self, to: &mut [T], x: &[T], h: T, row: Row) {
         let n = self.n;

@@ -91,8 +91,9 @@ impl<T: Lanes> Staging<T> {
         }
     }
 
-    /// Takes flights from the queue for the lanes that have none waiting, and prepares them. Flights that cannot start
-    /// end at once, and no flight then waits for their lanes.
+    /// Takes the next flight from the queue for each lane without a waiting flight, and prepares it: invariants,
+    /// derivative and initial step size. A flight that cannot start is reported to the queue as ended, and its lane
+    /// then has no waiting flight.
     #[inline(always)]
     pub(crate) fn fill<R: LaneRhs, Q: FlightQueue + ?Sized>(
         &mut self,

@@ -124,7 +124,8 @@ pub(super) const B: Terms<8> = [
     (11, 0.04471061572777259),
 ];
 
-/// Row of the Runge–Kutta matrix for stage 13 (dense output); stage 12 is the end of the step.
+/// Row of the Runge–Kutta matrix for stage 13, which only dense output requires; stage 12 is the derivative at the end
+/// of the step.
 pub(super) const A13: Terms<8> = [
     (0, 0.056167502283047954),
     (6, 0.25350021021662483),
@@ -136,7 +137,8 @@ pub(super) const A13: Terms<8> = [
     (12, -0.008298),
 ];
 
-/// Row of the Runge–Kutta matrix for stage 14 (dense output); stage 12 is the end of the step.
+/// Row of the Runge–Kutta matrix for stage 14, which only dense output requires; stage 12 is the derivative at the end
+/// of the step.
 pub(super) const A14: Terms<8> = [
     (0, 0.03183464816350214),
     (5, 0.028300909672366776),
@@ -148,7 +150,8 @@ pub(super) const A14: Terms<8> = [
     (13, 0.1413124436746325),
 ];
 
-/// Row of the Runge–Kutta matrix for stage 15 (dense output); stage 12 is the end of the step.
+/// Row of the Runge–Kutta matrix for stage 15, which only dense output requires; stage 12 is the derivative at the end
+/// of the step.
 pub(super) const A15: Terms<8> = [
     (0, -0.42889630158379194),
     (5, -4.697621415361164),

@@ -7,7 +7,7 @@ use crate::rhs::{OdeRhs, StateVector};
 
 /// Nodes: time of each stage as a fraction of the step.
 pub(crate) const C: [f64; 7] = [0.0, 0.161, 0.327, 0.9, 0.9800255409045097, 1.0, 1.0];
-/// Row of the Runge–Kutta matrix for stage 2; A2 to A5 are the rows for stages 3 to 6.
+/// Row of the Runge–Kutta matrix for stage 2 (stages counted from 1); A2 to A5 are the rows for stages 3 to 6.
 const A1: [f64; 1] = [0.161];
 const A2: [f64; 2] = [-0.008480655492356989, 0.335480655492357];
 const A3: [f64; 3] = [2.8971530571054935, -6.359448489975075, 4.3622954328695815];
@@ -45,7 +45,7 @@ pub(crate) const E: [f64; 7] = [
     0.015151515151515152,
 ];
 
-/// Pairs each weight of a dense row with its stage index.
+/// Pairs each weight of a row with its stage index, which gives the sparse form of a row without zeros.
 const fn row<const M: usize>(weights: [f64; M]) -> [(usize, f64); M] {
     let mut row = [(0, 0.0); M];
     let mut s = 0;
@@ -184,8 +184,8 @@ impl<X: StateVector> Stepper<X> for Tsit5<X> {
     }
 }
 
-/// Weights of the order-4 interpolant at the fraction `s` of the step; all but the first must be multiplied by the
-/// step size. Needs no additional stages.
+/// Weights of the dense-output rows in the order-4 interpolant at the fraction `s` of the step, which needs no
+/// additional stages. The caller must multiply all weights but the first by the step size.
 pub(crate) fn weights(s: f64) -> [f64; ROWS] {
     let mut weights = [1.0; ROWS];
     for (weight, [a, b, c, d]) in weights[1..].iter_mut().zip(INTERPOLANT) {
@@ -217,19 +217,19 @@ pub(crate) const INTERPOLANT: [[f64; 4]; ROWS - 1] = [
     zeros_weight(2.5, 1.0, 0.6),
 ];
 
-/// Coefficients of s, s², s³ and s⁴ in the weight a s (s - b) (s² - c s + d) of the first stage.
+/// Coefficients of s, s², s³ and s⁴ in the dense-output weight a s (s - b) (s² - c s + d) of the first stage.
 const fn first_weight() -> [f64; 4] {
     let (a, b) = (-1.0530884977290216, 1.329_989_018_975_141);
     let (c, d) = (1.4364028541716351, 0.7139816917074209);
     [-a * b * d, a * (d + b * c), -a * (b + c), a]
 }
 
-/// Coefficients of s, s², s³ and s⁴ in a weight a s² (s² - c s + d).
+/// Coefficients of s, s², s³ and s⁴ in the dense-output weight a s² (s² - c s + d) of a stage.
 const fn even_weight(a: f64, c: f64, d: f64) -> [f64; 4] {
     [0.0, a * d, -a * c, a]
 }
 
-/// Coefficients of s, s², s³ and s⁴ in a weight a s² (s - b) (s - c).
+/// Coefficients of s, s², s³ and s⁴ in the dense-output weight a s² (s - b) (s - c) of a stage.
 const fn zeros_weight(a: f64, b: f64, c: f64) -> [f64; 4] {
     even_weight(a, b + c, b * c)
 }

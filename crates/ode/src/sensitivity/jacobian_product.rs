@@ -7,33 +7,38 @@ use std::ops::Range;
 /// Maximum number of rows of J in a block, small enough that the sums of all rows of a block stay in registers.
 const MAX_BLOCK_ROWS: usize = 3;
 
-/// Sparsity pattern of J grouped into blocks of equal rows, for sensitivity matrices S of one row length.
+/// Sparsity pattern of the Jacobian J, grouped into blocks of rows with equal column indices, for the product J S with
+/// the sensitivity matrix S.
 ///
-/// A row of S consists of groups, a group of lines, and a line of `PADDING` elements.
+/// Each row of S is divided into groups of `lines_per_group` lines, and each line has `PADDING` elements.
 pub(super) struct JacobianProduct {
     /// Blocks in increasing order of column count, so that the branch predictor learns the loop lengths.
     blocks: Vec<Block>,
-    /// Index of the first group of row j of S for each column j of J in each block, block by block.
+    /// For each block, for each of its column indices j: index of the first group of row j of the sensitivity matrix S.
     columns: Vec<usize>,
-    /// Number of lines per group; the lines of a group are accumulated together.
+    /// Number of lines per group; a line has `PADDING` elements, and the lines of a group are accumulated together.
     lines_per_group: usize,
-    /// Number of groups per row of S.
+    /// Number of groups of lines in each row of the sensitivity matrix S.
     groups_per_row: usize,
 }
 
-/// Rows of J with equal column indices: each row of S is read once for all rows of the block.
+/// Rows of the Jacobian J with equal column indices. Each row of the sensitivity matrix S is read once for all rows of
+/// the block.
 struct Block {
     count: usize,
-    /// Index of the first group of each row of dS/dt.
+    /// For each row of the block, the index of the first group of that row in the time derivative of the sensitivity
+    /// matrix S.
     rows: [usize; MAX_BLOCK_ROWS],
-    /// Index in J of the first entry of each row; the other entries of the row follow it.
+    /// For each row of the block, the index of its first entry among the entries of the Jacobian J; the other entries
+    /// of the row follow directly.
     entries: [usize; MAX_BLOCK_ROWS],
     /// Range of the block's columns in `JacobianProduct::columns`.
     columns: Range<usize>,
 }
 
 impl JacobianProduct {
-    /// Groups a row-ordered sparsity pattern into blocks, for rows of S of `stride` elements, a multiple of `PADDING`.
+    /// Groups the rows of the Jacobian J, given by its sparsity pattern in row order, into blocks. `stride` is the
+    /// length of a row of the sensitivity matrix S in elements, a multiple of `PADDING`.
     pub fn new(pattern: &[(usize, usize)], states: usize, stride: usize) -> Self {
         let lines_per_row = stride / PADDING;
         let lines = [4, 3, 2]
@@ -75,7 +80,8 @@ impl JacobianProduct {
         }
     }
 
-    /// Computes `ds = J s`; `values` are the entries of J in the order of the pattern.
+    /// Computes the product J S of the Jacobian and the sensitivity matrix. `values` contains the entries of J in the
+    /// order of its pattern, `s` the elements of S; the result is written to `ds`.
     pub fn write(&self, values: &[f64], s: &[f64], ds: &mut [f64]) {
         match self.lines_per_group {
             4 => self.write_in::<4>(values, s, ds),
@@ -97,11 +103,12 @@ impl JacobianProduct {
     }
 }
 
-/// Consecutive lines of a row of S that are accumulated together.
+/// Consecutive lines of one row of the sensitivity matrix S, which are accumulated together; a line has `PADDING`
+/// elements.
 type Group<const LINES: usize> = [[f64; PADDING]; LINES];
 
-/// SIMD kernel that computes J S for all blocks; generic in the number of lines per group so that the sums stay in
-/// registers.
+/// SIMD kernel that computes the product J S of the Jacobian and the sensitivity matrix, block by block. The number of
+/// lines per group is a const parameter, so that the sums remain in registers.
 struct Sums<'a, const LINES: usize> {
     blocks: &'a [Block],
     columns: &'a [usize],
@@ -112,7 +119,8 @@ struct Sums<'a, const LINES: usize> {
 }
 
 impl<const LINES: usize> Sums<'_, LINES> {
-    /// Computes one group of dS/dt for each of the `ROWS` rows of a block.
+    /// Computes group number `group` of each of the `ROWS` rows of a block, in the product J S of the Jacobian and the
+    /// sensitivity matrix.
     #[inline(always)]
     fn sum<T: Lanes, const ROWS: usize>(&mut self, block: &Block, group: usize) {
         let columns = &self.columns[block.columns.clone()];

@@ -32,8 +32,8 @@ pub trait DifferentiableRhs {
     }
 }
 
-/// Row padding of S: the length of a row is a multiple of this number of elements, so that a row consists of whole SIMD
-/// vectors on every machine.
+/// Padding of the rows of the sensitivity matrix S: the length of a row is a multiple of this number of elements, so
+/// that a row consists of whole SIMD vectors on every machine.
 const PADDING: usize = 8;
 
 /// Augmented right-hand side for the state x and its sensitivities S = ∂x/∂(initial states, parameters).
@@ -45,7 +45,8 @@ const PADDING: usize = 8;
 pub struct Sensitivities<M> {
     rhs: M,
     layout: SensitivityLayout,
-    /// State index of each leading column of S; the leading columns are derivatives with respect to initial states.
+    /// State index of each leading column of the sensitivity matrix S; the leading columns are derivatives with respect
+    /// to initial states.
     initial: Vec<usize>,
     product: JacobianProduct,
     /// Terms that Jp adds to dS/dt: (index of the entry in Jp, index of the element in S).
@@ -56,11 +57,12 @@ pub struct Sensitivities<M> {
 }
 
 impl<M: DifferentiableRhs> Sensitivities<M> {
-    /// Builds the right-hand side for sensitivities with respect to the initial values of the states `initial` (first
-    /// columns of S) and to `parameters`, by their index in Jp (following columns).
+    /// Builds the augmented right-hand side. The first columns of the sensitivity matrix S are derivatives with respect
+    /// to the initial values of the states `initial`, the following columns with respect to the `parameters`, given by
+    /// their index in Jp.
     ///
     /// # Panics
-    /// If an initial state does not exist, or the entries of J are not ordered by row.
+    /// If a state in `initial` does not exist, or the entries of J are not ordered by row.
     pub fn new(rhs: M, initial: &[usize], parameters: &[usize]) -> Self {
         let states = rhs.states();
         assert!(initial.iter().all(|i| *i < states), "states of the model");
@@ -95,7 +97,8 @@ impl<M: DifferentiableRhs> Sensitivities<M> {
         }
     }
 
-    /// Includes S in the error norm of the step-size control, with the same tolerances as the state.
+    /// Includes the sensitivity matrix S in the error norm of the step-size control, with the same tolerances as the
+    /// state.
     pub fn with_sensitivity_error_control(self) -> Self {
         Sensitivities {
             error_control_includes_s: true,
@@ -103,12 +106,13 @@ impl<M: DifferentiableRhs> Sensitivities<M> {
         }
     }
 
-    /// Number of columns of S.
+    /// Number of columns of the sensitivity matrix S, without padding.
     pub fn columns(&self) -> usize {
         self.layout.columns
     }
 
-    /// Augmented initial state: x, and S with an entry of 1 for each selected initial state.
+    /// Augmented initial state: the state `x`, and the sensitivity matrix S, which has an entry of 1 for each initial
+    /// value with respect to which sensitivities are computed, and 0 elsewhere.
     ///
     /// # Panics
     /// If the length of `x` is not the number of states.
@@ -120,8 +124,8 @@ impl<M: DifferentiableRhs> Sensitivities<M> {
         self.initial_state_with(x, &entries)
     }
 
-    /// Augmented initial state with the given entries (state, column, value) of S and all other entries 0: for
-    /// sensitivities along directions in the space of initial states.
+    /// Augmented initial state with the given entries (state, column, value) of the sensitivity matrix S and all other
+    /// entries 0: for sensitivities along directions in the space of initial states.
     ///
     /// # Panics
     /// If the length of `x` is not the number of states, or a state or column does not exist.
@@ -149,12 +153,13 @@ impl<M: DifferentiableRhs> Sensitivities<M> {
         self.layout.first + self.layout.states * self.layout.stride
     }
 
-    /// The state x within an augmented state vector.
+    /// State x within an augmented state vector.
     pub fn state<'x>(&self, augmented: &'x [f64]) -> &'x [f64] {
         self.layout.state(augmented)
     }
 
-    /// Row of S within an augmented state vector: derivatives of one state, by column, without padding.
+    /// Row of the sensitivity matrix S within an augmented state vector: derivatives of one state, by column, without
+    /// padding.
     pub fn row<'x>(&self, augmented: &'x [f64], state: usize) -> &'x [f64] {
         &self.layout.padded_row(augmented, state)[..self.layout.columns]
     }
@@ -165,14 +170,15 @@ impl<M: DifferentiableRhs> Sensitivities<M> {
     }
 }
 
-/// Layout of the augmented state vector of [`Sensitivities`]: x, then S row by row, each padded with zeros.
+/// Layout of the augmented state vector of [`Sensitivities`]: the state x, then the sensitivity matrix S row by row; x
+/// and each row of S are padded with zeros.
 #[derive(Clone, Copy, Debug)]
 pub struct SensitivityLayout {
     states: usize,
     columns: usize,
-    /// Index of the first element of S.
+    /// Index of the first element of the sensitivity matrix S in the augmented state vector.
     first: usize,
-    /// Distance between the first elements of successive rows of S.
+    /// Distance, in elements, between the first elements of successive rows of the sensitivity matrix S.
     stride: usize,
 }
 
@@ -182,7 +188,8 @@ impl SensitivityLayout {
         0..self.states
     }
 
-    /// Index range of one state's row of S in the augmented state vector, padding included.
+    /// Index range, in the augmented state vector, of the row of the sensitivity matrix S that belongs to one state;
+    /// padding included.
     pub fn row_range(&self, state: usize) -> Range<usize> {
         let first = self.first + state * self.stride;
         first..first + self.stride
@@ -193,7 +200,8 @@ impl SensitivityLayout {
         &augmented[self.state_range()]
     }
 
-    /// Row of S for one state within an augmented state vector, with its padding of zeros.
+    /// Row of the sensitivity matrix S that belongs to one state, within an augmented state vector, including the zeros
+    /// that pad the row.
     pub fn padded_row<'x>(&self, augmented: &'x [f64], state: usize) -> &'x [f64] {
         &augmented[self.row_range(state)]
     }

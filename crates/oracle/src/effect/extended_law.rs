@@ -16,7 +16,8 @@ pub struct ActiveEffect<T> {
     pub values: Vec<T>,
 }
 
-/// A law with values of its constants, wind and active effects; the order of the effects does not matter.
+/// A law of motion with its effects, and with the values of constants, wind and effects; the order of the effects does
+/// not matter.
 #[derive(Clone, Debug)]
 pub struct ExtendedLaw<T> {
     /// The law of motion without effects.

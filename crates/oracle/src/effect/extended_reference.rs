@@ -8,7 +8,7 @@ use crate::scalar::Real;
 use model_spec::model::Model;
 use nalgebra::Vector3;
 
-/// A reference law with the effects of a model, bound to the model's names.
+/// The reference law and the effects of a model, with the indices of their constants and values in the model.
 #[derive(Clone, Debug)]
 pub struct ExtendedReference {
     /// The reference law without effects.
@@ -52,7 +52,8 @@ impl ExtendedReference {
         })
     }
 
-    /// Returns the law with its effects, with the values at a point.
+    /// Returns the law of motion and its effects, with the values that their constants, coefficients and states have at
+    /// a point.
     pub fn at<T: Real>(&self, point: &Point<T>) -> ExtendedLaw<T> {
         let value = |slot: &Slot| match *slot {
             Slot::Coefficient(i) => point.coefficients[i],

@@ -69,7 +69,8 @@ impl<'a, T: Real> Flow<'a, T> {
         self.stream.normal
     }
 
-    /// Unit vectors d1 (forward) and d2 (left) in the plane of the disc.
+    /// Unit vectors in the plane of the body: d1 along the projection of the velocity relative to the air (forward), d2
+    /// to the left of d1.
     pub fn forward_and_left(&self) -> [Vector3<T>; 2] {
         [self.stream.d1, self.stream.d2]
     }
@@ -79,7 +80,7 @@ impl<'a, T: Real> Flow<'a, T> {
         self.stream.spin
     }
 
-    /// Advance ratio r d / 2V, dimensionless; 0 without airspeed.
+    /// Advance ratio r d/(2 V) with the spin r, the diameter d and the airspeed V, dimensionless; 0 without airspeed.
     pub fn advance_ratio(&self) -> T {
         if self.speed().re() == 0.0 {
             return T::zero();
@@ -100,7 +101,8 @@ impl<'a, T: Real> Flow<'a, T> {
         self.pressure_force(coefficient, axis) * self.constant("d")
     }
 
-    /// Lift force for a lift coefficient, N, along v × d2.
+    /// Lift force for a lift coefficient, N, along v × d2, where v is the velocity relative to the air and d2 the unit
+    /// vector to the left in the plane of the body.
     pub fn lift(&self, coefficient: T) -> Vector3<T> {
         self.pressure_force(coefficient, self.across_flow(self.stream.d2))
     }

@@ -56,10 +56,12 @@ impl Inertia {
         inertia
     }
 
-    /// Force on a body of mass `mass` by the reaction of the added mass μ, N; all other forces sum to `force`.
+    /// Force on a body of mass `mass` by the reaction of the added mass μ of the surrounding air, N; `force` is the sum
+    /// of all other forces, N.
     ///
-    /// The momentum of the air is p = μ (v·n) n. The force −dp/dt depends on the acceleration to which it contributes,
-    /// so the equation is solved for the component of the acceleration along n.
+    /// The momentum of the air is p = μ (v·n) n with the velocity v relative to the air and the unit vector n along the
+    /// axis of the body. The force −dp/dt depends on the acceleration to which it contributes, so the equation is
+    /// solved for the component of the acceleration along n.
     pub fn added_mass_force<T: Real>(
         self,
         values: &[T],

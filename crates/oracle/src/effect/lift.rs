@@ -5,7 +5,7 @@ use crate::scalar::Real;
 
 /// Angle of attack at which stall begins, degrees.
 const STALL_ANGLE: f64 = 8.0;
-/// Scale height of the ground effect, m.
+/// Height above the ground at which the additional lift near the ground is 1/e of its value at the ground, m.
 const GROUND_EFFECT_HEIGHT: f64 = 0.5;
 
 /// Built-in effects on the lift of a disc.

@@ -51,10 +51,10 @@ static KINDS: [&[Effect]; 11] = [
 pub struct Effect {
     /// Name of the effect in the model language.
     pub name: &'static str,
-    /// Names of the effect's coefficients, whose null values are 0.
+    /// Names of the effect's coefficients; the effect is absent if all its coefficients and states are 0.
     pub coefficients: &'static [&'static str],
-    /// Names of the states that the effect adds. They are constant during a flight and estimated per flight; their null
-    /// values are 0.
+    /// Names of the states that the effect adds to a model. They are constant during a flight and estimated for each
+    /// flight; the effect is absent if all its coefficients and states are 0.
     pub states: &'static [&'static str],
     /// Laws to which the effect applies.
     pub laws: &'static [Law],

@@ -3,7 +3,8 @@
 use super::{DISCS, Effect, Flow, Kind, Load, effect};
 use crate::scalar::Real;
 
-/// Centre and half-width of the transition in angle of attack above which the low-angle moment vanishes, degrees.
+/// Angle of attack at the centre of the transition above which the moment `Roll::AtLowAngle` vanishes, and half-width
+/// of the transition, degrees.
 const LOW_ANGLE_END: (f64, f64) = (10.0, 2.0);
 
 /// Built-in effects on the rolling moment of a disc.

@@ -27,11 +27,11 @@ pub(super) const EFFECTS: &[Effect] = &[
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Spin {
-    /// Moment proportional to the signed square of the spin.
+    /// Moment about the body axis, proportional to the signed square of the spin.
     Quadratic,
-    /// Moment proportional to dynamic pressure and advance ratio.
+    /// Moment about the body axis, proportional to dynamic pressure and advance ratio.
     ByPressure,
-    /// Moment proportional to the spin and the angle of attack.
+    /// Moment about the body axis, proportional to the spin and the angle of attack.
     ByAngle,
 }
 

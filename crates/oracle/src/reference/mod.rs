@@ -30,14 +30,15 @@ pub enum Law {
 /// Names that a model may give after `reference`.
 pub(crate) const NAMES: [&str; 3] = ["hubbard_hummel_disc", "ball_with_drag", "frohlich_discus"];
 
-/// A reference law bound to the names of a model.
+/// A reference law of motion, with the indices of its parameters, coefficients, states and wind in a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reference {
     /// The reference law of motion.
     pub law: Law,
-    /// Chart that maps the states to a physical state, by the state names of the model contract.
+    /// Chart that converts the model's states, which it identifies by their names, to a physical state.
     pub chart: Chart,
-    /// Indices of the model's coefficients that do not occur in the law: those of effects or user terms.
+    /// Indices of the model's coefficients that do not occur in the law, but in effects or in terms that the user
+    /// added.
     pub unknown: Vec<usize>,
     constants: Vec<Slot>,
     /// Index of the model's input `wind`; `None` if the model has no such input, so that the air is still.
@@ -61,7 +62,7 @@ impl Law {
         }
     }
 
-    /// Names of the law's parameters and coefficients, as fixed by the model contract.
+    /// Names of the law's parameters and coefficients, as a model with this law must declare them.
     pub fn constants(self) -> &'static [&'static str] {
         match self {
             Self::Disc => &disc::CONSTANTS,
@@ -135,7 +136,8 @@ impl Reference {
         })
     }
 
-    /// Index and null value of each model coefficient that does not occur in the law.
+    /// Index and null value of each model coefficient that does not occur in the law. At the null value of a
+    /// coefficient the effect of the coefficient is absent.
     pub fn null_values(&self, model: &Model) -> Vec<(usize, f64)> {
         let of_effects = model.effects.iter().flat_map(|e| &e.coefficients);
         let null_value = |i| {

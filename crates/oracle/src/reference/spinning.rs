@@ -22,7 +22,8 @@ pub(crate) struct Stream<T> {
     pub axial_velocity: T,
     /// Axis of symmetry, unit vector.
     pub normal: Vector3<T>,
-    /// Unit vector d1: direction of the velocity in the plane of the body; 0 if that component is 0.
+    /// Unit vector d1: direction of the velocity relative to the air, projected onto the plane of the body; 0 if the
+    /// projection is 0.
     pub d1: Vector3<T>,
     /// Unit vector d2 to the left, normal × d1; 0 if `d1` is 0.
     pub d2: Vector3<T>,
@@ -36,10 +37,10 @@ pub(crate) struct Stream<T> {
 pub(super) struct Coefficients<T> {
     pub lift: T,
     pub drag: T,
-    /// Coefficient of the rolling moment about d1.
+    /// Coefficient of the rolling moment about d1, the forward direction in the plane of the body.
     pub roll: T,
     pub pitch: T,
-    /// Damping coefficient of the angular rates about d1 and d2, s.
+    /// Coefficient of the damping moment per rad/s of the angular velocity normal to the body axis, s.
     pub damping: T,
     /// Moment about the axis per unit of spin, N·m·s; independent of the airspeed.
     pub spin_down: T,

@@ -10,7 +10,7 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 pub struct Dual<T> {
     /// Value of the function.
     pub value: T,
-    /// Derivative in the seeded direction.
+    /// Derivative of the value in the direction given by the derivatives of the arguments.
     pub derivative: T,
 }
 

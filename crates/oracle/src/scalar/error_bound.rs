@@ -9,7 +9,8 @@ use super::{Elementary, Field, Real};
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// A number with the magnitude of the terms that sum to it.
+/// A computed number and the scale of its rounding error: the sum of the absolute values of the terms that sum to the
+/// number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ErrorBound {
     /// Computed value.
@@ -19,8 +20,8 @@ pub struct ErrorBound {
 }
 
 impl ErrorBound {
-    /// Error of `other` relative to the magnitude of this number: |`other` − value| / magnitude; infinite if either is
-    /// NaN.
+    /// Error of `other` relative to the magnitude of this number, |`other` − value| / magnitude; infinite if `other` or
+    /// the value is NaN.
     pub fn relative_error(self, other: f64) -> f64 {
         let difference = (other - self.value).abs();
         if difference == 0.0 {

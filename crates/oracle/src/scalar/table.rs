@@ -86,7 +86,7 @@ impl Interpolant {
     }
 }
 
-/// Width and mean slope of each interval.
+/// Width and mean slope of each interval between two neighbouring knots.
 fn intervals(knots: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let of = |pair: &[(f64, f64)]| {
         let width = pair[1].0 - pair[0].0;

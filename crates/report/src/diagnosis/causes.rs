@@ -18,7 +18,7 @@ pub(super) const MOST: usize = 12;
 #[derive(Serialize)]
 pub(super) struct Explanation {
     name: String,
-    /// Decrease of the weighted sum of squares, χ², formatted.
+    /// Decrease of the weighted sum of squares, χ², when the effects of the hypothesis are included; formatted.
     gain: String,
     /// Formatted fraction of the misfit that the hypothesis explains, and remaining RMS beyond the noise; `None` if
     /// not computed.

@@ -121,7 +121,7 @@ pub(super) struct Flight {
     /// Whether the flight is set apart because neither model predicts it, and so not included in the out-of-sample
     /// gain.
     apart: bool,
-    /// Reason why the flight was excluded; `None` if it was used.
+    /// Reason why the flight was excluded from the fit or from the prediction; `None` if it was not excluded.
     excluded: Option<String>,
 }
 
@@ -166,7 +166,7 @@ pub(super) fn flights(report: &Report) -> Vec<Flight> {
 pub(super) struct LackOfFitText {
     says: String,
     head: [&'static str; 6],
-    /// Rows of the largest smooth deviations, smallest p-value first.
+    /// Rows of the largest smooth deviations, smallest p-value first; the columns are named in `head`.
     departures: Vec<[String; 6]>,
 }
 

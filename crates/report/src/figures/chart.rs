@@ -20,11 +20,11 @@ pub(crate) enum Axis {
 /// Shape drawn in a row of a chart, with its CSS class.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Shape {
-    /// Bar from 0 to the value; CSS class.
+    /// Bar from 0 to the given value, drawn with the given CSS class.
     Bar(f64, &'static str),
-    /// Dot at the value; CSS class.
+    /// Dot at the given value, drawn with the given CSS class.
     Dot(f64, &'static str),
-    /// Line between the two values; CSS class.
+    /// Line between the two given values, drawn with the given CSS class.
     Span(f64, f64, &'static str),
 }
 
@@ -132,7 +132,8 @@ impl Chart {
         )
     }
 
-    /// Values of the bars and dots of a row, each with its meaning from the legend, preceded by a comma.
+    /// Pairs of value and text for each bar and dot of a row. The text is a comma followed by the meaning of the bar or
+    /// dot according to the legend; it is empty if the legend has no such entry.
     fn values<'a>(&'a self, row: &'a Row) -> impl Iterator<Item = (f64, String)> + 'a {
         let of = |shape: &Shape| match *shape {
             Shape::Bar(value, class) | Shape::Dot(value, class) => Some((value, class)),

@@ -33,7 +33,7 @@ pub(super) fn flight(number: usize, flight: &ImportedFlight) -> Drawn {
     )
 }
 
-/// Draws the height of the body over a whole take, with release and end of each flight.
+/// Draws the height of the body over a whole recording, with release and end of each flight.
 pub(super) fn take(number: usize, take: &ImportedTake) -> Drawn {
     let inside = |time: f64| take.flights.iter().any(|flight| flight.holds(time));
     let mut panel = split(&take.heights, inside);
@@ -99,8 +99,8 @@ fn curve(flight: &ImportedFlight, curve: &Curve) -> Panel {
     }
 }
 
-/// Panel of the marker distances minus those in the template, in mm. A pair whose markers were swapped or came loose
-/// shows a jump. `None` if there are no pairs.
+/// Panel of the measured distances of marker pairs minus the distances in the rigid-body definition, in mm. The line of
+/// a pair whose markers were swapped or came loose has a jump. `None` if there are no pairs.
 fn distances(flight: &ImportedFlight) -> Option<Panel> {
     let mut pairs: Vec<&Distance> = flight.distances.iter().collect();
     pairs.sort_by(|a, b| spread(flight, b).total_cmp(&spread(flight, a)));

@@ -23,8 +23,8 @@ pub struct ImportedTake {
     pub decisions: Vec<(String, String)>,
     /// Notes on parts of the recording that were excluded or are uncertain.
     pub notes: Vec<String>,
-    /// Height of the tracked body over the take: pairs of time, s, and height, m; the height is not finite where it
-    /// is missing.
+    /// Height of the tracked body during the whole recording: pairs of time, s, and height, m; the height is not finite
+    /// at times at which the body was not tracked.
     pub heights: Vec<(f64, f64)>,
     /// Flights that were cut from the recording.
     pub flights: Vec<ImportedFlight>,
@@ -47,7 +47,7 @@ pub struct ImportedFlight {
     pub gaps: Vec<(f64, f64)>,
     /// Markers with missing samples: pairs of marker name and number of missing samples.
     pub missing: Vec<(String, usize)>,
-    /// Quantities over the time of the take, during the flight and shortly before and after it.
+    /// Quantities over the time of the recording, during the flight and shortly before and after it.
     pub curves: Vec<Curve>,
     /// Distances between pairs of markers over time.
     pub distances: Vec<Distance>,
@@ -62,7 +62,7 @@ pub struct Edge {
     pub reason: String,
 }
 
-/// Curve of a quantity over the time of a take.
+/// Curve of a quantity over the time of a recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
     /// Name of the quantity, with its unit.

@@ -12,11 +12,11 @@ use crate::fit::numbers::plain;
 use crate::fit::page::{capitalized, one, plain_values, rendered};
 use crate::fit::words::names;
 
-/// Maximum number of flights drawn, over all takes.
+/// Maximum number of flights drawn, over all recordings.
 const MOST_FLIGHTS: usize = 60;
 /// Maximum number of gaps listed for each flight.
 const MOST_GAPS: usize = 5;
-/// Maximum number of marker pairs listed for each take.
+/// Maximum number of marker pairs listed for each recording.
 const MOST_PAIRS: usize = 30;
 
 /// A recording, as input of the HTML template.
@@ -118,8 +118,8 @@ fn row(flight: &ImportedFlight) -> Row {
     }
 }
 
-/// Marker pairs of a take, largest deviation first. Each pair is listed with the flight in which its distance
-/// deviates most from the median.
+/// Marker pairs of a recording with their distances, largest deviation from the median first. Each pair is listed with
+/// the flight in which the distance of its markers deviates most from the median of that flight.
 fn pairs(take: &ImportedTake) -> Vec<Pair> {
     let mut worst: Vec<(&str, f64, f64, f64, &str)> = Vec::new();
     for flight in &take.flights {

@@ -47,8 +47,8 @@ fn in_two_steps(part: &Path, target: &Path) -> io::Result<PathBuf> {
     Ok(old)
 }
 
-/// Removes the remains of interrupted runs beside the folder `name`. If such a run had renamed the target and not
-/// replaced it, the target is restored.
+/// Removes temporary folders that interrupted runs left in `parent` for the results folder `name`, whose path is
+/// `target`. If a run was interrupted after it renamed the results folder, that folder is renamed back to `target`.
 pub(super) fn recover(parent: &Path, name: &str, target: &Path) {
     let prefix = format!(".{name}.hyzer-");
     let entries = fs::read_dir(parent).into_iter().flatten().flatten();

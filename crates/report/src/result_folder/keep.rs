@@ -35,8 +35,9 @@ fn is_own(folder: &Path, manifest: &Manifest, path: &Path) -> bool {
     name == MANIFEST || manifest.wrote(folder, &name)
 }
 
-/// Carries all files of `target` over to `part`, except unchanged results that `earlier` lists, by hard links if
-/// possible, otherwise by copies. A file with the name of a new result is renamed to `NAME.kept`.
+/// Preserves the files of the results folder `target` in the new results folder `part`, by hard links if possible,
+/// otherwise by copies. Unchanged results that the manifest `earlier` lists are omitted. A preserved file with the name
+/// of a new result is named `NAME.kept`.
 pub(super) fn keep_foreign(target: &Path, earlier: &Manifest, part: &Path) -> io::Result<()> {
     let (files, folders) = entries_below(target)?;
     for folder in &folders {

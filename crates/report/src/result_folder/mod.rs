@@ -57,7 +57,7 @@ pub enum ResultFolderError {
     Foreign {
         /// Path of the folder.
         path: PathBuf,
-        /// Names of some of the files, sorted.
+        /// Names of at most three of the foreign files, sorted; followed by `…` if there are more.
         names: Vec<String>,
     },
     /// The last component of the path is not a folder name, as in `x/..`.
@@ -206,7 +206,8 @@ impl ResultFolder {
 /// Number of bytes written to the disk at a time; small enough that a write takes well below a second.
 const CHUNK: usize = 1 << 20;
 
-/// Writes a new file through to the disk, in chunks: a process cannot be ended during a write.
+/// Writes a new file and flushes it to the disk after each chunk. Chunks keep each system call short, because a process
+/// cannot be terminated during a write.
 fn write_synced(path: &Path, contents: &[u8]) -> io::Result<()> {
     let mut file = std::fs::File::create(path)?;
     for chunk in contents.chunks(CHUNK) {

@@ -11,11 +11,12 @@ use crate::figures::symbol;
 use crate::fit::numbers::unit;
 use crate::fit::thin::stride;
 
-/// Maximum number of quantities shown for a flight.
+/// Maximum number of scalar quantities that the viewer shows over time for a flight.
 const MOST_NUMBERS: usize = 10;
 /// Maximum number of markers shown for a flight.
 const MOST_MARKERS: usize = 12;
-/// Units of the quantities that are shown after the angles, in this order.
+/// Units of the quantities that the viewer shows: angles come first, then quantities with these units, in this order.
+/// Quantities with other units are not shown.
 const UNITS: [&str; 2] = ["m/s", "rad/s"];
 
 /// Data of a flight for the viewer, with lengths in m and times in s.
@@ -25,10 +26,10 @@ pub(super) struct Flight {
     /// Short description of the flight, such as whether it was fitted.
     pub(super) note: String,
     times: Vec<f64>,
-    /// Positions of the origin of the body frame, inertial frame, one for each time.
+    /// Position of the origin of the body frame at each of `times`, m, in inertial coordinates.
     position: Vec<[f64; 3]>,
-    /// Rotation matrices from the body frame to the inertial frame, row by row, one for each time; `None` for a point
-    /// mass.
+    /// Rotation matrix, stored row by row, from the body frame to the inertial frame at each of `times`; `None` for a
+    /// point mass.
     attitude: Option<Vec<[f64; 9]>>,
     /// Measured positions of the markers, by time and marker; `None` if missing.
     measured: Vec<Vec<Option<[f64; 3]>>>,
@@ -74,8 +75,8 @@ impl<'m> Place<'m> {
         }
     }
 
-    /// Flight at the given times and states, without measurements. Samples without a finite position are left out;
-    /// the second value states for each sample whether it was retained.
+    /// Viewer data of a flight with the given pairs of time and state, without measurements. Samples without a finite
+    /// position are omitted; the second value states for each sample whether it was retained.
     fn flight(&self, name: &str, samples: &[(f64, &[f64])]) -> (Flight, Vec<bool>) {
         let bound = self.body.bind(self.parameters.clone());
         let has_attitude = self.model.marker.as_ref().is_some_and(|m| m.frame != 0);
@@ -158,7 +159,8 @@ impl<'m> Place<'m> {
             .collect()
     }
 
-    /// Quantities shown over time: height, distance, and the model's angles, speeds and rates.
+    /// Quantities shown over time: height, horizontal distance from the first sample, and the model's angles, speeds
+    /// and angular rates.
     fn numbers(
         &self,
         bound: &BoundModel<'_>,

@@ -25,10 +25,10 @@ pub struct Filmed {
     pub miss: f64,
     /// RMS difference of simulated and measured positions per coordinate over the track, m.
     pub rms: f64,
-    /// For each launch quantity: its name, its published uncertainty as text, and the distance by which `flight_end`
-    /// moves if the quantity changes by that uncertainty, m.
+    /// For each launch quantity: its name, its published uncertainty as text, and the distance by which the simulated
+    /// end of the flight moves if the quantity changes by that uncertainty, m.
     pub moves: Vec<(&'static str, String, f64)>,
-    /// Root sum of squares of the distances in `moves`, m.
+    /// Root of the sum of the squared distances in `moves`, m: uncertainty of the simulated end of the flight.
     pub all_moves: f64,
 }
 

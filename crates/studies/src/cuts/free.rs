@@ -54,7 +54,7 @@ pub struct FreeFlight {
     pub excluded: Option<String>,
 }
 
-/// Names of the groups of throws that touch nothing.
+/// Names of the groups of simulated throws whose flights touch nothing.
 const GROUPS: [&str; 4] = [
     "usual throws of a disc",
     "wild throws of a disc",

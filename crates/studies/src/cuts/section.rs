@@ -5,20 +5,23 @@ use serde::Serialize;
 use super::bounces::Bounce;
 use super::free::FreeFlight;
 
-/// Maximum number of examples that the section lists for each kind of flight. Further ones are only counted.
+/// Maximum number of wrongly treated flights that the section lists for each kind of flight. Further ones are only
+/// counted.
 const MAX_EXAMPLES: usize = 12;
 
 /// Boundaries of the classes of impact speed, m/s.
 const CLASSES: [f64; 4] = [0.0, 1.0, 2.5, f64::INFINITY];
 
-/// Data of the section: counts and examples of flights that touch nothing and of flights that bounce.
+/// Data of the page's section on truncation: counts and examples of flights that touch nothing and of flights that
+/// bounce on the ground.
 #[derive(Clone, Debug, Serialize)]
 pub struct CutSection {
     free: Vec<FreeRow>,
-    /// Numbers of flights that touch nothing: all, truncated, excluded.
+    /// For the flights that touch nothing: their number, and how many of them the fits truncated and excluded.
     totals: [usize; 3],
     bounces: Vec<BounceRow>,
-    /// Numbers of flights that bounce: all, truncated within two samples of the first contact.
+    /// For the flights that bounce: their number, and how many of them the fits truncated within two samples of the
+    /// first ground contact.
     bounce_totals: [usize; 2],
     examples: Vec<String>,
 }

@@ -28,9 +28,9 @@ pub struct Case {
     pub body: Body,
     /// Seeded effects, noise, and the number of held-out flights.
     pub seeded: SeededEffects,
-    /// Number of flights in the dataset.
+    /// Number of flights in the simulated dataset.
     pub flights: usize,
-    /// Errors put into the spins that the dataset states; `None` if they are exact.
+    /// Errors introduced into the spins that the dataset states; `None` if the stated spins are exact.
     pub input_errors: Option<InputErrors>,
     /// Seed from which the run's settings, throws and noise are drawn.
     pub seed: u64,

@@ -3,8 +3,8 @@
 use super::outcome::Outcome;
 use super::run::RowResult;
 
-/// Lines of a row: a heading and one line per run. For a run with a text in `rejections`, a second line states the
-/// diagnosis with the seeded effects in the model.
+/// Lines of text about a row: a heading and one line per run. A run with a text in `rejections` has a second line, on
+/// the diagnosis repeated with the seeded effects in the model.
 pub fn details(result: &RowResult, rejections: &[Option<String>]) -> Vec<String> {
     let mut lines = vec![result.row.key()];
     for (run, outcome) in result.outcomes.iter().enumerate() {

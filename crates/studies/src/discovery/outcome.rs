@@ -30,9 +30,11 @@ pub struct Outcome {
     /// z-equivalent of the seeded effect's score test, the minimum over the seeded effects; `None` if no seeded effect
     /// was tested.
     pub z: Option<f64>,
-    /// Numbers of flights that the report lists as discordant.
+    /// Counts of the flights that contradict the effect found in most flights, and that the report therefore lists as
+    /// discordant.
     pub discordant: Discordant,
-    /// Number of library terms that the diagnosis selected.
+    /// Number of terms that the diagnosis selected from its term library, as a description of misfit that no effect
+    /// explains.
     pub terms: usize,
     /// Sites of the library terms that the diagnosis selected.
     pub sites: Vec<String>,
@@ -44,21 +46,22 @@ pub struct Outcome {
     pub threads: usize,
 }
 
-/// Counts of the flights that a report lists as discordant.
+/// Counts of the flights that a report lists as discordant: flights in which the effect found in most flights has
+/// another sign or a much smaller size.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Discordant {
-    /// Number of discordant flights in the report.
+    /// Number of flights that the report lists as discordant.
     pub listed: usize,
-    /// Number of discordant flights whose stated spin was exchanged with another flight's.
+    /// Number of the flights listed as discordant whose stated spin was exchanged with that of another flight.
     pub exchanged: usize,
 }
 
 /// RMS prediction errors on the held-out flights, m, of three models.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldOutErrors {
-    /// Error of the model without an extension.
+    /// Error of the plain model, without any added effect.
     pub before: f64,
-    /// Error of the model that the diagnosis extended; equal to `before` if it found no extension.
+    /// Error of the plain model extended by the effects that the diagnosis found; equal to `before` if it found none.
     pub after: f64,
     /// Error of the model with the seeded effects; `None` if there is no such model or its fit failed.
     pub truth: Option<f64>,
@@ -91,7 +94,8 @@ impl Outcome {
         }
     }
 
-    /// Number of effects in the first hypothesis that were not seeded, plus the number of selected library terms.
+    /// Number of effects in the first hypothesis that were not seeded, plus the number of terms that the diagnosis
+    /// selected from its term library.
     pub fn terms_too_many(&self) -> usize {
         let truth = self.case.truth();
         let first = self.hypotheses.first().map_or(&[][..], Vec::as_slice);
@@ -99,13 +103,13 @@ impl Outcome {
         extra + self.terms
     }
 
-    /// Whether the diagnosis succeeded with a verdict other than `None`.
+    /// Whether the diagnosis succeeded and detected something (verdict other than `Verdict::None`).
     pub fn is_detected(&self) -> bool {
         self.verdict.is_some_and(|verdict| verdict != Verdict::None)
     }
 
-    /// Held-out error of the extended model relative to the model with the seeded effects; `None` if the latter is not
-    /// known.
+    /// Held-out error of the extended model / that of the model with the seeded effects; `None` if the latter error is
+    /// not known.
     pub fn held_out_ratio(&self) -> Option<f64> {
         Some(self.held_out.after / self.held_out.truth?)
     }

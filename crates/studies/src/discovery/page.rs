@@ -17,7 +17,8 @@ use crate::seeded::unlisted;
 /// Maximum number of answers listed for a failing row.
 const MAX_ANSWERS: usize = 3;
 
-/// Divisor of the number of runs: a row is listed as failing if more than one run in ten misses a detectable effect.
+/// Divisor of the number of runs of a row: the row is listed as failing if the diagnosis misses a detectable effect in
+/// more than one run of this number.
 const MISSED_DIVISOR: usize = 10;
 
 /// Upper bound of the median time of a diagnosis of 20 disc flights, s.
@@ -118,7 +119,8 @@ struct SeveralRow {
     mean_set_size: Option<f64>,
     uniquely_wrong: usize,
     failed: usize,
-    /// Maximum over the runs of the row.
+    /// Maximum over the row's runs of the number of wrong terms: effects of the first hypothesis that were not seeded,
+    /// plus selected library terms.
     terms_too_many: usize,
     seconds: Option<f64>,
     slowest: f64,
@@ -144,7 +146,7 @@ struct UnlistedRow {
     runs: usize,
     detected: usize,
     in_set: usize,
-    /// Number of runs with a selected term at the effect's site.
+    /// Number of runs in which the diagnosis selected a library term that acts at the same site as the seeded effect.
     at_its_site: usize,
     sites: String,
     uniquely_wrong: usize,
@@ -175,7 +177,7 @@ struct TableRow {
     runs: usize,
     detectability: Option<f64>,
     detected: usize,
-    /// `None` for a row without a seeded effect.
+    /// Number of runs with the seeded effects among the hypotheses; `None` for a row without a seeded effect.
     in_set: Option<usize>,
     mean_set_size: Option<f64>,
     uniquely_wrong: usize,

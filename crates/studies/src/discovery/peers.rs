@@ -1,6 +1,6 @@
 //! Copies tables of docs/discovery-peers.md, which benches/discovery writes, into a section of docs/discovery.md.
 
-/// Heading of docs/discovery.md before which the section is inserted.
+/// Heading of docs/discovery.md before which the section with the results of other programs is inserted.
 const BEFORE: &str = "## Every row";
 
 /// Headings of the tables that are copied from docs/discovery-peers.md.
@@ -10,7 +10,8 @@ const TABLES: [&str; 3] = [
     "## No effect is seeded",
 ];
 
-/// Builds the section from the text of docs/discovery-peers.md; `None` if a table is missing there.
+/// Builds the section with the results of other programs from the text of docs/discovery-peers.md; `None` if a table is
+/// missing in that text.
 pub fn peer_section(peers: &str) -> Option<String> {
     let mut text = include_str!("peers.md").to_owned();
     for heading in TABLES {
@@ -25,7 +26,8 @@ pub fn peer_section(peers: &str) -> Option<String> {
     Some(text)
 }
 
-/// Returns the page with the section inserted; an earlier version of the section is replaced.
+/// Returns the page docs/discovery.md with the section on other programs inserted; an earlier version of the section is
+/// replaced.
 pub fn with_peer_section(page: &str, section: &str) -> String {
     let title = section.lines().next().unwrap_or_default();
     let without = match page.split_once(title) {

@@ -8,10 +8,10 @@ use super::row::{Body, Group, Row, Size};
 use crate::oracle_flights::{NoiseCondition, noise_conditions};
 use crate::seeded::{InputErrors, UNLISTED};
 
-/// Number of runs of a row in each group, per 100 runs of a row without a seeded effect.
+/// Number of runs of a row of each kind, per 100 runs of a row without a seeded effect.
 struct Share {
     single: usize,
-    /// Rows with one effect under noise that is not white.
+    /// Number of runs of a row with one effect under noise that is not white.
     single_noisy: usize,
     pair: usize,
     several: usize,
@@ -39,13 +39,14 @@ const SHARE: Share = Share {
 /// Number of random pairs of effects.
 const PAIRS: usize = 12;
 
-/// Seed of the random pairs.
+/// Seed with which the random pairs of effects are drawn.
 const PAIR_SEED: u64 = 12;
 
-/// Number of effects of a combination, with the number of random combinations of that size.
+/// Combinations that are drawn: number of effects in a combination, and number of random combinations with that many
+/// effects.
 const SEVERAL: [(usize, usize); 2] = [(2, 10), (3, 10)];
 
-/// Seed of the random combinations.
+/// Seed with which the random combinations of two or three effects are drawn.
 const SEVERAL_SEED: u64 = 23;
 
 /// Effects that are also seeded at severe size, where the model is badly wrong.
@@ -62,7 +63,7 @@ const CONFOUNDED: [(&str, &str); 7] = [
     ("wind", "tilted_vertical"),
 ];
 
-/// Effects seeded into flights of a ball, and the ball.
+/// Sets of effects that are seeded together into flights of a ball, each with the kind of ball.
 const BALL_EFFECTS: [(&[&str], Body); 5] = [
     (&["magnus"], Body::TableTennis),
     (&["drag_crisis"], Body::Football),
@@ -74,12 +75,13 @@ const BALL_EFFECTS: [(&[&str], Body); 5] = [
 /// Number of flights per dataset in rows with many flights.
 const MANY_FLIGHTS: usize = 48;
 
-/// Errors put into the stated spins: relative error, fraction of flights whose spins are exchanged.
+/// Errors introduced into the stated spins: relative standard deviation, fraction of flights whose spins are exchanged.
 const INPUT_ERRORS: [(f64, f64); 4] = [(0.2, 0.0), (0.0, 0.33), (0.2, 0.33), (0.0, 1.0)];
 
 const BOTH_SIZES: [Size; 2] = [Size::Weak, Size::Strong];
 
-/// Builds rows. `seeds` is the number of runs of a row without a seeded effect.
+/// Builds the rows of the study. `seeds` is the number of runs of a row without a seeded effect; other rows have a
+/// fraction of this number.
 struct Planner {
     seeds: usize,
     noises: Vec<NoiseCondition>,
@@ -92,7 +94,8 @@ impl Planner {
         found.expect("a noise of that name").clone()
     }
 
-    /// A row with strong effects under white noise, and `share` runs per 100 `seeds`.
+    /// Builds a row with effects of strong size under white noise. `share` is its number of runs as a percentage of
+    /// `seeds`.
     fn row(&self, group: Group, body: Body, effects: &[&'static str], share: usize) -> Row {
         Row {
             group,
@@ -237,8 +240,8 @@ fn pairs(names: &[&'static str]) -> Vec<[&'static str; 2]> {
     pairs
 }
 
-/// Draws `count` random combinations of `number` effects that act at different sites, without repetition. Effects that
-/// another cause imitates are left out.
+/// Draws `count` different random combinations of `number` effects that act at different sites. Effects whose influence
+/// on flights equals that of another cause are left out.
 fn combinations(names: &[&'static str], number: usize, count: usize) -> Vec<Vec<&'static str>> {
     let mut random = ChaCha12Rng::seed_from_u64(SEVERAL_SEED + number as u64);
     let imitated = |name: &str| CONFOUNDED.iter().any(|(of, _)| *of == name);

@@ -31,7 +31,7 @@ pub(super) const MIN_IN_SET_SEVERAL: [(usize, f64); 2] = [(2, 0.95), (3, 0.85)];
 /// Multiple of the minimum detectable size from which an effect counts as strong.
 pub(super) const STRONG: f64 = 5.0;
 
-/// Number of runs with a property, out of a total.
+/// Number of runs that have a certain property, out of the runs examined.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Count {
     /// Number of runs examined.
@@ -57,21 +57,23 @@ impl Count {
 /// Statistics over the runs of one row: counts, means and medians.
 #[derive(Clone, Debug)]
 pub(super) struct RowRates {
-    /// Number of runs with a verdict other than `None`.
+    /// Number of runs in which the diagnosis detected something (verdict other than `Verdict::None`).
     pub(super) detected: usize,
     /// Number of runs with the seeded effects among the hypotheses.
     pub(super) in_set: usize,
-    /// Mean number of hypotheses over the runs with a verdict other than `None`; `None` without such a run.
+    /// Mean number of hypotheses over the runs in which the diagnosis detected something; `None` without such a run.
     pub(super) mean_set_size: Option<f64>,
     /// Number of runs whose answer is a single wrong hypothesis.
     pub(super) uniquely_wrong: usize,
-    /// Median over the runs of seeded size / minimum detectable effect; `None` if no run has this ratio.
+    /// Median over the runs of the ratio seeded size / minimum detectable size; `None` if no run has this ratio.
     pub(super) detectability: Option<f64>,
-    /// Median held-out error of the extended model relative to the model with the seeded effects.
+    /// Median over the runs of the ratio of two prediction errors on held-out flights: model extended by the diagnosis
+    /// / model with the seeded effects. `None` if no run has this ratio.
     pub(super) held_out_ratio: Option<f64>,
-    /// Median held-out error of the extended model relative to the model without an extension.
+    /// Median over the runs of the ratio of two prediction errors on held-out flights: model extended by the diagnosis
+    /// / plain model. `None` if no run has a finite ratio.
     pub(super) held_out_change: Option<f64>,
-    /// Median computing time of a diagnosis, s.
+    /// Median elapsed time of a diagnosis, s; `None` if no diagnosis succeeded.
     pub(super) seconds: Option<f64>,
 }
 
@@ -102,7 +104,8 @@ impl RowRates {
 pub(super) struct Rates {
     /// Runs whose answer is a single wrong hypothesis, out of all runs.
     pub(super) uniquely_wrong: Count,
-    /// Runs with the seeded effects among the hypotheses, out of the runs with a detectable effect of the catalogue.
+    /// Runs with the seeded effects among the hypotheses, out of the runs with effects of the catalogue of at least the
+    /// minimum detectable size.
     pub(super) in_set: Count,
     /// Runs with the seeded effects among the hypotheses, out of the runs with an effect of at least [`STRONG`] times
     /// the minimum detectable size.
@@ -110,13 +113,14 @@ pub(super) struct Rates {
     /// For each number of effects in [`Group::Several`]: the number, the lower bound of the rate, and the runs with the
     /// seeded effects among the hypotheses, out of those where all effects are detectable.
     pub(super) in_set_several: Vec<(usize, f64, Count)>,
-    /// For each noise condition: its name, and the runs with a verdict other than `None`, out of the runs without a
-    /// seeded effect.
+    /// For each noise condition: its name, and the runs in which the diagnosis detected something, out of the runs
+    /// without a seeded effect.
     pub(super) false_alarms: Vec<(&'static str, Count)>,
-    /// Runs whose held-out error is at most [`MAX_HELD_OUT_RATIO`] times that of the model with the seeded effects, out
-    /// of all runs with an effect of the catalogue for which this ratio is known.
+    /// Runs whose prediction error on held-out flights is at most [`MAX_HELD_OUT_RATIO`] times that of the model with
+    /// the seeded effects, out of all runs with an effect of the catalogue for which this ratio is known.
     pub(super) held_out: Count,
-    /// Median of the held-out ratio over the runs counted in `held_out`.
+    /// Median, over the runs counted in `held_out`, of the held-out prediction error of the extended model / that of
+    /// the model with the seeded effects; `None` without such a run.
     pub(super) held_out_median: Option<f64>,
     /// RMS held-out error of the extended models over all runs with an effect of the catalogue, divided by that of the
     /// models with the seeded effects; `None` without such a run.
@@ -208,7 +212,8 @@ fn pooled<'a>(outcomes: impl Iterator<Item = &'a Outcome>) -> Option<f64> {
     (truth > 0.0).then(|| f64::sqrt(after / truth))
 }
 
-/// Counts the answers of the outcomes for which `has` is true, in descending order of the count.
+/// Number of times that each answer (verdict and hypotheses as text) occurs among the outcomes for which `has` is true,
+/// the most frequent answer first.
 pub(super) fn answers(
     outcomes: &[Outcome],
     has: impl Fn(&Outcome) -> bool,

@@ -12,10 +12,11 @@ pub enum Group {
     Single,
     /// Two effects of the catalogue are seeded, drawn without regard to their identifiability.
     Pair,
-    /// Two or three effects of the catalogue are seeded, none of which another cause imitates. Drawn separately from
-    /// `Pair`.
+    /// Two or three effects of the catalogue are seeded, none of which has the same influence on flights as another
+    /// cause. The combinations are drawn separately from those of `Pair`.
     Several,
-    /// The seeded effect cannot be distinguished from another cause by these flights.
+    /// The seeded effect changes the flights in the same way as another cause, so that the diagnosis cannot distinguish
+    /// them.
     Confounded,
     /// An effect outside the catalogue is seeded.
     Unlisted,
@@ -23,7 +24,7 @@ pub enum Group {
     Ball,
     /// An effect outside the catalogue is seeded into 48 flights instead of the default number.
     UnlistedManyFlights,
-    /// The spins that the dataset states contain errors.
+    /// The spins that the dataset states for the flights contain errors.
     InputErrors,
 }
 
@@ -62,9 +63,9 @@ impl Group {
 /// Size of a seeded effect, relative to what is met in practice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Size {
-    /// Near the minimum that is met in practice.
+    /// Near the smallest size of the effect that is met in practice.
     Weak,
-    /// Near the maximum that is met in practice.
+    /// Near the largest size of the effect that is met in practice.
     Strong,
     /// Four times the strong size: the model without the effect is badly wrong.
     Severe,
@@ -134,7 +135,7 @@ pub struct Row {
     pub noise: NoiseCondition,
     /// Number of flights per dataset; `None` for the default of the body.
     pub flights: Option<usize>,
-    /// Errors put into the stated spins; `None` if they are exact.
+    /// Errors introduced into the spins that the dataset states; `None` if the stated spins are exact.
     pub input_errors: Option<InputErrors>,
     /// Number of runs of the row, each with its own seed.
     pub runs: usize,

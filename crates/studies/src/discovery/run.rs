@@ -52,8 +52,9 @@ pub fn run_rows(
     results.collect()
 }
 
-/// Diagnoses again, with the seeded effects in the model, each run that detected something but missed a detectable
-/// effect. Returns a text per run and row; `None` for the other runs.
+/// Repeats, with the seeded effects added to the model, the diagnosis of each run that detected something but missed a
+/// detectable effect. Returns texts indexed by row and run; `None` for a run whose diagnosis is not repeated or has no
+/// result.
 pub fn rejections(results: &[RowResult]) -> Vec<Vec<Option<String>>> {
     let models = Models::default();
     let all: Vec<&Outcome> = results.iter().flat_map(|result| &result.outcomes).collect();
@@ -117,7 +118,7 @@ fn outcome(case: &Case, models: &Models, threads: usize) -> Outcome {
     outcome
 }
 
-/// RMS prediction errors on the held-out flights: of the plain model, the extended model, and the model with the seeded
+/// RMS prediction errors on the held-out flights of three models: plain, extended by the diagnosis, and with the seeded
 /// effects.
 fn held_out(
     outcome: &Outcome,
@@ -150,7 +151,7 @@ fn held_out(
     }
 }
 
-/// RMS residual over the held-out flights, m.
+/// RMS residual of a fitted model over the held-out flights, m.
 fn prediction_error(fitted: &Fit) -> f64 {
     let flights = fitted.report.flights.iter();
     let held_out = flights.filter(|f| f.role == Role::HeldOut && !f.initial.is_empty());

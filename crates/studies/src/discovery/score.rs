@@ -51,8 +51,8 @@ pub(super) fn score(outcome: &mut Outcome, report: &Report) {
     }
 }
 
-/// Scores a run with an effect outside the catalogue. The right verdict is `Unattributed`; a single hypothesis is
-/// wrong, unless it is the effect's near equivalent.
+/// Scores a run with an effect outside the catalogue. The right verdict is `Unattributed`. A single hypothesis is
+/// wrong, unless it names the effect of the catalogue that is nearly equivalent.
 fn score_unlisted(outcome: &mut Outcome, report: &Report, is_single: bool) {
     // An effect of the catalogue may be so similar that it is an equally right answer.
     let mut seeded = outcome.case.seeded.unlisted.iter();
@@ -103,7 +103,8 @@ fn score_listed(outcome: &mut Outcome, report: &Report, is_single: bool) {
     outcome.uniquely_wrong = is_single && !is_right(&outcome.hypotheses[0]);
 }
 
-/// Counts the discordant flights of a report, and how many of them have exchanged spins.
+/// Counts the flights that a report lists as discordant (contradicting the effect found in most flights), and how many
+/// of these had their stated spins exchanged.
 fn discordant(case: &Case, errors: InputErrors, report: &Report) -> Discordant {
     let exchanged = errors.exchanged_flights(case.flights, case.seed);
     let exchanged: Vec<String> = exchanged.into_iter().map(file_name).collect();

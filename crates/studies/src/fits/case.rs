@@ -25,10 +25,10 @@ const MAX_MULTIPLE: f64 = 12.0;
 /// which the forces are declared is undefined there; a strong negative lift can hold the disc at 90°.
 const MAX_ANGLE: f64 = 1.3;
 
-/// Number of flights simulated to choose the size of one effect.
+/// Number of flights that are simulated in each step of the search for the size of an effect.
 const PROBE_FLIGHTS: usize = 4;
 
-/// Relative error of a displacement at which the search for an effect size ends.
+/// Relative deviation of the displacement from the wanted one at which the search for the size of an effect ends.
 const CLOSE: f64 = 0.25;
 
 /// Maximum number of iterations of the search for an effect size.
@@ -128,8 +128,8 @@ fn effects(random: &mut impl Rng) -> (Vec<&'static str>, Model) {
     }
 }
 
-/// Values proportional to `strong`, within their bounds, that displace the markers by about `wanted` (m). Found by a
-/// bracketed search.
+/// Values of an effect, proportional to its strong values `strong` and within their bounds, that displace the markers
+/// by about `wanted` (m, RMS over the coordinates). They are found by a bracketed search.
 fn sized(
     model: &Model,
     name: &str,
@@ -195,13 +195,15 @@ fn listed(effects: &[(String, Vec<f64>)]) -> SeededEffects {
     }
 }
 
-/// RMS distance per coordinate between flights with and without the effects, m; infinite if a flight is not finite.
+/// RMS distance per coordinate between the marker positions in flights with and without the effects, m; infinite if a
+/// simulated position is not finite.
 fn displacement(plain: &Dataset, effects: &[(String, Vec<f64>)], seed: u64) -> f64 {
     let with = flights(effects, plain.flights.len(), seed);
     rms_distance(plain, &with).unwrap_or(f64::INFINITY)
 }
 
-/// RMS distance per coordinate between corresponding points of two datasets, m; `None` if it is not finite.
+/// RMS distance per coordinate between the corresponding marker positions of two datasets, m; `None` if it is not
+/// finite.
 pub(super) fn rms_distance(a: &Dataset, b: &Dataset) -> Option<f64> {
     let points = |dataset: &Dataset| -> Vec<[f64; 3]> {
         let rows = dataset.flights.iter().flat_map(|f| f.positions.iter());

@@ -13,7 +13,7 @@ const MAX_RATIO: f64 = 1.02;
 /// Maximum fraction of points that a fit may classify as outliers. The flights contain none.
 const MAX_OUTLIERS: f64 = 0.005;
 
-/// Outcome of one random fit.
+/// Outcome of fitting one dataset with randomly drawn effects.
 #[derive(Clone, Debug)]
 pub struct FitOutcome {
     /// Seeded effects of the fit.

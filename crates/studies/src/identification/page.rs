@@ -43,8 +43,8 @@ struct PaperSection<'r> {
     scenarios: Vec<ScenarioRow<'r>>,
     coefficients: Vec<CoefficientRow<'r>>,
     messages: &'r [String],
-    /// Coefficient whose standard deviation falls least from fssh3 alone to twelve throws, and the ratio of these
-    /// standard deviations.
+    /// Coefficient whose standard deviation decreases least from the fit of flight fssh3 alone to the fit of twelve
+    /// throws, and the ratio of these two standard deviations.
     least_improvement: (&'r str, f64),
     last: ScenarioRow<'r>,
 }
@@ -66,9 +66,11 @@ struct CoefficientRow<'r> {
     printed: [f64; 2],
     /// Standard deviation of the estimates in each scenario.
     deviations: Vec<f64>,
-    /// Absolute difference of the values that the paper prints for its two flights.
+    /// Absolute difference between the values of the coefficient that Hubbard & Hummel (2000) print for their two
+    /// flights.
     difference: f64,
-    /// Standard deviation of the difference between a fit of fssh3 and a fit of bffl8, both of half a second.
+    /// Standard deviation expected of the difference between two estimates, one from half a second of flight fssh3 and
+    /// one from half a second of flight bffl8.
     expected: f64,
 }
 

@@ -10,7 +10,8 @@ use model_spec::model::Model;
 use crate::oracle_flights::{Plan, SAMPLE_RATE, Throws, disc, flights, paper_flight};
 use crate::statistics::mean_and_deviation;
 
-/// Standard deviation of the paper's marker positions about its best fit, m; used for the simulated noise.
+/// Standard deviation of the marker positions about the best fit in Hubbard & Hummel (2000), m; used for the simulated
+/// noise.
 const SIGMA: f64 = 0.0014;
 
 /// Estimates from one set of flights under one noise condition, over many seeds of the noise.
@@ -39,14 +40,14 @@ impl Scenario {
     }
 }
 
-/// All scenarios: fits of the paper's flights and of twelve throws.
+/// Fits of the two flights of Hubbard & Hummel (2000) and of twelve other throws, under several scenarios.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PaperFits {
     /// Name and true value (SI) of each coefficient.
     pub truth: Vec<(String, f64)>,
     /// Number of seeds of each scenario.
     pub seeds: usize,
-    /// Scenarios: each flight alone, both flights together, and last twelve different throws.
+    /// Scenarios: each of the two flights alone, both flights together, and last the twelve other throws.
     pub scenarios: Vec<Scenario>,
 }
 
@@ -66,8 +67,8 @@ fn is_plausible(name: &str, value: f64) -> bool {
     }
 }
 
-/// Fits simulated flights with the releases of the paper, `seeds` times with different noise. The coefficients of the
-/// built-in disc are the true values.
+/// Fits flights simulated from the releases of Hubbard & Hummel (2000), `seeds` times with different noise. The
+/// coefficients of the built-in disc are the true values.
 ///
 /// # Panics
 /// If a built-in model or release does not load.
@@ -119,8 +120,8 @@ fn truncated(dataset: &Dataset, duration: f64) -> Dataset {
     dataset
 }
 
-/// Adds the paper's noise with a lag-1 correlation `ar1` to exact flights and fits them, for `seeds` seeds. As in the
-/// paper, the coefficients are unbounded.
+/// Adds noise of the standard deviation [`SIGMA`] and the lag-1 correlation `ar1` to exact flights and fits them, for
+/// `seeds` seeds of the noise. As in Hubbard & Hummel (2000), the coefficients are unbounded.
 pub(crate) fn scenario(
     model: &Model,
     name: &'static str,

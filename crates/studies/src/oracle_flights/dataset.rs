@@ -85,7 +85,7 @@ pub fn flights(model: &Model, plan: &Plan<'_>, seed: u64) -> Dataset {
     }
 }
 
-/// An empty dataset of a model, with the model's default markers.
+/// Returns a dataset without flights for a model, with the model's default markers.
 pub(crate) fn empty(model: &Model) -> Dataset {
     Dataset {
         model: model.name.clone(),

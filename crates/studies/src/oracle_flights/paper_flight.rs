@@ -11,7 +11,7 @@ use super::constants::{angle_of_attack, reference_of, set_curves};
 use super::dataset::empty;
 use super::integrate::{integrate_with_constants, marker_positions};
 
-/// Sample rate of the paper's flights, Hz.
+/// Sample rate of the flights of Hubbard & Hummel (2000), Hz.
 pub(crate) const SAMPLE_RATE: f64 = 120.0;
 
 /// Angle of attack (rad) below which a tabulated pitching moment is set to 0.
@@ -21,8 +21,8 @@ const MIN_ALPHA: f64 = 1e-3;
 /// of attack, rad.
 pub type Curves<'c> = &'c dyn Fn(f64) -> [f64; 3];
 
-/// Simulates a flight of the paper's Table 3 (`fssh3` or `bffl8`) with the disc of Table 2, without noise. `curves`
-/// replaces the model's coefficients of lift, drag and pitching moment; `None` keeps them.
+/// Simulates a flight from Table 3 of Hubbard & Hummel (2000), `fssh3` or `bffl8`, with the disc of their Table 2,
+/// without noise. `curves` replaces the model's coefficients of lift, drag and pitching moment; `None` keeps them.
 ///
 /// # Panics
 /// If the built-in release or the model's law in the oracle is missing.
@@ -73,7 +73,7 @@ fn built_in_release(model: &Model, name: &str) -> release::Release {
     release::read(name, text, |_| Ok(vocabulary)).expect("a valid release")
 }
 
-/// Angle of attack (rad) at the release of a flight of the paper.
+/// Angle of attack (rad) at the release of a flight of Hubbard & Hummel (2000), given by its name.
 ///
 /// # Panics
 /// If the built-in release or the model's law in the oracle is missing.

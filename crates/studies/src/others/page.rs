@@ -51,11 +51,12 @@ struct StageRow {
     moved: String,
     broken: String,
     end: [f64; 3],
-    /// Distance between the end position of the flight and that with the published equations, m.
+    /// Distance between the end of the flight with this stage's equations and the end of the flight with the published
+    /// equations, m.
     apart: f64,
 }
 
-/// Maximum relative difference of the two sides of a law that is attributed to rounding.
+/// Maximum difference between the two sides of a law, relative to their magnitude, that is attributed to rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// Renders docs/others.md from the verdicts about all simulators.

@@ -23,44 +23,49 @@ const OPTIONS: verify::Options = verify::Options {
 /// Results of the study for one simulator.
 #[derive(Clone, Debug)]
 pub struct Verdicts {
-    /// Simulator that was judged.
+    /// Published simulator whose equations were verified.
     pub simulator: Simulator,
-    /// Both sides of each law along the flight of the published equations.
+    /// Both sides of each balance law along the flight that is simulated with the published equations.
     pub laws: Vec<LawInFlight>,
-    /// Published and implied rates along the flight, for the states where they differ. Empty if no rates satisfy all
-    /// laws.
+    /// Published rates and the rates implied by the laws of motion, along the flight, for the states where they differ.
+    /// Empty if no rates satisfy all laws.
     pub rates: Vec<RateInFlight>,
     /// Results for the published equations, then after each change; the changes are cumulative.
     pub stages: Vec<Stage>,
 }
 
-/// Maximum imbalance of a law of motion along a flight.
+/// One balance law, with the maximum magnitudes, along a flight, of its right-hand side and of the difference between
+/// its two sides.
 #[derive(Clone, Copy, Debug)]
 pub struct LawInFlight {
-    /// Balance law, such as momentum and force.
+    /// Balance law whose two sides are compared, such as d(momentum)/dt = force.
     pub law: BalanceLaw,
-    /// Maximum magnitude of the law's right-hand side (the force or moment that causes a change), SI.
+    /// Maximum magnitude of the law's right-hand side along the flight (the cause of the change, such as the force),
+    /// SI.
     pub cause: f64,
-    /// Maximum magnitude of the difference between the two sides of the law, SI.
+    /// Maximum magnitude of the difference between the left-hand and the right-hand side of the law along the flight,
+    /// SI.
     pub difference: f64,
 }
 
-/// Stated and implied rate of a state along a flight, SI.
+/// Rate of one state along a flight: as stated by the simulator's equations, and as implied by the laws of motion.
 #[derive(Clone, Debug)]
 pub struct RateInFlight {
     /// Name of the state whose rates are compared.
     pub state: String,
     /// Unit of the state; the rates are in this unit per second.
     pub unit: String,
-    /// Maximum magnitude of the rate that the model states.
+    /// Maximum magnitude, along the flight, of the state's rate as stated by the simulator's equations.
     pub stated: f64,
-    /// Maximum magnitude of the rate that the laws of motion imply at the same states.
+    /// Maximum magnitude, along the flight, of the state's rate as implied by the laws of motion.
     pub implied: f64,
-    /// Maximum magnitude of the difference between the stated and the implied rate.
+    /// Maximum magnitude, along the flight, of the difference between the rate that the simulator's equations state and
+    /// the rate that the laws of motion imply.
     pub difference: f64,
 }
 
-/// The equations after one of the changes, with their verdict and flight.
+/// A simulator's equations as published or after a correction, with the result of their verification and of a simulated
+/// flight.
 #[derive(Clone, Debug)]
 pub struct Stage {
     /// Description of the last change; `None` for the published equations.
@@ -68,12 +73,12 @@ pub struct Stage {
     /// Violations of laws that `hyzer verify` reports for the claimed body, one line each; empty if the body obeys
     /// every law.
     pub broken: Vec<String>,
-    /// Whether `hyzer verify` refutes none of its checks.
+    /// Whether none of the checks of `hyzer verify` refutes the equations of this stage.
     pub holds: bool,
-    /// States whose rates the change alters: name, maximum rate before the change, maximum difference, along the flight
-    /// of the previous stage.
+    /// States whose rates differ from those of the previous stage along its flight: name, maximum magnitude of the
+    /// previous rate, maximum magnitude of the difference (in the state's unit per second).
     pub moved: Vec<(String, f64, f64)>,
-    /// Position at the end of the flight, m.
+    /// Position of the body at the end of the simulated flight, m.
     pub end: Vector3<f64>,
 }
 
@@ -133,8 +138,8 @@ pub fn judge(simulator: &Simulator) -> Result<Verdicts, StudyError> {
     })
 }
 
-/// Component of a vector of a model at a point, in the vector's own frame; `None` if the model has no vector of that
-/// name.
+/// Component (index from 0) of an auxiliary variable that is a vector, at a point, in the vector's own frame; `None` if
+/// the model has no vector of that name.
 fn started(model: &Model, point: &Point<f64>, name: &str, component: usize) -> Option<f64> {
     let tree = Tree::new(model, point);
     let index = { model.aux_variables.iter() }.position(|v| v.name == name)?;
@@ -172,7 +177,7 @@ fn stage(
     })
 }
 
-/// Maximum imbalance of each law over the points of a flight.
+/// For each balance law of the claimed body, the maximum difference of its two sides over the points of a flight.
 fn laws(model: &Model, flight: &[Point<f64>]) -> Vec<LawInFlight> {
     let mut out: Vec<LawInFlight> = Vec::new();
     for point in flight {
@@ -201,8 +206,8 @@ fn laws(model: &Model, flight: &[Point<f64>]) -> Vec<LawInFlight> {
     out
 }
 
-/// Stated and implied rates over the points of a flight, for the states where they differ. Empty if no rates satisfy
-/// all laws.
+/// Rates stated by the model and rates implied by the laws of motion over the points of a flight, for the states where
+/// they differ. Empty if no rates satisfy all laws.
 fn rates(model: &Model, flight: &[Point<f64>]) -> Vec<RateInFlight> {
     let mut out: Vec<RateInFlight> = model
         .states
@@ -232,8 +237,9 @@ fn rates(model: &Model, flight: &[Point<f64>]) -> Vec<RateInFlight> {
     out
 }
 
-/// States whose rates differ between two models along the flight of the first: name, maximum rate in `before`, maximum
-/// difference. Empty if the models have different numbers of states.
+/// States whose stated rates differ between the models `before` and `after` at the points of a flight of `before`:
+/// name, maximum magnitude of the rate in `before`, maximum magnitude of the difference. Empty if the models have
+/// different numbers of states.
 fn moved(before: &Model, flight: &[Point<f64>], after: &Model) -> Vec<(String, f64, f64)> {
     let stated = |model: &Model, name: &str| -> Option<Expr> {
         let state = model.states.iter().position(|s| s.name == name)?;

@@ -41,7 +41,8 @@ pub(super) enum Action {
 pub struct Hidden {
     /// Name of the hidden effect.
     pub name: &'static str,
-    /// Sites at which the effect may be found, by their names in `report.json`.
+    /// Sites of the model (places where effects act) that count as right in the answer of a diagnosis, by their names
+    /// in `report.json`.
     pub sites: &'static [&'static str],
     /// A weak and a strong size of the effect. The action is proportional to the size.
     pub sizes: [f64; 2],

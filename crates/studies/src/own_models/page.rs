@@ -8,10 +8,10 @@ use crate::error::StudyError;
 use crate::page::{Page, render};
 use crate::statistics::median;
 
-/// Multiple of the minimum detectable size from which a hidden effect must be detected.
+/// Multiple of the minimum detectable size from which the diagnosis is required to detect a hidden effect.
 const CLEAR: f64 = 5.0;
 
-/// Maximum length of a quoted answer, characters.
+/// Maximum length of a diagnosis's answer that is quoted on the page, characters.
 const MAX_QUOTE: usize = 140;
 
 #[derive(Serialize)]

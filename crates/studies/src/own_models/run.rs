@@ -22,8 +22,8 @@ use crate::bounded_fit::bounded_fit;
 /// Time limit of a diagnosis or a fit.
 const LIMIT: Duration = Duration::from_secs(60);
 
-/// Approximate root of the χ² that a diagnosis detects with power 0.9: the threshold 4.4 for about thirty candidates,
-/// plus the 0.9 quantile 1.3.
+/// Approximate root of the χ² that a diagnosis detects with power 0.9: the threshold 4.4 (in standard deviations) for
+/// about thirty candidates, plus the 0.9 quantile 1.3 of the standard normal distribution.
 const DETECTABLE: f64 = 5.7;
 
 /// Settings of one diagnosis of the study.
@@ -58,11 +58,11 @@ pub struct Outcome {
     pub verdict: Option<Verdict>,
     /// Error message of the diagnosis; `None` if it succeeded.
     pub failure: Option<String>,
-    /// Effects of the answer, as pairs (name, site). Without a named effect, the selected library terms or the load
-    /// channel that explains most.
+    /// Effects in the diagnosis's answer, as pairs (name, site). If no effect is named: the selected terms of the term
+    /// library or, without any, the missing load that explains most of the misfit.
     pub answer: Vec<(String, String)>,
-    /// Size of the hidden effect / minimum detectable size, from the χ² that the model without the effect leaves in
-    /// exact flights. `None` if nothing is hidden or that fit fails.
+    /// Size of the hidden effect / minimum detectable size, from the χ² that remains when the model without the effect
+    /// is fitted to exact flights. `None` if nothing is hidden or that fit fails.
     pub detectability: Option<f64>,
     /// Elapsed time of the diagnosis, s.
     pub seconds: f64,
@@ -71,7 +71,7 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// Whether the diagnosis succeeded with a verdict other than `None`.
+    /// Whether the diagnosis succeeded and detected something (verdict other than `Verdict::None`).
     pub fn is_detected(&self) -> bool {
         self.verdict.is_some_and(|verdict| verdict != Verdict::None)
     }
@@ -81,7 +81,8 @@ impl Outcome {
         self.detectability.is_some_and(|ratio| ratio >= times)
     }
 
-    /// Whether an effect of the answer acts at one of the sites that count as right for the hidden effect.
+    /// Whether an effect in the diagnosis's answer acts at one of the sites that count as right for the hidden effect;
+    /// false if nothing is hidden.
     pub fn is_site_right(&self) -> bool {
         let Some((hidden, _, _)) = self.task.hidden else {
             return false;
@@ -90,7 +91,7 @@ impl Outcome {
         self.answer.iter().any(|(_, site)| is_right(site))
     }
 
-    /// Formats the verdict, or the failure, with effects and sites as text.
+    /// Formats the verdict with effects and sites, or the error message of a failed diagnosis, as text.
     pub fn says(&self) -> String {
         let answer = self
             .answer
@@ -223,8 +224,8 @@ fn bounded_diagnosis(model: &Model, observed: &Dataset, threads: usize) -> Resul
     })
 }
 
-/// Root of the χ² that the best fit of the model without the effect leaves in exact flights, divided by the detectable
-/// value. `None` if the fit fails.
+/// Size of a hidden effect / minimum detectable size. It is the root of the χ² that remains when the model without the
+/// effect is fitted to exact flights, divided by [`DETECTABLE`]. `None` if the fit fails.
 fn detectability(model: &Model, mut exact: Dataset, sigma: f64) -> Option<f64> {
     exact.sigma = Some(sigma);
     let fitted = bounded_fit(model, &exact, LIMIT).result.ok()?;
@@ -239,8 +240,8 @@ fn detectability(model: &Model, mut exact: Dataset, sigma: f64) -> Option<f64> {
     Some(chi2.sqrt() / DETECTABLE)
 }
 
-/// Pairs (name, site) of the report's answer: the effects of all causes, then the selected library terms. If there are
-/// none, the load channel that explains most of the misfit.
+/// Pairs (name, site) of the report's answer: the effects of all causes, then the selected terms of the term library.
+/// If there are none, the missing load that explains most of the misfit.
 fn answer(report: &Report) -> Vec<(String, String)> {
     let causes = report.causes.iter().flat_map(|cause| &cause.effects);
     let mut answer: Vec<(String, String)> = causes

@@ -13,7 +13,7 @@ pub struct Subject {
     /// Name of the user model.
     pub name: &'static str,
     text: &'static str,
-    /// Kind of model, for the page.
+    /// Kind of model, such as "a rigid body, quaternion", as printed on the page of results.
     pub kind: &'static str,
     /// Factor on all coefficients of the model, so that the true values differ from the initial values of a fit.
     pub(super) truth: f64,
@@ -28,7 +28,7 @@ const POINT: &[[f64; 3]] = &[[0.0, 0.0, 0.0]];
 const BALL: &[[f64; 3]] = &[[0.12, 0.0, 0.0], [-0.05, 0.08, 0.0], [-0.05, -0.04, 0.07]];
 const DART: &[[f64; 3]] = &[[0.05, 0.0, 0.0], [-0.06, 0.03, 0.0], [-0.06, -0.015, 0.026]];
 
-/// The six models of the study.
+/// The six user models on which the study tests the diagnosis.
 pub const SUBJECTS: [Subject; 6] = [
     Subject {
         name: "shuttlecock",

@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 
-/// One outcome that the paper states for a flight.
+/// One outcome that the paper (Hubbard & Hummel, 2000) states for one of its two flights.
 #[derive(Clone, Debug, Deserialize)]
 pub struct Claim {
     /// Name of the flight: `fssh3` or `bffl8`.
@@ -24,14 +24,15 @@ struct File {
     claim: Vec<Claim>,
 }
 
-/// Returns all claims, in the order of data/claims.toml.
+/// Returns all claims of the paper, in the order of data/claims.toml.
 pub(super) fn all() -> Vec<Claim> {
     let file: File =
         toml::from_str(include_str!("data/claims.toml")).expect("the built-in claims are valid");
     file.claim
 }
 
-/// Quantities of one simulated flight that the paper's claims refer to.
+/// Quantities of one simulated flight, at the end of the simulation unless stated otherwise, about which the paper
+/// makes claims.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outcome {
     /// Displacement along x between release and end, m.

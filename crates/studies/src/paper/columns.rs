@@ -4,7 +4,7 @@
 /// C_L0, C_La, C_D0, C_Da.
 pub type Columns = [u8; 4];
 
-/// Order of the columns as printed.
+/// Order of the four lift and drag columns as printed in Table 1.
 pub(super) const PRINTED: Columns = [0, 1, 2, 3];
 
 /// Returns all 24 orders of the columns, sorted.

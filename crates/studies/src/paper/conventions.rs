@@ -7,24 +7,25 @@ pub enum RollSpin {
     RadPerSecond,
     /// Spin in revolutions per second.
     RevPerSecond,
-    /// Spin made dimensionless with √(d/g), as in Hummel's later program.
+    /// Spin multiplied by √(d/g), with the diameter d and the gravitational acceleration g; dimensionless, as in
+    /// Hummel's later program.
     RootDOverG,
     /// Advance ratio r d/(2 V), where r is the spin.
     SpinRatio,
 }
 
-/// Unit of the spin-damping coefficient C_Nr.
+/// Unit assumed for the spin-damping coefficient C_Nr in Table 1 of the paper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum SpinDown {
     /// N m s, as printed: a moment per rad/s of spin.
     NewtonMetreSecond,
-    /// N m per revolution per second.
+    /// N m s per revolution: a moment per revolution per second of spin.
     PerRevPerSecond,
     /// s; the coefficient is multiplied by ρ V² A d/2 like the other moments.
     TimesDynamicPressure,
 }
 
-/// Combination of signs and units that a reading assumes for both flights.
+/// Combination of signs and units that a reading (interpretation of the paper's Table 1) assumes for both flights.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Conventions {
     /// Whether the pitching moment due to α̇ has the opposite sign to the printed one.

@@ -10,14 +10,16 @@ use super::coefficients::Coefficients;
 use super::conventions::{Conventions, RollSpin, SpinDown};
 use crate::error::StudyError;
 
-/// Text of an effect that adds the coefficients that some readings need beyond the disc's eight.
+/// Text of an effect that adds the coefficients that some readings of Table 1 need in addition to the eight of the
+/// model `disc`.
 const READINGS: &str = include_str!("data/readings.hyz");
 
-/// Relative tolerance of the integration. The accuracy needed is 1e-4, a hundredth of the smallest tolerance of a
-/// claim.
+/// Relative tolerance of the integration. The claims need a relative accuracy of 1e-4, a hundredth of the smallest
+/// tolerance of a claim.
 const TOLERANCE: f64 = 1e-7;
 
-/// One release of the paper, compiled for simulation under any reading.
+/// One of the paper's two flights: release state and compiled model, for simulation with the coefficients of any
+/// reading of Table 1.
 pub(super) struct Flyer {
     body: CompiledModel,
     parameters: Vec<f64>,

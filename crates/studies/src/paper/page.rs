@@ -51,7 +51,8 @@ struct ReadingRow {
     description: String,
 }
 
-/// Score of the best reading that does not use a given hypothesis of the overall best reading.
+/// Best score among the readings that lack one hypothesis of the best-ranked reading. It shows how much the hypothesis
+/// contributes to the agreement.
 #[derive(Serialize)]
 struct HypothesisRow {
     description: &'static str,
@@ -60,12 +61,13 @@ struct HypothesisRow {
     loss: f64,
 }
 
-/// A reading that is as good as the best one and differs from it in one hypothesis.
+/// A reading that the stated outcomes cannot distinguish from the best-ranked one and that differs from it in a single
+/// hypothesis.
 #[derive(Serialize)]
 struct Alternative {
     best_has: String,
     alternative: String,
-    /// Whether both readings give exactly the same outcomes.
+    /// Whether the best-ranked and this reading give exactly the same simulated outcomes.
     is_equivalent: bool,
     misfit: f64,
     best_misfit: f64,
@@ -165,7 +167,7 @@ fn capitalised(text: &str) -> String {
     first.chain(characters).collect()
 }
 
-/// Predicate: whether a reading uses a certain hypothesis.
+/// Predicate on readings (interpretations of Table 1): whether a reading contains a certain hypothesis.
 type Uses = Box<dyn Fn(&Reading) -> bool>;
 
 fn hypotheses(study: &Study, best: &Scored) -> Vec<HypothesisRow> {

@@ -3,7 +3,8 @@
 use super::columns::{Columns, PRINTED, describe, interchanges};
 use super::conventions::Conventions;
 
-/// One interpretation of Table 1: a combination of hypotheses on its signs, units and columns.
+/// One interpretation of Table 1 of the paper (Hubbard & Hummel, 2000): a combination of hypotheses on its signs, units
+/// and columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Reading {
     /// Signs and units that the reading assumes.

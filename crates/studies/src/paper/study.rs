@@ -10,21 +10,24 @@ use super::reading::Reading;
 use super::table::Table1;
 use crate::error::StudyError;
 
-/// Upper bound of the deviation from a claim that enters a misfit, in units of the claim's tolerance. Larger deviations
-/// are clipped to it.
+/// Maximum deviation from a stated outcome that enters a misfit, in units of the outcome's tolerance. Larger deviations
+/// are clipped to this value.
 const MAX_DEPARTURE: f64 = 10.0;
 
-/// Penalty per hypothesis, in squared tolerances: Akaike's penalty for one more parameter.
+/// Increase of the score of a reading (interpretation of Table 1) for each hypothesis that it makes, in squared
+/// tolerances: Akaike's penalty for one more parameter.
 pub(super) const PENALTY: f64 = 2.0;
 
-/// A reading, with its agreement with the claims.
+/// A reading (interpretation of the paper's Table 1), with the agreement between its simulated flights and the outcomes
+/// that the paper states.
 #[derive(Clone, Debug)]
 pub struct Scored {
-    /// Reading that was simulated.
+    /// Interpretation of the paper's Table 1 under which both flights were simulated.
     pub reading: Reading,
-    /// Sum over the claims of the squared deviations in units of the tolerance, each clipped to 100.
+    /// Sum over the stated outcomes of the squared deviations of the simulation, in units of the tolerance; each square
+    /// is clipped to 100.
     pub misfit: f64,
-    /// Number of claims whose deviation is within the tolerance.
+    /// Number of outcomes stated in the paper from which the simulation deviates by at most the tolerance.
     pub held: usize,
 }
 
@@ -35,9 +38,10 @@ impl Scored {
     }
 }
 
-/// Outcomes of both flights under all readings, and the ranking of the readings.
+/// Simulated outcomes of the paper's two flights under all readings (interpretations of its Table 1), and the ranking
+/// of the readings.
 pub struct Study {
-    /// Claims of the paper.
+    /// Numerical outcomes that the paper (Hubbard & Hummel, 2000) states for its two flights.
     pub claims: Vec<Claim>,
     /// All readings with their misfit, sorted by score, best first.
     pub ranking: Vec<Scored>,
@@ -116,7 +120,8 @@ impl Study {
         self.ranking = ranking;
     }
 
-    /// Misfit and number of claims within tolerance for one flight.
+    /// Misfit of one simulated flight, and the number of outcomes stated for this flight that it meets within the
+    /// tolerance. `outcome` is `None` if the integration failed; every deviation then counts as the maximum.
     fn judge(&self, flight: &str, outcome: Option<&Outcome>) -> (f64, usize) {
         let claims = self.claims.iter().filter(|claim| claim.flight == flight);
         claims.fold((0.0, 0), |(misfit, held), claim| {
@@ -162,7 +167,7 @@ impl Study {
     }
 }
 
-/// Time of the latest claim about a flight, s.
+/// Latest time in a flight for which the paper states an outcome, s; 0 if it states none.
 fn duration(claims: &[Claim], flight: &str) -> f64 {
     claims
         .iter()

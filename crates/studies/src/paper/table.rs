@@ -2,7 +2,8 @@
 
 use serde::Deserialize;
 
-/// Table 1 as printed: eight coefficients for each flight, in the printed order of columns.
+/// Table 1 of the paper (Hubbard & Hummel, 2000) as printed: eight coefficients for each flight, in the printed order
+/// of columns.
 #[derive(Clone, Debug, Deserialize)]
 pub(super) struct Table1 {
     pub(super) fssh3: [f64; 8],

@@ -48,19 +48,21 @@ impl RealData {
         &self.balls.plain
     }
 
-    /// Agreement of the balls' lifts with their stated spins: for all flights, for the agreeing stretches, and for the
-    /// remaining flights.
+    /// Agreement of the balls' lifts with their stated spins: for all flights, for the agreeing stretches (the parts of
+    /// the recording in which every lift agrees with the stated spin), and for the remaining flights.
     pub fn agreement(&self) -> [Agreement; 3] {
         self.balls.agreement
     }
 
-    /// Fits of the agreeing stretches of the ball recording: with gravity and drag, then with lift proportional to the
-    /// spin, then with its square too.
+    /// Fits of the agreeing stretches (the parts of the ball recording in which every lift agrees with the stated
+    /// spin): with gravity and drag, then also with lift proportional to the spin, then also with lift proportional to
+    /// its square.
     pub fn lift_by_spin(&self) -> &[FitReport; 3] {
         &self.balls.lift_by_spin
     }
 
-    /// Fits of each disc-golf launch, without and with factors on the aerodynamic table; `None` if a fit is singular.
+    /// Fits of each disc-golf launch to its track: without, and with free factors on the tabulated lift, drag and
+    /// pitching moment; `None` if a fit is singular.
     pub fn launches(&self) -> impl Iterator<Item = &[Option<LaunchFit>; 2]> {
         self.disc_golf.fits()
     }

@@ -6,12 +6,12 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 use rand_distr::StandardNormal;
 
-/// Errors that are put into the stated spins.
+/// Errors that are introduced into the spins that a dataset states for a ball's flights.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InputErrors {
     /// Standard deviation of the error of each component, relative to the magnitude of the spin.
     pub relative_error: f64,
-    /// Fraction of the flights whose stated spins are permuted cyclically among them.
+    /// Fraction of the flights that exchange their stated spins, by a cyclic permutation.
     pub exchanged: f64,
 }
 
@@ -22,7 +22,7 @@ const ERROR_STREAM: u64 = u64::MAX - 1;
 const EXCHANGE_STREAM: u64 = u64::MAX - 2;
 
 impl InputErrors {
-    /// Puts the errors into the stated spins of a dataset. Flights without a stated spin are not changed.
+    /// Introduces the errors into the stated spins of a dataset. Flights without a stated spin are not changed.
     pub(crate) fn apply(&self, dataset: &mut Dataset, seed: u64) {
         let mut random = ChaCha12Rng::seed_from_u64(seed);
         random.set_stream(ERROR_STREAM);

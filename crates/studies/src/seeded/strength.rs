@@ -1,14 +1,16 @@
 //! A weak and a strong value of each effect of the catalogue, for the discovery study.
 
-/// Weak and strong values of an effect, SI: its coefficients, followed by the standard deviations of its states over
-/// flights.
+/// Weak and strong values of an effect, SI: first its coefficients, then the standard deviations, over flights, of its
+/// states.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Strength {
     /// Name of the effect.
     pub effect: &'static str,
-    /// Values near the minimum that is met in practice.
+    /// Values of a weak effect: coefficients and standard deviations of states near the smallest that are met in
+    /// practice, SI.
     pub weak: &'static [f64],
-    /// Values near the maximum that is met in practice.
+    /// Values of a strong effect: coefficients and standard deviations of states near the largest that are met in
+    /// practice, SI.
     pub strong: &'static [f64],
 }
 

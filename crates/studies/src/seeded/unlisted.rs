@@ -4,20 +4,22 @@ use nalgebra::Vector3;
 use oracle::Law;
 use oracle::effect::Flow;
 
-/// Time constant of the first-order lag of the angle of attack in `lagging_lift`, s.
+/// Time constant of the first-order lag with which the lift of the effect `lagging_lift` follows the angle of attack,
+/// s.
 pub(super) const LAG: f64 = 0.15;
-/// Climb rate at which `drag_by_climb` saturates, m/s.
+/// Angular frequency of the wind in the effect `gusts`, rad/s.
 const CLIMB_SCALE: f64 = 2.0;
-/// Angular frequency of `gusts`, rad/s.
+/// Climb rate at which the effect `drag_by_climb` saturates, m/s.
 const GUST_FREQUENCY: f64 = 8.0;
-/// Speed at which `drag_by_power_of_speed` leaves the drag unchanged, m/s.
+/// Airspeed at which the effect `drag_by_power_of_speed` leaves the drag unchanged, m/s.
 const REFERENCE_SPEED: f64 = 14.0;
-/// Exponent of the speed in the drag coefficient of `drag_by_power_of_speed`.
+/// Exponent of the airspeed in the drag coefficient of the effect `drag_by_power_of_speed`.
 const SPEED_POWER: f64 = -0.4;
-/// Distance over which the phase of `swerve` advances by one radian, m.
+/// Distance over which the phase of the effect `swerve` advances by one radian, m.
 const SWERVE_LENGTH: f64 = 1.0;
 
-/// An effect that can be seeded but is not in the catalogue.
+/// An effect that can be added to simulated flights but that the diagnosis does not have among its candidates (the
+/// effects catalogue).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UnlistedEffect {
     /// Name of the effect, as in the rows of the discovery study.
@@ -26,7 +28,7 @@ pub struct UnlistedEffect {
     pub site: &'static str,
     /// A weak and a strong size, in the units listed at [`UNLISTED`].
     pub strength: [f64; 2],
-    /// Laws of motion on which the effect can act.
+    /// Laws of motion (kinds of bodies) on which the effect can act.
     pub laws: &'static [Law],
     /// Name of an effect of the catalogue that is so similar that it counts as a right answer; `None` if there is none.
     pub near: Option<&'static str>,

@@ -19,7 +19,7 @@ pub const DISPLACEMENT: [f64; 3] = [0.005, 0.0, 0.0];
 /// Name of the catalogue's effect of a displaced accelerometer.
 const MISPLACED: &str = "accelerometer-misplaced";
 
-/// Results of the fits and diagnoses with one set of sensors.
+/// Results of the fits and diagnoses of datasets measured with one set of sensors.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct SensorSet {
     /// Description of what is measured.
@@ -38,7 +38,7 @@ pub struct SensorSet {
     pub rms_z: f64,
     /// Median elapsed time of a fit, s.
     pub seconds: f64,
-    /// Median over the coefficients of the ratio of the standard error to that with markers alone.
+    /// Median over the coefficients of the ratio of the standard error with these sensors to that with markers alone.
     pub relative_error: f64,
     /// Number of diagnoses without a displaced sensor, and how many of them find nothing.
     pub clean: [usize; 2],
@@ -139,7 +139,8 @@ fn run(observed: &Observed, seed: u64) -> Run {
     Some((seconds, each.collect()))
 }
 
-/// Adds the statistics of the runs to a set, and returns the median standard error of each coefficient.
+/// Enters the statistics of the fits into `set`, and returns the median standard error of each coefficient over the
+/// fits.
 fn gather(runs: &[Run], set: &mut SensorSet) -> Vec<f64> {
     let good: Vec<_> = runs.iter().flatten().collect();
     set.failed = runs.len() - good.len();
@@ -187,8 +188,8 @@ fn diagnoses(observed: &Observed, count: u64, threads: usize, set: &mut SensorSe
     }
 }
 
-/// Names of the effects of all causes in a diagnosis, each with whether the estimated displacement is within three
-/// standard errors of the true one. `None` if the diagnosis fails.
+/// Diagnoses a simulated dataset. Returns, for each effect of the causes found: its name, and whether its estimate of
+/// the accelerometer's displacement is within three standard errors of the true one. `None` if the diagnosis fails.
 fn causes(observed: &Observed, seed: u64) -> Option<Vec<(String, bool)>> {
     let model = disc();
     let plan = Plan {

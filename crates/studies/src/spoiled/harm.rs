@@ -9,11 +9,11 @@ use rand_distr::StandardNormal;
 use super::kinematics::{Row, centre, moved, turned, velocity};
 use crate::cuts::bouncing_flight;
 
-/// Function that spoils a flight. The second argument is the preceding flight of the dataset, the third a random
-/// generator.
+/// Function that introduces a mistake into a flight. The second argument is the preceding flight of the dataset, the
+/// third a random generator.
 pub(super) type FlightHarm = fn(&mut Flight, &Flight, &mut ChaCha12Rng);
 
-/// Function that spoils the dataset's template or parameters.
+/// Function that introduces a mistake into the marker template or the parameters of a dataset.
 pub(super) type DatasetHarm = fn(&mut Dataset);
 
 /// The change that a kind of mistake makes.
@@ -24,7 +24,8 @@ pub(super) enum Harm {
 }
 
 impl Harm {
-    /// Spoils the flights with the given indices, or the whole dataset.
+    /// Introduces the mistake into the flights with the given indices or, for a mistake of the dataset, into the whole
+    /// dataset.
     pub(super) fn apply(self, dataset: &mut Dataset, flights: &[usize], seed: u64) {
         match self {
             Self::Dataset(harm) => harm(dataset),
@@ -237,8 +238,8 @@ pub(super) fn random(flight: &mut Flight, _: &Flight, random: &mut ChaCha12Rng) 
     each_point(flight, |_| std::array::from_fn(|_| random.random::<f64>()));
 }
 
-/// Inserts rows before the first sample or after the last, with marker noise of 1.5 mm, and renumbers the times at a
-/// constant interval.
+/// Inserts samples of marker positions before the first or after the last sample of a flight, with noise of 1.5 mm, and
+/// renumbers the times at a constant interval.
 fn add(flight: &mut Flight, rows: Vec<Row>, at_start: bool, random: &mut ChaCha12Rng) {
     let interval = flight.times[1] - flight.times[0];
     let noisy = rows.into_iter().map(|row| {

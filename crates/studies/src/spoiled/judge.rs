@@ -7,19 +7,20 @@ use identify::{FitError, FitReport, FlightOutcome};
 /// Maximum error of a coefficient that counts as right, in standard errors.
 pub(super) const MAX_Z: f64 = 4.0;
 
-/// Classification of a fit's answer to spoiled data.
+/// Classification of a fit's answer to data into which a recording mistake was introduced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Judgement {
-    /// Every spoiled flight is reported as faulty, truncated or excluded, and the coefficients are right or the report
-    /// warns.
+    /// Every flight with the mistake is reported as faulty, truncated or excluded. Also, the coefficients are right or
+    /// the report states that it is unreliable.
     Named,
-    /// A spoiled flight is not reported, but every coefficient is within four standard errors of the true value.
+    /// A flight with the mistake is not reported, but every coefficient is within four standard errors of the true
+    /// value.
     Right,
     /// The report states that it is unreliable.
     Unreliable,
     /// The fit ended with an error message.
     Refused,
-    /// Wrong coefficients without a warning.
+    /// The coefficients are wrong and the report does not state that it is unreliable.
     Wrong,
     /// The fit reached the time limit.
     TooLong,
@@ -49,15 +50,18 @@ impl Judgement {
 pub struct Judged {
     /// Classification of the answer.
     pub judgement: Judgement,
-    /// Maximum error of a coefficient, in standard errors; `None` if the fit failed or lacks a coefficient.
+    /// Maximum error of a coefficient, in standard errors (the larger of the plain and the cluster-robust one); `None`
+    /// if the fit failed or lacks a coefficient.
     pub max_z: Option<f64>,
-    /// Files of unspoiled flights that are reported as faulty, truncated or excluded.
+    /// File names of flights without the mistake that are nevertheless reported as faulty, truncated or excluded.
     pub blamed: Vec<String>,
-    /// Messages of the fit: the first report about a flight and the reasons for unreliability, or the error.
+    /// Messages of the fit: the first statement about a faulty, truncated or excluded flight, and the reasons why the
+    /// report is unreliable. If the fit failed, its error message.
     pub says: String,
 }
 
-/// Judges a fit of a dataset in which the flights with the file names `spoiled` were changed.
+/// Judges a fit of a dataset in which the mistake was introduced into the flights with the file names `spoiled`.
+/// `truth` contains the names and true values of the coefficients.
 pub(super) fn judge(
     result: &Result<FitReport, FitError>,
     spoiled: &[String],
@@ -134,7 +138,7 @@ fn named(report: &FitReport) -> BTreeMap<String, String> {
     named
 }
 
-/// Reasons for which the report is unreliable; empty if it is reliable.
+/// Reasons that the report gives for its results being unreliable; empty if they are reliable.
 fn distrust(report: &FitReport) -> Vec<String> {
     match report.reliable {
         true => Vec::new(),

@@ -2,7 +2,7 @@
 
 use super::harm::{self, Harm};
 
-/// A kind of mistake that a laboratory could make, and the change of the data that it causes.
+/// A kind of mistake that a laboratory could make in a recording, and the change of the data that the mistake causes.
 #[derive(Clone, Copy)]
 pub struct Kind {
     /// Name of the kind, as given on the command line.
@@ -32,7 +32,7 @@ const fn dataset(name: &'static str, what: &'static str, harm: harm::DatasetHarm
     }
 }
 
-/// All kinds of mistakes.
+/// Every kind of recording mistake that the study introduces into the data.
 #[rustfmt::skip]
 pub const KINDS: &[Kind] = &[
     flight("labels_12", "labels m1 and m2 exchanged", harm::labels_12),

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 /// Positions of all markers in one sample, m; `None` for a marker that is not seen.
 pub(super) type Row = Vec<Option<[f64; 3]>>;
 
-/// Mean position of the visible markers of a row, m; the origin if none is visible.
+/// Mean position of the visible markers in one sample, m; the origin if none is visible.
 pub(super) fn centre(row: &Row) -> Vector3<f64> {
     let seen: Vec<Vector3<f64>> = row.iter().flatten().map(|p| Vector3::from(*p)).collect();
     seen.iter().sum::<Vector3<f64>>() / seen.len().max(1) as f64
@@ -18,7 +18,7 @@ pub(super) fn velocity(flight: &Flight, from: usize, to: usize) -> Vector3<f64> 
     path / (flight.times[to] - flight.times[from])
 }
 
-/// A row translated by a vector, m.
+/// Returns the marker positions of one sample, translated by a vector (m).
 pub(super) fn moved(row: &Row, by: Vector3<f64>) -> Row {
     let each = row
         .iter()
@@ -26,7 +26,7 @@ pub(super) fn moved(row: &Row, by: Vector3<f64>) -> Row {
     each.collect()
 }
 
-/// A row rotated by an angle (rad) about the vertical through its centre.
+/// Returns the marker positions of one sample, rotated by an angle (rad) about the vertical through their mean.
 pub(super) fn turned(row: &Row, angle: f64) -> Row {
     let middle = centre(row);
     let turn = nalgebra::Rotation3::from_axis_angle(&Vector3::z_axis(), angle);

@@ -8,7 +8,7 @@ use crate::cuts::CutSection;
 use crate::error::StudyError;
 use crate::page::{Page, render};
 
-/// Maximum length of a quoted answer, characters.
+/// Maximum length of a fit's message that is quoted on the page, characters.
 const MAX_QUOTE: usize = 160;
 
 #[derive(Serialize)]

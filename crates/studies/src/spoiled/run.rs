@@ -15,10 +15,10 @@ use crate::oracle_flights::{TRUTH, TWELVE, disc, flights};
 /// Time limit of fitting one dataset.
 const LIMIT: Duration = Duration::from_secs(30);
 
-/// Index of the spoiled flight if only one flight is spoiled.
+/// Index of the flight into which the mistake is introduced if only one flight is changed.
 const SPOILED: usize = 3;
 
-/// Number of flights of a dataset that are spoiled.
+/// Whether a mistake is introduced into one flight or into all flights of a dataset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Which {
     /// One of the twelve flights.
@@ -37,7 +37,7 @@ impl Which {
     }
 }
 
-/// A spoiled dataset, and the judged answer of the fit.
+/// Result of fitting a dataset into which a mistake was introduced.
 #[derive(Clone)]
 pub struct Run {
     /// Kind of mistake.
@@ -46,13 +46,13 @@ pub struct Run {
     pub which: Which,
     /// Seed of the simulated flights.
     pub seed: u64,
-    /// Judged answer of the fit.
+    /// Answer of the fit, classified by whether it could mislead a user.
     pub judged: Judged,
     /// Elapsed time of the fit, s.
     pub seconds: f64,
 }
 
-/// Lists the kinds of mistakes, each with one or with all flights spoiled, whose name, description or label contains
+/// Lists the kinds of mistakes, each introduced into one or into all flights, whose name, description or label contains
 /// all of `words`.
 pub fn runs(words: &str) -> Vec<(&'static Kind, Which)> {
     let all = KINDS.iter().flat_map(|kind| {
@@ -69,8 +69,8 @@ pub fn runs(words: &str) -> Vec<(&'static Kind, Which)> {
     all.filter(has).collect()
 }
 
-/// Spoils and fits `seeds` datasets of each kind, `threads` of them in parallel. Calls `progress` with the numbers of
-/// finished runs and of all runs.
+/// Introduces each kind of mistake into `seeds` datasets and fits them, `threads` in parallel. Calls `progress` with
+/// the numbers of finished runs and of all runs.
 pub fn spoiled(
     kinds: &[(&'static Kind, Which)],
     seeds: u64,
@@ -111,7 +111,7 @@ fn run(kind: &'static Kind, which: Which, seed: u64) -> Run {
     }
 }
 
-/// Simulates twelve flights with white noise of 1.5 mm.
+/// Simulates twelve flights without a mistake, with white noise of 1.5 mm.
 fn clean(seed: u64) -> Dataset {
     let mut dataset = flights(&disc(), &TWELVE, seed);
     for (k, flight) in dataset.flights.iter_mut().enumerate() {

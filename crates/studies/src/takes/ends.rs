@@ -10,7 +10,8 @@ pub(super) struct Hand {
     release: Physical<f64>,
     /// Time for which the body is held, s.
     held: f64,
-    /// Half period of the sine, s; `part` is the fraction of it after which the hand lets go.
+    /// Half period of the sinusoidal acceleration, s; `part` is the fraction of the half period after which the body is
+    /// released.
     half: f64,
     part: f64,
 }

@@ -10,7 +10,7 @@ use crate::statistics::median;
 
 /// Maximum error of a detected release or end that counts as right, samples.
 const CUT: i64 = 3;
-/// Maximum error of a template that counts as right, m.
+/// Maximum error of a marker position in an estimated marker template that counts as right, m.
 const MILLIMETRE: f64 = 0.001;
 /// Maximum error of a coefficient that counts as right, standard errors.
 const MAX_Z: f64 = 3.0;
@@ -26,17 +26,17 @@ struct Results {
     flights: usize,
     missed: usize,
     false_throws: usize,
-    /// Fraction of the sessions in which the release and end of every flight are right; `cut_flights` is the fraction
-    /// of the flights.
+    /// Fraction of the sessions in which the detected release and end of every flight are right (within [`CUT`]
+    /// samples); `cut_flights` is the fraction of all flights.
     cut_sessions: f64,
     cut_flights: f64,
-    /// Fraction of the sessions whose template is within 1 mm perpendicular to the disc's axis; `along` is that along
-    /// the axis, without the height of the centre of mass.
+    /// Fraction of the sessions in which all estimated marker positions are within 1 mm of the true ones, perpendicular
+    /// to the disc's axis; `along` is the same for errors along the axis, without the error of the centre of mass.
     across: f64,
     along: f64,
     greatest_across: f64,
-    /// Statistics of the centre-of-mass height from flights with the detected ends, from flights with the true ends,
-    /// and after the fit.
+    /// Statistics of the estimated height of the centre of mass: estimated from flights with the detected ends, from
+    /// flights with the true ends, and by the fit of the motion.
     heights: [HeightRow; 3],
     formats: Vec<FormatRow>,
     fits: Vec<FitRow>,
@@ -44,7 +44,7 @@ struct Results {
     examples: Vec<String>,
 }
 
-/// Statistics of the estimated heights of the centre of mass, mm.
+/// Statistics of the estimated heights of the centre of mass in the marker template, mm.
 #[derive(Serialize)]
 struct HeightRow {
     estimated: usize,
@@ -62,7 +62,8 @@ struct FormatRow {
     covered: f64,
 }
 
-/// Statistics of the fits with one combination of flight ends and template.
+/// Statistics of the fits with one combination of flight ends (detected or true) and marker template (estimated or
+/// true).
 #[derive(Serialize)]
 struct FitRow {
     cuts: &'static str,
@@ -75,7 +76,8 @@ struct FitRow {
     rms_z: f64,
 }
 
-/// Coverage of the intervals of one coefficient, for each combination of flight ends and template.
+/// Coverage of the 95 % intervals of one coefficient, for each combination of flight ends (detected or true) and marker
+/// template (estimated or true).
 #[derive(Serialize)]
 struct CoefficientRow {
     name: &'static str,
@@ -96,7 +98,7 @@ fn is_cut(cut: &Option<[i64; 2]>) -> bool {
     cut.is_some_and(|ends| ends.iter().all(|end| end.abs() <= CUT))
 }
 
-/// Renders docs/takes.md from the round trips of all sessions.
+/// Renders docs/takes.md from the results of all simulated recording sessions.
 ///
 /// # Errors
 /// [`StudyError::Page`] if the template cannot be rendered with the results.
@@ -159,8 +161,8 @@ pub fn takes_page(sessions: &[Session]) -> Result<Page, StudyError> {
     })
 }
 
-/// Error of the estimated height of the centre of mass, and its standard error, m; `None` if the height was not
-/// estimated.
+/// Error of the height of the centre of mass in an estimated template, and its standard error, m; `None` if the height
+/// was not estimated.
 fn of_template(errors: TemplateErrors) -> Option<(f64, f64)> {
     Some((errors.height, errors.height_std_error?))
 }
@@ -177,7 +179,8 @@ fn heights(estimated: impl Iterator<Item = (f64, f64)>) -> HeightRow {
     }
 }
 
-/// Errors of all coefficients in the fits of the combination `GIVEN[kind]`.
+/// Errors of all coefficients in those fits whose flight ends and marker template are the combination with the index
+/// `kind` in `GIVEN`.
 fn errors<'r>(
     kind: usize,
     results: &'r [&'r SessionResult],
@@ -225,7 +228,7 @@ fn formats(sessions: &[Session]) -> Vec<FormatRow> {
     names.into_iter().map(row).collect()
 }
 
-/// Descriptions of the sessions that have no result or a failed fit.
+/// Descriptions of the sessions that ended with an error or in which a fit failed.
 fn examples(sessions: &[Session]) -> Vec<String> {
     let each = sessions.iter().filter_map(|session| {
         let why = match &session.result {

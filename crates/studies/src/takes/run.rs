@@ -22,8 +22,8 @@ use crate::oracle_flights::{TRUTH, disc, empty, file_name};
 /// Time limit of fitting one dataset.
 const LIMIT: Duration = Duration::from_secs(120);
 
-/// Combinations (flight ends, marker positions) that are fitted: "found" by the import or "true", and "estimated" or
-/// "true".
+/// Combinations of inputs with which a session is fitted: flight ends "found" by the import or "true", and marker
+/// template "estimated" or "true".
 pub(super) const GIVEN: [(&str, &str); 4] = [
     ("found", "estimated"),
     ("found", "true"),
@@ -31,12 +31,12 @@ pub(super) const GIVEN: [(&str, &str); 4] = [
     ("true", "true"),
 ];
 
-/// Settings and result of one session's round trip.
+/// Settings of one simulated recording session, and the result of importing and fitting its files.
 #[derive(Clone, Debug)]
 pub struct Session {
-    /// Seed of the session.
+    /// Seed from which the session is simulated.
     pub seed: u64,
-    /// File format of the session's takes.
+    /// File format in which the session's takes (recordings) are written.
     pub format: &'static str,
     /// Frame rate, Hz.
     pub rate: f64,
@@ -44,21 +44,22 @@ pub struct Session {
     pub markers: usize,
     /// Standard deviation of the noise of a marker coordinate, m.
     pub sigma: f64,
-    /// Result of the round trip, or the error message if it failed.
+    /// Errors of the import and the fits against the true values, or the error message if the session could not be
+    /// processed.
     pub result: Result<SessionResult, String>,
 }
 
-/// Errors of the import, the template and the fits of one session.
+/// Errors of the detected flights, of the estimated marker template and of the fits of one session.
 #[derive(Clone, Debug)]
 pub struct SessionResult {
-    /// Errors (found − true) of the release and the end of each flight, samples; `None` for a flight that was not
-    /// found.
+    /// Errors (detected − true) of the release and the end of each flight, in samples; `None` for a flight that was not
+    /// detected.
     pub cuts: Vec<Option<[i64; 2]>>,
     /// Number of detected throws that do not overlap a true flight.
     pub false_throws: usize,
-    /// Errors of the template estimated from the flights as found.
+    /// Errors of the marker template that is estimated from the flights between the detected releases and ends.
     pub template: TemplateErrors,
-    /// Errors of the template estimated from the flights with the true release and end.
+    /// Errors of the marker template that is estimated from the flights between the true releases and ends.
     pub template_of_true_cuts: TemplateErrors,
     /// Errors of the fit with each combination in `GIVEN`, or the message of a failed fit.
     pub fits: Vec<Result<FitErrors, String>>,
@@ -74,17 +75,19 @@ pub struct FitErrors {
     pub height: Option<(f64, f64)>,
 }
 
-/// Errors of the releases and ends, as in [`SessionResult::cuts`], and the number of false throws.
+/// For each true flight, the errors of the detected release and end as in [`SessionResult::cuts`], and the number of
+/// detected throws that do not overlap a true flight.
 pub type SessionCuts = (Vec<Option<[i64; 2]>>, usize);
 
-/// Errors of an estimated marker template, m.
+/// Errors (estimated − true) of a marker template in the body frame, m.
 #[derive(Clone, Copy, Debug)]
 pub struct TemplateErrors {
-    /// Maximum error of a marker perpendicular to the disc's axis.
+    /// Maximum distance between estimated and true position of a marker, perpendicular to the disc's axis.
     pub across: f64,
-    /// Maximum error of a marker along the disc's axis, relative to the mean of the markers.
+    /// Maximum difference between estimated and true position of a marker along the disc's axis, each measured from the
+    /// mean of the markers.
     pub along: f64,
-    /// Error of the estimated height of the centre of mass.
+    /// Error of the estimated height of the centre of mass along the disc's axis.
     pub height: f64,
     /// Standard error of the height of the centre of mass; `None` if the height was not estimated.
     pub height_std_error: Option<f64>,
@@ -97,12 +100,13 @@ pub struct CoefficientError {
     pub name: &'static str,
     /// Error (estimate − true value) in standard errors.
     pub z: f64,
-    /// Whether the 95 % interval contains the true value.
+    /// Whether the 95 % confidence interval of the coefficient contains the true value.
     pub is_covered: bool,
 }
 
-/// Runs the round trips of the sessions of `seeds`, `threads` of them in parallel. `python` is a Python with ezc3d;
-/// without it no session is written as C3D. Calls `progress` with the numbers of finished sessions and of all sessions.
+/// Simulates, writes, imports and fits the sessions of `seeds`, `threads` of them in parallel. `python` is a Python
+/// interpreter with ezc3d; without it no session is written as C3D. Calls `progress` with the numbers of finished
+/// sessions and of all sessions.
 pub fn sessions(
     seeds: &[u64],
     python: Option<&Path>,
@@ -122,7 +126,8 @@ pub fn sessions(
     })
 }
 
-/// Errors of the detected releases and ends over the sessions of `seeds`, and the number of false throws, without fits.
+/// Simulates and imports the sessions of `seeds` without fitting them. Returns the errors of the detected releases and
+/// ends of all flights, and the number of false throws.
 ///
 /// # Errors
 /// A message if a take cannot be read.
@@ -159,7 +164,7 @@ fn session(seed: u64, writer: Writer, python: Option<&Path>) -> Session {
     }
 }
 
-/// Contents of the files of the takes, in the writer's format.
+/// Contents of the files to which a session's takes are written, in the format of `writer`.
 fn files(
     filmed: &Filmed,
     writer: Writer,
@@ -229,8 +234,8 @@ fn round_trip(filmed: &Filmed, files: &[Vec<u8>]) -> Result<SessionResult, Strin
     })
 }
 
-/// Errors (found − true) of the release and end of each flight, samples, and the number of false throws. `None` for a
-/// flight that was not found.
+/// Errors (detected − true) of the release and end of each flight, in samples, and the number of detected throws that
+/// overlap no true flight. `None` for a flight that was not detected.
 fn cut_errors(filmed: &Filmed, imported: &[(Take, Throws)]) -> SessionCuts {
     let mut cuts = Vec::new();
     let mut false_throws = 0;

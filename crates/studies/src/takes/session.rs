@@ -16,15 +16,14 @@ use crate::oracle_flights::{
 const TAKES: (usize, usize) = (3, 4);
 /// Possible frame rates of the cameras, Hz.
 const RATES: [f64; 5] = [120.0, 150.0, 200.0, 250.0, 300.0];
-/// Time for which the body is visible after its catch by the net or its first ground contact, s; then the time without
-/// the body, in which it is fetched, s.
+/// After the catch by the net or the first ground contact: time for which the body remains visible, s, and then the
+/// time without the body, until the next throw, s.
 const AFTER: (f64, f64) = (0.3, 0.7);
 /// Minimum duration of a flight to the ground, s.
 const SHORTEST: f64 = 0.35;
 /// Fraction of single marker positions that are missing.
 const GAPS: f64 = 0.02;
-/// Time at the start of a flight, s, in which the body is never occluded as a whole; the time before its end is at
-/// least as long.
+/// Minimum time after the release, and before the end of a flight, during which the body is not occluded as a whole, s.
 const IN_SIGHT: f64 = 0.1;
 
 /// Ranges of launches: low, downward throws that reach the ground.
@@ -38,7 +37,7 @@ const LOW: Throws = Throws {
 /// Positions of the markers, m, z up, indexed by sample and marker.
 pub(super) type Rows = Vec<Vec<Option<[f64; 3]>>>;
 
-/// Simulated recordings of a session, with the true values.
+/// Simulated recordings of one session, with the true markers and flights.
 pub(super) struct Filmed {
     /// Positions of the markers in the body frame, m.
     pub markers: Vec<[f64; 3]>,
@@ -56,7 +55,7 @@ pub(super) struct FilmedTake {
     pub flights: Vec<(usize, usize)>,
 }
 
-/// Simulates the session of a seed.
+/// Simulates one recording session (several takes with the same markers, frame rate and noise) from a seed.
 pub(super) fn filmed(seed: u64) -> Filmed {
     let mut random = ChaCha12Rng::seed_from_u64(seed);
     let r = &mut random;
@@ -89,7 +88,8 @@ pub(super) fn filmed(seed: u64) -> Filmed {
     }
 }
 
-/// Appends a throw to a take: hand, flight, net or ground, and the time in which the disc is fetched.
+/// Appends one throw to a take: motion in the hand, flight, catch by a net or ground contact, and the time without the
+/// body before the next throw.
 fn add_throw(
     take: &mut FilmedTake,
     markers: &[[f64; 3]],

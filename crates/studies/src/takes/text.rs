@@ -15,7 +15,7 @@ pub(super) enum Writer {
 }
 
 impl Writer {
-    /// Name of the format on the page.
+    /// Name of the file format, as printed on the page docs/takes.md.
     pub fn label(self) -> &'static str {
         match self {
             Self::Vicon => "Vicon CSV",
@@ -39,7 +39,7 @@ fn count(rows: &Rows) -> usize {
     rows.first().map_or(0, Vec::len)
 }
 
-/// Converts a position in m with z up to mm with y up.
+/// Converts a position from metres with the z axis up to millimetres with the y axis up.
 fn in_mm([x, y, z]: [f64; 3]) -> [f64; 3] {
     [1e3 * x, 1e3 * z, -1e3 * y]
 }

@@ -22,7 +22,7 @@ pub struct Launches {
     pub along: (f64, f64),
     /// Same as `along` for a horizontal launch direction: the pitch is the angle of attack.
     pub level: (f64, f64),
-    /// Landings of launches as a function of the tilt (hyzer).
+    /// Landings of horizontal launches as a function of the tilt of the disc (hyzer angle).
     pub tilts: Tilts,
     /// Advance ratio, and mean curvature of the path over the ground, 1/m.
     pub curvature: Vec<(f64, f64)>,
@@ -42,7 +42,7 @@ pub struct Tilts {
     pub inflections: usize,
 }
 
-/// Effects whose coefficients are needed to represent the wind tunnel's data.
+/// Effects that the model `disc` needs in order to represent the wind tunnel's coefficients.
 const EFFECTS: [&str; 2] = ["constant_pitching_moment", "zero_lift_drag_angle"];
 
 /// Values of the roll coefficient C_Rr that are tried with the wind tunnel's other coefficients, s.
@@ -100,7 +100,8 @@ fn body(model: &str, effects: &[&str]) -> Result<ThrownBody, StudyError> {
     Ok(ThrownBody::new(model_spec::load::load(model, effects)?)?)
 }
 
-/// Returns the coefficients without those of the pitching moment.
+/// Returns the given coefficients without those of the pitching moment, so that the model's own pitching moment
+/// remains.
 fn own_pitch(all: &[(&'static str, f64)]) -> Vec<(&'static str, f64)> {
     all.iter()
         .filter(|(name, _)| !["C_M0", "C_Ma"].contains(name))
@@ -108,8 +109,8 @@ fn own_pitch(all: &[(&'static str, f64)]) -> Vec<(&'static str, f64)> {
         .collect()
 }
 
-/// Prepares flights of a disc with the given coefficients. Also returns a function that gives the horizontal launch at
-/// an advance ratio.
+/// Prepares flights of a disc with the given coefficients. Also returns a function that creates the throw with a
+/// horizontal launch at [`SPEED`] for a given advance ratio.
 fn flights<'b>(
     body: &'b ThrownBody,
     values: &[(&str, f64)],
@@ -230,7 +231,8 @@ fn flown<'f>(flights: &'f ThrowFlights<'f>, throw: &Throw) -> Option<Path<'f>> {
         .ok()
 }
 
-/// Mean curvature of the path over the ground in the first two seconds: change of the course / length, rad/m.
+/// Mean curvature of the path over the ground in the first two seconds: angle by which the horizontal direction of
+/// motion changes / length of the path, rad/m.
 fn turned(path: &Path<'_>) -> f64 {
     let end = path.duration().min(2.0);
     let (steps, mut angle, mut length) = (200, 0.0, 0.0);
@@ -243,7 +245,8 @@ fn turned(path: &Path<'_>) -> f64 {
     (angle / length).abs()
 }
 
-/// Number of sign changes of the turning angle along a curve of points. Angles below one degree are ignored.
+/// Number of inflections of a curve given by points (parameter, x, y): changes of the sign with which the curve turns.
+/// Turns of less than one degree between neighbouring points are ignored.
 fn inflections(points: &[(f64, f64, f64)]) -> usize {
     let mut last = 0.0;
     let mut count = 0;

@@ -7,7 +7,7 @@ use flight::throw::{FIELDS, Throw};
 use model_spec::layout::Layout;
 use toml::de::DeTable;
 
-/// Key of `[vary]` that makes every flight have gusts of its own.
+/// Key of `[vary]` that requests different random gusts in every flight.
 const GUSTS: &str = "gusts";
 /// Maximum number of values of one axis of the grid.
 const MAX_VALUES: usize = 1_000_000;
@@ -23,7 +23,7 @@ pub struct Axis {
     pub kind: AxisKind,
 }
 
-/// Input of a flight that an axis sets.
+/// Input of a flight that a varied quantity sets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Target {
     /// Field of the throw, by its index in [`FIELDS`].
@@ -37,7 +37,7 @@ pub enum Target {
 /// Grid values or distribution of a quantity that varies.
 #[derive(Clone, Debug, PartialEq)]
 pub enum AxisKind {
-    /// The given values, as one dimension of the grid of all such axes.
+    /// The given values; the grid of the sweep has every combination of the values of all such quantities.
     Values(Vec<f64>),
     /// Normally distributed random values.
     Normal {
@@ -66,8 +66,8 @@ pub(super) struct Names<'a> {
 }
 
 impl Names<'_> {
-    /// Finds the input that a name denotes, and the plan's value of it. The error is the message for a name that is
-    /// unknown or ambiguous.
+    /// Finds the input of a flight that `name` denotes, and its value in the plan's throw or release. The error is the
+    /// message for a name that is unknown or ambiguous.
     fn find(&self, name: &str) -> Result<(Target, f64), String> {
         let mut found = Vec::new();
         if let Some(throw) = self.throw {
@@ -139,8 +139,8 @@ pub(crate) fn constant<'v>(vocabulary: &'v Vocabulary, name: &str) -> Option<&'v
     constants.into_iter().find(|known| known.name == name)
 }
 
-/// Reads the table `[vary]`. Returns the axes, in the order of the file, and whether every flight has gusts of its
-/// own.
+/// Reads the table `[vary]`. Returns the axes, in the order of the file, and whether every flight has different random
+/// gusts.
 pub(super) fn read<'t>(
     reader: &mut Reader<'t>,
     document: &DeTable<'t>,
@@ -190,8 +190,8 @@ pub(super) fn read<'t>(
     (axes, gusts)
 }
 
-/// Reads the key `gusts` of `[vary]`: whether every flight has gusts of its own. Faults are reported to `reader` and
-/// return `false`.
+/// Reads the key `gusts` of `[vary]`: whether every flight has different random gusts. Faults are reported to `reader`;
+/// the result is then `false`.
 fn own_gusts<'t>(
     reader: &mut Reader<'t>,
     names: &Names<'_>,
@@ -214,7 +214,8 @@ fn own_gusts<'t>(
 }
 
 /// Reads the variation of the quantity `name`: a table with `values`, `range` and `count`, `normal`, `sd`, or
-/// `uniform`. `own` is the plan's value, the mean for `sd`. `None` after a fault, which is reported to `reader`.
+/// `uniform`. `own` is the quantity's value in the plan's throw or release, which is the mean for `sd`. `None` after a
+/// fault, which is reported to `reader`.
 fn kind<'t>(reader: &mut Reader<'t>, name: &str, own: f64, value: &Value<'t>) -> Option<AxisKind> {
     const EXPECTED: &str = "a table, as in { values = [1.0, 2.0] }, { range = [0.0, 1.0], count = 5 }, { normal = [0.0, 1.0] }, \
          { sd = 1.0 } or { uniform = [0.0, 1.0] }";

@@ -4,9 +4,11 @@
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Factor(Vec<Vec<f64>>);
 
-/// Pivot below which a variable counts as a linear combination of the preceding variables.
+/// Pivot of the Cholesky factorization below which a variable counts as a linear combination of the preceding
+/// variables.
 const DEPENDENT: f64 = 1e-10;
-/// Most negative pivot that is attributed to rounding, including that of decimal digits in a file.
+/// Most negative pivot of the Cholesky factorization that is attributed to rounding, for example of the correlations in
+/// a file; with a more negative pivot the matrix is rejected.
 const ROUNDING: f64 = -1e-6;
 
 impl Factor {

@@ -9,7 +9,7 @@ use toml::de::DeTable;
 
 use super::axes::{Axis, AxisKind, Names, Target};
 
-/// Maximum size of a report, bytes.
+/// Maximum size of the `report.json` of a fit, bytes.
 const MAX_BYTES: u64 = 64 << 20;
 
 /// Axes of the fitted coefficients, and their correlations as (name, name, value).

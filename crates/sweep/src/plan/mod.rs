@@ -30,7 +30,8 @@ pub struct Plan {
     pub throw: Option<Throw>,
     /// Quantities that vary, in the order of the file; coefficients of a fit come last.
     pub axes: Vec<Axis>,
-    /// Whether every flight has gusts of its own, with phases from the seed of the gusts and the flight number.
+    /// Whether every flight has different random gusts, whose phases follow from the seed of the gusts and the flight
+    /// number.
     pub gusts: bool,
     /// Number of points of the grid; 1 without a grid.
     pub grid: u64,
@@ -40,7 +41,7 @@ pub struct Plan {
     pub seed: u64,
     /// Method and tolerances of the integration.
     pub options: IntegrationOptions,
-    /// Cholesky factor of the correlation matrix of the normal axes, in the order of these axes.
+    /// Cholesky factor of the correlation matrix of the normally distributed quantities, in the order of `axes`.
     pub(crate) factor: Factor,
 }
 

@@ -111,7 +111,7 @@ fn effects(document: &DeTable<'_>, folder: &Path) -> Vec<String> {
     names.map(|name| beside(name, folder)).collect()
 }
 
-/// The parts of a plan that are read before its own keys: model, vocabulary and release.
+/// The parts of a plan that are read first, by the reader of release files: model, vocabulary and release.
 struct Known {
     model: Model,
     vocabulary: Vocabulary,
@@ -192,7 +192,8 @@ fn plan<'t>(
     })
 }
 
-/// Reads `[throw]`; `None` if the plan has none. Its values were checked when the release was read.
+/// Reads the table `[throw]`, whose values have already been checked with the release; `None` if the plan has no such
+/// table.
 fn throw<'t>(reader: &mut Reader<'t>, document: &DeTable<'t>) -> Option<Throw> {
     document.get("throw")?;
     let mut throw = Throw::at_speed(0.0);
@@ -225,7 +226,7 @@ fn whole<'t>(
 }
 
 /// Reads the integration method and tolerance. Without the key `method`, selects the method that needs fewer
-/// evaluations of the right-hand side for the plan's release. `None` after a fault.
+/// evaluations of the right-hand side for the plan's release. `None` after a fault, which is reported to `reader`.
 fn options<'t>(
     reader: &mut Reader<'t>,
     document: &DeTable<'t>,
@@ -279,8 +280,8 @@ fn options<'t>(
     Some(options)
 }
 
-/// Reads `[[correlations]]`, adds the correlations of a fit, and returns the Cholesky factor of the correlation
-/// matrix of the normal axes. `None` after a fault, which is reported to `reader`.
+/// Reads `[[correlations]]`, adds the correlations of a fit, and returns the Cholesky factor of the correlation matrix
+/// of the normally distributed quantities. `None` after a fault, which is reported to `reader`.
 fn correlations<'t>(
     reader: &mut Reader<'t>,
     document: &DeTable<'t>,

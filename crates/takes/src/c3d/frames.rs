@@ -3,9 +3,10 @@
 use super::parameters::Parameters;
 use super::{Deviation, Wrong, wrong};
 
-/// Maximum frame number in the 16-bit header; as the last frame number it may stand for any greater value.
+/// Maximum frame number that the 16-bit words of the header can state; as the number of the last frame it may also mean
+/// any greater number.
 const LAST_OF_HEADER: u32 = 0xffff;
-/// Bound of the padding after the last frame, bytes; the padding is shorter.
+/// Exclusive upper bound of the number of padding bytes after the last frame.
 const PADDING: usize = 512;
 
 /// Frame number of the first frame, and number of frames.
@@ -28,8 +29,9 @@ pub(super) struct Layout {
     pub available: usize,
 }
 
-/// Determines the extent of the data and the size of a frame in bytes. Contradictions that leave one sensible reading
-/// are added to `deviations`.
+/// Determines the number of the first frame, the number of frames and the size of a frame in bytes; `first` and `last`
+/// are the frame numbers in the header. Contradictions in the file that leave one sensible reading are added to
+/// `deviations`.
 pub(super) fn frames(
     parameters: &Parameters<'_>,
     first: u32,

@@ -269,8 +269,9 @@ impl<'a> Recording<'a> {
     }
 }
 
-/// Returns a deviation for a parameter that extends into the data: the parameters before it are used. Returns the fault
-/// `cut` as an error if a required parameter is missing or the parameter extends past the end of the file.
+/// Handles a parameter that extends past the parameter section, an error described by `cut`: returns a deviation, after
+/// which only the parameters before it are used. Returns `cut` as an error if a required parameter is missing or the
+/// parameter extends past the end of the file, whose size is `length` bytes.
 fn after_the_cut(
     cut: Wrong,
     parameters: &Parameters<'_>,

@@ -109,7 +109,7 @@ fn up(recording: &Recording<'_>, notes: &mut Vec<String>) -> Option<Axis> {
     floor.or(drawn)
 }
 
-/// Unit of the coordinates: the option if it is given, otherwise the unit that the file states.
+/// Unit of the coordinates: the user's unit in `options` if it is given, otherwise the unit that the file states.
 fn length(
     recording: &Recording<'_>,
     options: &ReadOptions,

@@ -10,13 +10,15 @@ use super::smooth::Smooth;
 
 /// Standard acceleration of gravity, m/s².
 const GRAVITY: f64 = 9.81;
-/// Minimum sine of the angle between velocity and spin axis at which the known part is computed.
+/// Minimum sine of the angle between velocity and spin axis at which a displacement of the centre of mass is derived
+/// from the rotation of the axis about the velocity; below it the whole displacement counts as unknown.
 const LEAST_SINE: f64 = 0.2;
-/// Assumed standard deviation of the unknown part, relative to that of a force that turns with the axis.
+/// Assumed standard deviation of the unknown change of the aerodynamic acceleration, relative to the product of the
+/// lift acceleration and the angle of the wobble.
 const UNKNOWN: f64 = 0.5;
 
-/// Displacements of the centre of mass due to the wobble, m, one row per sample: the known part, and the magnitude of
-/// the unknown part.
+/// Displacements of the centre of mass by the aerodynamic forces that change with the wobble of the spin axis, m, one
+/// row per sample: the `known` part, and the assumed magnitude of the `unknown` part.
 pub(super) struct AirMotion {
     pub known: DMatrix<f64>,
     pub unknown: DMatrix<f64>,

@@ -13,23 +13,25 @@ use super::shape::{Placed, Shape};
 use super::smooth::Smooth;
 use super::{FreeFlight, LEAST_SAMPLES, TemplateError, UpVote};
 
-/// Minimum and maximum degree of the polynomial fitted to a trajectory.
+/// Minimum and maximum degree of the polynomial in time that is fitted to a trajectory.
 const DEGREES: (usize, usize) = (2, 10);
-/// Maximum degree of the polynomial per turn of the body: a polynomial of this degree has at most half as many waves as
-/// the body has turns.
+/// Maximum degree of the polynomial fitted to a trajectory, per turn of the body. At 1 per turn the polynomial has at
+/// most half as many waves as the body has turns, and so cannot follow the rotation.
 const DEGREES_PER_TURN: f64 = 1.0;
-/// Number of passes, each of which updates the weights, the degrees and the displacement by aerodynamic forces.
+/// Number of iterations of the estimate; each one updates the weights of the samples, the degrees of the polynomials
+/// and the displacement of the centre of mass by aerodynamic forces.
 const PASSES: usize = 3;
-/// Criteria for a spin: minimum information across the axis, relative to that of a body that turns many times, and
-/// maximum ratio of the information along the axis to that across it.
+/// Criteria for a spin about one axis, in terms of the eigenvalues of the matrix B of the normal equations: minimum
+/// ratio of the middle eigenvalue to the sum of the weights, and maximum ratio of the least eigenvalue to the middle
+/// one.
 const SPIN: (f64, f64) = (0.05, 0.5);
-/// Minimum wobble of the axis for a height of the centre of mass, as the ratio of the wobble's mean square to that of
-/// its noise.
+/// Minimum ratio of the mean square of the spin axis's wobble to the mean square of its measurement noise for the
+/// height of the centre of mass to be estimated.
 const WOBBLE: f64 = 0.1;
-/// Minimum sine of the elevation of the axis at a release for the flight to count in the decision which side is up.
+/// Minimum sine of the elevation of the spin axis at a release for the flight to have a vote on the sense of the axis.
 const UPWARDS: f64 = 0.2;
 
-/// Spin axis and centre of mass, in the axes of the shape.
+/// Spin axis and centre of mass of the body, in the body-fixed axes of [`Shape`].
 pub(super) struct Centre {
     /// Unit vector along the spin axis, pointing upwards at the release.
     pub axis: Vector3<f64>,
@@ -39,15 +41,17 @@ pub(super) struct Centre {
     pub foot: Vector3<f64>,
     /// Covariance of `foot`, m².
     pub foot_covariance: Matrix3<f64>,
-    /// Derivative of `foot` by the height of the centre of mass.
+    /// Derivative of `foot` by the height of the centre of mass along the axis (dimensionless).
     pub slope: Vector3<f64>,
-    /// Height of the centre of mass along the axis and its standard error, m; `None` if the axis wobbles too little.
+    /// Estimated height of the centre of mass along the axis, relative to the mean of the markers, and its standard
+    /// error, m; `None` if the axis wobbles too little for an estimate.
     pub height: Option<(f64, f64)>,
     pub up: Option<UpVote>,
     pub turns: f64,
 }
 
-/// Motion of the shape in one flight.
+/// Poses of the rigid set of markers in one flight, with their noise and the degree of the polynomial that is fitted to
+/// trajectories.
 struct Motion {
     times: Vec<f64>,
     centres: DMatrix<f64>,
@@ -93,16 +97,18 @@ impl PoseNoise {
     }
 }
 
-/// Left- and right-hand side of the normal equations, and the noise to be subtracted from them.
+/// Sums over the flights for the normal equations B p = −b of the body point p whose trajectory is smooth (`raw` −
+/// `noise` is B, `right` is b), and the sum of the weights.
 #[derive(Default)]
 struct Sums {
     raw: Matrix3<f64>,
     noise: Matrix3<f64>,
     right: Vector3<f64>,
     weight: f64,
-    /// Degrees of freedom of the noise estimate.
+    /// Degrees of freedom of the residuals of the poses, from which the measurement noise is estimated.
     freedom: f64,
-    /// Right-hand side for the unknown part of the displacement by aerodynamic forces.
+    /// Contribution to `right` of the assumed magnitude of the unknown displacement by aerodynamic forces; yields an
+    /// error estimate.
     unknown: Vector3<f64>,
 }
 
@@ -163,8 +169,9 @@ fn axis_of(sums: &Sums) -> Option<Vector3<f64>> {
     turns.then(|| eigen.eigenvectors.column(order[0]).into_owned())
 }
 
-/// Position of the spin axis at a height, projected onto the plane normal to the axis; its derivative by the height;
-/// and the inverse of B in that plane.
+/// For the body point at a height (m) along the axis whose trajectory is smoothest: its projection onto the plane
+/// normal to the axis, the derivative of this projection by the height, and the inverse of the matrix of the normal
+/// equations in this plane.
 fn at_height_with_inverse(
     sums: &Sums,
     axis: &Vector3<f64>,
@@ -187,8 +194,8 @@ fn at_height(sums: &Sums, axis: &Vector3<f64>, height: f64) -> (Vector3<f64>, Ve
     (foot + axis * height, slope)
 }
 
-/// Height of the centre of mass along the axis and its standard error, m; `None` if the axis wobbles too little.
-/// `variance` is the variance of a coordinate of unit weight, m².
+/// Estimates the height of the centre of mass along the axis and the standard error of this height, m; `None` if the
+/// axis wobbles too little. `variance` is the variance of a position coordinate with weight 1, m².
 fn height(sums: &Sums, axis: &Vector3<f64>, variance: f64) -> Option<(f64, f64)> {
     let (foot, slope, _) = at_height_with_inverse(sums, axis, 0.0);
     let direction = axis + slope;
@@ -209,8 +216,8 @@ fn height(sums: &Sums, axis: &Vector3<f64>, variance: f64) -> Option<(f64, f64)>
     ))
 }
 
-/// Mean squared residuals of the spin axis and of the trajectory of the centre of mass (m²), per unit weight and degree
-/// of freedom.
+/// Weighted mean squares, per degree of freedom, of the residuals after the polynomial fits: those of the direction of
+/// the spin axis (dimensionless) and those of the trajectory of the centre of mass, m².
 fn residuals(motions: &[Motion], point: &Vector3<f64>, axis: &Vector3<f64>) -> (f64, f64) {
     let (mut axes, mut paths, mut axis_freedom, mut freedom) = (0.0, 0.0, 0.0, -3.0);
     for motion in motions {
@@ -230,8 +237,8 @@ fn residuals(motions: &[Motion], point: &Vector3<f64>, axis: &Vector3<f64>) -> (
     )
 }
 
-/// Whether the axis points upwards at the releases, and the votes of the flights; the votes are `None` if they are
-/// tied.
+/// Whether `axis` points upwards at the releases of most flights, and the numbers of flights with and against this
+/// sense; the numbers are `None` if they are equal.
 fn side(motions: &[Motion], axis: &Vector3<f64>) -> (bool, Option<UpVote>) {
     let heights = motions.iter().map(|motion| {
         let early = (motion.rotations.len() / 10).max(3);
@@ -277,7 +284,8 @@ impl Motion {
         motion
     }
 
-    /// Maximum degree of the polynomial for this flight, limited by the number of turns and samples.
+    /// Maximum degree of the polynomial that may be fitted to a trajectory of this flight, limited by the numbers of
+    /// turns and samples.
     fn most(&self) -> usize {
         let by_turns = (DEGREES_PER_TURN * self.turns) as usize;
         let by_samples = self.times.len() / 4;
@@ -304,8 +312,9 @@ impl Motion {
         })
     }
 
-    /// Adds the flight to the sums. If an axis is given, the known displacement by aerodynamic forces is subtracted
-    /// from the trajectory first.
+    /// Adds the terms of this flight to the normal equations in `to`. `point` is the present estimate of the centre of
+    /// mass, m, and determines the weights; `variance` is the variance of a measured coordinate, m². If `axis` is
+    /// given, the known displacement by aerodynamic forces is first subtracted from the trajectory.
     fn add(&self, point: &Vector3<f64>, axis: Option<&Vector3<f64>>, variance: f64, to: &mut Sums) {
         let weights = self.weights(point);
         let Some(smooth) = Smooth::new(&self.times, &weights, self.degree) else {

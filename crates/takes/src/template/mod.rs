@@ -67,21 +67,23 @@ pub struct EstimatedMarker {
 pub enum CentreHeight {
     /// Estimated from the wobble of the body in the flights.
     Estimated {
-        /// Height of the centre of mass, m.
+        /// Estimated height of the centre of mass along the spin axis, relative to the mean of the markers, m.
         height: f64,
         /// Standard error of the height, m.
         std_error: f64,
     },
     /// Stated by the user.
     Stated {
-        /// Stated height of the centre of mass, m.
+        /// Stated height of the centre of mass along the spin axis, relative to the mean of the markers, m.
         height: f64,
-        /// Height that the flights show and its standard error, m; `None` if the flights do not determine it.
+        /// Height of the centre of mass as estimated from the flights and standard error of this estimate, m; `None` if
+        /// the flights do not determine the height.
         shown: Option<(f64, f64)>,
     },
     /// Assumed to be 0, the mean height of the markers, because the flights do not determine it.
     Assumed {
-        /// Standard error that an estimate would have, m; `None` if the axis wobbles too little for an estimate.
+        /// Standard error of the unused estimate of the height from the flights, m; `None` if the spin axis wobbles too
+        /// little for an estimate.
         std_error: Option<f64>,
     },
 }
@@ -140,7 +142,8 @@ pub enum TemplateError {
     },
 }
 
-/// Minimum standard error of the centre of mass along the spin axis if its height is assumed, m.
+/// Minimum standard error that is reported for the position of the centre of mass along the spin axis, m, if its height
+/// is assumed.
 const ASSUMED: f64 = 0.02;
 
 impl EstimatedTemplate {
@@ -169,7 +172,8 @@ fn count(number: usize, noun: &str) -> String {
     }
 }
 
-/// Minimum number of samples of a flight.
+/// Minimum number of samples with a determined attitude for a flight to contribute to the spin axis and the centre of
+/// mass.
 const LEAST_SAMPLES: usize = 12;
 
 /// Estimates the positions of the labelled markers from free flights of their body.

@@ -7,18 +7,20 @@ use nalgebra::{DMatrix, Matrix3, Vector3};
 use super::{FreeFlight, LEAST_SAMPLES, TemplateError};
 use crate::throws::fitted;
 
-/// Maximum number of passes over the samples, and number of initial passes that decide which positions are outliers.
+/// Maximum number of iterations of the shape, and number of the first iterations, which also decide which marker
+/// positions are outliers.
 const PASSES: (usize, usize) = (60, 8);
-/// Greatest change of a position in a pass, m, below which the shape has converged.
+/// Greatest change of a marker position in one iteration, m, below which the shape has converged.
 const CONVERGED: f64 = 1e-9;
-/// Factors `a` and `b` of the maximum squared misfit of a sample with `f` degrees of freedom, σ² (f + a √(2f) + b).
+/// Factors `a` and `b` of the maximum sum of squared residuals of a sample, σ² (f + a √(2f) + b), where f is the number
+/// of degrees of freedom and σ the standard deviation of a coordinate.
 const MISFIT: (f64, f64) = (4.0, 8.0);
 /// Minimum standard deviation of a coordinate, m, so that exact samples are not outliers.
 const FINEST: f64 = 1e-7;
 /// Ratio of the second singular value of the points to the first, at or below which they count as lying on a line.
 const FLAT: f64 = 0.05;
 
-/// Shape of the markers, and the poses of all samples.
+/// Marker positions on the body (the shape), and the poses of the body in all samples.
 pub(super) struct Shape {
     /// Marker positions relative to their mean, m.
     pub points: Vec<Vector3<f64>>,
@@ -37,7 +39,7 @@ pub(super) struct Shape {
 pub(super) struct Placed {
     /// Index of the sample in its flight.
     pub sample: usize,
-    /// Position of the mean of the shape in the room, m.
+    /// Position in the room, m, of the mean of all marker positions of the shape.
     pub position: Vector3<f64>,
     /// Rotation from the axes of the shape to those of the room.
     pub rotation: Matrix3<f64>,
@@ -249,7 +251,7 @@ fn placed(points: &[Vector3<f64>], rows: &[Row], sigma: f64) -> Vec<Placed> {
     rows.iter().enumerate().filter_map(place).collect()
 }
 
-/// Recomputes the poses from the same markers as before.
+/// Recomputes each pose for the marker positions `points`, from the markers that the pose in `poses` uses.
 fn replaced(
     points: &[Vector3<f64>],
     rows: &[Vec<Row>],
@@ -280,7 +282,8 @@ fn pooled_sigma(poses: &[Vec<Placed>], points: usize) -> f64 {
     (squares / (freedom - (3.0 * points as f64 - 6.0)).max(1.0)).sqrt()
 }
 
-/// Marker positions in the axes of the shape: medians (`by_median`) or means over the samples, relative to their mean.
+/// Marker positions in the axes of the shape: median (`by_median`) or mean of each marker's position over the samples,
+/// shifted so that the mean of all markers is 0.
 fn means(
     points: &[Vector3<f64>],
     rows: &[Vec<Row>],
@@ -305,8 +308,8 @@ fn means(
     about_mean(each.collect())
 }
 
-/// Covariance of the points per unit variance of a coordinate: pseudo-inverse of the normal matrix with the poses
-/// eliminated. The six directions of a rigid motion of the shape are left out.
+/// Covariance of the marker positions per unit variance of a measured coordinate: pseudo-inverse of the normal matrix
+/// with the poses eliminated. The six directions of a rigid motion of the shape are left out.
 fn covariance(points: &[Vector3<f64>], poses: &[Vec<Placed>]) -> DMatrix<f64> {
     let size = 3 * points.len();
     let mut normal = DMatrix::<f64>::zeros(size, size);

@@ -6,9 +6,10 @@ use nalgebra::DMatrix;
 pub(super) struct Smooth {
     /// Square roots of the samples' weights.
     roots: Vec<f64>,
-    /// Orthonormal columns that span the weighted polynomials.
+    /// Orthonormal columns that span the polynomials multiplied by the square roots of the weights; one row per sample.
     basis: DMatrix<f64>,
-    /// Matrix that converts coefficients of the orthonormal basis to those of the Legendre polynomials.
+    /// Matrix that converts the coefficients of a polynomial in the columns of `basis` to those in the Legendre
+    /// polynomials.
     coefficients: DMatrix<f64>,
     /// First and second derivatives of the Legendre polynomials by time at the samples, 1/s and 1/s².
     derivatives: [DMatrix<f64>; 2],

@@ -10,7 +10,8 @@ use super::norm;
 use super::track::Track;
 use super::windows::{GRAVITY, SLOW, allowed};
 
-/// Number of standard errors by which a bound must be exceeded.
+/// Number of standard errors by which a fitted jump of the velocity or a fitted acceleration must exceed its bound to
+/// end a flight.
 const CERTAIN: f64 = 4.5;
 /// Minimum jump of the velocity at an impact, m/s; air changes the velocity by less within a sample or two.
 const IMPACT: f64 = 1.0;
@@ -20,20 +21,22 @@ const TOUCH: f64 = 0.2;
 /// Height above the body's lowest level in the take below which the body may touch the ground, m: the extent of a
 /// thrown body below its centre.
 const REACH: f64 = 0.15;
-/// Height above the lowest level, m, below which an upward change of the motion means that the ground supports the
-/// body.
+/// Height above the lowest level of the trajectory, m, below which an upward jump of the velocity means that the ground
+/// supports the body.
 const LOW: f64 = 0.05;
-/// Minimum upward jump of the velocity within the height `LOW`, m/s. The jump must exceed it by `LIKELY` standard
-/// errors.
+/// Minimum upward jump of the velocity, m/s, that counts as support by the ground at heights below `LOW`. The jump must
+/// exceed this bound by `LIKELY` standard errors.
 const SLIGHT: f64 = 0.1;
 const LIKELY: f64 = 2.0;
 /// Minimum time between two descents to the ground that count as separate, s.
 const APART: f64 = 0.5;
-/// Number of samples, such as ghost points, that may lie below the lowest level.
+/// Number of lowest samples of a trajectory that are ignored as possible ghost points when its lowest level is
+/// determined.
 const BELOW: usize = 3;
 
-/// Whether the samples outside a followed flight fail to continue its free motion. `last` is the track index of the
-/// flight's last sample, or of its first sample if `early`; `ground` is the lowest level, m.
+/// Whether a followed flight ends, because the motion beyond its end is one that air cannot cause. `last` is the track
+/// index of the flight's last sample, or of its first sample if `early`; `ground` is the height of the lowest level of
+/// the trajectory, m.
 pub(super) fn is_break(
     track: &Track,
     path: &[[f64; 3]],
@@ -71,8 +74,9 @@ pub(super) fn is_break(
     rests || !allowed(velocity, air, CERTAIN * error)
 }
 
-/// Jump of the velocity in a fitted motion, m/s (derivative by the time counted outwards from the flight), with its
-/// standard error on one axis; `None` if the fitted velocity does not jump.
+/// Jump of the velocity at the fitted change of motion, m/s, and its standard error on one axis, m/s; `None` if the
+/// fitted velocity does not jump. The velocity is the derivative by the time counted outwards from the flight, which is
+/// reversed at the beginning of a flight.
 fn velocity_jump(motion: &Fit) -> Option<([f64; 3], f64)> {
     (motion.hinge.first() == Some(&1)).then(|| {
         let jump = [0, 1, 2].map(|axis| motion.coefficients[(CUBIC, axis)]);
@@ -126,8 +130,8 @@ pub(super) fn is_ground(times: &[f64], path: &[[f64; 3]], lowest: f64) -> bool {
     visits.count() > 1
 }
 
-/// Derivative of the given order of a fitted motion at the time `beyond` (s) from the change, outside the flight, with
-/// its standard error on one axis.
+/// Derivative by time, of the given order, of a fitted motion outside the flight, `beyond` seconds from the change of
+/// motion; and the standard error of the derivative on one axis. The unit is m/s for order 1 and m/s² for order 2.
 fn derivative(motion: &Fit, early: bool, beyond: f64, order: i32) -> ([f64; 3], f64) {
     let sign: f64 = if early { -1.0 } else { 1.0 };
     let term = |power: i32, time: f64| -> f64 {

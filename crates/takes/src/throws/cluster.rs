@@ -4,13 +4,14 @@ use crate::take::Take;
 
 use super::norm;
 
-/// Approximate number of samples that are compared.
+/// Approximate number of samples in which the distances between points are compared.
 const COMPARED: usize = 300;
-/// Maximum spread (central 80 %) of the distance between two points of a rigid body, m.
+/// Maximum difference between the 90 % and the 10 % quantile of the distance between two points of a rigid body, m.
 const RIGID: f64 = 0.012;
 /// Speed that a point must reach to belong to a thrown body, m/s.
 const FAST: f64 = 2.0;
-/// Minimum number of compared samples in which both of two points are seen.
+/// Minimum number of compared samples in which two points are both seen; with fewer samples the two points do not count
+/// as parts of one body.
 const COMMON: usize = 5;
 
 /// Indices, in increasing order, of the largest set of moving points whose mutual distances are constant.
@@ -35,7 +36,7 @@ pub(super) fn rigid_points(take: &Take) -> Vec<usize> {
     best
 }
 
-/// Whether a point reaches the speed of a throw, from pairs of samples several apart.
+/// Whether a point is ever faster than [`FAST`], measured by its displacement over 5 sampling intervals.
 fn moves(take: &Take, point: usize) -> bool {
     let positions = &take.points[point].positions;
     let apart = 5.min(positions.len().saturating_sub(1)).max(1);

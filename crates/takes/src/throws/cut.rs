@@ -8,36 +8,42 @@ use super::follow::Stop;
 use super::track::Track;
 use super::windows::half;
 
-/// Time span outside the flight, from the change on, whose samples are fitted too, s, and the minimum number of these
-/// samples.
+/// Samples outside the flight that are included in the fit of a change of motion: time span that they cover, s, and
+/// their minimum number.
 const BEYOND: (f64, usize) = (0.03, 4);
-/// Number of candidate times of a change per sampling interval.
+/// Number of times per sampling interval that are tried as the time of a change of motion.
 const CANDIDATES: usize = 4;
-/// Number of samples left out at a cut, since a change is located to about one sample.
+/// Number of samples next to a change of motion that are excluded from the flight, since the time of the change is
+/// accurate to only about one sampling interval.
 const MARGIN: usize = 1;
-/// Hinge functions that are tried, as powers of the time outside the flight, counted from the change: a jump of the
-/// acceleration, alone or with a jump of its derivative; a jump of the velocity, alone or with a jump of the
-/// acceleration.
+/// Exponents of the hinge terms that are tried for a change of motion. A hinge term is a power of the time from the
+/// change outwards, and 0 inside the flight: the exponent 1 represents a jump of the velocity, 2 a jump of the
+/// acceleration, and 3 a jump of the derivative of the acceleration.
 pub(super) const HINGES: [&[i32]; 4] = [&[2], &[2, 3], &[1], &[1, 2]];
-/// Hinge functions for a touch of the ground: a jump of the velocity, alone or with a jump of the acceleration.
+/// Exponents of the hinge terms that are tried for a touch of the ground, as in `HINGES`: a jump of the velocity, alone
+/// or with a jump of the acceleration.
 pub(super) const JUMPS: [&[i32]; 2] = [&[1], &[1, 2]];
 
 /// A change of the motion at the beginning or the end of a flight.
 #[derive(Clone, Debug)]
 pub(super) struct Change {
-    /// Track index of the first or the last sample of the flight.
+    /// Track index of the sample of the flight next to the change: the flight's first sample at its beginning, its last
+    /// sample at its end.
     pub inside: usize,
-    /// Time of the change, s.
+    /// Time of the change of motion in the take, s.
     pub time: f64,
     /// Velocity inside the flight at the time of the change, m/s.
     pub velocity: [f64; 3],
     /// Velocity outside the flight minus velocity inside, m/s; `None` if the velocity does not jump.
     pub velocity_jump: Option<[f64; 3]>,
-    /// Acceleration outside the flight minus acceleration inside, m/s²; zero if the velocity jumps.
+    /// Acceleration outside the flight minus acceleration inside, m/s²; zero if the change was fitted as a jump of the
+    /// velocity.
     pub acceleration: [f64; 3],
 }
 
-/// Locates the change at the end of a followed flight, or at its beginning (`early`).
+/// Determines the change of motion with which a followed flight begins (`early`) or ends. `stop` is the reason why
+/// following ended there, `path` the trajectory of a body point, m. A change is fitted only after a deviation or a
+/// touch of the ground; otherwise it lies at the last followed sample.
 pub(super) fn changes(track: &Track, path: &[[f64; 3]], stop: &Stop, early: bool) -> Change {
     let data = if early { 0 } else { path.len() - 1 };
     let last = stop.last(data);
@@ -55,20 +61,22 @@ pub(super) fn changes(track: &Track, path: &[[f64; 3]], stop: &Stop, early: bool
     }
 }
 
-/// Fit of a cubic with a hinge at one candidate time.
+/// Least-squares fit to the samples around a change of motion at an assumed time: on each axis a cubic in time plus
+/// hinge terms, which are powers of the time outside the flight and 0 inside.
 pub(super) struct Fit {
     pub time: f64,
     /// Bayesian information criterion of the fit; smaller is better.
     pub criterion: f64,
-    /// Coefficients of the powers of the time from the candidate, then of the hinge (rows), by axis (columns).
+    /// Coefficients, one column per axis: rows 0 to 3 for the powers 0 to 3 of the time since `time`, then one row per
+    /// exponent in `hinge`.
     pub coefficients: DMatrix<f64>,
-    /// Covariance of the coefficients on one axis.
+    /// Covariance matrix of the coefficients of one axis; it is the same for each axis.
     pub covariance: DMatrix<f64>,
     pub hinge: &'static [i32],
 }
 
-/// Track indices of the samples around the end of following to which a change is fitted, and of those between whose
-/// times the change may lie.
+/// Two ranges of track indices around `last`, the last followed sample of a flight (its first one if `early`): the
+/// samples to which a change of motion is fitted, and the samples between which the time of the change is searched.
 pub(super) fn places(
     track: &Track,
     path: &[[f64; 3]],
@@ -91,7 +99,9 @@ pub(super) fn places(
     }
 }
 
-/// Fit with the hinge and the time that best explain the samples; `None` if no candidate can be fitted.
+/// Fit of a change of motion with the smallest Bayesian information criterion, over times of the change between the
+/// samples in `near` and over the lists of exponents in `hinges`; `None` if no fit is possible. `places` are the fitted
+/// samples.
 pub(super) fn best(
     track: &Track,
     path: &[[f64; 3]],
@@ -153,8 +163,8 @@ fn located(
 /// Number of coefficients of the cubic that describes the flight on one axis.
 pub(super) const CUBIC: usize = 4;
 
-/// Fits a cubic in the time from the candidate `time`, plus the powers `hinge` of the time outside the flight; `None`
-/// if there are too few samples or the equations are singular.
+/// Fits on each axis a cubic in the time since `time`, plus the powers in `hinge` of the time outside the flight (0
+/// inside); `None` if there are too few samples or the equations are singular.
 pub(super) fn fit(
     track: &Track,
     path: &[[f64; 3]],

@@ -6,16 +6,17 @@ use super::ThrowOptions;
 use super::track::Track;
 use super::windows::half;
 
-/// Residual, in standard deviations, above which a sample deviates from its prediction.
+/// Difference between a sample and its prediction, in standard deviations, above which the sample counts as deviating.
 const STRANGE: f64 = 4.5;
-/// Number of consecutive samples that must deviate from their prediction.
+/// Number of consecutive samples that must all deviate from their prediction before the flight is examined for its end.
 const CONSECUTIVE: usize = 2;
-/// Rate of change of the acceleration in free flight, m/s³, for which a prediction across a gap allows.
+/// Rate of change of the acceleration in free flight, m/s³, for which the comparison of a sample with its prediction
+/// allows.
 const JERK: f64 = 60.0;
-/// Minimum standard deviation of a position, m.
+/// Lower bound of the estimated standard deviation of a measured position, m.
 const FINEST: f64 = 5e-5;
 
-/// Reason why following ended; indices are positions in the track.
+/// Reason why the following of a flight ended; all indices are track indices.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Stop {
     /// The track has no more samples.
@@ -30,8 +31,8 @@ pub(super) enum Stop {
 }
 
 impl Stop {
-    /// Track index of the last sample of the flight in the direction of following; `data` is that of the track's last
-    /// sample in this direction.
+    /// Track index of the last sample of the flight in the direction of following; `data` is returned for
+    /// [`Stop::Data`], and is the track index of the track's last sample in this direction.
     pub fn last(&self, data: usize) -> usize {
         match self {
             Self::Data => data,
@@ -44,15 +45,16 @@ impl Stop {
 /// Predicates that end a flight; each is called with the track index of the last sample that agreed with its
 /// prediction.
 pub(super) struct Checks<'c> {
-    /// Whether deviating samples are not part of the flight; the second argument is true at the beginning of the
-    /// flight.
+    /// Called when samples deviate from their prediction: whether the flight ends there. The second argument is true if
+    /// the flight is followed backwards in time.
     pub is_break: &'c dyn Fn(usize, bool) -> bool,
-    /// Whether the ground supports the body, even if no sample deviates.
+    /// Whether the ground supports the body at a sample. Called at every sample that is followed forwards in time,
+    /// since a slight touch may cause no deviation.
     pub touches: &'c dyn Fn(usize) -> bool,
 }
 
-/// Follows a flight from the middle of a run in both directions; returns why following stopped backward and forward in
-/// time.
+/// Follows a flight in both directions from the middle of `run`, a range of track indices in free flight. Returns the
+/// reasons why following ended at the beginning and at the end of the flight.
 pub(super) fn follow(
     track: &Track,
     path: &[[f64; 3]],
@@ -158,7 +160,8 @@ fn is_predicted(
     (0..3).all(|axis| (solution[(0, axis)] - path[place][axis]).abs() <= allowed)
 }
 
-/// Robust standard deviation of a position in a run, m, from third differences of consecutive samples.
+/// Robust standard deviation of a measured position in a range of track indices, m, from third differences of
+/// consecutive samples.
 fn noise(track: &Track, path: &[[f64; 3]], run: &Range<usize>) -> f64 {
     let half = half(track);
     let wide = run.start.saturating_sub(half / 2)..(run.end + half / 2).min(path.len());

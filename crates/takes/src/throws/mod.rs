@@ -46,7 +46,8 @@ impl Default for ThrowOptions {
 /// Cause of the beginning or the end of a throw.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cause {
-    /// The hand releases the body: the acceleration by the hand, m/s², ends.
+    /// The hand releases the body. The value is the magnitude of the jump of the acceleration at the release, m/s²; it
+    /// is 0 if the change was fitted as a jump of the velocity.
     Hand(f64),
     /// The body hits the ground: its vertical velocity jumps upwards by this amount, m/s.
     Ground(f64),
@@ -54,7 +55,8 @@ pub enum Cause {
     Stopped(f64),
     /// The body hits an obstacle: its velocity jumps by this amount, m/s, against its direction.
     Struck(f64),
-    /// The velocity or the acceleration changes in any other way.
+    /// The velocity or the acceleration changes in a way that fits none of the causes `Hand`, `Ground`, `Stopped` and
+    /// `Struck`.
     Disturbed,
     /// The body is not seen for this time, s.
     Gap(f64),
@@ -134,7 +136,8 @@ pub fn find_throws(take: &Take, labels: &[&str], options: &ThrowOptions) -> Thro
     found
 }
 
-/// Runs of at least 3 consecutive windows that are free flight.
+/// Ranges of track indices of at least 3 consecutive samples in whose windows (local quadratic fits) the motion is free
+/// flight.
 fn runs(track: &Track, windows: &[Option<Window>], options: &ThrowOptions) -> Vec<Range<usize>> {
     let noise = windows::noise(windows);
     let mut runs: Vec<Range<usize>> = Vec::new();
@@ -155,7 +158,8 @@ fn runs(track: &Track, windows: &[Option<Window>], options: &ThrowOptions) -> Ve
     runs
 }
 
-/// Throw around a run, with its range of track indices; `None` if no samples remain between beginning and end.
+/// Locates the ends of the free flight around `run`, a range of track indices in free flight. Returns the flight as a
+/// range of track indices and as a throw; `None` if too few samples remain between its beginning and its end.
 fn throw(
     track: &Track,
     windows: &[Option<Window>],
@@ -195,7 +199,8 @@ fn throw(
     Some((first..last + 1, throw))
 }
 
-/// Cause of the change at the beginning (`early`) or the end of a flight.
+/// Cause of the `change` of motion at the beginning (`early`) or the end of a flight; `stop` is the reason why the
+/// flight could not be followed beyond this change.
 fn cause(track: &Track, stop: &Stop, change: &Change, early: bool) -> Cause {
     match stop {
         Stop::Data => Cause::Recording,

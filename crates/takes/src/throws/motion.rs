@@ -4,7 +4,8 @@ use super::norm;
 use super::track::Track;
 use crate::take::Take;
 
-/// Maximum time between two samples, in sampling intervals, over which differences are taken.
+/// Maximum time between two samples, in sampling intervals, for the speed and the rate of rotation between the two
+/// samples to be computed; a longer time is a gap.
 const GAP: f64 = 1.5;
 
 /// Time series of a followed body over its take; values are not finite where the body is not seen.
@@ -21,8 +22,8 @@ pub struct Motion {
     pub rotation: Option<Vec<f64>>,
 }
 
-/// Computes the motion of the points or bodies named in `labels` in a take with z up; `None` if they are never seen
-/// together.
+/// Computes the motion of the points or bodies named in `labels` in a take with z up; `None` if fewer than two samples
+/// show all of them together.
 pub fn motion(take: &Take, labels: &[&str]) -> Option<Motion> {
     let track = Track::new(take, labels, &mut Vec::new())?;
     let mut motion = Motion::default();

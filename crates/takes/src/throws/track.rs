@@ -28,7 +28,7 @@ pub(super) struct Track {
 
 impl Track {
     /// Follows the named points or body; if `labels` is empty, the first tracked body or the largest cluster of points
-    /// that move as one. Returns `None` and adds a note if they are not seen together in two samples or more.
+    /// that move as one. Returns `None` and adds a note if the points or the body are seen in fewer than two samples.
     pub fn new(take: &Take, labels: &[&str], notes: &mut Vec<String>) -> Option<Self> {
         let is_named = |label: &str| labels.is_empty() || labels.contains(&label);
         let named: Vec<usize> = (0..take.points.len())

@@ -7,27 +7,28 @@ use nalgebra::{SMatrix, SVector};
 use super::track::Track;
 use super::{dot, norm};
 
-/// Half-width of a window, s.
+/// Half of the time span of the samples to which a local quadratic is fitted, s.
 const HALF: f64 = 0.042;
-/// Minimum number of samples on each side of a window's centre.
+/// Minimum number of samples on each side of the central sample of a local quadratic fit.
 const LEAST: usize = 4;
 /// Standard acceleration of gravity, m/s².
 pub(super) const GRAVITY: f64 = 9.81;
 /// Speed below which a body that does not fall counts as carried or at rest, m/s.
 pub(super) const SLOW: f64 = 1.0;
-/// Bound of the aerodynamic acceleration: constant part, m/s², and coefficient of the square of the speed, 1/m. For
-/// comparison, a shuttlecock, with a terminal speed of 6.8 m/s, has a coefficient of 0.21 1/m.
+/// Constants a and b of the maximum aerodynamic acceleration a + b V² of a body in free flight at the speed V: a in
+/// m/s², b in 1/m. For comparison, a shuttlecock, with a terminal speed of 6.8 m/s, has b = 0.21 1/m.
 const AERODYNAMIC: (f64, f64) = (3.0, 0.3);
-/// Maximum acceleration along the velocity without gravity, m/s²: still air does not accelerate a body forwards, but
-/// wind may do so slightly.
+/// Maximum aerodynamic acceleration of a body in free flight along its velocity, m/s²: still air does not accelerate a
+/// body forwards, but wind may do so slightly.
 const PUSH: f64 = 2.5;
-/// Maximum residual of a smooth window, in standard deviations.
+/// Maximum ratio of the residual of a local quadratic fit to the standard deviation of a measured position, for the
+/// motion to count as smooth.
 const SMOOTH: f64 = 2.5;
-/// Prior standard deviation of the distance from a cluster's centroid to the body point that moves smoothly, m.
+/// Prior standard deviation of each coordinate of [`Window::offset`], m.
 const OFFSET: f64 = 0.1;
-/// Minimum standard deviation of a position, m.
+/// Lower bound of the estimated standard deviation of a measured position, m.
 const FINEST: f64 = 5e-5;
-/// Standard deviation of a position that is assumed for the weight of the prior, m.
+/// Standard deviation of a measured position, m, that is assumed for the weight of the prior on [`Window::offset`].
 const TYPICAL: f64 = 1e-3;
 
 /// Quadratic in time fitted to the samples around one sample.
@@ -35,7 +36,8 @@ const TYPICAL: f64 = 1e-3;
 pub(super) struct Window {
     pub velocity: [f64; 3],
     pub acceleration: [f64; 3],
-    /// Position of the body point that moves smoothly, relative to the centroid in the cluster's axes, m.
+    /// Position of the body point that moves smoothly (in free flight the centre of mass) relative to the centroid of
+    /// the followed points, in the body-fixed axes of these points, m.
     pub offset: [f64; 3],
     /// Standard deviation of the residuals on one axis, m.
     pub residual: f64,
@@ -64,7 +66,7 @@ pub(super) fn allowed(velocity: [f64; 3], air: [f64; 3], slack: f64) -> bool {
         && (push <= PUSH + slack || speed <= SLOW)
 }
 
-/// Number of samples on each side of a window's centre.
+/// Number of samples on each side of the central sample of a local quadratic fit.
 pub(super) fn half(track: &Track) -> usize {
     ((HALF / track.step).round() as usize).max(LEAST)
 }
@@ -128,8 +130,8 @@ fn window(track: &Track, i: usize, half: usize) -> Option<Window> {
     })
 }
 
-/// Standard deviation of a position, m: lower tercile of the windows' residuals, since the quieter windows are free
-/// flight or rest.
+/// Estimates the standard deviation of a measured position, m, as the lower tercile of the windows' residuals: the
+/// residuals of windows in free flight or at rest are the smallest.
 pub(super) fn noise(windows: &[Option<Window>]) -> f64 {
     let mut residuals: Vec<f64> = windows.iter().flatten().map(|w| w.residual).collect();
     residuals.sort_by(f64::total_cmp);
@@ -137,7 +139,8 @@ pub(super) fn noise(windows: &[Option<Window>]) -> f64 {
     quiet.max(FINEST)
 }
 
-/// Median offset of the smoothly moving point over a run of windows, m.
+/// Position of the smoothly moving body point relative to the centroid of the followed points, in their body-fixed
+/// axes, m: median of [`Window::offset`] over the windows in `run`.
 pub(super) fn offset(windows: &[Option<Window>], run: &Range<usize>) -> [f64; 3] {
     [0, 1, 2].map(|axis| {
         let each = windows[run.clone()].iter().flatten();

@@ -38,8 +38,8 @@ impl Certificate {
         changes
     }
 
-    /// Lists the changes found by hashes and by repeating the checks. `same` selects the models that describe the same
-    /// motion and are compared with each other.
+    /// Lists the changes since the certificate was written, as found by hashes and by repeating the checks. `same`
+    /// selects the models that describe the same motion and are therefore compared with each other.
     pub fn changes_again(&self, folder: &Path, same: impl Fn(&Model) -> bool) -> Vec<Change> {
         let mut changes = self.changes(folder);
         let options = self.options.options();

@@ -86,11 +86,13 @@ pub struct HashedSource {
 pub struct Fingerprint {
     /// Texts of the model, followed by the texts of the effects.
     pub sources: Vec<HashedSource>,
-    /// Hash of the schedules of all functions, which every backend prints or interprets.
+    /// Hash of the scheduled statement lists of all compiled functions, which every backend prints as code or
+    /// interprets.
     pub schedule: Hash,
-    /// Hash of the plain Rust code of the model.
+    /// Hash of the plain Rust code generated from the model.
     pub rust: Hash,
-    /// Hash of the bits of the tape's results at seeded points, computed without fused multiply-add.
+    /// Hash of the bits of all results of the bytecode interpreter at pseudo-random points, computed without fused
+    /// multiply-add.
     pub results: Hash,
 }
 

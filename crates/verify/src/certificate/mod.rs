@@ -103,7 +103,7 @@ pub struct CertifiedCheck {
     pub measure: Measure,
     /// Point or item with the maximum error, or why the check was not made.
     pub detail: String,
-    /// Limitation of the check: what it does not cover.
+    /// Limitation of the check (what it does not cover for this model); `None` if there is none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub remark: Option<String>,
 }
@@ -224,8 +224,8 @@ fn outcome(models: &[CertifiedModel], same_motion: &[CertifiedCheck]) -> Outcome
         .unwrap_or(Outcome::NotVerified)
 }
 
-/// Results of the comparisons of each pair of models with the same motion. As in the command, accelerations that were
-/// not compared count as refuted.
+/// Results of the comparisons of each pair of models that describe the same motion. Accelerations that could not be
+/// compared count as refuted.
 fn pairs(same_motion: Option<&SameMotion>) -> Vec<CertifiedCheck> {
     let pairs = same_motion.into_iter().flat_map(|same| &same.pairs);
     pairs

@@ -26,7 +26,7 @@ or, of a body that does not turn,
 Then it is checked that the position changes by the velocity, the attitude by the angular velocity, the momentum by the
 force and the angular momentum by the moment; energy, flights and symmetries; and a wrong equation is named with its term.";
 
-/// Numbers of the axes of the inertial frame, for messages.
+/// Indices, from 1, of the axes of the inertial frame, for messages that name the axis of a deviation.
 const AXES: [u8; 3] = [1, 2, 3];
 
 /// Checks the laws of the claimed body at random points, with effects off. `None` for a model with a body, whose
@@ -77,8 +77,8 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Option<Row> {
     Some(row.saying(lines.join("\n")))
 }
 
-/// Lines of text about laws of the claimed body that no rates of the states can satisfy. Then the claim contradicts
-/// itself, and the equations alone are not at fault.
+/// One line of text for each law of motion of the claimed body that no rates of the states can satisfy. Such a law
+/// means that the claim contradicts itself, whatever the stated equations are.
 fn unsatisfied(subject: &Subject<'_>, options: &Options) -> Vec<String> {
     let mut random = Random::new(options.seed, CLAIM);
     let point = subject.without_effects(sample::point(subject.model, &mut random));

@@ -41,7 +41,8 @@ fn three_ways(value: f64, derivative: f64) -> ThreeWays {
     }
 }
 
-/// Checks every entry of every Jacobian, structural zeros included.
+/// Compares every entry of every Jacobian of the compiled model, structural zeros included, with three differentiation
+/// methods applied to the model's vector expressions, and with the reference implementation.
 pub fn check(subject: &Subject<'_>, equations: &dyn Differentiable, options: &Options) -> Vec<Row> {
     let cases = options.cases.div_ceil(4);
     let mut random = Random::new(options.seed, "derivatives");
@@ -73,7 +74,7 @@ pub fn check(subject: &Subject<'_>, equations: &dyn Differentiable, options: &Op
 struct Comparison<'a> {
     subject: &'a Subject<'a>,
     variables: Vec<String>,
-    /// Maximum error of each check in [`CHECKS`].
+    /// Maximum error found by each check in [`CHECKS`], in that order.
     worst: [Worst; 4],
 }
 
@@ -148,8 +149,9 @@ impl Comparison<'_> {
     }
 }
 
-/// Whether the reference implementation contains a variable. It contains neither added states nor coefficients unknown
-/// to the law.
+/// Whether the reference implementation has the model's variable with this index, so that derivatives with respect to
+/// it can be compared. It lacks the states and coefficients that the reference law does not contain, such as those of
+/// effects.
 fn has_reference(model: &Model, reference: &Reference, variable: usize) -> bool {
     if model.added_states().contains(&variable) {
         return false;
@@ -226,8 +228,9 @@ fn seed<T: Real>(
     out
 }
 
-/// Directional derivative of each row for variable `j`, from the Jacobians. The magnitude is the sum of the absolute
-/// entries, because the direction is tangent to the unit sphere only up to rounding.
+/// Directional derivative of each row for the variable with index `j`, from the Jacobians in `got`. The error bound is
+/// the sum of the absolute entries, because the direction is tangent to the unit sphere of quaternions only up to
+/// rounding.
 fn along(got: &Derivatives, model: &Model, point: &Point<f64>, j: usize) -> Vec<ErrorBound> {
     let mut direction = direction(model, point, j);
     direction.resize(got.entries.first().map_or(0, Vec::len), 0.0);
@@ -244,7 +247,8 @@ fn along(got: &Derivatives, model: &Model, point: &Point<f64>, j: usize) -> Vec<
     got.entries.iter().map(sum).collect()
 }
 
-/// Difference of two derivatives, relative to the larger of the two running magnitudes.
+/// Difference between an expected derivative and one from the Jacobian, relative to the larger of the two sums of the
+/// magnitudes of their terms.
 fn error(expected: f64, magnitude: f64, got: ErrorBound) -> f64 {
     ErrorBound {
         value: expected,
@@ -253,9 +257,9 @@ fn error(expected: f64, magnitude: f64, got: ErrorBound) -> f64 {
     .relative_error(got.value)
 }
 
-/// Magnitude to which an entry is compared if it has no terms in the vector tree. Code compiled in the components of
-/// another frame may have terms that cancel up to rounding; their size is estimated by the magnitude of the value /
-/// that of the variable.
+/// Magnitude to which the error of a Jacobian entry is compared if the entry has no terms in the model's vector
+/// expressions. Compiled code in components of another frame may have terms there that cancel up to rounding. Their
+/// magnitude is estimated as that of the row's value, divided by max(|variable|, 1).
 fn cancelled(value: ErrorBound, variable: f64) -> f64 {
     value.magnitude / variable.max(1.0)
 }
@@ -281,7 +285,8 @@ fn tree_column<T: Real>(model: &Model, point: &Point<T>) -> Option<Vec<T>> {
     Some(out)
 }
 
-/// State derivatives with respect to the clock's time, followed by the observation, from the reference implementation.
+/// Derivatives of the states with respect to the time of the measuring clock, followed by the components of the
+/// observation, from the reference implementation. `clock_rate`: seconds of flight per second of that clock.
 fn reference_column(
     reference: &Reference,
     model: &Model,

@@ -93,8 +93,8 @@ pub fn compare(
     Some(Ok(worst))
 }
 
-/// Returns the point with random effect coefficients within half their bounds. Larger values may make the inertia
-/// singular.
+/// Returns the point with the coefficients of effects set to random values within half of their bounds, because larger
+/// values may make the inertia singular.
 fn at_work(model: &Model, mut point: Point<f64>, random: &mut Random) -> Point<f64> {
     for c in model.effects.iter().flat_map(|e| &e.coefficients) {
         let (low, high) = model.coefficients[c.index].bounds.unwrap_or((-1.0, 1.0));

@@ -17,9 +17,9 @@ use oracle::{Point, derivatives};
 /// Name of this check in reports: effects at their null values against the model without effects.
 pub const EFFECTS: &str = "effects at null values";
 
-/// Returns models with effects, and the model without effects. If the loaded model has effects, the list contains only
-/// this model; otherwise it contains one model per candidate effect, and one with all candidates that the file does not
-/// declare. `None` if the source cannot be loaded without effects.
+/// Returns a list of models with effects, and the model without effects. If the loaded model has effects, the list
+/// contains only that model. Otherwise it contains one model for each effect that can be added, and one with all of
+/// these except the effects declared in the model file. `None` if the source does not load without effects.
 pub fn variants(loaded: &Loaded) -> Option<(Vec<Model>, Model)> {
     let source = loaded.sources.first()?;
     let apply = |with: &[&str]| from_text(&source.name, &source.text, with).ok();
@@ -105,7 +105,8 @@ pub fn check(without: &Model, with: &[Model], options: &Options) -> Row {
     }
 }
 
-/// Returns the point with all coefficients and states of effects at their null values.
+/// Returns the point with all coefficients and states of the model's effects at their null values, at which the effects
+/// do not act.
 fn off(model: &Model, mut point: Point<f64>) -> Point<f64> {
     for c in model.effects.iter().flat_map(|e| &e.coefficients) {
         point.coefficients[c.index] = c.null_value;
@@ -116,7 +117,8 @@ fn off(model: &Model, mut point: Point<f64>) -> Point<f64> {
     point
 }
 
-/// Maps a point to the indices of the model without effects; `None` if a name is missing.
+/// Converts a point of the model `with` effects to a point of the model `without` effects, by the names of states,
+/// parameters, coefficients and inputs. `None` if a name is missing in the model with effects.
 fn bare(without: &Model, with: &Model, point: &Point<f64>) -> Option<Point<f64>> {
     let mut bare = Point::defaults(without);
     bare.time = point.time;

@@ -24,7 +24,8 @@ pub const POINTS: usize = 8;
 /// Upper bound of the total degree of the compared rational functions.
 const DEGREE: f64 = 1e3;
 
-/// Compares compiled derivatives with the oracle's under free loads. Skipped for models with stated equations.
+/// Compares the compiled derivatives of the model's rigid body with those of the oracle, in exact arithmetic, with all
+/// loads replaced by an arbitrary force and moment. The check is skipped for models with stated equations.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     if subject.model.body.is_none() {
         return match &subject.reference {
@@ -36,7 +37,8 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     compare(&model, &codegen::compile(&model), options)
 }
 
-/// Compares a compiled model with the oracle. The last two inputs of the model must be the free force and moment.
+/// Compares the derivatives of a compiled model with those of the oracle at random points of the prime field. The last
+/// two inputs of the model must be the free force and moment from [`free_loads`].
 pub fn compare(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     let mut random = Random::new(options.seed, EXACT);
     let mut faults = Vec::new();

@@ -23,13 +23,14 @@ use oracle::{Point, Tree, derivatives_of};
 /// Name of this check in reports: f, J, Jp and the observation in exact arithmetic.
 pub const FUNCTIONS: &str = "f, J and Jp, exact";
 
-/// Maximum number of trial points. A trial succeeds only if the argument of every root is a square in the field.
+/// Maximum number of random trial points of the prime field. A trial point is usable only if the argument of every
+/// square root is a square in the field.
 const MAX_TRIALS: usize = 4096;
 
 /// Upper bound of the total degree of the compared functions, in variables and symbols.
 const DEGREE: f64 = 1e4;
-/// Number of points with a value of the law but no value of the code after which the code is considered to contain a
-/// different root.
+/// Number of trial points, at which the roots of the declared law exist in the prime field but those of the compiled
+/// code do not, from which the code counts as containing a different root.
 const LACKING: usize = 64;
 
 /// Compares f, J, Jp and the observation of a compiled model with the vector tree, and returns the row of the report.
@@ -72,8 +73,8 @@ pub fn check(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     Row::counted(FUNCTIONS, good, &faults, &says)
 }
 
-/// Row for functions that the field cannot decide: refuted if they differ in 256-bit arithmetic, otherwise skipped with
-/// the reason `why`.
+/// Row of the report for functions that the prime field cannot decide, for the reason `why`. The row is refuted if code
+/// and law differ in 256-bit arithmetic, otherwise skipped with that reason.
 fn in_long_arithmetic(model: &Model, compiled: &Compiled, options: &Options, why: &str) -> Row {
     let mut random = Random::new(options.seed, "f, J and Jp in 256 bits");
     match long_functions::differences(model, compiled, &mut random) {
@@ -86,7 +87,7 @@ fn in_long_arithmetic(model: &Model, compiled: &Compiled, options: &Options, why
     }
 }
 
-/// Result of the comparison at one point of the field.
+/// Result of comparing compiled code with the declared law at one point of the prime field.
 enum Compared {
     /// Descriptions of the entries that differ; empty if all agree.
     At(Vec<String>),
@@ -149,8 +150,9 @@ fn compare(model: &Model, compiled: &Compiled, spot: &Spot) -> Compared {
     Compared::At(faults)
 }
 
-/// Value and directional derivative of every state derivative and of the observation, from the vector tree; `None` if a
-/// value does not exist.
+/// Every state derivative and component of the observation, from the model's vector expressions over the prime field,
+/// each as (value, derivative with respect to the variable with the given index: states first, then parameters; for a
+/// state, along `direction` in state space). `None` if a value does not exist in the field.
 fn law(
     model: &Model,
     spot: &Spot,
@@ -186,8 +188,8 @@ fn law(
     )
 }
 
-/// Reason for which a difference in the field is no proof: operations in the programs for which the field has no
-/// relations. `None` if there are none.
+/// Reason why different values in the prime field do not prove that code and law differ: the code contains branches or
+/// rounded constants, for which the field has no algebraic relations. `None` if such a difference is a proof.
 fn undecided(compiled: &Compiled) -> Option<&'static str> {
     let statements = compiled
         .functions()

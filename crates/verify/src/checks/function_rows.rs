@@ -5,8 +5,9 @@ use model_spec::model::{FrameKind, Model};
 use oracle::scalar::Field;
 use std::ops::Range;
 
-/// Range of the rows of the law that a function computes (`states` state derivatives first, `all` rows in total), and
-/// the names of its sections with the values and the two Jacobians.
+/// For a function of the dynamics or of the observation: the range of the rows that it computes, and the names of its
+/// sections of values and of the Jacobians with respect to states and to parameters. Of `all` rows, the first `states`
+/// are state derivatives, the others components of the observation.
 pub(crate) fn sections(
     function: &Function,
     states: usize,
@@ -18,8 +19,9 @@ pub(crate) fn sections(
     }
 }
 
-/// Directional derivative of a row, from the Jacobian entries of a function; `None` if the function has no such
-/// Jacobian.
+/// Derivative of one row of a function with respect to the variable with the given index (states first, then
+/// parameters); for a state, along `direction` in state space. Computed from the Jacobian entries among `values`;
+/// `None` if the function has no such Jacobian.
 pub(crate) fn along<T: Field>(
     function: &Function,
     values: &[T],

@@ -88,7 +88,8 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     Row::judged(IDENTITIES, options.cases, &worst, TOLERANCE)
 }
 
-/// Checks the same balances for the claimed body of stated equations, with random values of the author's coefficients.
+/// Checks the balances of momentum, angular momentum, energy and position for the body that stated equations claim to
+/// describe. Effects are off; coefficients added by the model's author have random values.
 fn of_claim(subject: &Subject<'_>, options: &Options) -> Row {
     let mut random = Random::new(options.seed, IDENTITIES);
     let mut worst = Worst::default();
@@ -119,10 +120,10 @@ fn of_claim(subject: &Subject<'_>, options: &Options) -> Row {
     Row::judged(IDENTITIES, options.cases, &worst, TOLERANCE)
 }
 
-/// Loads and mass properties at a point. The loads are those of the model's body, or of the reference law if the model
-/// has no body. Mass and inertia are those of the reference law, so that a wrong mass in the model is detected; those
-/// of the body if there is no reference or `with_own` is set (the author's coefficients are not null). `None` if there
-/// is neither a body nor a reference.
+/// Force and moment, and mass properties, at a point. The loads are those of the model's body, else those of the
+/// reference law. The mass properties are those of the reference law, so that a wrong mass in the model is detected;
+/// without a reference law or if `with_own` (coefficients added by the author act), those of the body. `None` if the
+/// model has neither.
 fn loads(
     subject: &Subject<'_>,
     point: &Point<ErrorBound>,

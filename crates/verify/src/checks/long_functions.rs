@@ -13,11 +13,13 @@ use model_spec::model::Model;
 use oracle::scalar::{Dual, ErrorBound, Real};
 use oracle::{Point, Tree, derivatives_of};
 
-/// Number of points; several, so that functions with branches are likely to take each branch.
+/// Number of points at which the functions are compared. One point would not be enough, because functions with branches
+/// should take each branch at some point.
 const POINTS: usize = 8;
 /// Maximum number of draws of points at which rounding decides no branch.
 const DRAWS: usize = 30;
-/// Maximum difference relative to the magnitude of the terms: about a thousand rounding errors of constants.
+/// Maximum difference between compiled code and model, relative to the magnitude of the terms. It is about a thousand
+/// times the error of a constant that the code rounds to f64.
 const TOLERANCE: f64 = 1e-13;
 
 /// Values of a compiled function, with the magnitudes of the values' terms.
@@ -27,7 +29,8 @@ struct Evaluated<'a> {
     bounds: Vec<ErrorBound>,
 }
 
-/// Names of the values and derivatives that differ; `None` if no point was found at which the comparison is possible.
+/// Names of the values and derivatives in which the compiled functions differ from the model's vector expressions;
+/// empty if all agree. `None` if rounding may decide a branch at every drawn point, so that nothing was compared.
 pub fn differences(model: &Model, compiled: &Compiled, random: &mut Random) -> Option<Vec<String>> {
     let (mut faults, mut made) = (Vec::new(), 0);
     for _ in 0..DRAWS {
@@ -45,7 +48,8 @@ pub fn differences(model: &Model, compiled: &Compiled, random: &mut Random) -> O
     (made > 0).then_some(faults)
 }
 
-/// Names of the differences at a point; `None` if rounding may decide a branch there.
+/// Names of the values and derivatives in which the compiled functions differ from the model's vector expressions at a
+/// point; `None` if rounding may decide a branch at this point.
 fn at(model: &Model, compiled: &Compiled, point: &Point<f64>) -> Option<Vec<String>> {
     let all = evaluated(compiled, point)?;
     let states: Vec<Big> = point.states.iter().map(|&s| Big::lit(s)).collect();
@@ -112,8 +116,8 @@ fn evaluated<'a>(compiled: &'a Compiled, point: &Point<f64>) -> Option<Vec<Evalu
     each.collect()
 }
 
-/// Whether a value of the code differs from that of the law by more than rounded constants explain. `terms` are the
-/// magnitudes of the terms of the code and of the law.
+/// Whether a value `found` by the compiled code differs from the value `expected` by the declared law by more than
+/// constants rounded to f64 explain. `terms` are the magnitudes of the terms of the code and of the law.
 fn differs(found: Big, expected: Big, terms: [ErrorBound; 2]) -> bool {
     let difference = (found - expected).re().abs();
     let size = terms
@@ -122,8 +126,9 @@ fn differs(found: Big, expected: Big, terms: [ErrorBound; 2]) -> bool {
     difference.is_nan() || difference > TOLERANCE * size.max(f64::MIN_POSITIVE)
 }
 
-/// Value and directional derivative of every state derivative and of the observation, from the vector tree; `None` if
-/// the tree cannot be evaluated.
+/// Every state derivative and the components of the observation, from the model's vector expressions, each with its
+/// derivative with respect to the variable with the given index (states first, then parameters); for a state, along
+/// `direction` in state space. `None` if the model has no equations of motion.
 fn law<T: Real>(
     model: &Model,
     at: &Point<f64>,

@@ -48,8 +48,9 @@ impl Relation {
     ];
 }
 
-/// Checks every relation with the extra coefficients at their null values. Also reports the relations that each extra
-/// coefficient breaks, which is no fault.
+/// Checks that the motion is invariant under every transformation that applies to the model, with the coefficients that
+/// the reference law does not contain at their null values. Also lists the transformations under which the motion is
+/// not invariant if one such coefficient acts; that is not a fault.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     let Some(meaning) = Meaning::of(subject) else {
         return subject.without_meaning(METAMORPHIC);
@@ -167,8 +168,9 @@ impl Draw {
     }
 }
 
-/// Maximum relative difference between the motion of the transformed state and the transformed motion; `None` if the
-/// states or rates cannot be determined.
+/// Error of one symmetry at a point: maximum relative difference between the velocities and accelerations computed from
+/// the transformed state and the transformed velocities and accelerations of the original state. `None` if the states
+/// or rates cannot be determined.
 fn error(
     subject: &Subject<'_>,
     meaning: &Meaning<'_>,
@@ -277,7 +279,8 @@ fn map_change(c: &PhysicalRate, polar: &Matrix3<f64>, axial: &Matrix3<f64>) -> P
     }
 }
 
-/// Whether the inertia is invariant under reflection of the second axis.
+/// Whether the inertia tensor is invariant under reflection of the second axis, so that the mirrored body is the same
+/// body.
 fn is_symmetric(model: &Model, point: &Point<f64>) -> bool {
     let rotation = model.body.as_ref().and_then(|b| b.rotation.as_ref());
     let claimed = model.claim.as_ref().and_then(|c| c.rotation.as_ref());

@@ -14,8 +14,8 @@ pub const REFERENCE: &str = "reference";
 /// Name in reports of the check against the vector tree.
 pub const TREE: &str = "vector tree";
 
-/// Compares derivatives and observation with the reference law of the model, with extra coefficients at their null
-/// values.
+/// Compares state derivatives and observation with those of the reference law that the model claims. Coefficients of
+/// the model that the law does not contain have their null values, at which they do not act.
 pub fn reference(subject: &Subject<'_>, options: &Options) -> Row {
     if let Some(why) = &subject.unbound {
         return Row::counted(REFERENCE, 1, &[why.to_string()], "");
@@ -72,8 +72,9 @@ pub fn reference(subject: &Subject<'_>, options: &Options) -> Row {
     ))
 }
 
-/// Lists the author's coefficients that make the equations differ from the law, one line each; `None` if there are
-/// none. Each coefficient is tried at random nonzero values and at its stated value.
+/// Lists the coefficients added by the model's author that make the equations differ from the reference law, one line
+/// each; `None` if there are none. Each coefficient is tested at random nonzero values and at the value stated in the
+/// model.
 fn uncovered(
     subject: &Subject<'_>,
     reference: &Reference,
@@ -129,7 +130,8 @@ fn note(worst: &mut Worst, refused: &mut Vec<String>, error: f64, name: String) 
     worst.see(error, || name);
 }
 
-/// Compares derivatives and observation with the vector tree of the model, with nonzero values of all coefficients.
+/// Compares state derivatives and observation of the equations under test with those that the oracle computes from the
+/// vector expressions of the model (its vector tree). All coefficients have random nonzero values.
 pub fn tree(subject: &Subject<'_>, options: &Options) -> Row {
     let model = subject.model;
     let mut random = Random::new(options.seed, TREE);

@@ -14,7 +14,7 @@ use std::f64::consts::FRAC_PI_2;
 /// Name of this check in reports: finite results at singular points.
 pub const SINGULAR: &str = "singular points";
 
-/// Checks that every result of every function of every backend is finite at every singular point.
+/// Checks that every result of every compiled function is finite on every backend, at each of the singular points.
 pub fn check(points: &[(String, Point<f64>)], compiled: &Compiled, runs: &[Run]) -> Row {
     let mut faults = Vec::new();
     for run in runs {
@@ -97,7 +97,8 @@ pub fn points(model: &Model) -> Vec<(String, Point<f64>)> {
     out
 }
 
-/// Whether a point is within every limit that the text of the model states.
+/// Whether a point is within every validity limit that is written in the model file, as opposed to limits that the
+/// language adds.
 fn is_within_stated(model: &Model, point: &Point<f64>) -> bool {
     let items = model.tree.items.iter();
     let stated = items.filter(|item| matches!(item.kind, ItemKind::Limit(_)));

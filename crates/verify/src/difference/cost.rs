@@ -11,7 +11,7 @@ use serde::Serialize;
 use std::collections::BTreeSet;
 use std::time::Instant;
 
-/// A quantity of the old and of the new model.
+/// Values of one quantity for the old and for the new model.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Pair<T> {
     /// Value for the old model.
@@ -158,7 +158,8 @@ pub fn time(old: &Everything<'_>, new: &Everything<'_>, pairing: &Pairing) -> Ti
     }
 }
 
-/// A model's derivatives on a tape, with points and the prepared values of each point.
+/// State derivatives of a model as a program of the bytecode interpreter, with the points for measuring time and the
+/// parameter-only values computed in advance for each point.
 struct Derivatives {
     tape: Tape,
     points: Vec<(Point<f64>, Vec<f64>, Vec<f64>)>,

@@ -9,7 +9,7 @@ use ode::Method;
 use oracle::{Chart, Point};
 use serde::Serialize;
 
-/// Number of random releases for a model without named releases.
+/// Number of random releases from which flights are compared, if there is no named release for the model.
 const RELEASES: usize = 3;
 /// Weight of the random point in a release that is interpolated between the defaults and a random point.
 const SPREAD: f64 = 0.2;
@@ -25,7 +25,7 @@ pub struct FlightShift {
     pub seconds: f64,
     /// Distance between the final positions, m; `None` if a model has no position.
     pub distance_m: Option<f64>,
-    /// Name of the state that differs most at the end of the flight, relative to its size.
+    /// Name of the state whose final values in the two flights differ most, relative to the magnitude of the state.
     pub state: String,
     /// Value of the state named in `state` at the end of the old model's flight.
     pub old: f64,
@@ -67,8 +67,9 @@ pub fn shifts(
         .collect()
 }
 
-/// Named releases of the old model: name, point, and the indices of the parameters that the release sets. If `own` is
-/// false, also releases of other models whose names the old model has.
+/// Built-in releases that fit the old model: name, point, and the indices of the parameters that the release sets. If
+/// `own` is true, only releases written for this model. Otherwise also releases of other models, if the old model has
+/// all names that they use.
 fn named(old: &Everything<'_>, own: bool) -> Vec<(String, Point<f64>, Vec<usize>)> {
     let model = old.model;
     let read = |&(name, text): &(&str, &str)| {

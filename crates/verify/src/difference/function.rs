@@ -15,14 +15,17 @@ use serde::Serialize;
 
 /// Number of random field points at which values must be equal for functions to count as equal.
 const POINTS: usize = 4;
-/// Maximum number of trial points. A trial succeeds only if the argument of every root is a square in the field.
+/// Maximum number of random trial points of the prime field. A trial point is usable only if the argument of every
+/// square root is a square in the field.
 const MAX_TRIALS: usize = 4096;
-/// Minimum magnitude of a named quantity, SI, so that a value that is 0 except for rounding counts as 0.
+/// Lower bound of the magnitude, in SI units, to which the difference of two auxiliary variables or loads is compared.
+/// With it, values that are 0 except for rounding count as equal.
 const FLOOR: f64 = 1e-6;
 /// Number of random points of the floating-point comparison.
 const NUMBERS: usize = 24;
 
-/// Result of the comparison of one row.
+/// Result of comparing one output of the old model with the corresponding output of the new model: a state derivative,
+/// a component of the observation, a validity limit, an auxiliary variable or a load.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Sameness {
@@ -39,12 +42,13 @@ pub enum Sameness {
 pub struct Compared {
     /// Whether the outputs are the same function.
     pub sameness: Sameness,
-    /// Maximum difference at random points, relative to the sum of the magnitudes of the terms.
+    /// Maximum difference between the two outputs at random points, relative to the sum of the magnitudes of the terms.
     pub error: f64,
 }
 
-/// Compares pairs of outputs (old, new) of two models at common values of all paired symbols. Unpaired symbols of the
-/// new model have random values, or their default values if `stated`.
+/// Compares pairs of outputs (index in the old model, index in the new model) as functions of the states and
+/// parameters. Paired states and parameters have equal values, the others random values; if `stated`, unpaired
+/// parameters have the default values of their model instead.
 pub fn compare(
     old: &Everything<'_>,
     new: &Everything<'_>,
@@ -67,7 +71,8 @@ pub fn compare(
     exact.into_iter().zip(errors).map(outcome).collect()
 }
 
-/// For each pair, whether the values are equal at random points of the field; `None` if undecided.
+/// For each pair of outputs (old, new), whether both have the same value at random points of the prime field; `None` if
+/// the values exist in the field at too few points. `stated`: see [`compare`].
 fn exactly(
     old: &Everything<'_>,
     new: &Everything<'_>,
@@ -127,7 +132,8 @@ fn spots(
     (here, there)
 }
 
-/// Returns the point with the parameters for which `keep` is false set to their defaults.
+/// Returns the point with the parameters for whose index `keep` is false set to their values in `defaults`. States and
+/// the other parameters are not changed.
 fn unpaired_at<T: Field>(
     point: &Point<T>,
     defaults: &Point<T>,
@@ -177,7 +183,8 @@ fn in_numbers(
     worst
 }
 
-/// Magnitude of the terms of output `k`; for a named vector, its maximum component.
+/// Magnitude to which a difference of output `k` is compared: the magnitude of its terms `sizes[k]`, or for an
+/// auxiliary variable or load, the maximum absolute value of its components.
 fn size(model: &Everything<'_>, sizes: &[f64], values: &[f64], k: usize) -> f64 {
     if let Some(size) = sizes.get(k) {
         return *size;

@@ -43,7 +43,7 @@ use values::Everything;
 /// Options of a comparison of two models.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DifferenceOptions {
-    /// Duration of the compared flights, s.
+    /// Duration of the flights of both models that are compared, s.
     pub seconds: f64,
     /// Whether to measure the computing time of the derivatives.
     pub time: bool,
@@ -70,11 +70,13 @@ pub struct RowChange {
     pub sameness: Option<Sameness>,
     /// Whether only the new model has the row.
     pub added: bool,
-    /// Maximum difference at random points, relative to the sum of the magnitudes of the terms.
+    /// Maximum difference between the two functions at random points, relative to the sum of the magnitudes of the
+    /// terms.
     pub error: f64,
-    /// Whether the function is the same if symbols of only one model have their stated values.
+    /// Whether the functions are the same when each parameter that only one of the models has is set to the value
+    /// stated in that model.
     pub same_at_stated_values: bool,
-    /// Changed statements, with their terms, that cause the difference.
+    /// Changed statements that cause the difference, each described with the terms that were added and removed.
     pub causes: Vec<String>,
 }
 
@@ -93,7 +95,7 @@ pub struct Difference {
     pub renamed: Vec<Renamed>,
     /// Statements that differ between the two model files.
     pub statements: Vec<Statement>,
-    /// Unit errors: messages of the language checker that only one of the models causes.
+    /// Unit errors that the language checker reports for only one of the models: its messages, by model.
     pub unit_faults: Pair<Vec<String>>,
     /// Stated units, values and bounds that differ.
     pub restated: Vec<Restated>,
@@ -207,8 +209,8 @@ pub fn compare(old: &Model, new: &Model, options: &DifferenceOptions) -> Differe
     }
 }
 
-/// Corresponding rows (old, new) of both models: derivatives of paired states, components of the observation, limits in
-/// order.
+/// Pairs of indices (old, new) of corresponding rows: derivatives of paired states, components of the observation, and
+/// validity limits in the order of the files.
 fn row_pairs(a: &Everything<'_>, b: &Everything<'_>, pairing: &Pairing) -> Vec<(usize, usize)> {
     let states = pairing.states.iter().enumerate();
     let mut pairs: Vec<(usize, usize)> = states
@@ -223,7 +225,9 @@ fn row_pairs(a: &Everything<'_>, b: &Everything<'_>, pairing: &Pairing) -> Vec<(
     pairs
 }
 
-/// Results on the rows: their names in both models, the corresponding pairs, and how these compare.
+/// Comparison of the rows (state derivatives, components of the observation, validity limits) of two models: names of
+/// the rows of each model, corresponding pairs, and how the rows of each pair compare. `stated` is the comparison with
+/// unpaired symbols at their stated values.
 struct Found<'a> {
     names: [&'a [String]; 2],
     pairs: &'a [(usize, usize)],

@@ -10,7 +10,8 @@ pub struct Names {
 }
 
 impl Names {
-    /// Records that the item `new` of a class is called `old` in the old model.
+    /// Records that an item of the given class of statements has the name `new` in the new model and `old` in the old
+    /// model.
     pub fn add(&mut self, class: &'static str, new: &str, old: &str) {
         if new != old {
             self.renamed.insert((class, new.to_owned()), old.to_owned());
@@ -23,7 +24,8 @@ impl Names {
         found.map_or_else(|| new.to_owned(), Clone::clone)
     }
 
-    /// Name in the old model for a word of the new model's text; `None` if no item of that name was renamed.
+    /// Name in the old model for a word in the text of the new model; `None` if the word is not the name of a renamed
+    /// item.
     fn word(&self, word: &str) -> Option<&str> {
         let of = |word: &str| {
             let mut entries = self.renamed.iter();

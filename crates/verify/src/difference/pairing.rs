@@ -11,7 +11,7 @@ use oracle::scalar::Field;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// Number of random points at which the influence of a symbol is measured.
+/// Number of random points at which the influence of an unpaired state or parameter on the equations is measured.
 const POINTS: usize = 3;
 /// Maximum relative difference of two values that count as equal in the pairing.
 const CLOSE: f64 = 1e-7;
@@ -97,8 +97,8 @@ impl Pairing {
             .collect()
     }
 
-    /// Returns the point `there` of the new model with all paired values replaced by those of the point `here` of the
-    /// old model.
+    /// Returns the point `there` of the new model with the values of all paired states and parameters, the time and the
+    /// marker position replaced by those of the point `here` of the old model.
     pub fn carry<T: Field>(&self, here: &Point<T>, there: &Point<T>) -> Point<T> {
         let (given, mut flat) = (parameters(here), parameters(there));
         let mut out = there.clone();
@@ -126,7 +126,8 @@ impl Pairing {
         }
     }
 
-    /// Pairs unpaired symbols of the same kind and unit by their influence on the equations, the most similar first.
+    /// Pairs the states and parameters that have no counterpart yet with symbols of the same kind and unit in the other
+    /// model, by their influence on the equations. The pair with the most similar influence is formed first.
     fn by_effect(&mut self, old: &Everything<'_>, new: &Everything<'_>) {
         let (olds, news) = self.open(old.model, new.model);
         if olds.is_empty() || news.is_empty() {
@@ -167,7 +168,7 @@ impl Pairing {
         }
     }
 
-    /// Symbols of the old and of the new model that have no counterpart.
+    /// Unpaired symbols (states and parameters) of the old and of the new model.
     fn open(&self, old: &Model, new: &Model) -> (Vec<Symbol>, Vec<Symbol>) {
         let states = (0..old.states.len()).filter(|&i| self.new_state(i).is_none());
         let count = parameters(&Point::defaults(old)).len();
@@ -186,7 +187,8 @@ fn by_name(old: &[String], new: &[String]) -> Vec<Option<usize>> {
         .collect()
 }
 
-/// Values of parameters, coefficients and components of inputs, in the order of the compiler.
+/// Values of parameters, coefficients and components of inputs in one list, in the order of the compiled model's
+/// parameter vector.
 pub fn parameters<T: Field>(point: &Point<T>) -> Vec<T> {
     let inputs = point.inputs.iter().flat_map(|v| v.iter().copied());
     let constants = point.params.iter().chain(&point.coefficients).copied();
@@ -201,8 +203,8 @@ fn set_parameters<T: Field>(point: &mut Point<T>, flat: &[T]) {
     }
 }
 
-/// State with each role in the body: a component of position, velocity or angular velocity, or an angle or rate of
-/// rotation.
+/// Index of the state that has each role in the model's body, by (name of the role, index of the component). Roles are
+/// position, velocity, angular velocity, angles and angular rates of frames, and quaternion; empty without a body.
 fn roles(model: &Model) -> BTreeMap<(&'static str, usize), usize> {
     let mut out = BTreeMap::new();
     let Some(body) = &model.body else {
@@ -251,11 +253,12 @@ fn value(model: &Model, (is_state, index): Symbol) -> f64 {
     }
 }
 
-/// Influence of each unpaired symbol on the values of a model: values at points where this symbol differs from the
-/// other unpaired symbols of its kind and unit, which are equal.
+/// Influence of each unpaired state or parameter on the rows of a model (state derivatives and observation). It is
+/// given by the values of the rows at points where the symbol has a value different from that of the other unpaired
+/// symbols of its kind and unit, which all have the same value.
 struct Effects {
-    /// By symbol and point: values of the rows that correspond to rows of the other model, then the sorted values of
-    /// the remaining rows.
+    /// For each unpaired symbol and each random point: values of the rows that have a counterpart in the other model,
+    /// and the sorted values of the remaining rows.
     values: Vec<Vec<(Vec<f64>, Vec<f64>)>>,
 }
 
@@ -322,7 +325,8 @@ impl Effects {
         }
     }
 
-    /// Number of values that differ between symbol `here` of this model and symbol `there` of the other.
+    /// Number of row values that differ between the influence of the unpaired symbol `here` of this model and that of
+    /// the unpaired symbol `there` of the model `other`; 0 if the two symbols may correspond.
     fn conflicts(&self, here: usize, other: &Self, there: usize) -> usize {
         let differ = |a: &[f64], b: &[f64]| {
             let unequal = a.iter().zip(b).filter(|(a, b)| !is_close(**a, **b));

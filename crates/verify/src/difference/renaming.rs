@@ -16,7 +16,8 @@ pub fn same_frame(old: &Model, new: &Model, names: &Names, was: &str, is: &str) 
     frame(old, was) == frame(new, is).map(|frame| names.old("frame", &frame))
 }
 
-/// Whether a named quantity or load computes the same function in both models; `None` if a model lacks it.
+/// Whether an auxiliary variable or load, named `was` in the old and `is` in the new model, computes the same function
+/// in both; `None` if it is missing in one of the models.
 pub fn same_named(
     a: &Everything<'_>,
     b: &Everything<'_>,

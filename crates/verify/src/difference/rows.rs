@@ -2,7 +2,8 @@
 
 use model_spec::model::Model;
 
-/// Kind of a compared row, which determines the statements that it depends on.
+/// Kind of a compared row of a model (state derivative, component of the observation or validity limit). The kind
+/// determines the statements on which the row depends.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum RowKind {
     /// Derivative of the state with this name, defined by a stated equation.
@@ -15,11 +16,12 @@ pub enum RowKind {
     Rotation,
     /// Component of the observation, defined by the measurement equation.
     Observation,
-    /// Limit of the model with this number, from 1.
+    /// Validity limit of the model, by its index in the order of the file, from 1.
     Limit(usize),
 }
 
-/// Name and kind of each row of a model.
+/// Kind of each row of a model (state derivative, component of the observation, validity limit), by the row's name.
+/// `names` are the names of the rows in order.
 pub fn kinds(model: &Model, names: &[String]) -> Vec<(String, RowKind)> {
     let stated = |state: usize| model.equations.iter().any(|e| e.state == state);
     let kind = |row: usize| match model.states.get(row) {

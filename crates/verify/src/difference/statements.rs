@@ -31,7 +31,7 @@ pub struct Statement {
     pub change: Change,
     /// Class and name in the new model, or in the old model if the statement was removed: `let alpha`, `der(u)`.
     pub what: String,
-    /// Class and name in the old model; `None` if unchanged.
+    /// Class and name of the statement in the old model; `None` if they are the same as in the new model.
     pub was: Option<String>,
     /// Text in the old model; `None` if the statement was added.
     pub old: Option<String>,
@@ -41,15 +41,18 @@ pub struct Statement {
     pub terms_removed: Vec<String>,
     /// Terms of the statement's sum that only the new model has.
     pub terms_added: Vec<String>,
-    /// Key in the new model, used to find causes.
+    /// Class and name of the statement in the new model; `None` if it was removed. Compared with the statements on
+    /// which a row depends.
     #[serde(skip)]
     key_new: Option<Key>,
-    /// Key in the old model, used to find causes.
+    /// Class and name of the statement in the old model; `None` if it was added. Compared with the statements on which
+    /// a row depends.
     #[serde(skip)]
     key_old: Option<Key>,
 }
 
-/// Class and name of a statement. Parameters and coefficients have the same class, so that one may become the other.
+/// Class and name of a statement. Parameters and coefficients have the same class, so that a parameter that becomes a
+/// coefficient is still recognized.
 pub type Key = (&'static str, String);
 
 /// Function that decides whether a statement of the old file and one of the new file compute the same function; `None`
@@ -126,7 +129,8 @@ pub fn compare(old: &File, new: &File, names: &Names, same: &IsSame<'_>) -> Vec<
     out
 }
 
-/// Descriptions of the statements that a row depends on and whose function differs, with the differing terms.
+/// Descriptions of the statements that cause the difference of a row: those on which the row depends (in the old or the
+/// new model) and whose function differs, each with the terms that differ.
 pub fn causes(
     statements: &[Statement],
     old: &Reach,
@@ -227,7 +231,8 @@ pub fn value(item: &Item) -> Option<&Expr> {
     }
 }
 
-/// Statements on which each row of a model depends.
+/// For each row of a model (state derivative, component of the observation, validity limit), the statements on which it
+/// depends.
 pub struct Reach {
     uses: BTreeMap<Key, BTreeSet<Key>>,
     roots: BTreeMap<String, BTreeSet<Key>>,

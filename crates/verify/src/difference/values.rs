@@ -16,15 +16,15 @@ use std::ops::Range;
 pub struct Everything<'a> {
     /// Model whose values are evaluated.
     pub model: &'a Model,
-    /// Program of all values: derivatives, observation, limits, auxiliary variables, then the vectors expressed in the
-    /// inertial frame.
+    /// Program whose outputs are all values of the model: state derivatives, observation, validity limits, auxiliary
+    /// variables, then loads and vectors re-expressed in the inertial frame.
     pub code: EveryValue,
-    /// Outputs of each auxiliary variable and load, by class and name.
+    /// Indices of the outputs of each auxiliary variable and load, with its class and name.
     pub named: Vec<Named>,
     tape: Tape,
 }
 
-/// A named quantity or load, with its outputs.
+/// An auxiliary variable or load of a model, with the indices of its values among the program's outputs.
 pub struct Named {
     /// Class of the statement: `let`, `force` or `moment`.
     pub class: &'static str,
@@ -78,7 +78,7 @@ impl<'a> Everything<'a> {
         }
     }
 
-    /// Names of the compared rows: derivatives, observation, limits.
+    /// Names of the rows that are compared: state derivatives, components of the observation, validity limits.
     pub fn rows(&self) -> Vec<String> {
         let states = self.code.layout.states.iter();
         let observed = ["x", "y", "z"].into_iter().take(self.code.observed);

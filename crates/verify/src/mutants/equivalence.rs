@@ -9,10 +9,10 @@ use crate::values::Values;
 use codegen::program::{Binary, Fused, Op, Operand, Program, Unary};
 use std::collections::HashMap;
 
-/// Reason: both compile to the same expression graph.
+/// Reason given for an equivalent mutant: mutant and original compile to the same expression graph.
 const SAME: &str = "compiles to the same derivatives and observation, node for node";
-/// Reason: equal values at random points of the prime field, and equal floating-point values to exclude other branches
-/// of roots.
+/// Reason given for an equivalent mutant: mutant and original have equal values at random points of the prime field,
+/// and also equal floating-point values, which excludes that a root takes another branch.
 const EQUAL: &str = "derivatives and observation equal at 4 random points of the field of 2^61 - 1 elements, \
                      functions being symbols";
 
@@ -24,7 +24,7 @@ const MAX_TRIALS: usize = 4096;
 
 /// The original model, prepared for comparison with mutants.
 pub struct Original<'a> {
-    /// Original model with its equations of motion.
+    /// Original model with its equations of motion, from which the mutants are made.
     pub subject: &'a Subject<'a>,
     values: Values,
     interner: Interner,

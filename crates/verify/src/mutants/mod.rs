@@ -81,7 +81,7 @@ impl Operator {
 pub struct Mutant {
     /// Mutation operator that made the mutant.
     pub operator: Operator,
-    /// Name of the mutated statement, for messages.
+    /// Name of the mutated statement, used in messages about the mutant.
     pub place: String,
     /// Description of the mutation.
     pub change: String,

@@ -14,8 +14,9 @@ pub struct Rewrite {
     pub to: Expr,
 }
 
-/// Generates all mutations of `e` in the statement with index `item`. `root` states whether `e` is a whole right-hand
-/// side. Other expressions get only one of the three inserted factors, selected by `serial`.
+/// Generates all mutations of the expression `e` in the statement with index `item`. If `e` is a whole right-hand side
+/// (`root`), each of the factors 2, 0.5 and 1.1 is inserted; a name or number inside gets one of the factors, chosen by
+/// `serial` modulo 3.
 pub fn rewrites(e: &Expr, names: &Names, item: usize, root: bool, serial: usize) -> Vec<Rewrite> {
     let mut out = Vec::new();
     let mut push = |operator, how: String, to: Expr| out.push(Rewrite { operator, how, to });

@@ -11,11 +11,12 @@ use model_spec::check;
 use model_spec::diagnostic::{Diagnostic, Kind};
 use model_spec::model::{Model, Source};
 
-/// Name, as a killing check, of the language's unit check.
+/// Name, in the list of checks that can kill a mutant, of the language checker's check of units.
 pub const UNITS: &str = "units";
-/// Name, as a killing check, of the language's frame check.
+/// Name, in the list of checks that can kill a mutant, of the language checker's check of frames.
 pub const FRAMES: &str = "frames";
-/// Name, as a killing check, of all other checks of the language.
+/// Name, in the list of checks that can kill a mutant, of all checks of the language checker except those of units and
+/// frames.
 pub const GRAMMAR: &str = "names and shapes";
 
 /// Names of the checks that are run on mutants, in ascending order of cost. The last one applies only to models that
@@ -79,8 +80,8 @@ fn killer(fault: &Diagnostic) -> usize {
     }
 }
 
-/// Indices in [`CHECKS`] of the checks that refute the mutant's equations, which are evaluated by the vector tree.
-/// Agreement of compiler and vector tree is checked separately.
+/// Indices in [`CHECKS`] of the numerical checks that refute a mutant. The mutant's equations are evaluated from its
+/// vector expressions, not compiled; whether compiled code agrees with these is another check.
 fn refusals(model: &Model, original: &Original<'_>, options: &Options) -> Vec<usize> {
     let Ok(equations) = Interpreted::new(model) else {
         return vec![2];

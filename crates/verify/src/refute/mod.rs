@@ -23,9 +23,10 @@ use serde::Serialize;
 pub struct Refutation {
     /// Name of the state whose derivative the equation defines.
     pub state: String,
-    /// Source text of the equation.
+    /// Source text of the right-hand side of the stated equation.
     pub equation: String,
-    /// Maximum error, relative to the sum of the magnitudes of the terms.
+    /// Maximum difference between the stated equation and the reference over the random points, relative to the sum of
+    /// the magnitudes of the terms.
     pub error: f64,
     /// Descriptions of the corrections that together make the equation agree; empty if none was found.
     pub corrections: Vec<String>,
@@ -90,7 +91,8 @@ pub fn refutations(subject: &Subject<'_>, options: &Options) -> Vec<Refutation> 
         .collect()
 }
 
-/// Random points at which equations are compared; `None` for a model with neither a reference nor a claim.
+/// Draws the random points at which the stated equations are compared with the reference. `None` for a model that has
+/// neither a reference law nor a claimed body, because nothing can be compared then.
 fn points(subject: &Subject<'_>, options: &Options) -> Option<Vec<Point<ErrorBound>>> {
     let mut random = Random::new(options.seed, "refute");
     let has_reference = subject.reference.is_some();
@@ -108,15 +110,17 @@ fn points(subject: &Subject<'_>, options: &Options) -> Option<Vec<Point<ErrorBou
     Some(drawn.collect())
 }
 
-/// Rates of the states implied by the laws of the claimed body; `None` if no rates satisfy the laws, because then the
-/// claim itself is wrong.
+/// Rate of each state with respect to the time of flight, as implied by the laws of motion of the claimed body at a
+/// point; `None` for a state whose rate the laws do not determine. The outer `None` means that a law that contains
+/// rates cannot be satisfied, so that the claim itself is wrong.
 fn implied(model: &Model, point: &Point<ErrorBound>) -> Option<Vec<Option<ErrorBound>>> {
     let pace = Tree::new(model, point).clock();
     let implied = claimed_rates(model, point, ErrorBound::integer(1) / pace)?;
     implied.solves_the_others.then_some(implied.rates)
 }
 
-/// Reference values of the auxiliary variables that represent derivatives used in other equations.
+/// Auxiliary variables that hold the derivative of a state for use in other equations: index of the variable, and the
+/// rate of that state from `truth`, the reference rates.
 fn used_derivatives(
     model: &Model,
     truth: &[Option<ErrorBound>],
@@ -189,8 +193,9 @@ impl Bench<'_> {
         })
     }
 
-    /// Searches for one correction, then for one that includes missing factors, then for two or three corrections.
-    /// Returns the descriptions and the remaining error; `None` if no correction makes the equation agree.
+    /// Searches for corrections of the equation `e` that make it agree with the reference: one correction, then one
+    /// that may insert a missing factor, then two, then three. Returns the descriptions of the corrections and the
+    /// remaining error; `None` if no correction makes the equation agree.
     fn mend(&self, state: usize, e: &Expr) -> Option<(Vec<String>, f64)> {
         let whole = snippet(&self.model.sources, e);
         let plain = Editor::new(self.model);

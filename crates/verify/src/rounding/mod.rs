@@ -44,13 +44,13 @@ pub struct Effort {
 }
 
 impl Effort {
-    /// Numbers of points for the row of every verification.
+    /// Numbers of points for the row on rounding errors in every verification report.
     pub const ROW: Effort = Effort {
         random: 12,
         flights: 2,
         states: 4,
     };
-    /// Numbers of points for the option `--rounding`.
+    /// Numbers of points for the detailed report of the command-line option `--rounding`.
     pub const DETAILS: Effort = Effort {
         random: 200,
         flights: 10,
@@ -58,7 +58,8 @@ impl Effort {
     };
 }
 
-/// Rounding errors of one section of a function's values on one backend, in ulp of the magnitude of each value.
+/// Rounding errors of one section of a function's values on one backend. The unit is the spacing of f64 numbers (ulp)
+/// at the sum of the magnitudes of a value's terms.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Error {
     /// Name of the backend.
@@ -102,7 +103,8 @@ const MEASURE: &str =
 struct Exact {
     /// Index of the function in [`Compiled::functions`].
     function: usize,
-    /// For each value: its f64 rounding, the remainder of the rounding, and the magnitude of its terms.
+    /// For each value: the f64 nearest to the exact value, the remainder exact − nearest, and the sum of the magnitudes
+    /// of the value's terms.
     values: Vec<(f64, f64, f64)>,
 }
 
@@ -137,7 +139,8 @@ pub fn measure(
     }
 }
 
-/// Errors of the runs at the points, and the number of points that were left out.
+/// Rounding errors of each backend run, by function and section of values, and the number of points that were left out
+/// because rounding may decide a branch there or a value is not finite.
 pub fn errors(compiled: &Compiled, points: &[Point<f64>], runs: &[Run]) -> (Vec<Error>, usize) {
     let exact: Vec<Option<Vec<Exact>>> = points.iter().map(|p| exact(compiled, p)).collect();
     let left_out = exact.iter().filter(|e| e.is_none()).count();
@@ -294,7 +297,7 @@ fn sections(function: &Function) -> Vec<(&'static str, std::ops::Range<usize>)> 
     ranges.filter(|(_, range)| !range.is_empty()).collect()
 }
 
-/// Index of the first result of a function among the concatenated results.
+/// Index, among the concatenated results of all functions, of the first result of the function with the given index.
 fn offset(compiled: &Compiled, index: usize) -> usize {
     let before = compiled.functions().into_iter().take(index);
     before.map(|f| f.program.outputs.len()).sum()

@@ -8,7 +8,7 @@ use oracle::Point;
 
 /// Duration of each flight along which states are sampled, s.
 const DURATION: f64 = 0.5;
-/// Sizes of a state near 0, relative to its typical magnitude.
+/// Values that a state is set to in order to measure rounding near 0, relative to the state's typical magnitude.
 const SMALL: [f64; 2] = [1e-3, 1e-7];
 
 /// Draws random points within the limits of the model.
@@ -39,7 +39,8 @@ pub fn flown(
     points
 }
 
-/// The point of a flight after some seconds; `None` if the integration fails.
+/// Point reached by a flight `seconds` after the point `from`; `None` if the integration fails or a state is not
+/// finite.
 fn flown_on(subject: &Subject<'_>, from: &Point<f64>, seconds: f64) -> Option<Point<f64>> {
     let mut at = from.clone();
     let mut moving = ode::rhs_from_fn(&[], |t, x: &Vec<f64>, dx: &mut Vec<f64>| {

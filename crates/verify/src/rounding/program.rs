@@ -7,13 +7,14 @@ use num_traits::Zero;
 use oracle::Point;
 use oracle::scalar::{Elementary, ErrorBound, Real};
 
-/// Values of a point, in the order of the compiler's variables.
+/// Inputs of a compiled program at a point, in the order of the compiled model's variables: time, states, parameters,
+/// marker position.
 pub struct Inputs<T> {
     time: T,
     states: Vec<T>,
     parameters: Vec<T>,
     marker: Vec<T>,
-    /// Results of the program `prepare`; empty for programs without hoisting.
+    /// Results of the program `prepare`, which depend on parameters only; empty for a program that does not read them.
     pub prepared: Vec<T>,
 }
 
@@ -30,7 +31,7 @@ impl<T: Real> Inputs<T> {
         }
     }
 
-    /// Returns the inputs with other parameters.
+    /// Returns the inputs with the parameter vector replaced.
     pub fn with_parameters(self, parameters: Vec<T>) -> Self {
         Self { parameters, ..self }
     }
@@ -143,8 +144,9 @@ fn gap<T: Real>(op: Op, of: impl Fn(Operand) -> T) -> Option<T> {
     }
 }
 
-/// Outputs of a program with the magnitudes of their terms, and whether rounding may decide a branch. If `exact` inputs
-/// are given, a distance to a branch that is exactly 0 does not count.
+/// Outputs of a program with the magnitudes of their terms, and whether rounding may decide a branch, because the
+/// argument of a branch is nearly 0. If `exact` inputs are given, an argument that is 0 also in 256-bit arithmetic does
+/// not count.
 pub fn magnitudes(
     program: &Program,
     inputs: &Inputs<ErrorBound>,

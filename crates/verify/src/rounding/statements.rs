@@ -23,25 +23,26 @@ use std::path::Path;
 /// chance once in a million.
 pub const LOSES: f64 = 20.0;
 
-/// Minimum magnitude of compared values. Subnormal f64 numbers have fewer digits.
+/// Minimum magnitude of values whose lost bits are counted. Smaller values may be subnormal f64 numbers, which have
+/// fewer digits.
 const SMALLEST: f64 = 1e-290;
 
 /// A statement of the model that loses digits.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Loss {
-    /// Name of the item that the statement declares: an auxiliary variable, a load, `der(v)`.
+    /// Name of what the statement declares: an auxiliary variable, a force or moment, or a derivative such as `der(v)`.
     pub name: String,
     /// File name of the model or effect, without folders.
     pub source: String,
     /// Line in the source, from 1.
     pub line: usize,
-    /// Text of the line.
+    /// Text of that line of the source.
     pub text: String,
     /// Number of bits lost at the worst point, out of the 53 bits of an f64.
     pub bits: f64,
     /// Median of the lost bits over the points.
     pub median_bits: f64,
-    /// Description of the worst point.
+    /// Description of the point at which the statement loses the most bits.
     pub place: String,
 }
 
@@ -171,8 +172,9 @@ fn line(text: &str, span: Span) -> usize {
     before.matches('\n').count() + 1
 }
 
-/// Builds a model in which every statement is an auxiliary variable and reads the original auxiliary variables as
-/// inputs. Also returns the statements, in the order of these auxiliary variables.
+/// Builds a model in which every statement becomes an auxiliary variable and reads the original auxiliary variables as
+/// inputs, so that its rounding error is separate from theirs. Also returns the statements, in the order of these
+/// auxiliary variables.
 fn separated(model: &Model) -> (Model, Vec<Statement>) {
     let mut alone = model.clone();
     let mut statements: Vec<Statement> = Vec::new();

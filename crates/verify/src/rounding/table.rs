@@ -4,7 +4,7 @@ use super::statements::{LOSES, Loss};
 use super::{Error, MEASURE, Rounding};
 use crate::table::plain_table;
 
-/// Maximum number of statements that the text lists.
+/// Maximum number of statements with lost digits that the text report lists.
 const LISTED: usize = 10;
 
 impl Loss {

@@ -35,7 +35,8 @@ pub enum EffectPart {
     /// `needs NAME: UNIT, …;`: quantities that the model must have, with kind, unit and optional fallback.
     Needs(Vec<Need>),
     /// `generalises NAME, …;`: effects of which this effect is the general form, each made for a narrower family of
-    /// models. If one of them is applicable, this effect is not a candidate.
+    /// models. If one of those effects is applicable to a model, a diagnosis of that model does not propose this
+    /// effect.
     Generalises(Vec<Name>),
     /// `source "…";`: literature reference, with the source span of the statement.
     Citation(String, Span),

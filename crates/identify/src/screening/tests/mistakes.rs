@@ -6,7 +6,8 @@ use crate::screening::fault::FaultKind;
 use crate::synthesize::{Plan, flights};
 use model_spec::model::Model;
 
-/// Mistakes that flights of any body can have: name, expected kind of fault, and the change of a flight.
+/// Recording mistakes that can occur in flights of any body: name, expected kind of fault, and the function that
+/// introduces the mistake into a flight.
 const SPOILS: [(&str, FaultKind, Spoil); 7] = [
     ("feet", FaultKind::Units, |f| {
         each_point(f, |p| p.map(|x| x / 0.3048))

@@ -18,7 +18,7 @@ const MOST_CHANNELS: usize = 12;
 const MOST_HISTORIES: usize = 12;
 /// Maximum number of points drawn for each load history.
 const MOST_POINTS: usize = 120;
-/// Height of one plot, SVG units.
+/// Height of the plot area for one flight's load history, SVG units.
 const TALL: f64 = 84.0;
 /// Space above each plot, SVG units.
 const ABOVE: f64 = 24.0;

@@ -115,7 +115,8 @@ fn bars(curve: &CoefficientCurve) -> Vec<Bar> {
     (0..points.len()).map(bar).collect()
 }
 
-/// Names of the curves that the extension does not change; empty if the extension changes no curve.
+/// Titles, such as `C_D over α`, of the coefficient curves that the extension does not change; empty if the extension
+/// changes no curve at all.
 pub(in super::super) fn unmoved(page: &DiagnosisPage<'_>) -> Vec<String> {
     let curves = &page.report.curves;
     if !curves.iter().any(moves) {

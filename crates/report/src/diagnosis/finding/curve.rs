@@ -36,9 +36,9 @@ pub(in super::super) struct Curve {
     pub(in super::super) unit: String,
     /// Name of the variable on the abscissa.
     pub(in super::super) over: String,
-    /// Documentation of the variable up to its first comma; empty without one.
+    /// Documentation of the variable on the abscissa, up to the first comma; empty if it has no documentation.
     pub(in super::super) over_doc: String,
-    /// Unit of the variable as text: `°` for angles, otherwise SI.
+    /// Unit of the variable on the abscissa, as text: `°` for angles, otherwise SI.
     pub(in super::super) over_unit: String,
     /// Points of the curve in ascending order of the variable.
     pub(in super::super) points: Vec<Point>,
@@ -47,7 +47,7 @@ pub(in super::super) struct Curve {
 /// Point of a curve: medians of the samples within one interval of the abscissa.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in super::super) struct Point {
-    /// Value of the variable, in degrees for angles, otherwise SI.
+    /// Value of the variable on the abscissa, in degrees for angles, otherwise SI.
     pub(in super::super) x: f64,
     /// Value of the quantity without the extension, SI; NaN if the model lacks the quantity.
     pub(in super::super) before: f64,
@@ -63,7 +63,8 @@ pub(in super::super) struct Point {
 #[derive(Clone, Copy)]
 enum Abscissa {
     State(usize),
-    /// Index among the quantities of the layout, and index among the model's auxiliary variables.
+    /// Auxiliary variable: its index among the quantities of the compiled model's layout, and its index in the model's
+    /// list of auxiliary variables.
     Quantity(usize, usize),
     Time,
 }
@@ -85,8 +86,8 @@ pub(super) fn of<'n>(fits: &Fits<'_>, effects: impl IntoIterator<Item = &'n str>
     })
 }
 
-/// Variable on which the definition of the auxiliary variable `at` depends, preferably one that the effect names;
-/// `None` if there is no scalar variable.
+/// Scalar variable on which the auxiliary variable with index `at` depends; preferably one that the effect with index
+/// `effect` declares. `None` if the auxiliary variable depends on no scalar variable.
 fn abscissa(after: &Fit, at: usize, effect: usize) -> Option<Abscissa> {
     let model = &after.problem().model;
     let mut found = Vec::new();
@@ -244,13 +245,14 @@ fn points(samples: &[Sample<'_>], models: &Models<'_>) -> Vec<Point> {
     }
 }
 
-/// Fits of both models, for evaluating the quantity at a sample, with its standard error from the covariance of the
-/// extended model.
+/// Fits of the models without and with the extension, from which the drawn quantity is evaluated at a sample. Its
+/// standard error follows from the covariance matrix of the extended model's coefficients.
 struct Models<'f> {
     before: &'f Fit,
     after: &'f Fit,
     flights: Vec<(Option<&'f Observations>, Option<&'f Observations>)>,
-    /// Index of the quantity among the quantities of each model; `None` if the model without the extension lacks it.
+    /// Index of the drawn quantity in the layout of the model without the extension (`None` if the model lacks the
+    /// quantity), and in the layout of the extended model.
     positions: (Option<usize>, usize),
     /// Finite-difference step of each global parameter: its standard error, SI.
     steps: Vec<f64>,

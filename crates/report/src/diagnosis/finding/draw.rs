@@ -11,7 +11,7 @@ use crate::figures::{Bar, Layout, Line, Panel, figure_of, symbol};
 use crate::fit::Drawn;
 use crate::fit::numbers::{Digits, unit};
 
-/// Name of the figure's file.
+/// File name, without suffix, of the figure in the opening section.
 const NAME: &str = "finding";
 /// Maximum number of rows of a chart.
 const MOST_ROWS: usize = 10;
@@ -26,8 +26,8 @@ fn with_unit(name: &str, of: &str) -> String {
     }
 }
 
-/// Draws the quantity of the model without and with the extension over its variable, with the 95 % confidence band
-/// and the number of samples.
+/// Draws the quantity of `curve`, without and with the extension, over the variable on which it depends. The 95 %
+/// confidence band of the extended model and the number of samples are drawn as well.
 pub(super) fn curve(curve: &Curve) -> Drawn {
     let line = |name: &str, of: fn(&super::curve::Point) -> f64| Line {
         name: name.into(),

@@ -13,11 +13,11 @@ use crate::fit::Drawn;
 /// Sentences of the opening section.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(super) struct Finding {
-    /// States which effect the model lacks, and its size.
+    /// Sentences that state which effect the model lacks, and the size of the effect.
     pub(super) what: String,
-    /// States how certain the finding is.
+    /// Sentences that state how certain the finding is.
     pub(super) sure: String,
-    /// Recommends the next step.
+    /// Sentences that recommend the next step to the user.
     pub(super) next: String,
 }
 

@@ -134,8 +134,8 @@ fn article(noun: &str) -> &'static str {
     }
 }
 
-/// Point at which the curves without and with the extension differ most, among points with enough samples on either
-/// side; `None` if there is none.
+/// Point at which the curves without and with the extension differ most. Points near an end of the curve, with less
+/// than the fraction [`LEAST_SHARE`] of the samples on one side, are not considered; `None` if no point remains.
 fn farthest(curve: &Curve) -> Option<Point> {
     let size = |p: &Point| match p.before.is_finite() {
         true => (p.after - p.before).abs(),
@@ -163,8 +163,8 @@ fn estimate(name: &str, e: &Estimate) -> String {
     text.trim_end().to_owned()
 }
 
-/// Estimate of a cause that is the most standard errors from zero: its effect, its name, and the number of standard
-/// errors.
+/// Coefficient of a cause with the largest ratio of estimate to standard error: the effect, the name of the
+/// coefficient, and the absolute ratio. `None` if no ratio is finite.
 fn clearest(cause: &Cause) -> Option<(&CauseEffect, &String, f64)> {
     let effects = cause.effects.iter();
     let all = effects.flat_map(|effect| effect.estimates.iter().map(move |(n, e)| (effect, n, e)));

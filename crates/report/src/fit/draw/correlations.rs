@@ -7,11 +7,12 @@ use crate::figures::svg::{Svg, cut};
 
 const WIDTH: f64 = 360.0;
 const LETTERS: f64 = 13.0;
-/// Maximum number of coefficients drawn.
+/// Maximum number of coefficients in the drawn correlation matrix.
 const MOST: usize = 40;
 /// Maximum number of coefficients for which the values are printed in the cells.
 const MOST_WRITTEN: usize = 12;
-/// Maximum number of coefficients for which the diagonal shows names instead of numbers.
+/// Maximum number of coefficients for which the diagonal shows the names of the coefficients; for more coefficients, it
+/// shows their row indices.
 const MOST_NAMED: usize = 8;
 
 /// Draws the lower triangle of the correlation matrix of the estimated coefficients; `None` for fewer than two.

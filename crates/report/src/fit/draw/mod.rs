@@ -26,7 +26,7 @@ use super::Drawn;
 use crate::figures::csv::of_panels;
 use crate::figures::{Layout, Panel, figure_of};
 
-/// Maximum number of flights drawn in a figure, or with one figure each.
+/// Maximum number of flights in a figure that shows all flights, and maximum number of figures of single flights.
 pub(crate) const MOST_FLIGHTS: usize = 12;
 
 /// Draws the panels in the small layout as a figure with CSV data.

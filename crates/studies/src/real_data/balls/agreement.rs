@@ -8,13 +8,13 @@ use rand_distr::{Distribution, StandardNormal};
 
 use super::lift::Lift;
 
-/// Number of random permutations of the spins among the flights.
+/// Number of random permutations of the stated spins among the flights, for the permutation test.
 const PERMUTATIONS: usize = 10_000;
 
-/// Number of random rotations that are applied to all spins.
+/// Number of random rotations of all spins in common, among which the one with the best agreement is searched.
 const ROTATIONS: usize = 2_000;
 
-/// Number of permutations for which the best rotation is searched.
+/// Number of random permutations of the spins for each of which the rotation with the best agreement is searched.
 const ROTATED_PERMUTATIONS: usize = 20;
 
 /// Agreement between the lift directions of flights and their stated spins, with a permutation test.
@@ -22,17 +22,22 @@ const ROTATED_PERMUTATIONS: usize = 20;
 pub struct Agreement {
     /// Number of flights in the test.
     pub flights: usize,
-    /// Mean over the flights of the cosine between the lift and ω × v for the stated spin ω.
+    /// Mean over the flights of the cosine of the angle between the lift and ω × v, for the stated spin ω.
     pub cosine: f64,
-    /// Mean of the mean cosine over permutations of the spins.
+    /// Mean, over random permutations of the spins among the flights, of the flights' mean cosine between lift and ω ×
+    /// v.
     pub permuted: f64,
-    /// Standard deviation of the mean cosine over permutations of the spins.
+    /// Standard deviation, over random permutations of the spins among the flights, of the flights' mean cosine between
+    /// lift and ω × v.
     pub permuted_deviation: f64,
-    /// Permutation p-value: fraction of the permutations with a mean cosine at least as large as `cosine`.
+    /// p-value of the permutation test: fraction of the random permutations of the spins for which the mean cosine
+    /// between lift and ω × v is at least as large as for the stated spins.
     pub p_value: f64,
-    /// Maximum mean cosine over a set of random rotations, with and without reflection, applied to all spins in common.
+    /// Maximum of the flights' mean cosine between lift and ω × v over random rotations, with and without reflection,
+    /// that are applied to all spins in common.
     pub rotated: f64,
-    /// Mean over permutations of the spins of the maximum mean cosine under rotations.
+    /// Mean, over random permutations of the spins among the flights, of the maximum mean cosine between lift and ω × v
+    /// over random rotations of all spins.
     pub rotated_permuted: f64,
 }
 
@@ -81,8 +86,8 @@ fn mean_cosine(lifts: &[&Lift], order: &[usize], rotation: &UnitQuaternion<f64>)
     sum / lifts.len().max(1) as f64
 }
 
-/// Maximum mean cosine over the rotations, with and without a reflection through the origin. The reflection changes the
-/// sign of every cosine.
+/// Maximum of the flights' mean cosine between lift and ω × v over the given rotations of all spins, with and without a
+/// reflection through the origin. The reflection changes the sign of every cosine.
 fn greatest_rotated(lifts: &[&Lift], order: &[usize], rotations: &[UnitQuaternion<f64>]) -> f64 {
     let means = rotations
         .iter()

@@ -6,7 +6,8 @@ use super::lift::Lift;
 use super::results::Balls;
 use super::stretches::{is_agreeing, number};
 
-/// Draws the figure of the ball study as SVG.
+/// Draws two panels as SVG: the cosine between lift and ω × v by file number, and the lift coefficient by advance
+/// ratio.
 pub(in super::super) fn balls_figure(balls: &Balls) -> String {
     let dots = |look: Look, agreeing: bool, point: fn(&Lift) -> (f64, f64)| {
         let lifts = balls.lifts.iter();

@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 use super::models::{LIFT_OF_EACH_FLIGHT, with_effects};
 use crate::error::StudyError;
 
-/// Estimated lift and stated spin of a flight.
+/// Lift of one flight, estimated from its path, and the spin that the data state.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Lift {
     /// File name of the flight.
@@ -21,7 +21,7 @@ pub(super) struct Lift {
     pub(super) turn: Vector3<f64>,
     /// Stated spin vector, normalised: radius ω / speed.
     pub(super) spin: Vector3<f64>,
-    /// RMS residual along y, m.
+    /// RMS residual of the fit along y, which is the direction of flight, m.
     pub(super) residual_along: f64,
 }
 
@@ -124,7 +124,7 @@ fn mean_velocity(flight: &Flight) -> Option<Vector3<f64>> {
     (velocity.norm() > 0.0).then_some(velocity)
 }
 
-/// RMS residual along y, m.
+/// RMS residual of a flight along y, which is the direction of flight, m.
 fn residual_along(evidence: &FlightEvidence) -> f64 {
     let residuals = (0..evidence.times.len()).filter_map(|sample| evidence.residual(sample, 0));
     let (squares, count) = residuals.fold((0.0, 0.0_f64), |(squares, count), residual| {

@@ -26,20 +26,21 @@ struct Section {
     outlier_fraction: f64,
     common: Vec<FitSummary>,
     free_lift: FitSummary,
-    /// Median over the flights of (residual along the path / speed), s.
+    /// Median over the flights of the RMS residual along y (the direction of flight) / mean speed, s: an estimate of
+    /// the timing error. `None` without a finite value.
     time_error: Option<f64>,
     stretches: String,
     agreement: Vec<AgreementRow>,
-    /// Maximum angle between lift and ω × v over the flights of the agreeing stretches, degrees.
+    /// Maximum angle between lift and ω × v over the flights of the agreeing stretches (see [`AGREEING`]), degrees.
     greatest_angle: f64,
-    /// Number of flights outside the agreeing stretches whose cosine is above 0.9; `opposite_side` counts those below
-    /// −0.9.
+    /// Number of flights outside the agreeing stretches whose cosine between lift and ω × v is above 0.9;
+    /// `opposite_side` is the number of those with a cosine below −0.9.
     same_side: usize,
     opposite_side: usize,
     lift_by_spin: Vec<LiftRow>,
     magnus: Estimate,
-    /// Mean lift coefficient / mean advance ratio of the flights with an advance ratio below 0.3; `slope_high` is that
-    /// above 0.7.
+    /// Mean lift coefficient / mean advance ratio over the flights of the agreeing stretches with an advance ratio
+    /// below 0.3; `slope_high` is the same for advance ratios of at least 0.7.
     slope_low: f64,
     slope_high: f64,
     added: Vec<AddedRow>,
@@ -71,7 +72,7 @@ struct FitSummary {
     /// Standard deviation of the noise along x, y, z, m.
     sigma_m: [f64; 3],
     ar1: f64,
-    /// Estimates of the coefficients that the row shows.
+    /// Estimates of the coefficients that the row's effects add to the model.
     coefficients: Vec<Estimate>,
 }
 
@@ -91,10 +92,12 @@ struct AgreementRow {
 struct LiftRow {
     model: &'static str,
     rms_m: f64,
-    /// Estimates of C_D, C_Lw and C_Lww; `None` for a coefficient that the model lacks.
+    /// Estimates of the drag coefficient C_D and of the lift coefficients per advance ratio, C_Lw, and per squared
+    /// advance ratio, C_Lww; `None` for a coefficient that the row's model lacks.
     estimates: [Option<Estimate>; 3],
     held_out_m: Option<f64>,
-    /// Reduction of the held-out error by the effect added last, and its standard error, m.
+    /// Decrease of the prediction error on held-out flights from the model of the previous row to the model of this
+    /// row, and its standard error, m; `None` for the first row or without held-out flights.
     reduction: Option<(f64, f64)>,
 }
 
@@ -117,7 +120,7 @@ struct DiagnosisRow {
 #[derive(Serialize)]
 struct MagnusScore {
     statistic: f64,
-    /// Statistic of `magnus` / the maximum statistic of all candidates.
+    /// Score statistic of `magnus` / the maximum score statistic of all candidate effects.
     fraction: f64,
     discordant: usize,
 }

@@ -11,7 +11,8 @@ use super::models::{MAGNUS_BY_SQUARE, diagnosed, fitted};
 use super::stretches::{agreeing, is_agreeing};
 use crate::error::StudyError;
 
-/// Sets of effects that bend all paths in the same way. Each set is fitted separately.
+/// Sets of effects that could bend all paths in the same way, whatever the stated spins are. Each set is fitted
+/// separately.
 const COMMON_EFFECTS: [&[&str]; 8] = [
     &["gravity"],
     &["tilted_vertical"],
@@ -23,7 +24,7 @@ const COMMON_EFFECTS: [&[&str]; 8] = [
     &["magnus", "spin_decay"],
 ];
 
-/// Effects that are added, one at a time, to the models with lift due to spin.
+/// Effects that are added, one at a time, to the two models with lift due to spin.
 const ADDED_EFFECTS: [&str; 6] = [
     "spin_decay",
     "gravity",
@@ -51,19 +52,21 @@ pub(in super::super) struct Balls {
     pub(super) lifts: Vec<Lift>,
     /// Fit of all flights with a free lift vector for each flight.
     pub(super) free_lift: FitReport,
-    /// Agreement of lift and spin for all flights, for the agreeing stretches, and for the remaining flights.
+    /// Agreement of lift and spin for all flights, for the agreeing stretches (parts of the recording in which every
+    /// lift agrees with the stated spin), and for the remaining flights.
     pub(in super::super) agreement: [Agreement; 3],
-    /// Fits of the agreeing stretches with gravity and drag, then with `magnus`, then with `magnus` and its square.
+    /// Fits of the agreeing stretches with gravity and drag, then also with `magnus` (lift proportional to the advance
+    /// ratio), then also with a lift proportional to the squared advance ratio.
     pub(in super::super) lift_by_spin: [FitReport; 3],
-    /// Fits of the agreeing stretches with each of [`ADDED_EFFECTS`].
+    /// Fits of the agreeing stretches with each of [`ADDED_EFFECTS`] added to the models with lift due to spin.
     pub(super) added: Vec<Added>,
-    /// Diagnoses of all flights, of the agreeing stretches, and of the agreeing stretches with `magnus` in the model.
-    /// An error is the message of a failed diagnosis.
+    /// Diagnoses of three cases: all flights, the flights of the agreeing stretches, and these flights with the effect
+    /// `magnus` in the model. An error is the message of a failed diagnosis.
     pub(super) diagnoses: [Result<Diagnosis, String>; 3],
 }
 
 impl Balls {
-    /// Fits, tests and diagnoses the flights of a dataset.
+    /// Fits, tests and diagnoses the measured flights of table-tennis balls.
     pub(in super::super) fn of(flights: &Dataset) -> Result<Self, StudyError> {
         let model: Model = model_spec::load::load(&flights.model, &[])?;
         let part = agreeing(flights);

@@ -19,7 +19,8 @@ pub fn is_agreeing(file: &str) -> bool {
     stretches.any(|(first, last)| (*first..=*last).contains(&number))
 }
 
-/// Returns the dataset restricted to the flights of the agreeing stretches.
+/// Returns the dataset restricted to the flights of the agreeing stretches, in which the lift agrees with the stated
+/// spin.
 pub(super) fn agreeing(flights: &Dataset) -> Dataset {
     let mut part = flights.clone();
     part.flights.retain(|flight| is_agreeing(&flight.file));

@@ -20,7 +20,8 @@ pub(super) struct Band {
     pub(super) within: f64,
 }
 
-/// Simulates `draws` launches drawn from normal distributions with the stated uncertainties.
+/// Simulates `draws` random launches, drawn from normal distributions about the stated launch of a throw with the
+/// stated uncertainties.
 pub(super) fn band(simulator: &Simulator<'_>, throw: &Throw, draws: usize, seed: u64) -> Band {
     let points = throw.points();
     let times: Vec<f64> = points.iter().map(|(time, _)| *time).collect();

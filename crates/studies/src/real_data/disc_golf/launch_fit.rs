@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 use super::simulate::{Factors, Simulator};
 use super::throw::{TRACK_UNCERTAINTY, Throw, UNCERTAINTY, rms_distance};
 
-/// Prior standard deviation of a factor on the table's coefficients; the prior mean is 1.
+/// Prior standard deviation of each factor by which tabulated coefficients are multiplied; the prior mean is 1.
 const FACTOR_UNCERTAINTY: f64 = 1.0;
 
 /// Number of launch quantities. A fit with factors has three more unknowns.
@@ -28,9 +28,10 @@ const MIN_DECREASE: f64 = 1e-3;
 /// Result of fitting a launch to its measured track.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LaunchFit {
-    /// RMS distance per coordinate from the track, of the stated launch and of the fitted one, m.
+    /// RMS distance per coordinate between measured track and simulation, m: for the stated launch, and for the fitted
+    /// launch.
     pub rms: [f64; 2],
-    /// Changes of the launch quantities, in units of their stated uncertainties.
+    /// Changes of the launch quantities by the fit (fitted − stated), in units of their stated uncertainties.
     pub changes: [f64; 7],
     /// Factors on lift, drag and pitching moment of the table; 1 if they were not fitted.
     pub factors: [f64; 3],
@@ -38,7 +39,8 @@ pub struct LaunchFit {
     pub factor_errors: [f64; 3],
 }
 
-/// Fits a launch, with or without factors on the table; `None` if the normal equations are singular.
+/// Fits the launch quantities to the measured track, with or without free factors on the tabulated coefficients; `None`
+/// if the normal equations are singular.
 pub(super) fn launch_fit(
     simulator: &Simulator<'_>,
     throw: &Throw,

@@ -44,7 +44,7 @@ struct FactorRow {
     rms: f64,
     /// Factors on lift, drag and pitching moment, each with its standard error.
     factors: [(f64, f64); 3],
-    /// Maximum change of a launch quantity, in units of its stated uncertainty.
+    /// Maximum change of a launch quantity by the fit, in units of the quantity's stated uncertainty.
     greatest_change: f64,
 }
 

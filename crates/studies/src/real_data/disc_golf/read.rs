@@ -7,7 +7,7 @@ use crate::error::StudyError;
 use crate::real_data::files::{absent, bad_line, numbers, rows, text_of};
 use crate::real_data::wind_tunnel::Measured;
 
-/// Reads the YAML file of a disc.
+/// Reads diameter, moments of inertia and aerodynamic table of a disc from a YAML file.
 pub(super) fn disc(file: &Path) -> Result<Disc, StudyError> {
     let text = text_of(file)?;
     let number = |key: &str| number(&text, key).ok_or_else(|| absent(file, key));
@@ -46,7 +46,7 @@ fn list(text: &str, key: &str) -> Option<Vec<f64>> {
     cells.map(|cell| cell.trim().parse().ok()).collect()
 }
 
-/// Reads the throws from `throw_params.csv` and the tracks in the same folder.
+/// Reads the throws of a folder: launches from `throw_params.csv`, and the tracks from one file each.
 pub(crate) fn throws(folder: &Path) -> Result<Vec<Throw>, StudyError> {
     let file = folder.join("throw_params.csv");
     let text = text_of(&file)?;

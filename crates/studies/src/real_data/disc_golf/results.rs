@@ -18,7 +18,8 @@ pub(super) const DRAWS: usize = 100;
 pub(super) struct ThrowResult {
     pub(super) throw: Throw,
     pub(super) band: Band,
-    /// Fits without and with factors on the table; `None` if a fit is singular.
+    /// Fits of the launch to the track: without, and with free factors on the tabulated lift, drag and pitching moment;
+    /// `None` if a fit is singular.
     pub(super) fits: [Option<LaunchFit>; 2],
 }
 
@@ -42,7 +43,8 @@ impl DiscGolf {
         })
     }
 
-    /// Fits of each throw, without and with factors on the aerodynamic table; `None` if a fit is singular.
+    /// Fits of each throw's launch to its track: without, and with free factors on the tabulated lift, drag and
+    /// pitching moment; `None` if a fit is singular.
     pub(in super::super) fn fits(&self) -> impl Iterator<Item = &[Option<LaunchFit>; 2]> {
         self.throws.iter().map(|result| &result.fits)
     }

@@ -9,25 +9,25 @@ use crate::error::StudyError;
 use crate::oracle_flights::{angle_of_attack, integrate_with_constants, reference_of, set_curves};
 use crate::real_data::wind_tunnel::{Measured, interpolated};
 
-/// Mass of the discs, kg, as stated in the paper on the throws.
+/// Mass of the discs, kg, as stated by Giljarhus and others (2022).
 const MASS: f64 = 0.175;
 
-/// Air density in the paper on the throws, kg/m³.
+/// Air density assumed by Giljarhus and others (2022), kg/m³.
 const DENSITY: f64 = 1.225;
 
-/// Roughness length of the logarithmic wind profile in the paper on the throws, m.
+/// Roughness length of the logarithmic wind profile of Giljarhus and others (2022), m.
 const ROUGHNESS: f64 = 0.1;
 
 /// Height above the ground at which the wind was measured, m.
 const WIND_HEIGHT: f64 = 1.5;
 
-/// Maximum interval between path points that are interpolated linearly, s.
+/// Maximum time between computed points of a path; positions between these points are interpolated linearly, s.
 const MAX_INTERVAL: f64 = 0.02;
 
 /// Angle of attack (rad) below which the tabulated pitching moment is set to 0.
 const MIN_ALPHA: f64 = 1e-4;
 
-/// Factors by which lift, drag and pitching moment of the table are multiplied.
+/// Factors by which the tabulated coefficients of lift, drag and pitching moment are multiplied.
 pub(super) type Factors = [f64; 3];
 
 /// Simulates throws of one disc with tabulated coefficients.
@@ -117,7 +117,8 @@ impl<'a> Simulator<'a> {
         positions.collect()
     }
 
-    /// Model constants in a wind (m/s) that reproduce the table's coefficients at the body's angle of attack.
+    /// Parameters, wind (m/s) and coefficients of the model that reproduce the tabulated coefficients, multiplied by
+    /// `factors`, at the body's angle of attack.
     fn constants_at(
         &self,
         body: &Physical<f64>,
@@ -136,8 +137,8 @@ impl<'a> Simulator<'a> {
     }
 }
 
-/// State at the release. As in the program of the paper on the throws, the pitch is added to the attitude of the rolled
-/// disc.
+/// State of the disc at the release. As in the simulation of Giljarhus and others (2022), the disc is first rolled, and
+/// the launch pitch then changes the attitude of the rolled disc.
 fn release(throw: &Throw, launch: &Launch) -> Physical<f64> {
     let [speed, pitch, roll, nose, yaw, ..] = *launch;
     let turned = |v: Vector3<f64>| {

@@ -23,12 +23,12 @@ pub(crate) type Launch = [f64; 7];
 /// is not stated; it is assumed equal to that of the tailwind.
 pub(crate) const UNCERTAINTY: Launch = [0.6, RAD * 2.0, RAD * 5.0, RAD * 2.0, RAD * 2.0, 1.0, 1.0];
 
-/// Uncertainty of a point of a track, m. A camera at 100 m sees a disc at 5 to 10 m above the ground 5 to 10 % too far
-/// out.
+/// Assumed uncertainty of a measured position over the ground, m. The camera films from a height of about 100 m, so a
+/// disc that flies 5 to 10 m above the ground appears 5 to 10 % too far from the point below the camera.
 pub(super) const TRACK_UNCERTAINTY: f64 = 1.0;
 
-/// Number of track points that are compared. More would not help, because neighbouring points have nearly the same
-/// error.
+/// Number of points of each measured track that are compared with the simulation. More points would not help, because
+/// neighbouring points have nearly the same measurement error.
 const POINTS: usize = 12;
 
 /// Size, inertia and aerodynamic table of a disc.
@@ -69,7 +69,7 @@ impl Throw {
     }
 }
 
-/// RMS difference per coordinate between positions and track points, m.
+/// RMS difference per coordinate between simulated positions and measured track points over the ground, m.
 pub(crate) fn rms_distance(positions: &[[f64; 2]], points: &[TrackPoint]) -> f64 {
     let pairs = positions.iter().zip(points);
     let differences = pairs.flat_map(|(a, (_, b))| [a[0] - b[0], a[1] - b[1]]);

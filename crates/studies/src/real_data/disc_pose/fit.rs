@@ -53,36 +53,37 @@ pub struct Ratio {
 pub(super) struct Throw {
     pub name: String,
     pub samples: usize,
-    /// Number of samples of the file that the fit used.
+    /// Number of this throw's samples that the fit used, out of `samples`.
     pub used: usize,
     /// Spin, rev/min, positive clockwise seen from above, and its standard error.
     pub spin: [f64; 2],
     /// Angle between the disc's axis and the angular momentum at the first sample, degrees.
     pub wobble: f64,
-    /// Ratio from this throw alone; `None` if the throw could not be fitted alone.
+    /// Ratio I_a/I_d estimated from this throw alone; `None` if the throw could not be fitted alone.
     pub alone: Option<Ratio>,
 }
 
 /// Results of the fits to the measured poses.
 pub(in super::super) struct DiscPose {
-    /// Upward direction in camera axes, from the tag on the ground; `scatter` is the RMS angle of the tag's normals,
-    /// rad.
+    /// Upward direction in camera axes, from the tag at rest on the ground. `scatter` is the RMS angle between the
+    /// measured normals of that tag and their mean, rad.
     pub(super) up: [f64; 3],
     pub(super) scatter: f64,
-    /// Fit of all throws with priors on the coefficients; `without_air` omits the air, `tilted` adds a tilt of the
-    /// vertical.
+    /// Fit of all throws together with priors on the aerodynamic coefficients. `without_air` is the fit without
+    /// aerodynamic loads, `tilted` the fit in which the vertical may be tilted.
     pub(super) joint: FitReport,
     pub(super) without_air: FitReport,
     pub(super) tilted: FitReport,
     pub(super) throws: Vec<Throw>,
-    /// Jackknife standard error of the joint ratio, leaving out one throw at a time.
+    /// Jackknife standard error of the ratio I_a/I_d from all throws, from fits that each leave out one throw.
     pub(super) jackknife: f64,
-    /// Random-effects mean of the single throws' ratios, its standard error, and the standard deviation between throws.
+    /// Random-effects mean of the ratios I_a/I_d of the single throws, its standard error, and the standard deviation
+    /// between throws.
     pub(super) pooled: [f64; 3],
 }
 
 impl DiscPose {
-    /// Reads and fits the throws of a folder.
+    /// Reads the tables of poses in a folder, and fits the throws together, alone, and with one throw left out.
     pub(in super::super) fn of(folder: &Path) -> Result<Self, StudyError> {
         let poses = Poses::read(folder)?;
         let model = model_spec::load::load("disc_quaternion", &[])?;
@@ -184,8 +185,8 @@ pub(super) fn ratio(report: &FitReport) -> Ratio {
     }
 }
 
-/// Summarises a throw from its report in the joint fit, with the joint ratio `joint` and the ratio `alone` of its
-/// separate fit.
+/// Summary of one throw. `report` is its part of the fit of all throws, `joint` the ratio I_a/I_d of that fit, and
+/// `alone` the ratio from a fit of this throw only.
 fn throw(flight: &Flight, report: &FlightReport, joint: f64, alone: Option<Ratio>) -> Throw {
     let rate = |name: &str| {
         let own = report.initial.get(name);
@@ -205,7 +206,8 @@ fn throw(flight: &Flight, report: &FlightReport, joint: f64, alone: Option<Ratio
     }
 }
 
-/// Jackknife standard error: Efron and Tibshirani, An introduction to the bootstrap (1993), equation 11.5.
+/// Jackknife standard error from the estimates that each leave out one throw: Efron and Tibshirani, An introduction to
+/// the bootstrap (1993), equation 11.5.
 fn jackknife(left_out: &[f64]) -> f64 {
     let count = left_out.len() as f64;
     let mean = left_out.iter().sum::<f64>() / count;

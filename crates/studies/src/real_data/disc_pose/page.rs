@@ -21,10 +21,11 @@ struct Section<'d> {
     tilted: Ratio,
     jackknife: f64,
     pooled: [f64; 3],
-    /// Estimated tilts of the vertical relative to the ground's normal, with standard errors, degrees.
+    /// Estimated x and y components of the tilt of the vertical against the normal of the tag on the ground, each with
+    /// its standard error, degrees.
     tilts: Vec<[f64; 2]>,
     coefficients: Vec<CoefficientRow>,
-    /// RMS residuals of the attitudes, degrees, and of the positions, mm.
+    /// RMS residuals of the fit of all throws: of the attitudes, degrees, and of the positions, mm.
     left: [f64; 2],
 }
 
@@ -35,7 +36,8 @@ struct CoefficientRow {
     value: f64,
     std_error: f64,
     clustered: f64,
-    /// Prior standard deviation / the larger of the two standard errors.
+    /// Prior standard deviation / the larger of the two standard errors (plain and cluster-robust): how much the data
+    /// narrow the prior.
     gain: f64,
 }
 

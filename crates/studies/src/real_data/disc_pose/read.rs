@@ -24,9 +24,9 @@ const HEADER: &str = "t_s,x_m,y_m,z_m,qw,qx,qy,qz";
 /// One row of a table of poses: time, s, position, m, and attitude of the tag.
 type Row = (f64, Vector3<f64>, UnitQuaternion<f64>);
 
-/// The measured throws in upright axes, and the vertical found from the ground tag.
+/// The measured throws in axes with z up, and the vertical found from a tag at rest on the ground.
 pub(super) struct Poses {
-    /// Flights in upright axes, with one pose per sample.
+    /// Flights in axes with z up, with one pose per sample.
     pub flights: Vec<Flight>,
     /// Upward direction in the axes of the camera.
     pub up: [f64; 3],
@@ -35,7 +35,7 @@ pub(super) struct Poses {
 }
 
 impl Poses {
-    /// Reads the tables of a folder.
+    /// Reads the tables of poses in a folder: one of the tag on the ground, and one for each throw.
     pub fn read(folder: &Path) -> Result<Self, StudyError> {
         let ground = table(&folder.join(GROUND))?;
         // The third axis of the tag points into the surface to which the tag is attached.

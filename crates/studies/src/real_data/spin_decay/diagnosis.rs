@@ -33,7 +33,7 @@ pub(super) const PRIORS: [(&str, f64, f64); 4] = [
     ("C_Da", 1.5, 0.5),
 ];
 
-/// Results of the fit and the diagnosis of the flight.
+/// Results of fitting and diagnosing the measured flight of a disc with gyroscope and accelerometer.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(super) struct Diagnosed {
     pub(super) verdict: String,
@@ -102,7 +102,7 @@ pub(super) fn diagnosed(file: &Path) -> Result<Diagnosed, StudyError> {
     })
 }
 
-/// Reads the flight as a dataset of a gyroscope and an accelerometer.
+/// Reads the flight from a table of gyroscope and accelerometer readings, as a dataset with these two sensors.
 fn dataset(file: &Path) -> Result<Dataset, StudyError> {
     let text = text_of(file)?;
     let within = FLIGHT.0 + MARGIN - 1e-9..=FLIGHT.1 - MARGIN + 1e-9;

@@ -27,10 +27,11 @@ struct Section<'d> {
     /// Airspeed at the end / airspeed at the release, as [`Form::Falling`] implies.
     final_factor: f64,
     exponent: f64,
-    /// Exponent of [`Form::Power`] without the initial wobble, and its standard error; `None` if that fit failed.
+    /// Exponent of [`Form::Power`], fitted without the first part of the flight in which the disc wobbles, and its
+    /// standard error; `None` if that fit failed.
     exponent_without_wobble: Option<(f64, f64)>,
     wobble: f64,
-    /// Mean C_Nr over the whole flight and its standard error, N·m·s.
+    /// C_Nr, constant over the whole flight, from the fit of [`Form::Linear`], and its standard error, N·m·s.
     c_nr: (f64, f64),
     axial_inertia: f64,
     model_c_nr: f64,

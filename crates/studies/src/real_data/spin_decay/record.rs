@@ -5,7 +5,7 @@ use std::path::Path;
 use crate::error::StudyError;
 use crate::real_data::files::{absent, bad_line, rows, text_of};
 
-/// Start and end of the flight in the record's time, s.
+/// Times at which the disc's flight starts and ends in the recorded table, s.
 pub(super) const FLIGHT: (f64, f64) = (0.14, 2.38);
 
 /// Minimum number of samples of a valid flight.
@@ -21,7 +21,7 @@ pub(super) struct Record {
 }
 
 impl Record {
-    /// Reads the flight from a table `t,gx,gy,gz,…` in s and rad/s.
+    /// Reads the disc's spin during the flight from a table `t,gx,gy,gz,…` in s and rad/s.
     pub(super) fn read(file: &Path) -> Result<Self, StudyError> {
         let text = text_of(file)?;
         let mut record = Self::default();

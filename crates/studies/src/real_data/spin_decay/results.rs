@@ -10,7 +10,7 @@ use super::form::Form;
 use super::record::Record;
 use crate::error::StudyError;
 
-/// Initial part of the flight that one fit leaves out, to test whether the wobble there matters, s.
+/// Initial part of the flight that one fit leaves out, to test whether the disc's wobble there affects the result, s.
 pub(super) const WOBBLE: f64 = 0.5;
 
 /// Fits of all forms of the spin's decay, and the diagnosis of the same flight.
@@ -21,7 +21,7 @@ pub(in super::super) struct SpinDecay {
     pub(super) power_without_wobble: Option<DecayFit>,
     /// Axial moment of inertia of the model, kg·m².
     pub(super) axial_inertia: f64,
-    /// Value of C_Nr in the model file, N·m·s.
+    /// Value of the spin-damping coefficient C_Nr in the model file, N·m·s.
     pub(super) model_c_nr: f64,
     /// Diagnosis of the gyroscope and accelerometer record with the model of the whole disc.
     pub(super) diagnosed: Diagnosed,

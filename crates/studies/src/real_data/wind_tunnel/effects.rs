@@ -7,7 +7,8 @@ use super::table::{Measured, between};
 use crate::error::StudyError;
 use crate::page::render;
 
-/// Half-widths of the ranges of angle of attack over which curves are fitted, degrees.
+/// Half-widths of the ranges of angle of attack, centred at 0, over which curves are fitted to the wind tunnel's table,
+/// degrees.
 const HALF_WIDTHS: [f64; 3] = [10.0, 20.0, 30.0];
 
 /// A functional form of an aerodynamic curve.
@@ -29,7 +30,8 @@ const fn form(coefficient: Coefficient, name: &'static str, shapes: &'static [Sh
 const LIFT: Form = form(0, "lift: straight", &[ONE, ALPHA]);
 const LIFT_STALL: Form = form(0, "`stall`", &[ONE, ALPHA, STALL]);
 const DRAG: Form = form(1, "drag: parabola about 0", &[ONE, SQUARE]);
-/// A parabola with a linear term is a parabola about a shifted angle.
+/// Form of the drag curve with the effect `zero_lift_drag_angle`: a parabola about a shifted angle, written as a
+/// parabola with a linear term.
 const DRAG_SHIFTED: Form = form(1, "`zero_lift_drag_angle`", &[ONE, SQUARE, ALPHA]);
 const MOMENT: Form = form(2, "pitching moment: straight through 0", &[ALPHA]);
 const MOMENT_CONSTANT: Form = form(2, "`constant_pitching_moment`", &[ALPHA, ONE]);
@@ -54,7 +56,8 @@ const FORMS: [&Form; 9] = [
     &MOMENT_EVEN,
 ];
 
-/// Name of the curve, the model's form, and the difference from the table above which the form counts as deviating.
+/// Name of each curve, the form that the model has, and the absolute difference of the coefficient from the table above
+/// which this form counts as deviating.
 const DEPARTURES: [(&str, &Form, f64); 3] = [
     ("Lift", &LIFT, 0.1),
     ("Drag", &DRAG, 0.05),
@@ -65,29 +68,32 @@ const DEPARTURES: [(&str, &Form, f64); 3] = [
 struct Section {
     forms: Vec<FormRow>,
     departures: Vec<Departure>,
-    /// Fraction of the RMS residual that the shifted drag parabola removes, within the minimum and the maximum
-    /// half-width.
+    /// Fraction of the drag parabola's RMS residual that is removed if the parabola may shift. The first entry is for
+    /// the narrowest, the second for the widest range of angle of attack; `None` if there are too few rows.
     drag_shifted: [Option<f64>; 2],
     stall: [Option<f64>; 2],
     moment_constant: [Option<f64>; 2],
     moment_cubic: [Option<f64>; 2],
-    /// Angle of minimum drag, fitted within the minimum and the maximum half-width, degrees.
+    /// Angle of attack with minimum drag, from a fit over the narrowest and a fit over the widest range of angle of
+    /// attack, degrees; `None` if there is no minimum or there are too few rows.
     least_drag: [Option<f64>; 2],
 }
 
 #[derive(Serialize)]
 struct FormRow {
     name: &'static str,
-    /// RMS residual within each half-width; `None` if there are too few rows.
+    /// RMS residual of the form fitted over each range of angle of attack; `None` if the range has too few rows.
     rms: Vec<Option<f64>>,
 }
 
-/// Angles at which the model's form, fitted within the minimum half-width, first deviates from the table.
+/// Angles of attack at which a curve of the model's form first deviates from the table. The curve is fitted over the
+/// narrowest range of angle of attack.
 #[derive(Serialize)]
 struct Departure {
     name: &'static str,
     limit: f64,
-    /// First deviating angle of attack above 0, degrees; `below` is that below 0. `None` if the form does not deviate.
+    /// Smallest angle of attack ≥ 0, degrees, at which the curve deviates by more than `limit`; `below` is the one ≤ 0
+    /// that is closest to 0. `None` if the curve does not deviate on that side.
     above: Option<f64>,
     below: Option<f64>,
 }

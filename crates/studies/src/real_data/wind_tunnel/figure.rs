@@ -10,7 +10,8 @@ use super::table::{Measured, between};
 /// Range of angle of attack shown in the figure, degrees.
 const SHOWN: (f64, f64) = (-30.0, 45.0);
 
-/// Draws one panel per coefficient as SVG.
+/// Draws the wind tunnel's coefficients and the model's curves as SVG: one panel each for lift, drag and pitching
+/// moment.
 pub(in super::super) fn tunnel_figure(disc: &Model, table: &[Measured]) -> String {
     let shown = between(table, SHOWN.0, SHOWN.1);
     let fitted_rows = between(table, FIGURE_RANGE.0, FIGURE_RANGE.1);

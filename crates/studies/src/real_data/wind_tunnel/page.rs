@@ -41,9 +41,10 @@ struct CurveRow {
     constant: f64,
     multiple: f64,
     rms: f64,
-    /// RMS difference between the table and the curve with the model file's coefficients.
+    /// RMS difference, over the range of the fit, between the table and the curve with the coefficients of the model
+    /// file.
     model_rms: f64,
-    /// RMS of the table's values.
+    /// RMS of the coefficient's values in the table, over the range of the fit.
     magnitude: f64,
 }
 
@@ -102,7 +103,8 @@ fn curve_rows(table: &[Measured], model: &[Curve; 3], (low, high): (f64, f64)) -
     curves.collect()
 }
 
-/// Least-squares curve of the model's form through one coefficient of the rows; `None` if there are too few rows.
+/// Least-squares curve through the lift, drag or pitching moment (by its index) of the table's rows, with the model's
+/// basis functions; `None` if there are too few rows.
 pub(super) fn fitted_curve(rows: &[Measured], coefficient: usize) -> Option<Curve> {
     Curve::fitted(rows, coefficient, MODEL_SHAPES[coefficient])
 }

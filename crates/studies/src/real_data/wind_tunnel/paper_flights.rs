@@ -21,7 +21,7 @@ const FLIGHTS: [&str; 2] = ["fssh3", "bffl8"];
 
 #[derive(Serialize)]
 struct Section {
-    /// Angle of attack at release of each flight, degrees.
+    /// Angles of attack at the releases of flights fssh3 and bffl8, degrees.
     released: [f64; 2],
     seeds: u64,
     coefficients: Vec<CoefficientRow>,
@@ -31,7 +31,8 @@ struct Section {
 #[derive(Serialize)]
 struct CoefficientRow {
     name: String,
-    /// Mean and standard deviation over the seeds of the estimates from each flight.
+    /// Mean and standard deviation, over the seeds of the noise, of the estimates from flight fssh3 and from flight
+    /// bffl8.
     estimates: [(f64, f64); 2],
     printed: Option<[f64; 2]>,
 }
@@ -44,7 +45,8 @@ impl CoefficientRow {
     }
 }
 
-/// Simulates and fits the flights, and renders the section as Markdown.
+/// Simulates the two flights of Hubbard & Hummel (2000) with the wind tunnel's coefficients, fits the model `disc` to
+/// each, and renders the section on the estimates as Markdown.
 pub(in super::super) fn paper_flights_section(
     disc: &Model,
     table: &[Measured],

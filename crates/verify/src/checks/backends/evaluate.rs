@@ -5,7 +5,8 @@ use codegen::tape::{Inputs, Tape};
 use lanes::{Isa, Kernel, Lanes, Real, dispatch_with};
 use oracle::Point;
 
-/// Values of a point in the order of the compiler's variables: time, states, parameters, marker position.
+/// Inputs of the compiled functions at a point, in the order of the compiled model's variables: time, states,
+/// parameters, marker position.
 pub(super) struct Numbers<T> {
     t: T,
     x: Vec<T>,
@@ -24,8 +25,9 @@ impl Numbers<f64> {
     }
 }
 
-/// Tapes of all functions of a model, in the order of [`codegen::Compiled::functions`]. The first tape computes the
-/// parameter-only values that the others use.
+/// Tapes (programs of the bytecode interpreter) of all functions of a model, in the order of
+/// [`codegen::Compiled::functions`]. The first tape computes values that depend on parameters only; the other tapes
+/// read them.
 pub(super) struct Tapes(Vec<Tape>);
 
 impl Tapes {

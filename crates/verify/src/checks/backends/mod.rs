@@ -104,7 +104,8 @@ fn on_lanes(name: &str, tapes: &Tapes, points: &[Point<f64>]) -> Vec<Run> {
     Isa::ALL.into_iter().filter_map(run).collect()
 }
 
-/// First run with the given use of fused multiply-add; `None` if there is none.
+/// First backend run that fuses multiply and add if `fuses`, or that does not otherwise; `None` if there is no such
+/// run.
 fn first(runs: &[Run], fuses: bool) -> Option<&Run> {
     runs.iter().find(|run| run.fuses == fuses)
 }
@@ -147,8 +148,8 @@ pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
     }
 }
 
-/// Compares the first run with fused multiply-add with the first run without. Errors are relative to the largest result
-/// of the function.
+/// Compares the first backend run that fuses multiply and add with the first one that does not. Errors are relative to
+/// the largest result of the function.
 pub fn check_fma(compiled: &Compiled, runs: &[Run]) -> Row {
     let (Some(plain), Some(fused)) = (first(runs, false), first(runs, true)) else {
         return Row::skipped(FMA, "no backend fuses on this machine");
