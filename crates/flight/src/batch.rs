@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// Runs `task(0)`, …, `task(count - 1)` on all processors; results are in the order of the index.
 ///
@@ -19,7 +19,9 @@ pub fn each<R: Send>(count: usize, task: impl Fn(usize) -> R + Sync) -> Vec<R> {
 
 /// Number of processors available to the program; 1 if it cannot be determined.
 pub fn threads() -> usize {
-    std::thread::available_parallelism().map_or(1, |n| n.get())
+    // The operating system is asked once: reading the limits of a container takes longer than many a task.
+    static THREADS: OnceLock<usize> = OnceLock::new();
+    *THREADS.get_or_init(|| std::thread::available_parallelism().map_or(1, |n| n.get()))
 }
 
 /// Runs `task(0)`, …, `task(count - 1)` on `threads` threads; results are in index order and do not depend on

@@ -11,6 +11,7 @@ use super::state::State;
 use super::{FitError, FittedFlight};
 use crate::dataset::{Dataset, Flight};
 use crate::error::FlightError;
+use crate::ground_contact::SoughtContact;
 use crate::ids::FlightId;
 use crate::least_squares::eliminate;
 use crate::noise::NoiseModel;
@@ -32,13 +33,14 @@ pub struct HeldOut {
     pub fitted: Option<FittedFlight>,
 }
 
-/// Fits the initial states of held-out flights to their conditioning segments, and predicts the rest.
+/// Fits the initial states of held-out flights to their conditioning segments, and predicts the rest. `contacts` are the
+/// results of the search for contacts in the flights of the dataset; empty if there was none.
 ///
 /// # Errors
 /// [`FitError::Interrupted`] if the work is cancelled.
 pub fn held_out(
     problem: &FitProblem,
-    dataset: &Dataset,
+    (dataset, contacts): (&Dataset, &[SoughtContact]),
     flights: &[FlightId],
     state: &State,
     noise: &NoiseModel,
@@ -48,10 +50,12 @@ pub fn held_out(
         options.stage_started("held-out flights", flights.len());
     }
     let found = batch::each_on(options.threads(), flights.len(), |index| {
-        let flight = &dataset.flights[flights[index].index()];
+        let index = flights[index].index();
+        let flight = &dataset.flights[index];
+        let sought = contacts.get(index).cloned().flatten();
         let found = match options.is_past_deadline() {
             true => Err(FlightError::Deadline),
-            false => predict(problem, flight, state, noise, options),
+            false => predict(problem, (flight, sought), state, noise, options),
         };
         options.flight_done();
         found.unwrap_or_else(|reason| HeldOut {
@@ -67,12 +71,12 @@ pub fn held_out(
 
 fn predict(
     problem: &FitProblem,
-    flight: &Flight,
+    (flight, sought): (&Flight, SoughtContact),
     state: &State,
     noise: &NoiseModel,
     options: &FitOptions<'_>,
 ) -> Result<HeldOut, FlightError> {
-    let mut observations = observations(problem, flight)?;
+    let mut observations = observations(problem, flight, sought)?;
     let all = observations.times.len();
     let samples = ((all as f64 * CONDITIONING_FRACTION).ceil() as usize).clamp(1, all);
     if samples == all {

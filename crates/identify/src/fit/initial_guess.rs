@@ -184,8 +184,12 @@ pub fn spin_note(turns: i32) -> String {
 /// # Errors
 /// The errors of [`Observations::new`]; [`FlightError::TooFewCoordinates`] if the samples do not determine the initial
 /// state.
-pub fn observations(problem: &FitProblem, flight: &Flight) -> Result<Observations, FlightError> {
-    Ok(observations_and_poses(problem, flight, None)?.0)
+pub fn observations(
+    problem: &FitProblem,
+    flight: &Flight,
+    sought: SoughtContact,
+) -> Result<Observations, FlightError> {
+    Ok(observations_and_poses(problem, flight, sought)?.0)
 }
 
 /// Observations of a flight, truncated at its first contact, with the pose in each sample if the body has an attitude.

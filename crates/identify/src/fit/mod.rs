@@ -188,7 +188,14 @@ fn fit_after(
     let reweighting::Reweighted {
         noise, solution, ..
     } = reweighted;
-    let predicted = held_out::held_out(&problem, dataset, &held_out, &state, &noise, options)?;
+    let predicted = held_out::held_out(
+        &problem,
+        (dataset, &contacts),
+        &held_out,
+        &state,
+        &noise,
+        options,
+    )?;
     let mut flights = FlightTable::new(dataset.flights.len());
     for excluded in state.excluded.iter().chain(&faulty) {
         flights.exclude(dataset, excluded);

@@ -107,7 +107,7 @@ fn like_the_others(
     usual: f64,
     options: &FitOptions<'_>,
 ) -> Option<(Observations, DVector<f64>)> {
-    let observations = initial_guess::observations(problem, flight).ok()?;
+    let observations = initial_guess::observations(problem, flight, None).ok()?;
     let samples = observations.times.len();
     let local = fly_to_the_end(problem, global, &observations, options)?.1;
     let scale = residual_scale(problem, &observations, (global, &local), samples)?;

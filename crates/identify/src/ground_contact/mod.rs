@@ -1,8 +1,10 @@
 //! Detection of the first contact of a flight; samples after it do not belong to free flight.
 
+mod designs;
 mod halt;
 mod impact_detection;
 mod motion;
+mod motion_fits;
 mod onset;
 mod regression;
 #[cfg(test)]

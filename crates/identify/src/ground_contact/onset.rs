@@ -1,6 +1,7 @@
 //! Finds the first sample after a contact: the first one that free motion up to it does not predict.
 
-use super::motion::{Character, Comparison, Point, SIDES, range_before};
+use super::motion::{Comparison, Point};
+use super::motion_fits::{MotionFits, SIDES, range_before};
 
 /// Numbers of points before and after the interval with the detected contact, among which the first point after the
 /// contact is searched. A hard contact is already detected in an earlier interval, as soon as the points used after
@@ -22,31 +23,32 @@ const MOST: f64 = 2.4;
 
 /// Index of the first sample after a contact, which was detected by `comparison`; `None` if the points do not determine
 /// it.
-pub fn onset(points: &[Point], comparison: &Comparison, character: &Character) -> Option<usize> {
-    let index = first_point(points, comparison, character)?;
+pub fn onset(points: &[Point], comparison: &Comparison, fits: &mut MotionFits) -> Option<usize> {
+    let index = first_point(points, comparison, fits)?;
     let (last, next) = (
         points.get(index.checked_sub(1)?)?.sample,
         points.get(index)?.sample,
     );
     match next - last {
         1 => Some(next),
-        _ => in_gap(points, index, character).or(Some((last + 1 + next).div_ceil(2))),
+        _ => in_gap(points, index, fits).or(Some((last + 1 + next).div_ceil(2))),
     }
 }
 
 /// Index of the first point that the free motion before it does not predict, near the contact that was detected by
 /// `found`; `None` if the points do not determine the free motion.
-fn first_point(points: &[Point], found: &Comparison, character: &Character) -> Option<usize> {
+fn first_point(points: &[Point], found: &Comparison, fits: &mut MotionFits) -> Option<usize> {
+    let character = fits.character;
     let base = found.index.saturating_sub(SOUGHT.0).max(LEAST_BEFORE);
     let base = base.min(found.index);
     let about = points.get(base)?.time;
-    let mut kept = character.without_outliers(points, range_before(points, base), about)?;
+    let mut kept = fits.without_outliers(points, range_before(points, base), about)?;
     let neutral = NEUTRAL.max(NEUTRAL_PART * (found.gains[0] + found.gains[1]));
     let (mut sum, mut best) = (0.0, (0.0, base));
     let last = (found.index + SOUGHT.1).min(points.len() - 1);
     for (index, point) in points.iter().enumerate().take(last + 1).skip(base) {
         let previous = *kept.last()?;
-        let (position, axis) = character.free(&kept, about)?;
+        let (position, axis) = fits.free(&kept, about)?;
         let rows = |point: &Point| {
             (
                 character.position_row(point, about),
@@ -71,14 +73,14 @@ fn first_point(points: &[Point], found: &Comparison, character: &Character) -> O
 
 /// First sample after a contact between points `index − 1` and `index`, if the samples between these points have no
 /// pose. It is the sample for which motion that is disturbed just before it has the smallest residuals.
-fn in_gap(points: &[Point], index: usize, character: &Character) -> Option<usize> {
+fn in_gap(points: &[Point], index: usize, fits: &mut MotionFits) -> Option<usize> {
     let (last, next) = (&points[index - 1], &points[index]);
     let samples = last.sample + 1..=next.sample;
     let misfits = samples.filter_map(|sample| {
         let part = (sample - last.sample) as f64 - 0.5;
         let part = part / (next.sample - last.sample) as f64;
         let time = last.time + part * (next.time - last.time);
-        let compared = character.compare(points, index, Some(time))?;
+        let compared = fits.compare(points, index, Some(time))?;
         Some((compared.remaining, sample))
     });
     let best = misfits.min_by(|a, b| a.0.total_cmp(&b.0));

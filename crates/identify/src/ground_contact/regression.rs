@@ -1,4 +1,7 @@
 //! Least-squares regression of a vector on a few functions of time, with noise that is correlated between samples.
+//!
+//! A [`Design`] contains everything that does not depend on the measured vectors. Windows of a regularly sampled flight
+//! share it.
 
 use nalgebra::{SMatrix, SVector, Vector3};
 
@@ -37,50 +40,6 @@ pub struct Regression<const N: usize> {
 const LEAST_PART: f64 = 0.05;
 
 impl<const N: usize> Regression<N> {
-    /// Solves the regression. `precisions` are the ratios of the noise variance to the prior variance of each
-    /// coefficient about 0; 0 for a coefficient without prior. `correlation` is the correlation of the noise between
-    /// successive samples, 0 to 0.9. `None` if there are no rows or if they do not determine the coefficients.
-    pub fn solve(rows: &[Row<N>], precisions: &[f64; N], correlation: f64) -> Option<Self> {
-        let origin = rows.first()?.value;
-        let mut normal = SMatrix::<f64, N, N>::zeros();
-        let mut right = SMatrix::<f64, N, 3>::zeros();
-        let each = (0..rows.len()).map(|index| {
-            let previous = index.checked_sub(1).map(|previous| &rows[previous]);
-            whitened(previous, &rows[index], origin, correlation)
-        });
-        let each: Vec<_> = each.collect();
-        for (functions, value) in &each {
-            normal += functions * functions.transpose();
-            right += functions * value.transpose();
-        }
-        for (index, precision) in precisions.iter().enumerate() {
-            normal[(index, index)] = normal[(index, index)] * (1.0 + RIDGE) + precision;
-        }
-        let inverse = normal.cholesky()?.inverse();
-        let coefficients = inverse * right;
-        let (mut squares, mut used) = (0.0, 0.0);
-        let removable = each.iter().map(|(functions, value)| {
-            let square = (value - coefficients.tr_mul(functions)).norm_squared();
-            let leverage = functions.dot(&(inverse * functions));
-            squares += square;
-            used += leverage;
-            square / (1.0 - leverage).max(LEAST_PART)
-        });
-        let removable = removable.collect();
-        for (index, precision) in precisions.iter().enumerate() {
-            squares += precision * coefficients.row(index).norm_squared();
-        }
-        Some(Self {
-            coefficients,
-            squares,
-            freedom: (3.0 * (each.len() as f64 - used)).max(3.0),
-            removable,
-            inverse,
-            origin,
-            correlation,
-        })
-    }
-
     /// Residual variance: sum of squared residuals per degree of freedom.
     pub fn variance(&self) -> f64 {
         self.squares / self.freedom
@@ -89,31 +48,128 @@ impl<const N: usize> Regression<N> {
     /// Squared innovation: squared distance of a row from its prediction by the regression and the previous row,
     /// divided by the variance of that prediction for noise of variance 1.
     pub fn innovation(&self, previous: &Row<N>, row: &Row<N>) -> f64 {
-        let (functions, value) = whitened(Some(previous), row, self.origin, self.correlation);
+        let whitening = Whitening::of(Some(previous.sample), row.sample, self.correlation);
+        let functions = whitening.apply(Some(previous.functions), row.functions);
+        let value = whitening.apply(Some(previous.value - self.origin), row.value - self.origin);
         let square = (value - self.coefficients.tr_mul(&functions)).norm_squared();
         square / (1.0 + functions.dot(&(self.inverse * functions)))
     }
 }
 
-/// Subtracts from a row the part that the noise of the previous row predicts, and scales it so that all rows have the
-/// same noise variance.
-fn whitened<const N: usize>(
-    previous: Option<&Row<N>>,
-    row: &Row<N>,
-    origin: Vector3<f64>,
+/// Whitened basis functions of a regression, with their factorized normal equations.
+#[derive(Clone, Debug)]
+pub struct Design<const N: usize> {
+    rows: Vec<(Whitening, SVector<f64, N>)>,
+    leverages: Vec<f64>,
+    inverse: SMatrix<f64, N, N>,
+    precisions: [f64; N],
     correlation: f64,
-) -> (SVector<f64, N>, Vector3<f64>) {
-    let fresh = 1.0 - correlation * correlation;
-    let value = row.value - origin;
-    let Some(previous) = previous else {
-        let scale = fresh.sqrt();
-        return (row.functions * scale, value * scale);
-    };
-    let interval = row.sample.saturating_sub(previous.sample).max(1);
-    let shared = correlation.powi(i32::try_from(interval).unwrap_or(i32::MAX));
-    let scale = (fresh / (1.0 - shared * shared)).sqrt();
-    (
-        (row.functions - previous.functions * shared) * scale,
-        (value - (previous.value - origin) * shared) * scale,
-    )
+}
+
+impl<const N: usize> Design<N> {
+    /// Computes the design of some rows, whose measured vectors are not used. `precisions` are the ratios of the noise
+    /// variance to the prior variance of each coefficient about 0; 0 for a coefficient without prior. `correlation` is
+    /// the correlation of the noise between successive samples, 0 to 0.9. `None` if the rows do not determine the
+    /// coefficients.
+    pub fn new(rows: &[Row<N>], precisions: &[f64; N], correlation: f64) -> Option<Self> {
+        let whitened = rows.iter().enumerate().map(|(index, row)| {
+            let previous = index.checked_sub(1).map(|previous| &rows[previous]);
+            let before = previous.map(|row| row.sample);
+            let whitening = Whitening::of(before, row.sample, correlation);
+            let functions = whitening.apply(previous.map(|row| row.functions), row.functions);
+            (whitening, functions)
+        });
+        let rows: Vec<_> = whitened.collect();
+        let mut normal = SMatrix::<f64, N, N>::zeros();
+        for (_, functions) in &rows {
+            normal += functions * functions.transpose();
+        }
+        for (index, precision) in precisions.iter().enumerate() {
+            normal[(index, index)] = normal[(index, index)] * (1.0 + RIDGE) + precision;
+        }
+        let inverse = normal.cholesky()?.inverse();
+        let leverage =
+            |(_, functions): &(_, SVector<f64, N>)| functions.dot(&(inverse * functions));
+        Some(Self {
+            leverages: rows.iter().map(leverage).collect(),
+            rows,
+            inverse,
+            precisions: *precisions,
+            correlation,
+        })
+    }
+
+    /// Solves the regression of measured vectors, one per row.
+    pub fn solve(&self, values: impl Iterator<Item = Vector3<f64>>) -> Regression<N> {
+        let mut origin = None;
+        let mut previous = None;
+        let mut right = SMatrix::<f64, N, 3>::zeros();
+        let each = values
+            .zip(&self.rows)
+            .map(|(value, (whitening, functions))| {
+                let value = value - *origin.get_or_insert(value);
+                let whitened = whitening.apply(previous.replace(value), value);
+                right += functions * whitened.transpose();
+                whitened
+            });
+        let whitened: Vec<Vector3<f64>> = each.collect();
+        let coefficients = self.inverse * right;
+        let (mut squares, mut used) = (0.0, 0.0);
+        let rows = self.rows.iter().zip(&whitened).zip(&self.leverages);
+        let removable = rows.map(|(((_, functions), value), leverage)| {
+            let square = (value - coefficients.tr_mul(functions)).norm_squared();
+            squares += square;
+            used += leverage;
+            square / (1.0 - leverage).max(LEAST_PART)
+        });
+        let removable = removable.collect();
+        for (index, precision) in self.precisions.iter().enumerate() {
+            squares += precision * coefficients.row(index).norm_squared();
+        }
+        Regression {
+            coefficients,
+            squares,
+            freedom: (3.0 * (whitened.len() as f64 - used)).max(3.0),
+            removable,
+            inverse: self.inverse,
+            origin: origin.unwrap_or_default(),
+            correlation: self.correlation,
+        }
+    }
+}
+
+/// Transformation of a row to noise of one variance that does not depend on the noise of the previous row.
+#[derive(Clone, Copy, Debug)]
+struct Whitening {
+    /// Correlation with the previous row.
+    shared: f64,
+    scale: f64,
+}
+
+impl Whitening {
+    /// The transformation of a row, given the indices of its sample and of that of the previous row; `None` for the
+    /// first row.
+    fn of(previous: Option<usize>, sample: usize, correlation: f64) -> Self {
+        let fresh = 1.0 - correlation * correlation;
+        let shared = previous.map_or(0.0, |previous| {
+            let interval = sample.saturating_sub(previous).max(1);
+            correlation.powi(i32::try_from(interval).unwrap_or(i32::MAX))
+        });
+        Self {
+            shared,
+            scale: (fresh / (1.0 - shared * shared)).sqrt(),
+        }
+    }
+
+    /// Subtracts the part that the noise of the previous row predicts, and scales the rest.
+    fn apply<const M: usize>(
+        self,
+        previous: Option<SVector<f64, M>>,
+        row: SVector<f64, M>,
+    ) -> SVector<f64, M> {
+        match previous {
+            Some(previous) => (row - previous * self.shared) * self.scale,
+            None => row * self.scale,
+        }
+    }
 }

@@ -6,7 +6,8 @@
 
 use super::Posed;
 use super::halt::is_stopped;
-use super::motion::{Character, Comparison, SIDES};
+use super::motion::{Character, Comparison};
+use super::motion_fits::{MotionFits, SIDES};
 use super::onset::onset;
 use super::wobble::{noise_correlation, points_with_axis, wobble_rate};
 use crate::path_noise::path_noise;
@@ -70,13 +71,13 @@ pub fn touch(posed: &[Posed]) -> Option<Touch> {
         ],
     };
     let indices = LEAST_BEFORE..=points.len() - LEAST_AFTER;
-    let compare = |character: &Character, step: usize| -> Vec<Comparison> {
+    let compare = |fits: &mut MotionFits, step: usize| -> Vec<Comparison> {
         let each = indices.clone().step_by(step);
-        each.filter_map(|index| character.compare(&points, index, None))
+        each.filter_map(|index| fits.compare(&points, index, None))
             .collect()
     };
     // A noise estimate from differences of samples does not include correlated noise.
-    let rough = compare(&character, ROUGH_STEP);
+    let rough = compare(&mut MotionFits::new(character), ROUGH_STEP);
     let noise = |part: usize| quartile(rough.iter().map(|c| c.variances[part])).sqrt();
     let first = character;
     character.noise = [noise(0).max(1e-9), noise(1).max(1e-9)];
@@ -84,7 +85,8 @@ pub fn touch(posed: &[Posed]) -> Option<Touch> {
     if !rough.iter().any(|of| may_be_touch(of, gains(of))) {
         return None;
     }
-    let comparisons = compare(&character, 1);
+    let mut fits = MotionFits::new(character);
+    let comparisons = compare(&mut fits, 1);
     let quartiles = [0, 1].map(|part| quartile(comparisons.iter().map(|c| c.gains[part])));
     let found = comparisons.iter().enumerate().find(|(place, comparison)| {
         let usual = [0, 1].map(|part| {
@@ -101,7 +103,7 @@ pub fn touch(posed: &[Posed]) -> Option<Touch> {
     });
     let (_, comparison) = found?;
     Some(Touch {
-        sample: onset(&points, comparison, &character)?,
+        sample: onset(&points, comparison, &mut fits)?,
         jump: comparison.jump.z,
     })
 }

@@ -2,8 +2,9 @@
 
 use nalgebra::{Matrix3, SVector, UnitQuaternion, Vector3};
 
+use super::designs::Designs;
 use super::motion::Point;
-use super::regression::{Regression, Row};
+use super::regression::{Design, Row};
 use super::{PathPoint, Posed};
 use crate::statistics::median;
 
@@ -82,6 +83,7 @@ pub fn wobble_rate(points: &[Point], interval: f64) -> f64 {
     let (least, step, count) = TURNS;
     let rate = |index: usize| (least + step * index as f64) / interval;
     let misfit = |rate: f64| {
+        let mut designs = Designs::new();
         let each = points.chunks_exact(CHUNK).filter_map(|chunk| {
             let middle = chunk[CHUNK / 2].time;
             let row = |point: &Point| {
@@ -94,8 +96,11 @@ pub fn wobble_rate(points: &[Point], interval: f64) -> f64 {
                     value: point.axis,
                 }
             };
-            let rows: Vec<_> = chunk.iter().map(row).collect();
-            let fitted = Regression::solve(&rows, &[0.0; 5], 0.0)?;
+            let design = designs.of(chunk.iter(), middle, || {
+                let rows: Vec<_> = chunk.iter().map(row).collect();
+                Design::new(&rows, &[0.0; 5], 0.0)
+            })?;
+            let fitted = design.solve(chunk.iter().map(|point| point.axis));
             Some(fitted.squares.max(LEAST_SQUARE).ln())
         });
         each.sum::<f64>()

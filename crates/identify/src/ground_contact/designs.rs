@@ -1,0 +1,55 @@
+//! Designs of regressions that windows of a flight share.
+
+use super::motion::Point;
+
+/// Maximum number of designs: windows differ in the rounding of their times, which repeats after a few samples.
+const MAX_DESIGNS: usize = 8;
+/// Maximum difference between times that are considered equal, s. In this time a body moves by some nanometres.
+const SAME_TIME: f64 = 1e-9;
+
+/// Designs of recent windows. Windows whose samples have the same times relative to a reference time share one.
+#[derive(Debug)]
+pub struct Designs<D> {
+    recent: Vec<(Vec<(usize, f64)>, D)>,
+    /// Index of the design that the next one replaces.
+    oldest: usize,
+}
+
+impl<D> Designs<D> {
+    /// Creates an empty collection.
+    pub fn new() -> Self {
+        Self {
+            recent: Vec::new(),
+            oldest: 0,
+        }
+    }
+
+    /// Returns the design of a window of points, with times relative to `about`, s: the design of an equal window, or
+    /// the result of `make`. `None` if `make` returns `None` or there are no points.
+    pub fn of<'p>(
+        &mut self,
+        points: impl ExactSizeIterator<Item = &'p Point> + Clone,
+        about: f64,
+        make: impl FnOnce() -> Option<D>,
+    ) -> Option<&D> {
+        let first = points.clone().next()?.sample;
+        let times = points.map(|point| (point.sample.wrapping_sub(first), point.time - about));
+        let is_same = |known: &[(usize, f64)]| {
+            let mut pairs = known.iter().zip(times.clone());
+            known.len() == times.len()
+                && pairs.all(|(a, b)| a.0 == b.0 && (a.1 - b.1).abs() < SAME_TIME)
+        };
+        if let Some(known) = self.recent.iter().position(|(known, _)| is_same(known)) {
+            return Some(&self.recent[known].1);
+        }
+        let made = (times.collect(), make()?);
+        if self.recent.len() < MAX_DESIGNS {
+            self.recent.push(made);
+            return self.recent.last().map(|(_, design)| design);
+        }
+        let at = self.oldest;
+        self.oldest = (at + 1) % MAX_DESIGNS;
+        self.recent[at] = made;
+        Some(&self.recent[at].1)
+    }
+}

@@ -1,0 +1,187 @@
+//! Regressions of free motion, and of motion that is disturbed in an interval, in windows of a flight.
+
+use std::ops::Range;
+
+use nalgebra::Vector3;
+
+use super::designs::Designs;
+use super::motion::{Character, Comparison, Point, SCALE};
+use super::regression::{Design, Regression};
+
+/// Maximum numbers of points that are used before and after the tested interval, which is the interval between two
+/// successive points in which a contact is assumed.
+pub const SIDES: (usize, usize) = (20, 8);
+/// Maximum numbers of samples, with or without a pose, that the points used before and after the tested interval may
+/// span.
+const SPANS: (usize, usize) = (26, 16);
+/// Minimum numbers of points that are required before and after the tested interval.
+const LEAST_SIDES: (usize, usize) = (8, 4);
+/// Maximum number of points around the tested interval that are excluded as outliers.
+const MOST_OUTLIERS: usize = 2;
+/// Sum of the squared residuals of a point's position and axis, each divided by its noise variance, above which the
+/// point is an outlier.
+const OUTLIER: f64 = 40.0;
+/// The regressions of one flight, which share designs between windows.
+#[derive(Debug)]
+pub struct MotionFits {
+    /// Wobble rate and noise that the regressions assume.
+    pub character: Character,
+    free: Designs<(Design<7>, Design<6>)>,
+    disturbed: Designs<(Design<9>, Design<9>)>,
+}
+
+impl MotionFits {
+    /// Regressions without designs so far.
+    pub fn new(character: Character) -> Self {
+        Self {
+            character,
+            free: Designs::new(),
+            disturbed: Designs::new(),
+        }
+    }
+
+    /// Fits free motion to the positions and to the axes of points, with times relative to `about`, s; `None` if the
+    /// points do not determine it.
+    pub fn free(
+        &mut self,
+        points: &[&Point],
+        about: f64,
+    ) -> Option<(Regression<7>, Regression<6>)> {
+        let of = &self.character;
+        let designs = self.free.of(points.iter().copied(), about, || {
+            let positions: Vec<_> = points.iter().map(|p| of.position_row(p, about)).collect();
+            let axes: Vec<_> = points.iter().map(|p| of.axis_row(p, about)).collect();
+            Some((
+                Design::new(&positions, &of.position_precisions(), of.correlation)?,
+                Design::new(&axes, &of.axis_precisions(), of.correlation)?,
+            ))
+        })?;
+        Some((
+            designs.0.solve(points.iter().map(|point| point.position)),
+            designs.1.solve(points.iter().map(|point| point.axis)),
+        ))
+    }
+
+    /// Fits motion that is disturbed at the time `about`, s, to the positions and to the axes of points; `None` if the
+    /// points do not determine it.
+    fn disturbed(
+        &mut self,
+        points: &[&Point],
+        about: f64,
+    ) -> Option<(Regression<9>, Regression<9>)> {
+        let of = &self.character;
+        let designs = self.disturbed.of(points.iter().copied(), about, || {
+            let rows = points.iter().map(|point| of.disturbed_rows(point, about));
+            let (positions, axes): (Vec<_>, Vec<_>) = rows.unzip();
+            let mut of_position = [0.0; 9];
+            of_position[..7].copy_from_slice(&of.position_precisions());
+            let mut of_axis = [0.0; 9];
+            of_axis[..6].copy_from_slice(&of.axis_precisions());
+            Some((
+                Design::new(&positions, &of_position, of.correlation)?,
+                Design::new(&axes, &of_axis, of.correlation)?,
+            ))
+        })?;
+        Some((
+            designs.0.solve(points.iter().map(|point| point.position)),
+            designs.1.solve(points.iter().map(|point| point.axis)),
+        ))
+    }
+
+    /// Removes up to `MOST_OUTLIERS` points without which free motion fits far better. An outlier is such a point; a
+    /// contact affects all later points, so that the removal of one point does not help. Returns the remaining points
+    /// and the regressions of free motion through them; `None` if the points do not determine free motion.
+    fn robust<'p>(
+        &mut self,
+        points: &'p [Point],
+        range: Range<usize>,
+        about: f64,
+    ) -> Option<(Vec<&'p Point>, (Regression<7>, Regression<6>))> {
+        let mut kept: Vec<&Point> = points.get(range)?.iter().collect();
+        let mut free = self.free(&kept, about)?;
+        for _ in 0..MOST_OUTLIERS {
+            let noise = self.character.noise.map(|noise| noise * noise);
+            let of = |index: usize| {
+                free.0.removable[index] / noise[0] + free.1.removable[index] / noise[1]
+            };
+            let worst = (0..kept.len()).max_by(|&a, &b| of(a).total_cmp(&of(b)))?;
+            if of(worst) <= OUTLIER || kept.len() <= LEAST_SIDES.0 {
+                break;
+            }
+            kept.remove(worst);
+            free = self.free(&kept, about)?;
+        }
+        Some((kept, free))
+    }
+
+    /// Returns the points of `range` that remain after the outliers from free motion are removed; `None` if the points
+    /// do not determine free motion.
+    pub fn without_outliers<'p>(
+        &mut self,
+        points: &'p [Point],
+        range: Range<usize>,
+        about: f64,
+    ) -> Option<Vec<&'p Point>> {
+        Some(self.robust(points, range, about)?.0)
+    }
+
+    /// Tests the interval before point `index` for a contact: compares free motion with motion that is disturbed at the
+    /// time `at`, s; for `None`, in the middle of the interval. Returns `None` if there are too few points.
+    pub fn compare(
+        &mut self,
+        points: &[Point],
+        index: usize,
+        at: Option<f64>,
+    ) -> Option<Comparison> {
+        let first = points.get(index)?;
+        let last = points.get(index.checked_sub(1)?)?;
+        let about = at.unwrap_or(0.5 * (last.time + first.time));
+        let range = range_before(points, index).start..range_after(points, index).end;
+        let (kept, free) = self.robust(points, range, about)?;
+        let before = kept
+            .iter()
+            .filter(|point| point.sample < first.sample)
+            .count();
+        if before < LEAST_SIDES.0 || kept.len() - before < LEAST_SIDES.1 {
+            return None;
+        }
+        let disturbed = self.disturbed(&kept, about)?;
+        let variances = [disturbed.0.variance(), disturbed.1.variance()];
+        let noise = self.character.noise.map(|noise| noise * noise);
+        let unit = self.character.units(variances);
+        let slope =
+            |row: usize| Vector3::from(disturbed.0.coefficients.row(row).transpose()) / SCALE;
+        Some(Comparison {
+            index,
+            gains: [
+                (free.0.squares - disturbed.0.squares) / unit[0],
+                (free.1.squares - disturbed.1.squares) / unit[1],
+            ],
+            variances,
+            remaining: disturbed.0.squares / noise[0] + disturbed.1.squares / noise[1],
+            velocity: slope(1),
+            jump: slope(7),
+        })
+    }
+}
+
+/// Index range of the points to which the motion before point `index` is fitted: at most `SIDES.0` points, which
+/// precede that point.
+pub fn range_before(points: &[Point], index: usize) -> Range<usize> {
+    let end = index.min(points.len());
+    let from = end.saturating_sub(SIDES.0);
+    let last = points[..end].last().map_or(0, |point| point.sample);
+    let far = points[from..end].iter();
+    let far = far.take_while(|point| point.sample + SPANS.0 <= last);
+    from + far.count()..end
+}
+
+/// Index range of the points to which the motion from point `index` on is fitted: at most `SIDES.1` points.
+fn range_after(points: &[Point], index: usize) -> Range<usize> {
+    let end = (index + SIDES.1).min(points.len());
+    let after = points.get(index..end).unwrap_or_default();
+    let first = after.first().map_or(0, |point| point.sample);
+    let near = after.iter();
+    let near = near.take_while(|point| point.sample < first + SPANS.1);
+    index..index + near.count()
+}
