@@ -26,16 +26,16 @@ fn scalar(c: &mut Criterion) {
     let (mut dx, mut j, mut jp) = ([0.0; 12], [0.0; J], [0.0; JP]);
     let mut group = c.benchmark_group("f64");
     group.bench_function("f", |b| {
-        b.iter(|| (model.f)(0.0, black_box(&THROW), &p, &k, black_box(&mut dx)))
+        b.iter(|| (model.f)(0.0, black_box(&THROW), &p, &k, black_box(&mut dx)));
     });
     group.bench_function("f+J", |b| {
         let (dx, j) = (&mut dx, &mut j);
-        b.iter(|| (model.f_jac)(0.0, black_box(&THROW), &p, &k, black_box(dx), black_box(j)))
+        b.iter(|| (model.f_jac)(0.0, black_box(&THROW), &p, &k, black_box(dx), black_box(j)));
     });
     group.bench_function("f+J+Jp", |b| {
         let (dx, j, jp) = (&mut dx, &mut j, &mut jp);
         let x = black_box(&THROW);
-        b.iter(|| (model.f_jac_par)(0.0, x, &p, &k, black_box(dx), black_box(j), black_box(jp)))
+        b.iter(|| (model.f_jac_par)(0.0, x, &p, &k, black_box(dx), black_box(j), black_box(jp)));
     });
     group.finish();
 }
@@ -108,7 +108,7 @@ fn in_lanes(c: &mut Criterion) {
         ] {
             // A time of criterion's is that of one lane.
             c.bench_function(&format!("one lane of {isa}/{title}/{name}"), |b| {
-                b.iter_custom(|evaluations| dispatch(Many(form, evaluations)))
+                b.iter_custom(|evaluations| dispatch(Many(form, evaluations)));
             });
         }
     }
@@ -117,7 +117,7 @@ fn in_lanes(c: &mut Criterion) {
 fn flight(c: &mut Criterion) {
     let (p, k) = (disc::DEFAULTS, prepared());
     let mut thrown = rhs_from_fn(&disc::STATES, |t, x: &[f64; 12], dx: &mut [f64; 12]| {
-        disc::f(t, x, &p, &k, dx)
+        disc::f(t, x, &p, &k, dx);
     });
     let options = IntegrationOptions::with_tolerance(1e-6);
     c.bench_function("backhand to the ground at 1e-6", |b| {
@@ -125,7 +125,7 @@ fn flight(c: &mut Criterion) {
             let ground = Event::falls_to("ground", 2, 0.0).terminal();
             let start = (0.0, black_box(&THROW));
             integrate_to_end(&mut thrown, start, 60.0, &options, &mut [ground]).map(|end| end.time)
-        })
+        });
     });
 }
 

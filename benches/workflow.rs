@@ -12,7 +12,7 @@ fn compile(c: &mut Criterion) {
     let mut group = c.benchmark_group("compile");
     group.bench_function("load disc", |b| b.iter(|| Model::load(black_box("disc"))));
     group.bench_function("disc to tape", |b| {
-        b.iter(|| hyzer::crates::flight::CompiledModel::interpreted(black_box(disc.checked())))
+        b.iter(|| hyzer::crates::flight::CompiledModel::interpreted(black_box(disc.checked())));
     });
     group.finish();
 }
@@ -27,13 +27,13 @@ fn identify(c: &mut Criterion) {
         let dataset = read_dataset(examples.join(name)).expect("an example dataset");
         let model = Model::load(&dataset.model).expect("its model");
         group.bench_function(format!("fit {name}"), |b| {
-            b.iter(|| hyzer::fit(&model, &dataset, &FitOptions::default()).is_ok())
+            b.iter(|| hyzer::fit(&model, &dataset, &FitOptions::default()).is_ok());
         });
     }
     let dataset = read_dataset(examples.join("mystery")).expect("an example dataset");
     let model = Model::load(&dataset.model).expect("its model");
     group.bench_function("diagnose mystery", |b| {
-        b.iter(|| hyzer::diagnose(&model, &dataset, &DiagnosisOptions::default()).is_ok())
+        b.iter(|| hyzer::diagnose(&model, &dataset, &DiagnosisOptions::default()).is_ok());
     });
     group.finish();
 }

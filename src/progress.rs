@@ -161,7 +161,7 @@ impl identify::Progress for Progress {
         *self
             .stage
             .lock()
-            .unwrap_or_else(|poisoned| poisoned.into_inner()) = stage.to_owned();
+            .unwrap_or_else(std::sync::PoisonError::into_inner) = stage.to_owned();
         self.parts.store(parts, Ordering::Relaxed);
         self.done.store(0, Ordering::Relaxed);
         self.bar.reset();
@@ -177,7 +177,7 @@ impl identify::Progress for Progress {
             let stage = self
                 .stage
                 .lock()
-                .unwrap_or_else(|poisoned| poisoned.into_inner());
+                .unwrap_or_else(std::sync::PoisonError::into_inner);
             self.bar.reset();
             self.bar
                 .set_message(format!("{stage}, iteration {}", done / parts + 1));

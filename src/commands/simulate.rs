@@ -153,7 +153,7 @@ fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
         Some("ground") => release.stop = Stop::Ground,
         Some(seconds) => match number("--until", seconds)? {
             duration if duration > 0.0 && duration <= Release::MAX_DURATION => {
-                release.stop = Stop::Duration(duration)
+                release.stop = Stop::Duration(duration);
             }
             other => bail!(
                 "--until: found {other}, expected 0 to {} s, or ground",

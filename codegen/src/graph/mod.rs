@@ -157,7 +157,7 @@ impl ExprGraph {
                 .iter()
                 .for_each(|&(factor, _)| self.assume_nonzero(factor)),
             Node::Sum(terms, constant) if terms.len() == 1 && constant.is_zero() => {
-                self.assume_nonzero(terms[0].1)
+                self.assume_nonzero(terms[0].1);
             }
             _ => {}
         }

@@ -122,7 +122,7 @@ impl ExprGraph {
             }
             Node::Product(inner) if inner.iter().all(|(_, e)| (e * exponent) % 2 == 0) => {
                 let inner = inner.clone();
-                for &(factor, e) in inner.iter() {
+                for &(factor, e) in &inner {
                     // the root of a square is the absolute value
                     let signed = exponent % 2 != 0 && e % 4 == 0 && !self.facts(factor).nonneg;
                     let base = if signed {

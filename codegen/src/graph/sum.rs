@@ -122,7 +122,7 @@ impl ExprGraph {
                 continue;
             };
             let factors = factors.clone();
-            for &(base, exponent) in factors.iter() {
+            for &(base, exponent) in &factors {
                 let identity = match self.node(base) {
                     Node::Sum(squares, rest)
                         if exponent < 0

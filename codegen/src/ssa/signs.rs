@@ -185,7 +185,7 @@ fn price(ssa: &Ssa, place: Place) -> i64 {
         let plus = terms
             .iter()
             .any(|&(minus, id)| !minus || ssa.facts[id].fixed && is_leaf(ssa, id));
-        if plus { 0 } else { 1 }
+        i64::from(!plus)
     };
     match place {
         Place::Through(_) => 0,

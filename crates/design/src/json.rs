@@ -30,7 +30,7 @@ impl Design {
             "miss_m": self.miss,
             "vertical_speed_m_s": self.vertical_speed,
             "clearance_m": self.clearance,
-            "side": self.side.map(|side| side.name()),
+            "side": self.side.map(super::goal::Side::name),
             "landing": [self.landing.x, self.landing.y, self.landing.z + 0.0],
             "seconds": self.time,
             "figure": { "what": figure, "value": self.figure, "unit": unit },

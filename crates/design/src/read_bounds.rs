@@ -32,7 +32,7 @@ impl fmt::Display for BoundsError {
             let newline = if k > 0 { "\n" } else { "" };
             match location {
                 Some((line, column)) => {
-                    write!(f, "{newline}{}:{line}:{column}: {message}", self.file)?
+                    write!(f, "{newline}{}:{line}:{column}: {message}", self.file)?;
                 }
                 None => write!(f, "{newline}{}: {message}", self.file)?,
             }
@@ -115,7 +115,7 @@ impl<'t> Reader<'t> {
             }
         };
         let mut bounds = Bounds::standard(body);
-        for (key, value) in document.get_ref().iter() {
+        for (key, value) in document.get_ref() {
             let (name, span) = (&**key.get_ref(), key.span());
             match name {
                 "obstacle" => bounds.obstacle = self.obstacle(value),
@@ -270,7 +270,7 @@ impl<'t> Reader<'t> {
             return;
         };
         bounds.scatter.release.clear();
-        for (key, value) in table.iter() {
+        for (key, value) in table {
             let name = &**key.get_ref();
             if name == "wind" {
                 let items: Vec<&Value<'t>> = value

@@ -21,7 +21,7 @@ pub fn each<R: Send>(count: usize, task: impl Fn(usize) -> R + Sync) -> Vec<R> {
 pub fn threads() -> usize {
     // The operating system is asked once: reading the limits of a container takes longer than many a task.
     static THREADS: OnceLock<usize> = OnceLock::new();
-    *THREADS.get_or_init(|| std::thread::available_parallelism().map_or(1, |n| n.get()))
+    *THREADS.get_or_init(|| std::thread::available_parallelism().map_or(1, std::num::NonZero::get))
 }
 
 /// Runs `task(0)`, …, `task(count - 1)` on `threads` threads; results are in index order and do not depend on

@@ -95,7 +95,7 @@ fn what_would_not_be_read_back_is_not_written() {
     refused("C3D", &|d| d.flights[0].file = "a.c3d".into());
     refused("a file twice", &|d| d.flights[0].file = "sub/b.csv".into());
     refused("the manifest's own name", &|d| {
-        d.flights[0].file = "dataset.toml".into()
+        d.flights[0].file = "dataset.toml".into();
     });
     refused("a marker without a name", &|d| d.markers[0].name.clear());
     refused("a negative mass", &|d| {
@@ -104,7 +104,7 @@ fn what_would_not_be_read_back_is_not_written() {
     refused("no flights", &|d| d.flights.clear());
     refused("time that runs back", &|d| d.flights[0].times.reverse());
     refused("a time without a position", &|d| {
-        d.flights[0].times.push(0.2)
+        d.flights[0].times.push(0.2);
     });
     refused("a position that is no number", &|d| {
         d.flights[0].positions[0][0] = Some([f64::NAN; 3]);

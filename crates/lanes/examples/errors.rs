@@ -20,7 +20,7 @@ fn main() {
             a.to_bits(),
             b.to_bits(),
             r.to_bits()
-        )
+        );
     };
     for _ in 0..count {
         let sign = if unit() < 0.5 { -1.0 } else { 1.0 };

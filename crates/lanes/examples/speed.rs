@@ -140,7 +140,7 @@ fn measure<F: Function>(f: F) {
     let standard = nanoseconds(|| {
         from.iter()
             .zip(&mut to)
-            .for_each(|(x, to)| *to = F::standard(*x))
+            .for_each(|(x, to)| *to = F::standard(*x));
     });
     let latency_standard = nanoseconds(|| _ = black_box(chained(black_box(&from), F::standard)));
     let latency = nanoseconds(|| _ = black_box(chained(black_box(&from), F::of)));

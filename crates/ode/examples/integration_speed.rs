@@ -85,7 +85,7 @@ fn main() {
     let mut d = disc::disc();
     let mut dx = [0.0; 12];
     let ns = microseconds(|| {
-        (0..100).for_each(|_| d.derivative(0.0, black_box(&disc::THROW), black_box(&mut dx)))
+        (0..100).for_each(|_| d.derivative(0.0, black_box(&disc::THROW), black_box(&mut dx)));
     }) * 10.0;
     println!("rate of change: {ns:.1} ns");
 
@@ -120,7 +120,7 @@ fn main() {
                     1.5,
                     &options,
                     &mut [],
-                ))
+                ));
             });
             let kept = microseconds(|| {
                 _ = black_box(integrate(
@@ -129,7 +129,7 @@ fn main() {
                     1.5,
                     &options,
                     &mut [],
-                ))
+                ));
             });
             let ground = microseconds(|| {
                 let ground = Event::falls_to("ground", 2, 0.0).terminal();
@@ -150,7 +150,7 @@ fn main() {
                     &options,
                     &mut [],
                     &mut samples,
-                ))
+                ));
             });
             let own = (plain * 1e3 - end.stats.evaluations as f64 * ns) / end.stats.steps as f64;
             println!(

@@ -43,7 +43,7 @@ proptest! {
 #[test]
 fn every_crossing_is_recorded_in_order() {
     let mut d = rhs_from_fn(&[], |_, x: &[f64; 2], dx: &mut [f64; 2]| {
-        *dx = [x[1], -x[0]]
+        *dx = [x[1], -x[0]];
     });
     for method in METHODS {
         let mut events = [
@@ -80,7 +80,7 @@ fn every_crossing_is_recorded_in_order() {
 fn two_crossings_in_one_step_are_both_found() {
     // It dips below 0 from 0.9 to 1.1, in one step.
     let mut d = rhs_from_fn(&[], |t, _: &[f64; 1], dx: &mut [f64; 1]| {
-        dx[0] = 2.0 * (t - 1.0)
+        dx[0] = 2.0 * (t - 1.0);
     });
     for method in METHODS {
         let options = IntegrationOptions {
@@ -111,7 +111,7 @@ fn two_crossings_in_one_step_are_both_found() {
 fn a_peak_between_two_rises_is_found() {
     // It rises, falls from 0.9 to 1.1, and rises again, in one step.
     let mut d = rhs_from_fn(&[], |t, _: &[f64; 1], dx: &mut [f64; 1]| {
-        dx[0] = (t - 0.9) * (t - 1.1)
+        dx[0] = (t - 0.9) * (t - 1.1);
     });
     for method in METHODS {
         let options = IntegrationOptions {

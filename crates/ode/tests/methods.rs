@@ -88,7 +88,7 @@ fn polynomials_in_time_are_exact() {
     for (method, quadrature, curve) in [(Method::Tsit5, 4, 3), (Method::Dop853, 7, 6)] {
         for power in 0..=quadrature {
             let mut d = rhs_from_fn(&[], |t: f64, _: &[f64; 1], dx: &mut [f64; 1]| {
-                dx[0] = t.powi(power)
+                dx[0] = t.powi(power);
             });
             let integral = |t: f64| t.powi(power + 1) / f64::from(power + 1);
             let flight =

@@ -68,7 +68,7 @@ fn sensitivities_are_the_slopes_of_flights() {
     let flown = |p: [f64; 3], x: [f64; 2]| {
         let mut samples = vec![0.0; 2 * times.len()];
         let mut d = rhs_from_fn(&[], |t, x: &[f64; 2], dx: &mut [f64; 2]| {
-            *dx = Pendulum::rate(&p, t, x)
+            *dx = Pendulum::rate(&p, t, x);
         });
         integrate_at(&mut d, (0.0, &x), &times, &tight, &mut [], &mut samples).unwrap();
         samples
@@ -77,9 +77,9 @@ fn sensitivities_are_the_slopes_of_flights() {
         let moved = |by: f64| {
             let (mut p, mut x) = (P, X);
             if of_constants == 1 {
-                p[which] += by
+                p[which] += by;
             } else {
-                x[which] += by
+                x[which] += by;
             }
             flown(p, x)
         };
@@ -102,7 +102,7 @@ fn sensitivities_are_the_slopes_of_flights() {
 fn steps_are_those_of_the_state_alone_unless_told_otherwise() {
     let options = IntegrationOptions::with_tolerance(1e-6);
     let mut plain = rhs_from_fn(&[], |t, x: &[f64; 2], dx: &mut [f64; 2]| {
-        *dx = Pendulum::rate(&P, t, x)
+        *dx = Pendulum::rate(&P, t, x);
     });
     let alone = integrate(&mut plain, (0.0, &X), 2.0, &options, &mut []).unwrap();
     let mut both = Sensitivities::new(Pendulum(P), &[0, 1], &[0, 1]);

@@ -59,7 +59,7 @@ fn check(made: &Made) {
                 .any(|n| n.has_tag_name(("http://www.w3.org/2000/svg", tag)) && n.text().is_some())
         };
         assert!(has("title") && has("desc"), "{name} is not told in words");
-        for node in tree.descendants().filter(|n| n.is_element()) {
+        for node in tree.descendants().filter(roxmltree::Node::is_element) {
             for attribute in node.attributes().filter(|a| a.name() != "aria-label") {
                 let value = attribute.value();
                 assert!(

@@ -40,7 +40,7 @@ fn well_formed(figure: &Figure) {
     assert_eq!(svg.root_element().tag_name().name(), "svg");
     let safe = |c: char| c.is_ascii_alphanumeric() || c == '-';
     assert!(figure.name.chars().all(safe), "{}", figure.name);
-    for node in svg.descendants().filter(|n| n.is_element()) {
+    for node in svg.descendants().filter(roxmltree::Node::is_element) {
         for attribute in node.attributes() {
             let value = attribute.value();
             let number = matches!(

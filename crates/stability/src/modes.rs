@@ -153,7 +153,7 @@ pub fn modes(linearised: &Linearised, turn: f64) -> Modes {
         };
         let velocity = [full(3), full(4), full(5)];
         let lengthwise: Complex<f64> = (0..3).map(|k| velocity[k] * along[k]).sum();
-        let all: f64 = velocity.iter().map(|v| v.norm_sqr()).sum();
+        let all: f64 = velocity.iter().map(nalgebra::Complex::norm_sqr).sum();
         let rates: Complex<f64> = (0..3).map(|k| full(9 + k) * n[k]).sum();
         let parts = [
             full(6).norm_sqr() + full(7).norm_sqr(),

@@ -33,7 +33,10 @@ impl InputModel {
         let place = |(name, _): (String, f64)| compiled.layout().parameter(&name);
         let gusts = gusts.filter(|_| plan.gusts).map(|gusts| {
             let phases = gust_phases(gusts.seed, 0).into_iter().filter_map(place);
-            (gusts.seed, phases.map(|id| id.index()).collect())
+            (
+                gusts.seed,
+                phases.map(codegen::layout::ParamId::index).collect(),
+            )
         });
         Ok(InputModel {
             gusts,

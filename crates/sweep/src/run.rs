@@ -60,7 +60,12 @@ pub fn run(
         Some(share) => share_of(count, share)?,
     };
     let compiled = CompiledModel::new(&plan.model);
-    let state = |name: &str| compiled.layout().state(name).map(|state| state.index());
+    let state = |name: &str| {
+        compiled
+            .layout()
+            .state(name)
+            .map(codegen::layout::StateId::index)
+    };
     let position = ["x", "y", "z"].map(state);
     let until_ground = plan.release.stop == Stop::Ground;
     if until_ground && position[2].is_none() {
@@ -101,7 +106,7 @@ pub fn run(
         position,
         has_spin: ThrownModel::new(&plan.model).is_ok_and(|thrown| thrown.has_attitude()),
     };
-    let end = if until_ground { 0 } else { 1 };
+    let end = u8::from(!until_ground);
     let work = |part: u64| -> Result<Summary, SweepError> {
         let path = folder.part(part, "parquet");
         let len = (plan.flights - part * plan.part_len()).min(plan.part_len());

@@ -124,7 +124,7 @@ fn a_marker_that_is_never_seen_with_all_others_is_placed_by_some() {
     assert_eq!(made.markers.len(), 5);
     for (_, rows) in &mut made.flights {
         for (i, row) in rows.iter_mut().enumerate() {
-            row[if i % 2 == 0 { 0 } else { 1 }] = None;
+            row[usize::from(i % 2 != 0)] = None;
         }
     }
     let found = estimated(&made, None).expect("a template");

@@ -174,7 +174,7 @@ impl<'a> Checker<'a> {
                 BodyPartKind::Velocity(names, frame) => parts.velocity = Some((names, frame)),
                 BodyPartKind::AngularVelocity(names, frame) => parts.angular = Some((names, frame)),
                 BodyPartKind::AngularVelocityIn(frame) => {
-                    parts.angular_velocity_frame = Some(frame)
+                    parts.angular_velocity_frame = Some(frame);
                 }
             }
         }

@@ -252,9 +252,9 @@ impl<'a> Checker<'a> {
             effect,
         };
         if force {
-            self.model.forces.push(made)
+            self.model.forces.push(made);
         } else {
-            self.model.moments.push(made)
+            self.model.moments.push(made);
         }
     }
 

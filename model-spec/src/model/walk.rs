@@ -55,12 +55,12 @@ macro_rules! visit_children {
 impl Expr {
     /// Calls `visit` on each direct subexpression, from left to right.
     pub fn children<'a>(&'a self, visit: &mut dyn FnMut(&'a Expr)) {
-        visit_children!(&self.kind, visit, iter)
+        visit_children!(&self.kind, visit, iter);
     }
 
     /// Calls `visit` on each direct subexpression, from left to right, for modification.
     pub fn children_mut<'a>(&'a mut self, visit: &mut dyn FnMut(&'a mut Expr)) {
-        visit_children!(&mut self.kind, visit, iter_mut)
+        visit_children!(&mut self.kind, visit, iter_mut);
     }
 
     /// Whether two expressions are structurally equal; source spans are ignored.

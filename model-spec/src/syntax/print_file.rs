@@ -288,13 +288,13 @@ impl Display for Effect {
                 EffectPart::Site(name) => writeln!(f, "  site {};", name.text)?,
                 EffectPart::Variables(names, _) => {
                     let names: Vec<&str> = names.iter().map(|n| n.text.as_str()).collect();
-                    writeln!(f, "  variables {};", names.join(", "))?
+                    writeln!(f, "  variables {};", names.join(", "))?;
                 }
                 EffectPart::Negligible(name, value) => {
-                    writeln!(f, "  negligible {} {value};", name.text)?
+                    writeln!(f, "  negligible {} {value};", name.text)?;
                 }
                 EffectPart::ReplaceInertia(inertia, _) => {
-                    writeln!(f, "  replace inertia {inertia};")?
+                    writeln!(f, "  replace inertia {inertia};")?;
                 }
                 EffectPart::Add(item) => write_item(f, item, "  ")?,
                 EffectPart::Replace(item) => {

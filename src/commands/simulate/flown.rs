@@ -57,7 +57,7 @@ impl Flown {
         let mut all: Vec<(f64, Vec<f64>)> =
             times.filter_map(|t| Some((t, flight.sample(t)?))).collect();
         let events = flight.events.iter();
-        all.extend(events.map(|event| (event.time, event.state.to_vec())));
+        all.extend(events.map(|event| (event.time, event.state.clone())));
         all.push((flight.end, last.clone()));
         let (mut apex, mut top_speed) = ((f64::MIN, 0.0), 0.0_f64);
         let mut alpha: Option<(f64, f64)> = None;

@@ -57,7 +57,9 @@ impl TrajectoryCache {
         let Some(slot) = slots.get(flight) else {
             return work(&mut None);
         };
-        let mut slot = slot.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+        let mut slot = slot
+            .lock()
+            .unwrap_or_else(std::sync::PoisonError::into_inner);
         let result = work(&mut slot);
         // Trajectories have similar lengths, so the size of this one estimates the size of those stored before.
         let bytes = slot

@@ -449,7 +449,7 @@ impl<'t> Reader<'t> {
                 .sqrt();
             if (length - 1.0).abs() > 1e-6 {
                 let names: Vec<&str> = quaternion.iter().map(|i| &*states[*i]).collect();
-                let span = document.get("initial").map_or(0..0, |table| table.span());
+                let span = document.get("initial").map_or(0..0, toml::Spanned::span);
                 self.fault(
                     span,
                     format!(

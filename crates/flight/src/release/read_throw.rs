@@ -19,7 +19,7 @@ impl<'t> Reader<'t> {
         vocabulary: &Vocabulary,
         release: &mut Release,
     ) {
-        let table = document.get("throw").map_or(0..0, |table| table.span());
+        let table = document.get("throw").map_or(0..0, toml::Spanned::span);
         if document.contains_key("initial") {
             self.fault(
                 table.clone(),

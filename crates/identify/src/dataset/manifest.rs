@@ -90,7 +90,7 @@ impl Checker<'_> {
         let model = self.model(document)?;
         let mut parameters = BTreeMap::new();
         if let Some(table) = fields.table(document, "parameters")? {
-            for (name, value) in table.iter() {
+            for (name, value) in table {
                 let name = name.get_ref().to_string();
                 let number = self.constant(&name, value)?;
                 parameters.insert(name, number);
@@ -341,7 +341,7 @@ impl Checker<'_> {
         let Some(table) = self.0.table(flight, "known")? else {
             return Ok(known);
         };
-        for (name, value) in table.iter() {
+        for (name, value) in table {
             let name = name.get_ref().to_string();
             let found = if value.get_ref().is_array() {
                 KnownValue::Vector(self.0.vector(value, &name)?)

@@ -287,9 +287,9 @@ mod tests {
                 let noise = [0, 1, 2].map(|axis| 0.002 * jitter(seed * 1000 + 3 * i + axis));
                 let now = (i, i as f64 * dt, position + Vector3::from(noise));
                 for step in 0..fine {
-                    let time = (i as f64 + step as f64 / fine as f64) * dt;
-                    velocity.z += (lift * (-time / fading).exp() - 9.81) * dt / fine as f64;
-                    position += velocity * dt / fine as f64;
+                    let time = (i as f64 + f64::from(step) / f64::from(fine)) * dt;
+                    velocity.z += (lift * (-time / fading).exp() - 9.81) * dt / f64::from(fine);
+                    position += velocity * dt / f64::from(fine);
                     if let Some((sample, restitution)) = bounce
                         && i + 1 == sample
                         && step == fine / 2

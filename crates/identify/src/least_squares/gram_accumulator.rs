@@ -201,7 +201,7 @@ mod tests {
         for k in 0..150 {
             let value = |i: usize| ((k * 31 + i * 17) as f64 * 0.37).sin();
             let mut row = vec![0.0; rows.width()];
-            for (i, place) in row[..local + global + 1].iter_mut().enumerate() {
+            for (i, place) in row[..=(local + global)].iter_mut().enumerate() {
                 *place = value(i);
             }
             rows.add(&row, None, 2.0, 0.25);

@@ -133,7 +133,9 @@ fn products(series: &[Option<f64>], sums: &mut [(f64, usize)]) {
             false => values.len() - lag,
             true => {
                 let pairs = seen.iter().zip(&seen[lag..]);
-                pairs.filter(|(earlier, later)| **earlier & **later).count()
+                pairs
+                    .filter(|(earlier, later)| **earlier && **later)
+                    .count()
             }
         };
     }

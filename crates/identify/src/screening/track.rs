@@ -200,7 +200,7 @@ pub fn parabola(points: &[Point], noise: f64) -> Option<Parabola> {
             let squares: f64 = (points.iter().zip(&kept).filter(|(_, kept)| **kept))
                 .map(|(point, _)| residual(point).norm_squared())
                 .sum();
-            let deviation = (squares / (3 * (count - 3)).max(1) as f64).sqrt();
+            let deviation = (squares / f64::from((3 * (count - 3)).max(1))).sqrt();
             return Some(Parabola {
                 velocity: row(1) / half,
                 acceleration: 2.0 * row(2) / (half * half),

@@ -61,7 +61,7 @@ impl HeightEnds {
         let steepest = 3.0 * (self.end - self.start);
         let (least, greatest) = (steepest.min(0.0), steepest.max(0.0));
         let (first, last) = (self.start_slope, self.end_slope);
-        (least <= first) & (first <= greatest) & (least <= last) & (last <= greatest)
+        (least <= first) && (first <= greatest) && (least <= last) && (last <= greatest)
     }
 
     /// Whether the cubic interpolant falls monotonically from above 0 to below 0, so that it has exactly one zero.

@@ -285,7 +285,7 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
         let mut lowest = [0.0; MAX_LANES];
         least.store(&mut lowest);
         for lane in 0..T::WIDTH {
-            asks[lane] |= accepted[lane] & (lowest[lane] <= 0.0);
+            asks[lane] |= accepted[lane] && (lowest[lane] <= 0.0);
         }
         asks
     }

@@ -177,8 +177,8 @@ impl<X: StateVector> Stepper<X> for Tsit5<X> {
         _: f64,
         _: &'s mut Vec<f64>,
     ) -> ([&'s [f64]; ROWS], usize) {
-        let [k2, k3, k4, k5, k6, k7] =
-            [&self.k2, &self.k3, &self.k4, &self.k5, &self.k6, &self.k7].map(|k| k.as_ref());
+        let [k2, k3, k4, k5, k6, k7] = [&self.k2, &self.k3, &self.k4, &self.k5, &self.k6, &self.k7]
+            .map(std::convert::AsRef::as_ref);
         let rows = [start.x.as_ref(), start.dx.as_ref(), k2, k3, k4, k5, k6, k7];
         (rows, 0)
     }
@@ -245,7 +245,7 @@ mod tests {
             assert!((row.iter().sum::<f64>() - c).abs() < 1e-14);
         }
         let close = |value: f64, expected: f64| {
-            assert!((value - expected).abs() < 3e-15, "{value}, not {expected}")
+            assert!((value - expected).abs() < 3e-15, "{value}, not {expected}");
         };
         let sum = |f: &dyn Fn(usize) -> f64| (0..6).map(|i| B[i] * f(i)).sum::<f64>();
         let below = |i: usize, f: &dyn Fn(usize) -> f64| {

@@ -64,6 +64,6 @@ pub fn rate<T: Real>(x: &[T; 12], disc: &[T; 7], air: &[T; 8], dx: &mut [T; 12])
 /// The disc to fly.
 pub fn disc() -> impl OdeRhs<State = [f64; 12]> {
     rhs_from_fn(&NAMES, |_, x: &[f64; 12], dx: &mut [f64; 12]| {
-        rate(x, &DISC, &AIR, dx)
+        rate(x, &DISC, &AIR, dx);
     })
 }

@@ -197,7 +197,7 @@ pub(super) fn probability_of_ln(ln_p: f64) -> String {
 
 /// Formats an equivalent z (standard normal quantile).
 pub(super) fn sigmas(value: f64) -> String {
-    plain(value, if value.abs() < 99.95 { 1 } else { 0 })
+    plain(value, usize::from(value.abs() < 99.95))
 }
 
 #[cfg(test)]

@@ -96,7 +96,7 @@ mod tests {
 
     fn stone(names: &[StateLabel<'_>]) -> String {
         let mut d = rhs_from_fn(&[], |_, x: &[f64; 4], dx: &mut [f64; 4]| {
-            *dx = [x[3], 0.0, x[2] * 0.0 - 1.0, 0.0]
+            *dx = [x[3], 0.0, x[2] * 0.0 - 1.0, 0.0];
         });
         let ground = Event::falls_to("ground <1>", 2, 0.0).terminal();
         let flown = integrate_to_event(

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 /// Style sheet of every figure. A page with several figures includes the style sheet once; see [`without_style`].
-pub(crate) const STYLE: &str = r##"text { font-family: system-ui, -apple-system, "Segoe UI", Roboto, "DejaVu Sans", sans-serif; fill: #333 }
+pub(crate) const STYLE: &str = r#"text { font-family: system-ui, -apple-system, "Segoe UI", Roboto, "DejaVu Sans", sans-serif; fill: #333 }
 text.title { font-size: 1.2em; font-weight: 600; fill: #111 }
 text.panel { font-weight: 600; fill: #111 }
 text.mark { font-size: 0.93em; fill: #555 }
@@ -23,7 +23,7 @@ path.d0, path.d1, path.d2, path.d3, path.dg { stroke-width: 3; stroke-linecap: r
 path.diagonal { stroke: #777; stroke-width: 1 } path.ribbon { fill: #cfe2f1; stroke: none }
 g.value circle { fill: #0072b2; fill-opacity: 0 } g.value text { display: none; font-weight: 600; fill: #111; paint-order: stroke; stroke: #fff; stroke-width: 5px; stroke-linejoin: round }
 g.value { outline: none; cursor: default } g.value:hover text, g.value:focus text { display: inline } g.value:hover circle, g.value:focus circle { fill-opacity: .45 }
-"##;
+"#;
 
 /// SVG document that is built element by element. Coordinates are in SVG units, with the y axis downwards.
 pub(crate) struct Svg {
@@ -154,13 +154,13 @@ impl Svg {
     ) -> String {
         let title = escape(title);
         format!(
-            r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height:.0}" width="{width}" height="{height:.0}" font-size="{letters}" style="width:100%;max-width:{most}px;height:auto;background:#fff" role="img" aria-label="{title}">
+            r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height:.0}" width="{width}" height="{height:.0}" font-size="{letters}" style="width:100%;max-width:{most}px;height:auto;background:#fff" role="img" aria-label="{title}">
 <title>{title}</title>
 <style>
 {STYLE}</style>
 <rect class="ground" width="{width}" height="{height:.0}"/>
 {}</svg>
-"##,
+"#,
             self.body
         )
     }

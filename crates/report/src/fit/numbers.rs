@@ -102,7 +102,7 @@ pub(crate) fn percent(share: f64) -> String {
     if !share.is_finite() {
         return "–".to_owned();
     }
-    let decimals = if share.abs() < 0.0995 { 1 } else { 0 };
+    let decimals = usize::from(share.abs() < 0.0995);
     format!("{}\u{a0}%", plain(100.0 * share, decimals))
 }
 

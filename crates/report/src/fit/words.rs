@@ -68,7 +68,7 @@ pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
 fn held_out_words(report: &FitReport) -> Option<String> {
     let held_out = report.used(Role::HeldOut);
     let mut rms: Vec<f64> = held_out
-        .map(|f| f.rms())
+        .map(identify::FlightReport::rms)
         .filter(|v| v.is_finite())
         .collect();
     rms.sort_by(f64::total_cmp);

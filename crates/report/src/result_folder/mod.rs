@@ -105,16 +105,16 @@ impl ResultFolder {
         };
         let name = name.to_string_lossy();
         exchange::recover(parent, &name, &target);
-        if !target.exists() {
+        if target.exists() {
+            is_folder(&target)?;
+            refuse_foreign(&target, path)?;
+        } else {
             let mut above = parent;
             while let (false, Some(next)) = (above.exists(), above.parent()) {
                 above = next;
             }
             is_folder(above)?;
             try_writing(above).map_err(failed)?;
-        } else {
-            is_folder(&target)?;
-            refuse_foreign(&target, path)?;
         }
         let part = parent.join(exchange::part_name(&name));
         let is_replaceable = match target.exists() {

@@ -229,7 +229,7 @@ fn rounded(value: f64) -> f64 {
 pub(super) fn flown(place: &Place<'_>, name: &str, flown: &Trajectory, most: usize) -> Flight {
     let length = flown.end - flown.start;
     let rate = (most.saturating_sub(2).max(1)) as f64 / length.max(f64::MIN_POSITIVE);
-    let samples: Vec<(f64, Vec<f64>)> = flown.at_rate(rate).map(|(t, x)| (t, x.to_vec())).collect();
+    let samples: Vec<(f64, Vec<f64>)> = flown.at_rate(rate).map(|(t, x)| (t, x.clone())).collect();
     let samples: Vec<(f64, &[f64])> = samples.iter().map(|(t, x)| (*t, x.as_slice())).collect();
     let mut flight = place.flight(name, &samples).0;
     flight.measured = vec![Vec::new(); flight.times.len()];

@@ -46,7 +46,7 @@ impl Browser {
                 .arg(&path)
                 .status()
                 .ok()
-                .filter(|s| s.success())?;
+                .filter(std::process::ExitStatus::success)?;
             Some(path)
         };
         let (to, from) = (pipe("to")?, pipe("from")?);

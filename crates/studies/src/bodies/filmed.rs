@@ -131,11 +131,15 @@ fn track(
     let flights = body.with_parameters(parameters);
     let path = flights.trajectory(&state, &IntegrationOptions::default());
     let path = path.map_err(ThrowFlightError::from)?;
-    let place = |name: &str| layout.state(name).map_or(0, |state| state.index());
+    let place = |name: &str| {
+        layout
+            .state(name)
+            .map_or(0, model_spec::layout::StateId::index)
+    };
     let (x, y) = (place("x"), place("y"));
     let at = |time: &f64| {
         let state = path.sample(time.min(path.end));
-        let state = state.unwrap_or_else(|| path.end_state.to_vec());
+        let state = state.unwrap_or_else(|| path.end_state.clone());
         [state[x], state[y]]
     };
     Ok(times.iter().map(at).collect())

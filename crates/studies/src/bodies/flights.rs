@@ -58,7 +58,11 @@ pub fn turns_and_fades(speeds: &[f64], sign: f64) -> Result<Vec<TurnAndFade>, St
             let path = flights.trajectory(&state, &IntegrationOptions::default());
             let path = path.map_err(ThrowFlightError::from)?;
             let layout = body.compiled.layout();
-            let place = |name: &str| layout.state(name).map_or(0, |state| state.index());
+            let place = |name: &str| {
+                layout
+                    .state(name)
+                    .map_or(0, model_spec::layout::StateId::index)
+            };
             let (x, y) = (place("x"), place("y"));
             let time = |k: usize| path.end * k as f64 / SAMPLES as f64;
             let points = (0..=SAMPLES).filter_map(|k| path.sample(time(k)));

@@ -84,7 +84,7 @@ impl Models {
         let mut models = self
             .0
             .lock()
-            .unwrap_or_else(|poisoned| poisoned.into_inner());
+            .unwrap_or_else(std::sync::PoisonError::into_inner);
         let load = || model_spec::load::load(model, effects).expect("built-in effects");
         models.entry(key).or_insert_with(load).clone()
     }

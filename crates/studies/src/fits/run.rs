@@ -93,7 +93,11 @@ pub fn fit_outcome(case: FitCase, threads: usize) -> FitOutcome {
         }
     };
     let states = model.states.len() * dataset.flights.len();
-    let coordinates: usize = dataset.flights.iter().map(|f| f.measurements()).sum();
+    let coordinates: usize = dataset
+        .flights
+        .iter()
+        .map(identify::dataset::Flight::measurements)
+        .sum();
     let dof = 1.0 - (model.coefficients.len() + states) as f64 / coordinates as f64;
     let noise = rms_distance(&exact, &dataset).unwrap_or(f64::NAN);
     outcome.ratio = Some(report.rms_m / (noise * dof.sqrt()));

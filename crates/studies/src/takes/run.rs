@@ -195,7 +195,7 @@ fn round_trip(filmed: &Filmed, files: &[Vec<u8>]) -> Result<SessionResult, Strin
         if !throws.throws.is_empty() && labels.iter().any(|label| !throws.labels.contains(label)) {
             return Err(format!("the points {:?} are followed", throws.labels));
         }
-        let ranges = throws.throws.iter().map(|throw| throw.samples());
+        let ranges = throws.throws.iter().map(takes::Throw::samples);
         add_flights(take, &labels, ranges, &mut found);
         let ranges = truth.flights.iter().map(|(first, last)| *first..last + 1);
         add_flights(take, &labels, ranges, &mut exact);

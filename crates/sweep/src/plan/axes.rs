@@ -111,7 +111,9 @@ impl Names<'_> {
 
     /// Index in the layout of the parameter or coefficient called `name`; `None` if there is none.
     pub(super) fn parameter(&self, name: &str) -> Option<usize> {
-        self.layout.parameter(name).map(|p| p.index())
+        self.layout
+            .parameter(name)
+            .map(codegen::layout::ParamId::index)
     }
 
     /// Checks a value against the bounds of its target. Returns a text of the valid values if the value is invalid,

@@ -52,7 +52,7 @@ fn checked(bytes: &[u8], options: &ReadOptions) -> Result<Take, Fault> {
     let points = take.points.iter().flat_map(|point| &point.positions);
     let mut seen = points.filter(|position| position.is_some());
     let mut poses = take.bodies.iter().flat_map(|body| &body.poses);
-    if seen.next().is_none() && !poses.any(|pose| pose.is_some()) {
+    if seen.next().is_none() && !poses.any(std::option::Option::is_some) {
         let expected = "a point that is seen at least once";
         return Err(Fault::new(Place::File, "positions of nothing", expected));
     }

@@ -178,13 +178,13 @@ fn time_of_the_screening() {
     let rigid = rigid::rigid_pairs(&problem);
     let each = |work: &dyn Fn(usize)| (0..dataset.flights.len()).for_each(work);
     time("records", &|| {
-        each(&|i| assert!(records::check(dataset, i).is_none()))
+        each(&|i| assert!(records::check(dataset, i).is_none()));
     });
     time("distances", &|| {
-        each(&|i| assert!(template::check(dataset, i, &rigid).is_none()))
+        each(&|i| assert!(template::check(dataset, i, &rigid).is_none()));
     });
     time("tracks", &|| {
-        each(&|i| assert!(!track(&dataset.flights[i]).points.is_empty()))
+        each(&|i| assert!(!track(&dataset.flights[i]).points.is_empty()));
     });
     time("poses", &|| {
         each(&|i| {
@@ -197,7 +197,7 @@ fn time_of_the_screening() {
         each(&|i| {
             assert!(
                 jumps::check(tracks[i].as_ref().expect("a track"), &dataset.flights[i]).is_none()
-            )
+            );
         });
     });
     time("gravity", &|| assert!(gravity::gravity(&problem).is_some()));
@@ -206,7 +206,7 @@ fn time_of_the_screening() {
             FreeFall::new(&problem, dataset, gravity, &tracks)
                 .check()
                 .is_empty()
-        )
+        );
     });
     time("handling", &|| {
         each(&|i| {
@@ -217,11 +217,11 @@ fn time_of_the_screening() {
                     &dataset.flights[i]
                 )
                 .is_none()
-            )
+            );
         });
     });
     time("screening", &|| {
-        assert_eq!(screen(&problem, dataset, 1).faults, [])
+        assert_eq!(screen(&problem, dataset, 1).faults, []);
     });
     let clock = std::time::Instant::now();
     let options = FitOptions {

@@ -10,42 +10,42 @@ use model_spec::model::Model;
 /// introduces the mistake into a flight.
 const SPOILS: [(&str, FaultKind, Spoil); 7] = [
     ("feet", FaultKind::Units, |f| {
-        each_point(f, |p| p.map(|x| x / 0.3048))
+        each_point(f, |p| p.map(|x| x / 0.3048));
     }),
     ("centimetres", FaultKind::Units, |f| {
-        each_point(f, |p| p.map(|x| x * 100.0))
+        each_point(f, |p| p.map(|x| x * 100.0));
     }),
     ("z down", FaultKind::Axes, |f| {
-        each_point(f, |[x, y, z]| [x, -y, -z])
+        each_point(f, |[x, y, z]| [x, -y, -z]);
     }),
     ("y up", FaultKind::Axes, |f| {
-        each_point(f, |[x, y, z]| [x, z, -y])
+        each_point(f, |[x, y, z]| [x, z, -y]);
     }),
     ("milliseconds", FaultKind::TimeUnit, |f| {
-        f.times.iter_mut().for_each(|t| *t *= 1000.0)
+        f.times.iter_mut().for_each(|t| *t *= 1000.0);
     }),
     ("twice the time", FaultKind::TimeUnit, |f| {
-        f.times.iter_mut().for_each(|t| *t *= 2.0)
+        f.times.iter_mut().for_each(|t| *t *= 2.0);
     }),
     ("half the time", FaultKind::TimeUnit, |f| {
-        f.times.iter_mut().for_each(|t| *t *= 0.5)
+        f.times.iter_mut().for_each(|t| *t *= 0.5);
     }),
 ];
 
 const DISC_SPOILS: [(&str, FaultKind, Spoil); 5] = [
     ("labels", FaultKind::LabelsExchanged, |f| {
-        f.positions.iter_mut().for_each(|row| row.swap(0, 1))
+        f.positions.iter_mut().for_each(|row| row.swap(0, 1));
     }),
     ("labels 2 3", FaultKind::LabelsExchanged, |f| {
-        f.positions.iter_mut().for_each(|row| row.swap(1, 2))
+        f.positions.iter_mut().for_each(|row| row.swap(1, 2));
     }),
     ("labels in a cycle", FaultKind::LabelsExchanged, |f| {
-        f.positions.iter_mut().for_each(|row| row.rotate_left(1))
+        f.positions.iter_mut().for_each(|row| row.rotate_left(1));
     }),
     ("labels in a part", FaultKind::LabelsExchanged, |f| {
         f.positions[50..100]
             .iter_mut()
-            .for_each(|row| row.swap(0, 2))
+            .for_each(|row| row.swap(0, 2));
     }),
     ("frozen", FaultKind::Frozen, |f| {
         let held = f.positions[60][1];

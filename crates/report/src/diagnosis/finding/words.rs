@@ -181,7 +181,7 @@ pub(super) fn sure(report: &Report) -> String {
     let far = first.and_then(clearest).map(|(_, name, z)| {
         format!(
             "{name} is {} standard errors away from zero{}.",
-            plain(z, if z < 10.0 { 1 } else { 0 }),
+            plain(z, usize::from(z < 10.0)),
             if z > BEYOND_CHANCE {
                 ", far beyond chance"
             } else {

@@ -229,7 +229,7 @@ impl generated::Visitor for Recorder {
             record([n], |[dx]| E::f(time, x, p, k, dx)),
             record([n, j], |[dx, j]| E::f_jac(time, x, p, k, dx, j)),
             record([n, j, jp], |[dx, j, jp]| {
-                E::f_jac_par(time, x, p, k, dx, j, jp)
+                E::f_jac_par(time, x, p, k, dx, j, jp);
             }),
             record([observed(3)], |[y]| {
                 if m.observed {
@@ -242,7 +242,7 @@ impl generated::Visitor for Recorder {
                 }
             }),
             record([m.quantity_names.len()], |[q]| {
-                E::quantities(time, x, p, k, q)
+                E::quantities(time, x, p, k, q);
             }),
             record([m.limit_bounds.len()], |[l]| E::limits(time, x, p, k, l)),
         ]
