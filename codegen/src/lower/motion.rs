@@ -249,10 +249,9 @@ impl Lowering<'_> {
             right.push(self.graph.sum(terms, Number::ZERO));
             matrix.push(row);
         }
-        for (unknown, &(_, rate)) in solve::solve(&mut self.graph, matrix, right)
-            .iter()
-            .zip(&turned)
-        {
+        let rates = solve::solve(&mut self.graph, matrix, right)
+            .expect("a checked model has rotation angles that determine the angular velocity");
+        for (unknown, &(_, rate)) in rates.iter().zip(&turned) {
             dx[rate as usize] = *unknown;
         }
     }

@@ -37,10 +37,13 @@ fn determinant_has(graph: &ExprGraph, determinant: NodeId, entry: NodeId) -> boo
 }
 
 /// Solves `matrix · unknowns = right` symbolically: first the rows with a single unknown, then the remaining system by
-/// Cramer's rule. Unknowns that the rows do not determine are 0.
-pub fn solve(graph: &mut ExprGraph, matrix: Vec<Vec<NodeId>>, right: Vec<NodeId>) -> Vec<NodeId> {
+/// Cramer's rule. `None` if the rows do not determine all unknowns.
+pub fn solve(
+    graph: &mut ExprGraph,
+    matrix: Vec<Vec<NodeId>>,
+    right: Vec<NodeId>,
+) -> Option<Vec<NodeId>> {
     let columns = matrix.first().map_or(0, Vec::len);
-    let zero = graph.whole(0);
     let mut found: Vec<Option<NodeId>> = vec![None; columns];
     let mut right = right;
     let mut rows: Vec<usize> = (0..matrix.len()).collect();
@@ -85,10 +88,7 @@ pub fn solve(graph: &mut ExprGraph, matrix: Vec<Vec<NodeId>>, right: Vec<NodeId>
             found[column] = Some(graph.div(above, determinant));
         }
     }
-    found
-        .into_iter()
-        .map(|value| value.unwrap_or(zero))
-        .collect()
+    found.into_iter().collect()
 }
 
 /// Determinant of a square matrix by Laplace expansion along the first row.
@@ -118,4 +118,22 @@ fn determinant(graph: &mut ExprGraph, m: &[Vec<NodeId>]) -> NodeId {
         })
         .collect();
     graph.sum(terms, Number::ZERO)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::solve;
+    use crate::graph::{ExprGraph, NodeId, Symbol};
+
+    #[test]
+    fn unknowns_that_no_row_contains_are_not_determined() {
+        let mut graph = ExprGraph::default();
+        let [a, b] = [0, 1].map(|k| graph.symbol(Symbol::State(k)));
+        let zero = graph.whole(0);
+        let full: Vec<Vec<NodeId>> = vec![vec![a, b], vec![b, a]];
+        let lacking = vec![vec![a, zero], vec![b, zero]];
+        let unknowns = solve(&mut graph, full, vec![a, b]);
+        assert_eq!(unknowns.map(|unknowns| unknowns.len()), Some(2));
+        assert_eq!(solve(&mut graph, lacking, vec![a, b]), None);
+    }
 }
