@@ -7,7 +7,7 @@ use model_spec::LoadError;
 use ode::IntegrationError;
 
 /// Error of an operation of the library; the variants name the operation that failed.
-#[derive(Debug, thiserror::Error)]
+#[derive(thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// A model or an effect cannot be loaded: a missing file, an unknown name, or faults in a text.
@@ -48,4 +48,11 @@ pub enum Error {
         /// Name that is not in the model.
         name: String,
     },
+}
+
+/// As displayed: a `main` that returns the error prints it by `Debug`.
+impl std::fmt::Debug for Error {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        std::fmt::Display::fmt(self, f)
+    }
 }

@@ -47,13 +47,13 @@ pub fn check_cases(model: &Model) -> Vec<(String, Vec<Comparison>)> {
     let mut registers = Vec::new();
     let mut first = 0;
     let cases = model.checks.iter().map(|case| {
-        let (states, parameters) = arguments(model, case);
+        let (states, parameters, marker) = arguments(model, case);
         let inputs = Inputs {
             t: 0.0,
             x: &states,
             p: &parameters,
             prepared: &[],
-            marker: &[0.0; 3],
+            marker: &marker,
         };
         let mut out = vec![0.0; tape.outputs()];
         tape.eval(inputs, &mut registers, &mut out);
@@ -87,18 +87,20 @@ fn compared(model: &Model, expected: &Expectation, found: f64) -> Comparison {
 }
 
 /// States and parameters of a check case: the defaults of the model, overridden by the settings of the case.
-fn arguments(model: &Model, case: &CheckCase) -> (Vec<f64>, Vec<f64>) {
+fn arguments(model: &Model, case: &CheckCase) -> (Vec<f64>, Vec<f64>, [f64; 3]) {
     let layout = crate::layout::Layout::new(model);
     let (mut states, mut parameters) = (layout.default_states(), layout.default_parameters());
+    let mut marker = [0.0; 3];
     for &(target, value) in &case.settings {
         match target {
             Target::Param(k) => parameters[layout.param(k).index()] = value,
             Target::Coefficient(k) => parameters[layout.coefficient(k).index()] = value,
             Target::Input(k, axis) => parameters[layout.input(k)[axis].index()] = value,
             Target::State(k) => states[k] = value,
+            Target::Marker(axis) => marker[axis] = value,
         }
     }
-    (states, parameters)
+    (states, parameters, marker)
 }
 
 #[cfg(test)]
@@ -139,6 +141,21 @@ check \"is wrong\" {
         assert_eq!((wrong.name.as_str(), wrong.found), ("der(b)", -4.0));
         assert_eq!(wrong.unit, "m/s^2");
         assert_eq!(cases[0].0, "pulls back");
+    }
+
+    #[test]
+    fn a_case_sets_the_marker() {
+        let text = "model seen; frame N; state a = 1 m; der(a) = 2 m/s; marker mark in N;
+            let place = (a, 0 m, 0 m) in N; let seen = place + mark; let seen_y = seen.2;
+            observe mark = seen;
+            check \"of a marker aside\" { set mark = (0, 20, 0) cm; expect seen_y = 0.2 m within 1e-12; }
+            check \"of the origin\" { expect seen_y = 0 m within 0; }";
+        let model = model_spec::load::from_text("seen.hyz", text, &[]).expect("a model");
+        let found: Vec<f64> = check_cases(&model)
+            .iter()
+            .map(|case| case.1[0].found)
+            .collect();
+        assert_eq!(found, [0.2, 0.0]);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Functions of one argument: their name, symmetry, range, derivative, evaluation, notation and cost, all in this file.
 //!
-//! A new function is added here and as a method of [`lanes::Real`]; no other file of the compiler lists the functions.
-//! The tables of a model are functions too; their knots and values are in [`Tables`].
+//! A new function is added here and as a method of [`lanes::Real`]; no other file of the compiler lists the functions
+//! (a new form of derivative is also in `differentiate/partials.rs`). The tables of a model are functions too; their knots and values are in [`Tables`].
 
 use crate::number::Number;
 use crate::table::{TableFunction, TableId, Tables};

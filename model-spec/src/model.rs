@@ -330,6 +330,8 @@ pub enum Target {
     Input(usize, usize),
     /// A state, by index into [`Model::states`].
     State(usize),
+    /// Coordinate 0, 1 or 2 of the observed marker in its frame, m.
+    Marker(usize),
 }
 
 /// A scalar result of the model that a check case compares with an expected value.

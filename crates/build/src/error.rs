@@ -5,7 +5,7 @@ use std::io;
 use std::path::PathBuf;
 
 /// Error of [`Config::compile`](crate::Config::compile).
-#[derive(Debug, thiserror::Error)]
+#[derive(thiserror::Error)]
 pub enum BuildError {
     /// No output directory: `OUT_DIR` is set only while cargo runs a build script.
     #[error("OUT_DIR is not set: call `compile` in a build script, or set `out_dir`")]
@@ -39,4 +39,11 @@ pub enum BuildError {
         /// Error of the operating system.
         source: io::Error,
     },
+}
+
+/// As displayed: a `main` that returns the error prints it by `Debug`.
+impl std::fmt::Debug for BuildError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        std::fmt::Display::fmt(self, f)
+    }
 }

@@ -66,7 +66,14 @@ fn every_effect_shows_more_when_it_is_strong() {
             assert!(shown[1] < 10.0, "{name} of {law:?}: {shown:?}");
         }
     }
-    assert_eq!(STRENGTHS.len(), effect::all().count());
+    let known: Vec<&str> = effect::all().map(|effect| effect.name).collect();
+    for strength in STRENGTHS {
+        let name = strength.effect;
+        assert!(
+            known.contains(&name),
+            "{name} has a strength, but no reference"
+        );
+    }
 }
 
 #[test]

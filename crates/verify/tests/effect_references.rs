@@ -21,7 +21,10 @@ fn error(model: &Model, options: &Options) -> f64 {
 #[test]
 fn every_effect_has_a_reference_that_agrees() {
     for (name, _) in EFFECTS {
-        assert!(effect::by_name(name).is_some(), "{name} is not");
+        assert!(
+            effect::by_name(name).is_some(),
+            "{name} has no reference: add its law to crates/oracle/src/effect"
+        );
         let mut models = 0;
         for model in MODELS {
             let Ok(with) = load(model, &[name]) else {

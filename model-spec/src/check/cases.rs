@@ -67,7 +67,7 @@ impl Checker<'_> {
     }
 
     /// Checks `set NAME = value;`. Returns pairs of target and SI value: one pair, or three for the components of an
-    /// input. `None`, with an error reported, if the name or its value is invalid.
+    /// input or of the marker. `None`, with an error reported, if the name or its value is invalid.
     fn setting(
         &mut self,
         name: &Name,
@@ -109,16 +109,22 @@ impl Checker<'_> {
                 (0..3).map(|k| Target::Input(i, k)).collect(),
                 self.inputs[i].clone(),
             ),
-            Some(Symbol::Let(_) | Symbol::Marker) => {
+            Some(Symbol::Marker) => (
+                (0..3).map(Target::Marker).collect(),
+                Term::known(Unit::METRE),
+            ),
+            Some(Symbol::Let(_)) => {
                 let message = format!("`{}` is computed and cannot be set", name.text);
                 let declared = self.scope.place(&name.text).unwrap_or(name.span);
                 let fault = Diagnostic::new(Kind::Name, name.span, message)
                     .label(declared, "declared here");
-                self.report(fault.help("set parameters, coefficients, inputs and states"));
+                self.report(
+                    fault.help("set parameters, coefficients, inputs, states and the marker"),
+                );
                 return None;
             }
             None => {
-                self.nothing_named(name, "parameter, coefficient, input or state");
+                self.nothing_named(name, "parameter, coefficient, input, state or marker");
                 return None;
             }
         })

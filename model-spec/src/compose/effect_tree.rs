@@ -100,6 +100,15 @@ impl EffectTree {
             source,
             mut diagnostics,
         } = syntax::parse(name, text);
+        let only = |kind: &ItemKind| matches!(kind, ItemKind::Effect(_) | ItemKind::Check(_));
+        if file.items.iter().all(|item| only(&item.kind)) {
+            let mut items = file.items.iter();
+            if let Some(case) = items.find(|item| matches!(item.kind, ItemKind::Check(_))) {
+                let message = "a check in the file of an effect is not run";
+                let fault = Diagnostic::new(Kind::Grammar, case.span, message);
+                diagnostics.push(fault.help("move it to the file of a model"));
+            }
+        }
         let mut effects: Vec<Effect> = file.items.into_iter().filter_map(effect).collect();
         if effects.len() > 1 {
             let wanted = Path::new(name).file_stem().unwrap_or_default();

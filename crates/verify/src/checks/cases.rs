@@ -53,6 +53,7 @@ pub fn set(model: &Model, settings: &[(Target, f64)]) -> Point<f64> {
             Target::Coefficient(i) => point.coefficients[i] = value,
             Target::Input(i, axis) => point.inputs[i][axis] = value,
             Target::State(i) => point.states[i] = value,
+            Target::Marker(axis) => point.marker[axis] = value,
         }
     }
     point
