@@ -25,16 +25,16 @@ static PHASE: AtomicU8 = AtomicU8::new(WORKING);
 /// Whether results computed before a signal are kept, so that the same command continues from them.
 static RESUMES: AtomicBool = AtomicBool::new(false);
 
-/// The progress bar on display, so that a signal can remove it.
+/// The progress bar on display, kept here so that the signal handler can remove it.
 static BAR: Mutex<Option<ProgressBar>> = Mutex::new(None);
 
 /// Exit status of an interrupted program (128 + SIGINT).
 const INTERRUPTED: u8 = 130;
 
-/// Maximum time that a signal waits for results to be written.
+/// Maximum time that the signal handler waits for results to be written before it ends the program.
 const WRITING_LIMIT: Duration = Duration::from_millis(400);
 
-/// Maximum time that a signal waits for its message to be printed.
+/// Maximum time that the program waits, after a signal, for the message to be printed before it exits.
 const MESSAGE_LIMIT: Duration = Duration::from_millis(200);
 
 /// Installs the signal handler, for all commands.
@@ -67,7 +67,8 @@ pub fn resumes() {
     RESUMES.store(true, Ordering::SeqCst);
 }
 
-/// Runs a function that writes results; a signal in the meantime ends the program when the function returns.
+/// Runs a function that writes results; a signal that arrives while the function runs ends the program when the
+/// function returns.
 pub fn writing<T>(write: impl FnOnce() -> T) -> T {
     remove_bar();
     enter(WORKING, WRITING);
@@ -78,8 +79,8 @@ pub fn writing<T>(write: impl FnOnce() -> T) -> T {
     written
 }
 
-/// Changes the phase from `from` to `to`. Does not return if a signal has already announced that nothing is written;
-/// the program then ends.
+/// Changes the phase from `from` to `to`. Does not return if a signal has already begun to end the program, so that
+/// nothing is written after its message.
 fn enter(from: u8, to: u8) {
     let entered = PHASE.compare_exchange(from, to, Ordering::SeqCst, Ordering::SeqCst);
     while entered == Err(STOPPED) {

@@ -6,14 +6,15 @@ use crate::lower::lower;
 use crate::tape::{Inputs, Tape};
 use model_spec::model::{CheckCase, Expectation, Model, Observable, Target};
 
-/// Expected result of a check case, and the result computed from the model.
+/// Expected value of one quantity of a check case, and the value computed from the model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
     /// Name of the checked quantity in the notation of the check case: `alpha`, `der(u)`.
     pub name: String,
-    /// Unit of the result, an SI unit in the notation of model files; `1` if dimensionless.
+    /// SI unit of the expected and of the computed value, in the notation of model files; `1` if the quantity is
+    /// dimensionless.
     pub unit: String,
-    /// Value computed from the model, SI.
+    /// Value computed from the model, in [`unit`](Self::unit).
     pub found: f64,
     /// Expected value and tolerance, as stated in the check case.
     pub expected: Expectation,

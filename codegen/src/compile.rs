@@ -35,7 +35,8 @@ pub enum Effort {
     Quick,
 }
 
-/// Compiled model: its functions as programs, with layout and provenance.
+/// Compiled model: its functions as programs, the order of its states and parameters, and the source locations of its
+/// auxiliary variables.
 #[derive(Clone, Debug)]
 pub struct Compiled {
     /// Name of the model.
@@ -90,8 +91,8 @@ impl Compiled {
             .find(|function| function.name == name)
     }
 
-    /// Counts the operations of `prepare` on which a function depends, by kind. These are the operations that hoisting
-    /// removes from the function.
+    /// Counts, by kind, the operations of `prepare` on which the function with this name depends: the operations that
+    /// hoisting removes from that function. All counts are zero for an unknown name.
     pub fn count_prepared(&self, name: &str) -> count::Count {
         let Some(function) = self.function(name) else {
             return count::Count::default();
@@ -108,7 +109,7 @@ impl Compiled {
         count::count_for(&self.prepare.program, &slots)
     }
 
-    /// Counts the operations of a function, by kind; all counts are zero for an unknown name.
+    /// Counts, by kind, the operations of the function with this name; all counts are zero for an unknown name.
     pub fn count(&self, name: &str) -> count::Count {
         self.function(name)
             .map_or_else(count::Count::default, |function| {
@@ -127,8 +128,8 @@ pub fn compile_for(model: &Model, selection: &Selection) -> Compiled {
     Compiler::new(model, selection).run(&model.name)
 }
 
-/// Compiles a model specialized to given values of some parameters, given as (index in [`Layout::parameters`], value).
-/// If a parameter is given twice, the last value applies.
+/// Compiles a model in which some parameters are replaced by constants. `fixed` contains pairs (index in
+/// [`Layout::parameters`], value); if an index occurs twice, the last value applies.
 ///
 /// Derivatives are taken with respect to all selected parameters, including fixed ones, before the values are
 /// substituted. Entries of the Jacobians that vanish at these values are not in the sparsity patterns. The compiled
@@ -149,8 +150,8 @@ pub fn compile_at(
     compiler.run(&model.name)
 }
 
-/// Compiles a program of the state derivatives followed by the observation, without Jacobians or hoisting, in a tenth
-/// of the time of [`compile`].
+/// Compiles a program whose outputs are the time derivatives of the states, followed by the observed marker position.
+/// It has no Jacobians and no hoisting, and compiles in a tenth of the time of [`compile`].
 pub fn compile_values(model: &Model) -> (Layout, Program) {
     let Lowered {
         mut graph,
@@ -167,7 +168,7 @@ pub fn compile_values(model: &Model) -> (Layout, Program) {
     (layout, program)
 }
 
-/// Compiles a program of the values of the nodes `wanted`, without hoisting.
+/// Compiles a program whose outputs are the values of the nodes `wanted`, without hoisting.
 pub(crate) fn scheduled_values(
     graph: &mut ExprGraph,
     layout: &Layout,
@@ -181,7 +182,7 @@ pub(crate) fn scheduled_values(
 
 struct Compiler {
     lowered: Lowered,
-    /// Values of the fixed parameters, by symbol.
+    /// Values of the parameters that are replaced by constants, by symbol.
     fixed: Values,
     effort: Effort,
     columns: Vec<usize>,

@@ -76,7 +76,7 @@ pub enum CostKind {
     Root,
     /// Transcendental function.
     Call,
-    /// Comparison, mask or absolute value.
+    /// Comparison of the argument with 0 (sign, Heaviside function, indicator of x ≠ 0), or absolute value.
     Select,
 }
 

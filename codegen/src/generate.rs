@@ -23,7 +23,7 @@ pub fn generate(models: &[Model]) -> Vec<SourceFile> {
     files
 }
 
-/// Generates the source files of some models in the language of a backend, sorted by path.
+/// Generates the source files of the models `models` with the backend `backend`, sorted by path.
 pub fn generate_with(backend: &dyn Backend, models: &[Model]) -> Vec<SourceFile> {
     let each = models.iter();
     let mut files: Vec<SourceFile> = each

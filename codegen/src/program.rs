@@ -13,7 +13,7 @@ pub enum Operand {
     State(u32),
     /// Parameter, by its index in the parameter vector.
     Parameter(u32),
-    /// Hoisted invariant, by its index among the results of `prepare`: depends on parameters alone.
+    /// Invariant (value that depends on parameters alone), by its index among the results of the function `prepare`.
     Prepared(u32),
     /// Body-fixed coordinate of the marker, m, by its index (0 to 2).
     Marker(u32),
@@ -106,7 +106,7 @@ impl Op {
 pub struct Statement {
     /// Operation that the statement computes.
     pub op: Op,
-    /// Variable name; `None` if backends may print the statement as a subexpression of its user.
+    /// Variable name; `None` if backends may print the operation as a subexpression of the statement that uses it.
     pub name: Option<String>,
     /// Auxiliary variable of the model that the statement computes or contributes to, for comments in generated code;
     /// `None` if there is none.

@@ -20,7 +20,7 @@ const VARIABLES: usize = 3;
 /// Maximum |value| and |derivative| of every subexpression; cancellation between larger values would hide errors.
 const MAX_MAGNITUDE: f64 = 1e3;
 
-/// Step of a random expression: an operation on the values of earlier steps.
+/// Step of a random expression: an operation on the values x and y of two earlier steps, or on x alone.
 #[derive(Clone, Copy, Debug)]
 enum Step {
     Add,
@@ -159,7 +159,8 @@ fn value(step: Step, x: Dual64, y: Dual64) -> Option<Dual64> {
     })
 }
 
-/// Random expression in two forms: graph with the node of the last step, and its value and derivatives by dual numbers.
+/// Random expression in two forms: as the node `root` of a graph, and as value and derivatives that were computed with
+/// dual numbers.
 struct Case {
     graph: ExprGraph,
     root: NodeId,

@@ -157,7 +157,8 @@ impl Specialized {
     }
 }
 
-/// For each node, whether the roots depend on it, directly or through the definitions of locals.
+/// For each node of the graph, whether a node of `roots` depends on it, directly or through the definitions of local
+/// symbols.
 fn needed(graph: &ExprGraph, roots: &[NodeId]) -> Vec<bool> {
     let mut needed = vec![false; graph.len()];
     for root in roots {

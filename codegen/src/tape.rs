@@ -91,7 +91,7 @@ enum Width {
 pub struct Inputs<'a, T> {
     /// Time since release, s.
     pub t: T,
-    /// State vector, in the order of the layout.
+    /// State vector, in the order of `Layout::states`.
     pub x: &'a [T],
     /// Parameters: known constants, then coefficients, then components of inputs.
     pub p: &'a [T],

@@ -5,12 +5,12 @@ use crate::program::{Function, Section};
 use crate::tape::{Inputs, Tape};
 use lanes::{ScalarKernel, ScalarLane, dispatch_scalar};
 
-/// Tape of one function, with the layout of its results.
+/// Tape of one model function, with the division of its results into output arrays.
 #[derive(Clone, Debug)]
 pub struct TapeFunction {
     /// Bytecode of the function.
     pub tape: Tape,
-    /// Sections of the results, in order; each section is written to its own output array.
+    /// Sections of the results, in order; each section is written to a separate output array.
     pub sections: Vec<Section>,
 }
 
@@ -22,7 +22,7 @@ impl TapeFunction {
         }
     }
 
-    /// Length of each output array, in the order of the sections.
+    /// Lengths of the output arrays, one for each of the [`sections`](Self::sections).
     pub fn lens(&self) -> Vec<usize> {
         self.sections.iter().map(|section| section.len).collect()
     }
@@ -76,7 +76,7 @@ pub struct TapeModel {
 pub struct At<'a> {
     /// Time since release, s.
     pub t: f64,
-    /// State vector, in the order of the layout.
+    /// State vector, in the order of `Layout::states`.
     pub x: &'a [f64],
     /// Parameters: known constants, then coefficients, then components of inputs.
     pub p: &'a [f64],

@@ -74,8 +74,9 @@ impl Layout {
         layout
     }
 
-    /// Names for [`Layout::quantities`]. The components of a vector `v` are named `v_x` in the inertial frame and `v_1`
-    /// in other frames. If that name is already used, the frame's name is inserted, as in `v_B1`.
+    /// Names for [`Layout::quantities`]. The components of a vector `v` are named `v_x`, `v_y`, `v_z` if `v` is in the
+    /// inertial frame, and `v_1`, `v_2`, `v_3` in other frames. If such a name is already used, the name of the frame
+    /// is inserted, as in `v_B1`.
     fn quantity_names(&self, model: &Model) -> Vec<String> {
         let scalars = model
             .aux_variables

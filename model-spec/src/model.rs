@@ -55,19 +55,21 @@ pub struct Model {
     /// Stated differential equations `der(state) = …`, in order of the states. In a model with a body, they cover only
     /// the states whose derivatives do not follow from the body's equations of motion.
     pub equations: Vec<Equation>,
-    /// Physical meaning of the stated equations: expressions for the mass, motion and loads of a body, which are
-    /// compared with the equations. `None` if the model declares no claim, or has a body.
+    /// Claimed physical meaning of the stated equations: expressions for the mass, motion and loads of a body.
+    /// `hyzer verify` checks whether the equations agree with these expressions. `None` if the model file states no
+    /// claim.
     pub claim: Option<Claim>,
     /// The observed point, whose coordinates are specified with each observation; `None` if the model observes no
     /// marker.
     pub marker: Option<Marker>,
     /// The measurement equation: a vector in the inertial frame, m; `None` if the model has none.
     pub observation: Option<Observation>,
-    /// Rate of flight time relative to measured time, a factor of every time derivative; `None` if the rate is 1.
+    /// Rate of true time relative to recorded time (the time stamps of the measurements). Every time derivative is
+    /// multiplied by it. `None` if the rate is 1.
     pub clock: Option<Clock>,
-    /// Limits of the domain of validity: each expression must stay above its lower bound.
+    /// Limits of the domain of validity: the model is valid only where each limit's expression exceeds its lower bound.
     pub limits: Vec<ValidityLimit>,
-    /// Check cases of the model file, each with values to set and expected results.
+    /// Test cases that the model file states as `check "title" { … }`, each with values to set and expected results.
     pub checks: Vec<CheckCase>,
     /// Applied effects, in order of application.
     pub effects: Vec<AppliedEffect>,
@@ -157,8 +159,8 @@ pub enum FrameKind {
         parent: usize,
         /// Index into [`Model::states`] of the rotation angle, rad.
         angle: usize,
-        /// Index into [`Model::states`] of the angle's rate, rad/s; `None` if the model states its equations and the
-        /// rate is not a state.
+        /// Index into [`Model::states`] of the time derivative of the rotation angle, rad/s; `None` if that derivative
+        /// is not a state, which is possible only in a model without a body.
         rate: Option<usize>,
         /// Number of the rotation axis: 1, 2 or 3.
         axis: u8,
@@ -179,7 +181,7 @@ pub struct Body {
     pub name: String,
     /// Mass, kg. It depends only on parameters and coefficients, so it is constant during a flight.
     pub mass: Expr,
-    /// Indices into [`Model::states`] of the position of the centre of mass; its components are in frame 0.
+    /// Indices into [`Model::states`] of the position of the centre of mass, with components in the inertial frame.
     pub position: [usize; 3],
     /// Indices into [`Model::states`] of the velocity of the centre of mass; its components are in
     /// [`Body::velocity_frame`].
@@ -205,8 +207,9 @@ pub struct Rotation {
     pub inertia_frame: usize,
     /// Inertia tensor, kg m², symmetric; entries depend on parameters and coefficients alone.
     pub inertia: [[Expr; 3]; 3],
-    /// For a quaternion attitude, indices into [`Model::states`] of the angular velocity, and index into
-    /// [`Model::frames`] of the frame of its components. `None` for an attitude by angles, whose rates are the states.
+    /// If a quaternion describes the attitude: indices into [`Model::states`] of the components of the angular
+    /// velocity, and index into [`Model::frames`] of the frame of these components. `None` if three rotation angles
+    /// describe the attitude, since the time derivatives of the angles are then the states.
     pub angular_velocity: Option<([usize; 3], usize)>,
 }
 
@@ -221,8 +224,8 @@ pub struct AuxVariable {
     pub value: Expr,
     /// Source span of the declaration.
     pub span: Span,
-    /// Index into [`Model::effects`] of the effect that added or replaced the statement; `None` for a statement of the
-    /// model's file.
+    /// Index into [`Model::effects`] of the effect that added this declaration or replaced it; `None` for an unchanged
+    /// declaration of the model's file.
     pub effect: Option<usize>,
 }
 
@@ -235,8 +238,8 @@ pub struct Load {
     pub value: Expr,
     /// Source span of the declaration.
     pub span: Span,
-    /// Index into [`Model::effects`] of the effect that added or replaced the statement; `None` for a statement of the
-    /// model's file.
+    /// Index into [`Model::effects`] of the effect that added this declaration or replaced it; `None` for an unchanged
+    /// declaration of the model's file.
     pub effect: Option<usize>,
 }
 
@@ -275,38 +278,40 @@ pub struct Marker {
 pub struct Observation {
     /// Name of the observation.
     pub name: String,
-    /// Observed position, a vector in the inertial frame 0, m.
+    /// Observed position, a vector with components in the inertial frame, m.
     pub value: Expr,
     /// Source span of the declaration.
     pub span: Span,
 }
 
-/// Rate of flight time relative to the time of the measuring clock.
+/// Rate of true time relative to recorded time (the time stamps of the measurements, which may run at another rate than
+/// true time).
 #[derive(Clone, Debug)]
 pub struct Clock {
-    /// Seconds of flight per second of the clock, dimensionless.
+    /// Seconds of true time per second of recorded time, dimensionless.
     pub value: Expr,
     /// Source span of the declaration.
     pub span: Span,
-    /// Index into [`Model::effects`] of the effect that added or replaced the statement; `None` for a statement of the
-    /// model's file.
+    /// Index into [`Model::effects`] of the effect that added this declaration or replaced it; `None` for an unchanged
+    /// declaration of the model's file.
     pub effect: Option<usize>,
 }
 
-/// A condition of the domain of validity: the model holds where `value > bound`.
+/// A condition that bounds the domain of validity: the model is valid only where `value > bound`.
 #[derive(Clone, Debug)]
 pub struct ValidityLimit {
     /// Scalar expression that must exceed the bound.
     pub value: Expr,
     /// Exclusive lower bound of the expression, SI.
     pub bound: f64,
-    /// Reason why the model is invalid where the condition fails, for messages.
+    /// Reason why the model is invalid where `value` does not exceed `bound`, for messages.
     pub reason: String,
     /// Source span of the declaration.
     pub span: Span,
 }
 
-/// A check case of the model file: values to set and the expected results.
+/// A test case that the model file states as `check "title" { … }`: values to set, and results expected for these
+/// values.
 #[derive(Clone, Debug)]
 pub struct CheckCase {
     /// Title of the check case.
@@ -382,16 +387,18 @@ pub struct Expr {
 /// the same frame; `Reexpress` changes the frame of a vector.
 #[derive(Clone, Debug)]
 pub enum ExprKind {
-    /// A numeric literal, with its exact value if that is a fraction of small integers.
+    /// A numeric literal.
     Number {
         /// Value of the literal, SI.
         value: f64,
-        /// SI value as numerator and denominator; `None` if it has no such exact form.
+        /// Exact SI value of the literal as (numerator, denominator); `None` if the value is irrational or exceeds
+        /// `i64`.
         exact: Option<(i64, i64)>,
     },
     /// The number π.
     Pi,
-    /// Measured time since release, s. In a model with a [`Clock`], it is the time of that clock, not flight time.
+    /// Recorded time since release, s. In a model with a [`Clock`], recorded time may run at another rate than true
+    /// time.
     Time,
     /// A known constant, by index into [`Model::params`].
     Param(usize),
@@ -405,7 +412,7 @@ pub enum ExprKind {
     AuxVariable(usize),
     /// Unit vector along an axis of a frame: index into [`Model::frames`], and number of the axis (1 to 3).
     Axis(usize, u8),
-    /// Position of the centre of mass, in the inertial frame 0, m.
+    /// Position of the centre of mass, m, with components in the inertial frame.
     Position,
     /// Velocity of the centre of mass relative to the inertial frame, m/s, with components in [`Body::velocity_frame`].
     Velocity,

@@ -46,7 +46,7 @@ use crate::syntax::ast::{
     ParameterClass, Quantity, UnitExpr,
 };
 
-/// Text used as citation of the effects generated from terms and as documentation of their coefficients.
+/// Citation of the effects generated from terms, and documentation of their coefficients.
 const FOUND: &str = "found in measured flights";
 
 index_type!(
@@ -64,20 +64,20 @@ index_type!(
     pub struct ProductId;
 );
 
-/// Term library for a family of models: load components, variables, and products of variables.
+/// Candidates for terms that a model lacks: every product of variables, added to every channel (such as drag).
 #[derive(Clone, Debug)]
 pub struct TermLibrary {
-    /// Effect that adds one coefficient per channel to a model and defines the variables.
+    /// Effect that defines the variables and adds to each channel a term proportional to a new coefficient.
     pub loads: EffectTree,
-    /// Load components that a term can act on.
+    /// Load components, or derivatives of states, to which a term can be added.
     pub channels: IndexVec<ChannelId, Channel>,
-    /// Flight variables, the factors of the products.
+    /// Variables that describe the state of a flight, whose powers are the factors of the products.
     pub variables: IndexVec<VariableId, Variable>,
     /// Products of powers of variables; the empty product is the constant 1.
     pub products: IndexVec<ProductId, Vec<Factor>>,
 }
 
-/// Channel: a load component that a term can act on, such as drag.
+/// Channel: a component of a load (such as drag), or the derivative of a state, to which a term can be added.
 #[derive(Clone, Debug)]
 pub struct Channel {
     /// Name of the channel's coefficient in [`TermLibrary::loads`].
@@ -90,7 +90,7 @@ pub struct Channel {
     template: Effect,
 }
 
-/// A flight variable, whose powers are the factors of products.
+/// A variable that describes the state of a flight, such as the angle of attack.
 #[derive(Clone, Debug)]
 pub struct Variable {
     /// Name of the auxiliary variable or state that holds the value, in the model or in [`TermLibrary::loads`].
@@ -114,12 +114,12 @@ pub struct Factor {
     pub power: i32,
 }
 
-/// Candidate for a term that a model lacks: a product of variables that acts on a channel.
+/// Candidate for a term that a model lacks: a product of variables that is added, times a coefficient, to a channel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Term {
-    /// Channel that the term acts on.
+    /// Channel to which the term is added.
     pub channel: ChannelId,
-    /// Product of variables that the term adds, times a coefficient, to the channel.
+    /// Product of variables in the term.
     pub product: ProductId,
 }
 
@@ -348,8 +348,9 @@ impl TermLibrary {
 }
 
 impl Variable {
-    /// Creates a variable. Its definition is the right-hand side of the `let` of that name in the effect `loads`, or,
-    /// without such a `let`, the name of the quantity, which the model must then declare.
+    /// Creates a variable. Its definition is the right-hand side of the `let` in the effect `loads` that has the name
+    /// `entry.quantity`. Without such a `let`, it is the name `entry.quantity` itself, which the model must then
+    /// declare.
     fn new(entry: VariableEntry, loads: &EffectTree) -> Variable {
         let defined = loads.tree().parts.iter().find_map(|part| match part {
             EffectPart::Add(item) => match &item.kind {

@@ -15,7 +15,7 @@ use crate::cli::{Bootstrap, FitInputs};
 use crate::progress::{self, Progress};
 use crate::{Answer, output};
 
-/// Minimum number of fitted flights; with fewer there are too few different draws.
+/// Minimum number of fitted flights; with fewer flights, drawing with replacement gives too few different samples.
 const LEAST_FLIGHTS: usize = 5;
 
 /// Fits the model, computes the refits that are not in the folder yet, and prints the distribution of their

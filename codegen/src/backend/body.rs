@@ -12,8 +12,8 @@ pub(crate) use variables::Variables;
 /// One line of a function body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Step {
-    /// Comment that quotes the source line of the model for the statements that follow; the value is an index into the
-    /// model's provenance.
+    /// Comment that quotes the source line of the model for the statements that follow; the value is an index into
+    /// `Lowered::provenance`.
     Source(usize),
     /// Loads an input array element into its local variable; the operand identifies the element.
     Load(Operand),
@@ -76,7 +76,7 @@ impl<'a> Body<'a> {
     }
 
     /// Returns the model source line of an auxiliary variable as `file:line  text`, truncated to `MAX_CHARS`; `origin`
-    /// is an index into the model's provenance.
+    /// is the index of the variable in `Lowered::provenance`.
     pub fn source_line(&self, origin: usize) -> String {
         const MAX_CHARS: usize = 94;
         let origin = &self.compiled.lowered.provenance[origin];

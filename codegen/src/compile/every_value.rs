@@ -6,15 +6,16 @@ use crate::program::Program;
 use model_spec::layout::Layout;
 use model_spec::model::Model;
 
-/// Program of all values of a model. Its outputs are the state derivatives, the observation, the limits of validity and
-/// the auxiliary variables, in this order.
+/// Program of all values of a model. Its outputs are the time derivatives of the states, the observed marker position,
+/// the left-hand sides of the limits of validity and the auxiliary variables, in this order.
 #[derive(Clone, Debug)]
 pub struct EveryValue {
     /// Names and order of the states and parameters.
     pub layout: Layout,
     /// Program that computes the outputs, without hoisting.
     pub program: Program,
-    /// Number of outputs of the observation: 3, or 0 if the model has no observation.
+    /// Number of outputs that are components of the observed marker position: 3, or 0 if the model has no measurement
+    /// equation.
     pub observed: usize,
     /// Number of outputs that are left-hand sides of limits of validity.
     pub limits: usize,

@@ -44,7 +44,7 @@ impl Compiler {
         (Some(motion), Some(observed))
     }
 
-    /// Substitutes the fixed parameters in the lowered model and in all linearized graphs.
+    /// Replaces the fixed parameters by their values in the lowered model and in the linearized graphs `all`.
     fn specialize(&mut self, all: &mut [&mut Differentiable]) {
         let mut wanted = self.lowered.nodes();
         for one in all.iter() {

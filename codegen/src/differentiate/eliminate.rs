@@ -10,7 +10,8 @@ use crate::graph::{ExprGraph, Node, NodeId};
 /// Greedy rule that selects the next vertex to eliminate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum EliminationOrder {
-    /// Selects the vertex with the smallest number of products minus removed edges (Markowitz rule).
+    /// Selects the vertex whose elimination adds the fewest multiplications, less a weighted number of the edges that
+    /// it removes (variant of the Markowitz rule).
     FewestProducts,
     /// Selects the vertex whose elimination leaves the fewest edges (minimum fill).
     FewestEdges,
@@ -30,7 +31,8 @@ pub(crate) struct Jacobian {
 const MAX_NAMES_LEN: usize = 30;
 
 impl LinearizedGraph {
-    /// Computes the Jacobian of the results with respect to the symbols by eliminating all intermediate vertices.
+    /// Computes the Jacobian of the results with respect to the independent symbols by eliminating all intermediate
+    /// vertices.
     pub fn eliminate_vertices(self, graph: &mut ExprGraph, order: EliminationOrder) -> Jacobian {
         let LinearizedGraph {
             mut vertices,

@@ -23,7 +23,8 @@ pub(super) struct Vertex {
     pub up: Vec<usize>,
 }
 
-/// Linearized computational graph between results and independent symbols.
+/// Linearized computational graph: its vertices are results, intermediate values and independent symbols, and each edge
+/// from a vertex to one of its operands has the partial derivative with respect to that operand.
 #[derive(Clone, Debug)]
 pub(crate) struct LinearizedGraph {
     /// All vertices of the graph; the vertices of the results come first, in row order.

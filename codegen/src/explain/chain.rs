@@ -97,7 +97,7 @@ fn opposites(source: &ExprGraph) -> FastMap<NodeId, NodeId> {
 }
 
 /// Copy of an expression graph in which each named node is replaced by a local symbol with a definition, so that
-/// formulas end at names.
+/// formulas contain the names of quantities instead of their definitions.
 pub(super) struct Cut {
     pub graph: ExprGraph,
     /// Nodes of the copy that correspond to the requested nodes of the original graph, in the same order.
@@ -107,7 +107,7 @@ pub(super) struct Cut {
     names: FastMap<u32, String>,
     /// For each sum whose square root is a named quantity V, the node V², where V is the local symbol of the quantity.
     squares: FastMap<NodeId, NodeId>,
-    /// Indices of the local symbols that are derivatives, in order of creation.
+    /// Indices of the local symbols that represent derivatives of named quantities, in order of creation.
     made: Vec<u32>,
     /// Indices of the local symbols that represent repeated parts of large formulas, in order of creation.
     parts: Vec<u32>,
@@ -227,7 +227,8 @@ impl Cut {
         images[&root]
     }
 
-    /// Number of nodes of an expression as a tree, given the numbers of its operands.
+    /// Number of nodes of the expression tree of the node `id`; `sizes` contains these numbers for the operands of the
+    /// node.
     fn tree_size(&self, id: NodeId, sizes: &FastMap<NodeId, u64>) -> u64 {
         let mut size = 1_u64;
         self.graph
@@ -279,8 +280,8 @@ impl Cut {
         }
     }
 
-    /// Total derivative of a node with respect to the symbol [`Cut::by`]; the derivatives of named quantities in it are
-    /// represented by new local symbols.
+    /// Total derivative of a node with respect to the symbol [`Cut::by`]. The derivatives of the named quantities on
+    /// which the node depends are represented by new local symbols.
     pub fn derivative(&mut self, id: NodeId) -> NodeId {
         let derivative = self.differentiated(id);
         self.tidy(&[derivative])[0]

@@ -10,9 +10,9 @@ pub enum ExplainError {
     Quantity {
         /// Name that the caller requested.
         wanted: String,
-        /// Most similar valid name; `None` if none is similar.
+        /// Most similar name of a quantity; `None` if no quantity has a similar name.
         nearest: Option<String>,
-        /// All valid names.
+        /// Names of all quantities of the model that can be explained.
         known: Vec<String>,
     },
     /// No state, parameter or other symbol with respect to which a quantity can be differentiated has the requested
@@ -20,9 +20,9 @@ pub enum ExplainError {
     Wrt {
         /// Name that the caller requested.
         wanted: String,
-        /// Most similar valid name; `None` if none is similar.
+        /// Most similar name of a symbol; `None` if no symbol has a similar name.
         nearest: Option<String>,
-        /// All valid names.
+        /// Names of all symbols of the model with respect to which a quantity can be differentiated.
         known: Vec<String>,
     },
     /// Both a force and a moment have the requested name.
@@ -67,8 +67,8 @@ impl fmt::Display for ExplainError {
 
 impl std::error::Error for ExplainError {}
 
-/// Most similar valid name: a name that contains the requested name, else the nearest by edit distance; `None` if no
-/// name is similar.
+/// Name in `known` that is most similar to the requested name `wanted`: `force wanted`, `moment wanted`, `der(wanted)`
+/// or a name that begins with `wanted`, else the nearest name by edit distance; `None` if no name is similar.
 pub(super) fn nearest(wanted: &str, known: &[String]) -> Option<String> {
     let part = |name: &&String| {
         let starts = wanted.len() >= 3 && name.starts_with(wanted);

@@ -21,19 +21,20 @@ use std::fmt;
 pub struct Explanation {
     /// Name of the explained quantity: `alpha`, `der(u)`, `force aero`.
     pub quantity: String,
-    /// State or parameter with respect to which the quantity is differentiated; `None` if the quantity itself is
-    /// explained.
+    /// Name of the state, parameter, coefficient or input component with respect to which the quantity is
+    /// differentiated; `None` if the quantity itself is explained.
     pub wrt: Option<String>,
-    /// Source location of the declaration: `disc.hyz:58`.
+    /// Source file and line of the declaration of the quantity, as in `disc.hyz:58`.
     pub place: String,
-    /// Source lines of the declaration; for derivatives by Newton's and Euler's laws, the source lines of the body.
+    /// Source lines of the declaration of the quantity. For a time derivative of a state that follows from Newton's or
+    /// Euler's law, these are the source lines of the declaration of the body.
     pub line: String,
-    /// Doc comment (`///` lines) of the declaration.
+    /// Doc comment (`///` lines) of the declaration of the quantity in the model file; may be empty.
     pub doc: String,
     /// LaTeX formula `left = right` of the quantity; one formula per component if there is no vector formula.
     pub latex: Vec<String>,
-    /// LaTeX formula of the derivative, then formulas of the derivatives of auxiliary variables that it refers to;
-    /// empty if `wrt` is `None`.
+    /// LaTeX formula of the derivative, then formulas of the derivatives of the auxiliary variables to which that
+    /// formula refers; empty if [`wrt`](Self::wrt) is `None`.
     pub derivative: Vec<String>,
     /// Generated statements that depend on parameters alone and run once per flight.
     pub once: String,

@@ -26,8 +26,8 @@ model_spec::index_type!(
 /// Leaf of an expression: a variable or constant whose value is not computed by the graph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Symbol {
-    /// Measured time since release, s. In a model with a `clock` statement it is the time of the measuring clock, whose
-    /// rate differs from that of flight time.
+    /// Recorded time since release, s: the time of the time stamps of the measurements. In a model with a `clock`
+    /// statement it may run at another rate than true time; in other models it equals true time.
     Time,
     /// The constant π.
     Pi,
@@ -218,7 +218,7 @@ impl ExprGraph {
         root
     }
 
-    /// Number of locals, that is, leaves with a definition.
+    /// Number of local symbols, that is, leaves with a definition.
     pub fn local_count(&self) -> usize {
         self.locals.len()
     }

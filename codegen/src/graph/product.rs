@@ -90,8 +90,8 @@ impl ExprGraph {
         }
     }
 
-    /// Splits a factor into a constant, which is multiplied onto `coefficient`, and simpler factors, which are appended
-    /// to `pending`. Returns false if the factor cannot be split.
+    /// Splits the factor `id` with the doubled exponent `exponent` into a constant, by which `coefficient` is
+    /// multiplied, and simpler factors, which are appended to `pending`. Returns false if the factor cannot be split.
     fn open(
         &mut self,
         id: NodeId,
@@ -157,8 +157,9 @@ impl ExprGraph {
         }
     }
 
-    /// Adds the doubled exponents of equal bases. A base that cancels but may be zero is replaced by its `NonZero`
-    /// indicator.
+    /// Merges the factors `flat`, which are (base, doubled exponent) pairs, by adding the exponents of equal bases. A
+    /// base whose exponents add up to 0 is omitted if it is known to be nonzero, else replaced by its indicator
+    /// `NonZero(base)`.
     fn merge(&mut self, mut flat: Vec<(NodeId, i32)>) -> Vec<(NodeId, i32)> {
         flat.sort_unstable();
         let mut merged: Vec<(NodeId, i32)> = Vec::with_capacity(flat.len());
@@ -205,9 +206,9 @@ impl ExprGraph {
             })
     }
 
-    /// Looks in the product of the factors `flat` for a sum that contains `NonZero(X)` and is multiplied by X or
-    /// `NonZero(X)`. If there is one, replaces `NonZero(X)` by 1 in that sum, moves all factors to `pending` and
-    /// returns true.
+    /// Looks in the product of the factors `flat` for a sum that contains `NonZero(X)`, the indicator of X ≠ 0, and is
+    /// multiplied by X or `NonZero(X)`, so that the indicator is redundant. If there is such a sum, replaces
+    /// `NonZero(X)` by 1 in it, moves all factors to `pending` and returns true; otherwise returns false.
     fn unmask(&mut self, flat: &mut Vec<(NodeId, i32)>, pending: &mut Vec<(NodeId, i32)>) -> bool {
         if !self.has_masks {
             return false;

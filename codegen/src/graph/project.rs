@@ -51,8 +51,8 @@ impl ExprGraph {
         id
     }
 
-    /// Sums that are bases of negative powers in products within `depth` operand levels of `id`, sorted; they may be
-    /// squared lengths of vectors.
+    /// Sums that are bases of negative powers in products, where the product is the node `id` or at most `depth`
+    /// operand levels below it. Such a sum may be the squared length of a vector. The result is sorted.
     fn lengths(&self, id: NodeId, depth: u32) -> Vec<NodeId> {
         let mut found = Vec::new();
         let mut pending = vec![(id, depth)];
@@ -73,8 +73,9 @@ impl ExprGraph {
         found
     }
 
-    /// Expands `c · term` and appends the resulting terms to `open`. A factor is expanded if it is a sum in which one
-    /// of the `components` is a factor of a term; nested sums are expanded at most `depth` levels deep.
+    /// Expands the product of the constant `c` and the node `term`, and appends the resulting terms to `open`. A factor
+    /// is expanded if it is a sum in which one of the `components` is a factor of a term; nested sums are expanded at
+    /// most `depth` levels deep.
     fn open_term(
         &mut self,
         c: Number,

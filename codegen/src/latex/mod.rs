@@ -55,8 +55,8 @@ pub(crate) fn sides(model: &Model, wanted: &str) -> Option<(String, String)> {
         .or_else(equation)
 }
 
-/// Right-hand side of an equation. If it only refers to the auxiliary variable of a derivative (`der_…`), the
-/// definition of that variable is returned instead.
+/// Right-hand side of an equation. If the right-hand side is only a reference to an auxiliary variable whose name
+/// begins with `der_`, the definition of that variable is returned instead.
 fn stated<'a>(model: &'a Model, equation: &'a Equation) -> &'a Expr {
     match equation.value.kind {
         ExprKind::AuxVariable(k) if model.aux_variables[k].name.starts_with("der_") => {

@@ -37,9 +37,10 @@ pub struct Lowered {
     pub graph: ExprGraph,
     /// Names and order of the states, parameters, marker coordinates and auxiliary variables in arrays.
     pub layout: Layout,
-    /// Time derivatives of the states, in layout order.
+    /// Time derivatives of the states, in the order of `Layout::states`.
     pub dx: Vec<NodeId>,
-    /// Observed vector of the measurement equation, m, in the inertial frame; `None` if the model has no observation.
+    /// Marker position that the measurement equation observes, m, in the inertial frame; `None` if the model has no
+    /// measurement equation.
     pub observation: Option<Vector>,
     /// Name and node of each component of the auxiliary variables, in order of declaration; auxiliary variables that
     /// depend on the marker are omitted.
@@ -69,7 +70,7 @@ pub(crate) struct Lowering<'a> {
     /// rotational equations are lowered.
     pub(crate) component_rates: Option<(Vector, Vector)>,
     pub(crate) provenance: Vec<Provenance>,
-    /// Names that are already in `provenance`.
+    /// Names of the nodes whose source location is already in `provenance`.
     pub(crate) recorded: HashSet<String>,
 }
 
@@ -192,7 +193,7 @@ fn nodes(value: Value) -> Vec<NodeId> {
 
 impl Lowering<'_> {
     /// Creates the nodes of states and parameters before all other nodes. The terms of sums are sorted by node index,
-    /// and thereby follow the order of the layout.
+    /// and thereby follow the order of states and parameters in [`Layout`].
     fn leaves(&mut self) {
         for k in 0..self.layout.states.len() {
             self.graph.symbol(Symbol::State(k as u32));

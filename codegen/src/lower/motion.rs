@@ -8,9 +8,9 @@ use crate::number::Number;
 use model_spec::model::{Body, FrameKind, Load, Rotation, Shape};
 
 impl Lowering<'_> {
-    /// Time derivatives of all states, one node per state, in layout order. In a model with a `clock` statement
-    /// (seconds of flight per second of the measuring clock), they are derivatives with respect to the time of that
-    /// clock.
+    /// Time derivatives of all states, one node per state, in state order. In a model with a `clock` statement (true
+    /// seconds per recorded second), they are derivatives with respect to recorded time (the time stamps of the
+    /// measurements, which may run at another rate than true time).
     pub(crate) fn motion(&mut self) -> Vec<NodeId> {
         let model = self.model;
         let zero = self.graph.whole(0);

@@ -35,13 +35,13 @@ pub struct Namer {
     given: FastMap<DefId, String>,
     states: Vec<String>,
     parameters: Vec<String>,
-    /// Index of each auxiliary variable in the model's provenance, by name.
+    /// Index of each auxiliary variable in `Lowered::provenance`, by name.
     origins: FastMap<String, usize>,
 }
 
 impl Namer {
     /// Creates a namer for one function of a model with the given names of states and parameters; `origins` contains
-    /// the names of the auxiliary variables in the order of the model's provenance.
+    /// the names of the nodes in `Lowered::provenance`, in the same order.
     pub fn new(states: &[String], parameters: &[String], origins: &[String]) -> Namer {
         let taken = ARGUMENTS.iter().map(|&name| name.to_string());
         let taken = taken

@@ -55,7 +55,8 @@ struct Builder<'a> {
 }
 
 impl Builder<'_> {
-    /// Nodes on which the roots depend, including the definitions of locals; operands precede their users.
+    /// Nodes on which the nodes `roots` depend, including the definitions of local symbols; operands precede the nodes
+    /// that use them.
     fn needed(&self, roots: &[NodeId]) -> Vec<NodeId> {
         let mut order = Vec::new();
         let mut seen = vec![false; self.graph.len()];

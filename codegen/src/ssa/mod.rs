@@ -88,8 +88,8 @@ pub struct Ssa {
     pub defs: IndexVec<DefId, SsaDef>,
     /// Value facts of each definition: constant during a flight, nonnegative, nonzero.
     pub facts: IndexVec<DefId, ValueFacts>,
-    /// Graph node that each definition computes, and `true` if it computes the negative of the node; `None` for values
-    /// without a node.
+    /// For each definition, the graph node with the same value, and whether the definition is the negative of that
+    /// node; `None` for definitions that correspond to no graph node.
     pub origin: IndexVec<DefId, Option<(bool, NodeId)>>,
     /// Results to compute, with signs, in the requested order.
     pub roots: Vec<Signed>,

@@ -6,7 +6,8 @@
 use super::{DefId, Ssa, SsaDef};
 use model_spec::index::IndexVec;
 
-/// Negates sums, with compensating signs in their users, while the number of negations decreases.
+/// Negates sums, with compensating signs in the definitions that use the sums, as long as the total number of negations
+/// decreases.
 pub fn settle(ssa: &mut Ssa) {
     absorb_fixed(ssa);
     let mut users = users(ssa);
@@ -47,9 +48,9 @@ enum Place {
     /// Sign of the value of a product or reciprocal. The definition stores no sign, so that the sign moves to the
     /// references in the definitions that use the value.
     Through(DefId),
-    /// Sign of the k-th operand of a definition: a term of a sum or an argument of a function.
+    /// Sign of an operand of a definition, by the index of the operand: a term of a sum or an argument of a function.
     Operand(DefId, usize),
-    /// Sign of the k-th root (result).
+    /// Sign of the requested result (root) with this index.
     Root(usize),
 }
 
@@ -59,7 +60,7 @@ enum User {
     Root(usize),
 }
 
-/// Definitions and roots that use each definition.
+/// For each definition, the definitions and the requested results (roots) that use it.
 type Users = IndexVec<DefId, Vec<User>>;
 
 fn users(ssa: &Ssa) -> Users {
@@ -171,7 +172,7 @@ fn flip(ssa: &mut Ssa, place: Place) {
     }
 }
 
-/// Sign locations without duplicates, sorted.
+/// Returns the sign locations `touched` in sorted order and without duplicates.
 fn distinct(touched: &[Place]) -> Vec<Place> {
     let mut places: Vec<Place> = touched.to_vec();
     places.sort_unstable();
@@ -179,7 +180,7 @@ fn distinct(touched: &[Place]) -> Vec<Place> {
     places
 }
 
-/// Number of negations that a sign location costs, 0 or 1.
+/// Number of negations, 0 or 1, that the sign at the location `place` requires.
 fn price(ssa: &Ssa, place: Place) -> i64 {
     let sum = |terms: &[(bool, DefId)]| -> i64 {
         let plus = terms

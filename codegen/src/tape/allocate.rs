@@ -6,7 +6,8 @@ use crate::functions::MathFunction;
 use crate::program::{Op, Operand, Program, Unary};
 use std::collections::HashMap;
 
-/// Last use of a program output, which stays live after the last instruction: a number above every instruction index.
+/// Value of the last use for program outputs, which stay live after the last instruction: a number above every
+/// instruction index.
 const END: usize = usize::MAX;
 
 /// Compiles a program to bytecode, and returns it with the number of registers.
@@ -132,8 +133,8 @@ impl Allocator {
         }
     }
 
-    /// Returns the instruction for the sine and cosine of one angle; `k` is the index of the earlier of the two
-    /// statements.
+    /// Returns the instruction that computes the statements `sin` and `cos`, the sine and cosine of one angle; `k` is
+    /// the earlier of these two statement indices.
     fn pair(&mut self, op: Op, (sin, cos): (usize, usize), k: usize) -> Instruction<u32> {
         debug_assert!(matches!(
             op,

@@ -23,12 +23,12 @@ pub struct LaneModel {
     is_generated: bool,
     /// The model compiled to a tape (register bytecode); compiled on the first use of the tape.
     tape: OnceLock<TapeModel>,
-    /// Lower bound of each limit of validity.
+    /// Lower bounds of the validity limits, SI, in the order of the model's limits.
     bounds: Vec<f64>,
 }
 
 impl LaneModel {
-    /// Creates the lane model. It uses generated code if there is generated code whose source hash equals that of
+    /// Prepares `model` for integration in SIMD lanes. Generated code is used if its source hash equals that of
     /// `model`; otherwise `model` is compiled to a tape.
     pub fn new(model: &Model) -> LaneModel {
         let generated = generated::model(&model.name);
@@ -38,7 +38,7 @@ impl LaneModel {
         }
     }
 
-    /// Creates a lane model that evaluates a tape, even if generated code exists.
+    /// Prepares `model` for integration in SIMD lanes by a tape, even if generated code for the model exists.
     pub fn interpreted(model: &Model) -> LaneModel {
         LaneModel {
             model: model.clone(),
@@ -48,8 +48,9 @@ impl LaneModel {
         }
     }
 
-    /// Whether the model's functions are generated code rather than a tape. Generated code is compiled for the widest
-    /// instruction sets only ([`ode::fly_on_widest`]); on others the tape is evaluated, with the same results.
+    /// Whether flights are integrated with generated code rather than with a tape. Generated code exists only for the
+    /// widest instruction sets ([`ode::fly_on_widest`]); with any other instruction set, the tape is evaluated, with
+    /// the same results.
     pub fn is_generated(&self) -> bool {
         self.is_generated
     }
@@ -116,7 +117,8 @@ impl Visitor for GeneratedTask<'_> {
     }
 }
 
-/// Right-hand side and limits of the generated equations `E`, evaluated in SIMD lanes.
+/// Right-hand side of the equations of motion and validity limits of a model, as generated code `E`, evaluated in SIMD
+/// lanes.
 struct GeneratedRhs<'a, E> {
     bounds: &'a [f64],
     equations: PhantomData<E>,
@@ -150,7 +152,8 @@ impl<E: Equations> LaneRhs for GeneratedRhs<'_, E> {
     }
 }
 
-/// Right-hand side and limits of a model that is compiled to a tape, evaluated in SIMD lanes.
+/// Right-hand side of the equations of motion and validity limits of a model, compiled to a tape, evaluated in SIMD
+/// lanes.
 struct TapeRhs<'a> {
     tape: &'a TapeModel,
     bounds: &'a [f64],

@@ -49,7 +49,8 @@ pub fn minimum(
 }
 
 /// Whether a variable is at one of its bounds and a descent would move it beyond the bound; `slope` is the derivative
-/// of the minimized function by the variable.
+/// of the minimized function with respect to the variable, and `step` is the current change of the variable, with the
+/// bounds `low` and `high`.
 fn outward(slope: f64, step: f64, low: f64, high: f64) -> bool {
     step <= low && slope >= 0.0 || step >= high && slope <= 0.0
 }

@@ -102,7 +102,7 @@ pub enum DesignError {
     /// The goal is a flare, and its point is on the ground; a flare is defined only above the ground.
     #[error("the goal flare needs a target above the ground; found a height of 0")]
     FlareOnGround,
-    /// The throw that was found cannot be flown at the final, tightest tolerance.
+    /// The throw that the search found cannot be flown at the final, tightest tolerance of the integration.
     #[error(transparent)]
     Flight(#[from] ThrowFlightError),
 }
@@ -121,8 +121,8 @@ const SPREAD_STEP: f64 = 1e-4;
 /// Searches for the throw within bounds that serves a goal best.
 ///
 /// # Errors
-/// [`DesignError`] if the goal and bounds contradict each other or no throw can be flown. That the constraints cannot
-/// be met is no error: see [`Design::feasible`].
+/// [`DesignError`] if the goal and bounds contradict each other or no throw can be flown. Constraints that cannot be
+/// met are not an error: see [`Design::feasible`].
 pub fn design(
     flights: &ThrowFlights<'_>,
     goal: Goal,
@@ -207,7 +207,7 @@ struct Task<'t> {
 /// Starting throw: its point in the unit box, and (violation, objective) for each side of the obstacle.
 type Tried = (DVector<f64>, Vec<(f64, f64)>);
 
-/// The starting throws that could be flown to the ground, and the number of these throws.
+/// Result of the exploration: the starting throws that could be flown to the ground (`points`), and their number.
 struct Explored {
     points: Vec<Tried>,
     flown: usize,
@@ -302,7 +302,7 @@ impl Task<'_> {
     }
 
     /// Moves a starting throw, with little change, until it meets the constraints or violates them as little as the
-    /// bounds allow. `accuracy` is an index into [`TOLERANCES`]. `None` if a throw on the way has no flight.
+    /// bounds allow. `accuracy` is an index into [`TOLERANCES`]. `None` if one of the evaluated throws cannot be flown.
     fn met(&self, side: Option<Side>, from: &DVector<f64>, accuracy: usize) -> Option<Arrival> {
         let near = RefCell::new(None);
         if !self.is_constrained(side) {
@@ -320,7 +320,7 @@ impl Task<'_> {
     }
 
     /// Minimizes the objective among throws that meet the constraints, starting from one of them. `None` if the
-    /// starting throw has no flight.
+    /// starting throw cannot be flown.
     fn least(&self, side: Option<Side>, from: &DVector<f64>) -> Option<Arrival> {
         let near = RefCell::new(None);
         let problem =
@@ -343,8 +343,8 @@ impl Task<'_> {
         })
     }
 
-    /// Objective of the goal at a point of the unit box; `of_path` is the objective computed from the path alone, which
-    /// is the result for goals that need nothing else. `None` if the throw has no flight.
+    /// Objective of the goal at a point of the unit box; `of_path` is the objective from [`Goal::values`], which is
+    /// returned for goals whose objective depends on the path alone. `None` if the throw cannot be flown.
     fn objective(&self, at: &DVector<f64>, of_path: f64) -> Option<f64> {
         match self.goal {
             Goal::Hit(_) | Goal::Curve(_) => Some(0.5 * at.map(|v| v - 0.5).norm_squared()),
@@ -356,9 +356,9 @@ impl Task<'_> {
         }
     }
 
-    /// Objective and constraints at a point of the unit box, with derivatives by the free quantities scaled to the
-    /// unit box. The objective of [`Goal::Spread`] is computed only if `objective` is true. `None` if the throw has
-    /// no flight.
+    /// Objective and constraints at a point of the unit box, with derivatives with respect to the coordinates of the
+    /// point. The objective of [`Goal::Spread`] is computed only if `objective` is true. `None` if the throw cannot be
+    /// flown.
     fn values(
         &self,
         side: Option<Side>,
@@ -418,7 +418,7 @@ impl Task<'_> {
     }
 
     /// Root mean square distance of landings from their mean, m, to first order in the scatter; `None` if the throw
-    /// has no flight.
+    /// cannot be flown.
     fn rms_spread(
         &self,
         throw: &Throw,

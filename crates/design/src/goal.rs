@@ -15,7 +15,7 @@ pub enum Goal {
     Range,
     /// Maximum duration of the flight.
     HangTime,
-    /// As [`Hit`](Goal::Hit), and the path avoids the obstacle of the bounds.
+    /// As [`Hit`](Goal::Hit), and the path avoids the obstacle specified in [`Bounds`](crate::bounds::Bounds).
     Curve(Vector3<f64>),
     /// The path is level at the point, neither falling nor climbing, and passes it as slowly as possible, like an
     /// aircraft that flares.
@@ -59,7 +59,8 @@ impl Side {
 pub struct Obstacle {
     /// Horizontal coordinates x, y of the cylinder's axis, m.
     pub place: Vector2<f64>,
-    /// Radius, m; it must include the space that the body needs.
+    /// Radius, m, including a margin for the size of the body: only the path of the mass centre is compared with the
+    /// cylinder.
     pub radius: f64,
     /// Side on which the path must pass the obstacle; `None` allows both.
     pub side: Option<Side>,
@@ -113,8 +114,8 @@ impl Goal {
         }
     }
 
-    /// Objective and constraints of a flight, with derivatives by the quantities by which the path is differentiated.
-    /// The objective is 0 for [`Spread`](Goal::Spread), which the path alone does not determine, and for
+    /// Objective and constraints of a flight, with derivatives with respect to the same quantities as those of `path`.
+    /// The objective is 0 for [`Spread`](Goal::Spread), whose objective needs the scatter, not only the path, and for
     /// [`Hit`](Goal::Hit) and [`Curve`](Goal::Curve), which only constrain the path.
     pub fn values(&self, path: &Path<'_>, obstacle: Option<(&Obstacle, Side)>) -> Values {
         let landing = path.landing();
@@ -185,9 +186,9 @@ impl Goal {
     }
 }
 
-/// Minimum distance, m, by which the path clears an obstacle on the given side, negative if it does not clear it;
-/// with derivatives. At a nearest approach the derivative by time is 0, so only the derivatives of the path at that
-/// time count.
+/// Minimum lateral distance, m, of the path from the surface of the obstacle on the given side, negative if the path
+/// enters the obstacle or passes it on the other side; with derivatives. They are taken at the fixed time of the
+/// nearest approach, because the derivative of the distance with respect to time is 0 there.
 fn clearance(path: &Path<'_>, obstacle: &Obstacle, side: Side) -> (f64, Vec<f64>) {
     let place = Vector3::new(obstacle.place.x, obstacle.place.y, 0.0);
     let passes = path.nearest_times(place, true).into_iter().map(|t| {

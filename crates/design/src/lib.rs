@@ -2,8 +2,8 @@
 //! point or lands with the least spread, within bounds.
 //!
 //! - [`ThrownBody`] is a compiled model of a body, [`ThrowFlights`] its flights with given parameters. A [`Path`]
-//!   provides the derivatives of its points, its landing and its nearest approaches by the quantities of the throw and
-//!   by parameters.
+//!   provides the derivatives of its points, its landing and its nearest approaches with respect to the quantities of
+//!   the throw and to parameters.
 //! - [`design`](fn@design) searches for the throw that serves a [`Goal`] best within [`Bounds`]; a [`Design`] states
 //!   whether it meets the constraints, by how much it misses, and the effect of each quantity of the throw.
 //! - [`spread`](fn@spread) is the distribution of landings due to the scatter of release, wind and coefficients,

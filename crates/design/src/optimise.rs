@@ -8,7 +8,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::box_quadratic::minimum;
 
-/// Objective and constraints of a problem at a point, with derivatives by the variables.
+/// Objective and constraints of a problem at a point, with derivatives with respect to the variables.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Values {
     /// Objective, to be minimized.
@@ -17,11 +17,11 @@ pub struct Values {
     pub equalities: DVector<f64>,
     /// Inequality constraints, to be nonnegative; scaled as `equalities`.
     pub margins: DVector<f64>,
-    /// Gradient of the objective by the variables.
+    /// Gradient of the objective.
     pub gradient: DVector<f64>,
-    /// Jacobian of the equality constraints by the variables, one row per constraint.
+    /// Jacobian of the equality constraints: one row per constraint, one column per variable.
     pub equalities_by: DMatrix<f64>,
-    /// Jacobian of the inequality constraints by the variables, one row per constraint.
+    /// Jacobian of the inequality constraints: one row per constraint, one column per variable.
     pub margins_by: DMatrix<f64>,
 }
 
@@ -75,7 +75,7 @@ pub type Problem<'p> = &'p dyn Fn(&DVector<f64>, bool) -> Option<Values>;
 pub struct Arrival {
     /// The point reached, in the unit box.
     pub at: DVector<f64>,
-    /// Objective and constraints at the point.
+    /// Objective and constraints at the point reached.
     pub values: Values,
 }
 
@@ -83,7 +83,8 @@ pub struct Arrival {
 const TRUST: f64 = 0.15;
 /// Radius of the trust region below which an optimization ends.
 const LEAST_TRUST: f64 = 1e-6;
-/// Maximum number of evaluations for reaching the constraints, and for returning to them after a step along them.
+/// Maximum numbers of evaluations of the problem: for the first minimization of the constraint violation, and for the
+/// return to the constraints after each step of the minimization of the objective.
 const MAX_EVALUATIONS: (usize, usize) = (40, 5);
 /// Maximum number of steps of a minimization of the objective.
 const MAX_STEPS: usize = 25;
@@ -95,7 +96,7 @@ const ON: f64 = 1e-4;
 /// Weight of the linearized constraints relative to the curvature of the Lagrangian in the quadratic model.
 const STIFF: f64 = 1e6;
 
-/// Minimizes the violation of the constraints in the box, by Gauss–Newton steps in a trust region. `None` if the
+/// Minimizes the violation of the constraints in the unit box, by Gauss–Newton steps in a trust region. `None` if the
 /// problem has no finite values at the start.
 pub fn meet(problem: Problem<'_>, from: &DVector<f64>) -> Option<Arrival> {
     let at = from.map(|v| v.clamp(0.0, 1.0));
@@ -156,7 +157,7 @@ fn gauss_newton(values: &Values) -> (DMatrix<f64>, DVector<f64>) {
     )
 }
 
-/// Lower and upper bounds of a step from `at` that stays in the box and in the trust region.
+/// Lower and upper bounds of a step from `at` that stays in the unit box and in the trust region of radius `trust`.
 fn room(at: &DVector<f64>, trust: f64) -> (DVector<f64>, DVector<f64>) {
     (
         at.map(|v| (-v).max(-trust)),
@@ -165,8 +166,8 @@ fn room(at: &DVector<f64>, trust: f64) -> (DVector<f64>, DVector<f64>) {
 }
 
 /// Minimizes the objective from a point on the constraints. Each iteration steps along the constraints by a quadratic
-/// model of the Lagrangian and then returns to them; the objective at the point reached decides on acceptance. `None`
-/// if the problem has no finite values at the start.
+/// model of the Lagrangian and then returns to them; the point reached is accepted only if the objective there is
+/// smaller. `None` if the problem has no finite values at the start.
 pub fn descend(problem: Problem<'_>, from: &DVector<f64>) -> Option<Arrival> {
     let values = problem(from, true).filter(Values::is_finite)?;
     let mut now = Arrival {
@@ -228,8 +229,8 @@ fn reached(problem: Problem<'_>, there: DVector<f64>) -> Option<Arrival> {
     Some(Arrival { at: met.at, values })
 }
 
-/// Step between `low` and `high` that minimizes a quadratic model of the Lagrangian with a penalty on the linearized
-/// constraints.
+/// Step of the variables, between `low` and `high`, that minimizes a quadratic model of the Lagrangian with a penalty
+/// on the linearized constraints.
 fn along(
     values: &Values,
     curvature: &DMatrix<f64>,
@@ -283,13 +284,13 @@ fn stacked(values: &Values) -> DMatrix<f64> {
     })
 }
 
-/// Gradient of the Lagrangian by the variables.
+/// Gradient of the Lagrangian with respect to the variables.
 fn lagrangian(values: &Values, multipliers: &DVector<f64>) -> DVector<f64> {
     &values.gradient + stacked(values).tr_mul(multipliers)
 }
 
-/// Powell's damped BFGS update of the Hessian approximation `matrix`, for a step and the change of the gradient along
-/// it.
+/// Powell's damped BFGS update of the Hessian approximation `matrix`, for a step and the change of the gradient of the
+/// Lagrangian over this step.
 fn update(matrix: &mut DMatrix<f64>, step: &DVector<f64>, change: &DVector<f64>) {
     let moved = &*matrix * step;
     let along = step.dot(&moved);

@@ -22,8 +22,8 @@ pub struct Path<'f> {
     /// Integrated trajectory; if derivatives were requested, each state vector is followed by the sensitivity matrix S,
     /// the derivatives of the states.
     pub trajectory: Trajectory,
-    /// For each quantity by which the path is differentiated, its column of the sensitivity matrix S, the derivatives
-    /// of the states.
+    /// For each quantity with respect to which the path is differentiated, its column of the sensitivity matrix S, the
+    /// derivatives of the states.
     columns: Vec<usize>,
 }
 
@@ -34,10 +34,10 @@ pub struct Landing {
     pub time: f64,
     /// Position of the mass centre at landing, m.
     pub position: Vector3<f64>,
-    /// Derivatives of the duration, s per unit of each quantity by which the path is differentiated.
+    /// Derivatives of the duration, s per unit of each quantity with respect to which the path is differentiated.
     pub time_by: Vec<f64>,
-    /// Derivatives of the landing position, m per unit of each quantity by which the path is differentiated; their z
-    /// components are 0, because the landing is always on the ground.
+    /// Derivatives of the landing position, m per unit of each quantity with respect to which the path is
+    /// differentiated; their z components are 0, because the landing is always on the ground.
     pub position_by: Vec<Vector3<f64>>,
 }
 

@@ -13,16 +13,18 @@ pub struct Point {
     pub velocity: Vector3<f64>,
     /// Acceleration of the mass centre, m/s².
     pub acceleration: Vector3<f64>,
-    /// Derivatives of the position at fixed time, m per unit of each quantity by which the path is differentiated.
+    /// Derivatives of the position at fixed time, m per unit of each quantity with respect to which the path is
+    /// differentiated.
     pub position_by: Vec<Vector3<f64>>,
-    /// Derivatives of the velocity at fixed time, m/s per unit of each quantity by which the path is differentiated.
+    /// Derivatives of the velocity at fixed time, m/s per unit of each quantity with respect to which the path is
+    /// differentiated.
     pub velocity_by: Vec<Vector3<f64>>,
 }
 
 impl Point {
-    /// Derivatives of the time at which the path is nearest to the point `to`, s per unit of each quantity by which the
-    /// path is differentiated. They follow from the condition that the vector from `to` to the path is normal to the
-    /// velocity; `self` must be the nearest point of the path.
+    /// Derivatives of the time at which the path is nearest to the point `to`, s per unit of each quantity with respect
+    /// to which the path is differentiated. They follow from the condition that the vector from `to` to the path is
+    /// normal to the velocity; `self` must be the nearest point of the path.
     pub fn nearest_time_by(&self, to: Vector3<f64>) -> Vec<f64> {
         let away = self.position - to;
         let slope = self.velocity.norm_squared() + away.dot(&self.acceleration);

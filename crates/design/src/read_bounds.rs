@@ -342,7 +342,7 @@ impl<'t> Reader<'t> {
         Some(table)
     }
 
-    /// The table that `value` holds, with any keys; `None` after reporting a fault if `value` is no table.
+    /// The table that `value` holds, with any keys; `None` after reporting a fault if `value` is not a table.
     fn any_table<'d>(&mut self, value: &'d Value<'t>, key: &str) -> Option<&'d DeTable<'t>> {
         let table = value.get_ref().as_table();
         if table.is_none() {

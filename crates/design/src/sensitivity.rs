@@ -16,11 +16,11 @@ pub struct Sensitivity {
     pub landing: Vector3<f64>,
     /// Derivative of the duration of the flight, s per unit of the quantity.
     pub time: f64,
-    /// Derivative of the value that the goal is judged by, per unit of the quantity; `None` for a goal judged by a
-    /// distance from its target or by a spread.
+    /// Derivative of the value that the goal is judged by (see [`Goal::figure`]), per unit of the quantity; `None` for
+    /// a goal judged by a distance from its target or by a spread.
     pub figure: Option<f64>,
-    /// Effects of decreasing and increasing the quantity by one unit, each from a separate flight; `None` if that
-    /// throw has no flight.
+    /// Effects of decreasing and increasing the quantity by one unit, each from a separate flight; `None` if that throw
+    /// cannot be flown.
     pub one_unit: [Option<OneUnit>; 2],
 }
 
@@ -31,14 +31,15 @@ pub struct OneUnit {
     pub landing: Vector3<f64>,
     /// Increase of the duration of the flight, s.
     pub time: f64,
-    /// Minimum distance between the changed path and the goal's point, m; 0 for a goal without a point.
+    /// Minimum distance between the path of the throw with the changed quantity and the goal's point, m; 0 for a goal
+    /// without a point.
     pub miss: f64,
 }
 
 /// Effects on the landing of all quantities that the throw states and its body can have, in the order of [`FIELDS`].
 ///
 /// # Errors
-/// [`ThrowFlightError`] if the throw has no flight.
+/// [`ThrowFlightError`] if the throw cannot be flown.
 pub fn sensitivities(
     flights: &ThrowFlights<'_>,
     throw: &Throw,

@@ -1,5 +1,5 @@
-//! Bodies that can be thrown, and the data for integrating their flights with derivatives by the throw and by
-//! parameters.
+//! Bodies that can be thrown, and the data for integrating their flights with derivatives with respect to the
+//! quantities of the throw and to parameters.
 
 use flight::release::Release;
 use flight::throw::{FIELDS, Throw, ThrowError, ThrownModel};
@@ -33,7 +33,7 @@ pub enum ThrowFlightError {
     },
 }
 
-/// Quantity by which a path is differentiated.
+/// Quantity with respect to which a path is differentiated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum By {
     /// A quantity of the throw, by its index in [`FIELDS`].
@@ -168,8 +168,8 @@ impl ThrowFlights<'_> {
         Sensitivities::new(rhs, &vec![0; of_throw], of_parameters)
     }
 
-    /// Derivative of the release state by a parameter, by central differences. It is 0 unless the throw has a wobble or
-    /// the parameter affects how the state determines the motion of the body.
+    /// Derivative of the release state with respect to a parameter, from central differences. It is 0 unless the throw
+    /// has a wobble or the parameter affects how the state determines the motion of the body.
     pub(crate) fn state_by_parameter(
         &self,
         throw: &Throw,

@@ -1,4 +1,5 @@
-//! Derivatives of landing places by the numbers of a throw and by parameters, against differences of flights.
+//! Compares the derivatives of the landing position with respect to the quantities of a throw and to parameters with
+//! finite differences of flights.
 
 use design::{By, ThrownBody};
 use flight::throw::{FIELDS, Throw};

@@ -74,16 +74,17 @@ impl CompiledModel {
         CompiledModel::with_functions(model, Box::new(tape))
     }
 
-    /// Compiles the model to a tape (interpreted bytecode) specialized to given parameter values, as pairs of index in
-    /// the layout and value: terms that vanish at these values are removed, derivatives by these parameters remain.
-    /// Values that are later bound to these parameters are ignored.
+    /// Compiles the model to a tape (interpreted bytecode) specialized to the parameter values `fixed`: pairs (index in
+    /// the parameter vector of the model's [`Layout`], value). Terms that vanish at these values are removed;
+    /// derivatives with respect to these parameters remain. Values that are later bound to these parameters are
+    /// ignored.
     pub fn specialized(model: &Model, fixed: &[(usize, f64)]) -> CompiledModel {
         let compiled = compile_at(model, &Selection::All, fixed, Effort::Quick);
         CompiledModel::with_functions(model, Box::new(TapeModel::new(&compiled)))
     }
 
-    /// Like [`specialized`](Self::specialized), but with derivatives by `parameters` only, which are given by their
-    /// indices in the layout.
+    /// Like [`specialized`](Self::specialized), but with derivatives with respect to `parameters` only, which are given
+    /// by their indices in the parameter vector of the model's [`Layout`].
     pub fn specialized_by(
         model: &Model,
         fixed: &[(usize, f64)],
@@ -95,8 +96,8 @@ impl CompiledModel {
     }
 
     /// Like [`new`](Self::new), but if the model is compiled to a tape (interpreted bytecode), the tape has derivatives
-    /// by `parameters` only, which are given by their indices in the layout. Such a tape is compiled and evaluated
-    /// faster.
+    /// with respect to `parameters` only, which are given by their indices in the parameter vector of the model's
+    /// [`Layout`]. Such a tape is compiled and evaluated faster.
     pub fn with_derivatives_by(model: &Model, parameters: Vec<usize>) -> CompiledModel {
         CompiledModel::generated(model).unwrap_or_else(|| {
             let compiled = compile_for(model, &Selection::Only(parameters));
@@ -106,8 +107,8 @@ impl CompiledModel {
 
     /// Compiles the model to a tape (interpreted bytecode) whose observed quantity is the auxiliary variable `variable`
     /// instead of a marker position: a vector by its components in its own frame, a scalar as the first of three
-    /// components. The tape has derivatives by `parameters` only, which are given by their indices in the layout.
-    /// `None` if the model has no such variable.
+    /// components. The tape has derivatives with respect to `parameters` only, which are given by their indices in the
+    /// parameter vector of the model's [`Layout`]. `None` if the model has no such variable.
     pub fn observing(
         model: &Model,
         variable: &str,
@@ -136,13 +137,15 @@ impl CompiledModel {
         Some(CompiledModel::of_selection(&observing, &compiled))
     }
 
-    /// Compiles the model to a tape (interpreted bytecode) that has derivatives by the parameters in `selection` only.
+    /// Compiles the model to a tape (interpreted bytecode) that has derivatives with respect to the parameters in
+    /// `selection` only.
     pub(crate) fn compiled_for(model: &Model, selection: &Selection) -> CompiledModel {
         CompiledModel::of_selection(model, &compile_for(model, selection))
     }
 
-    /// Creates the compiled model from a tape that has derivatives by selected parameters only; the columns of its
-    /// parameter Jacobians are renumbered to the parameter indices of the layout.
+    /// Creates the compiled model from a tape that has derivatives with respect to selected parameters only; the
+    /// columns of its parameter Jacobians are renumbered to the indices in the parameter vector of the model's
+    /// [`Layout`].
     fn of_selection(model: &Model, compiled: &Compiled) -> CompiledModel {
         let mut model = CompiledModel::with_functions(model, Box::new(TapeModel::new(compiled)));
         let patterns = &mut model.patterns;

@@ -29,7 +29,7 @@ pub struct SparsityPatterns<'a> {
     pub observation_by_state: &'a [(u32, u32)],
     /// Pattern of ∂y/∂p, where y is the observed marker position.
     pub observation_by_parameter: &'a [(u32, u32)],
-    /// Pattern of the derivative of the observed marker position by the marker's body-fixed coordinates.
+    /// Pattern of the Jacobian of the observed marker position with respect to the marker's body-fixed coordinates.
     pub observation_by_marker: &'a [(u32, u32)],
 }
 
@@ -73,8 +73,8 @@ pub trait ModelFunctions: Send + Sync {
         workspace: &mut Workspace,
         y: &mut [f64; 3],
     );
-    /// Computes the position `y` of a marker and its Jacobians by state, parameters and body-fixed marker coordinates,
-    /// in this order in `jacobians`.
+    /// Computes the position `y` of a marker in the inertial frame, m, and its Jacobians with respect to the state, the
+    /// parameters and the body-fixed marker coordinates, in this order in `jacobians`.
     fn observe_jac(
         &self,
         at: EvaluationPoint<'_>,
@@ -85,7 +85,8 @@ pub trait ModelFunctions: Send + Sync {
     );
     /// Computes the auxiliary variables of the model, in the order of its [`Layout`](codegen::Layout).
     fn quantities(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, q: &mut [f64]);
-    /// Computes the left-hand sides of the limits of validity; the model is valid if each one is above its bound.
+    /// Computes the left-hand side of each limit of validity of the model; the model is valid where each left-hand side
+    /// exceeds the lower bound of its limit.
     fn limits(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, l: &mut [f64]);
 }
 

@@ -52,8 +52,8 @@ impl ModelObserver<'_> {
         y
     }
 
-    /// Position of a marker, as returned by [`position`](Self::position), with its sparse Jacobians by state and
-    /// parameters.
+    /// Position of a marker, as returned by [`position`](Self::position), and its sparse Jacobians with respect to
+    /// state and parameters.
     pub fn position_with_jacobians(
         &mut self,
         t: f64,

@@ -43,7 +43,8 @@ impl OdeRhs for ModelRhs<'_> {
     }
 }
 
-/// Right-hand side of a bound model with its Jacobians by the states and by all parameters of the layout.
+/// Right-hand side dx/dt = f(t, x) of a bound model, with its Jacobians with respect to the states and to all
+/// parameters of the model.
 pub struct DifferentiableModelRhs<'a> {
     model: &'a BoundModel<'a>,
     workspace: Workspace,

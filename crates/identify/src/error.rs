@@ -7,7 +7,8 @@ use crate::wording::count;
 /// Reason why one flight cannot be fitted or predicted.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum FlightError {
-    /// No sample of the flight has a measured marker.
+    /// Relative difference up to which times are considered equal, so that the weights of an [`Interpolation`] are
+    /// reused for evenly spaced samples.
     #[error("no marker is measured in any of its samples")]
     NoMeasurement,
     /// The flight has fewer measured coordinates than its initial state has unknowns.
@@ -54,7 +55,7 @@ pub enum FlightError {
     TooFewPoses {
         /// Number of samples that determine a pose.
         found: usize,
-        /// Minimum number of such samples for an initial guess.
+        /// Minimum number of samples with a pose for an initial guess.
         needed: usize,
     },
     /// Too few samples determine the position of the point mass, so that there is no initial guess.
@@ -62,7 +63,7 @@ pub enum FlightError {
     TooFewPositions {
         /// Number of samples that determine a position.
         found: usize,
-        /// Minimum number of such samples for an initial guess.
+        /// Minimum number of samples with a position for an initial guess.
         needed: usize,
     },
     /// Screening found a fault in the data of the flight.

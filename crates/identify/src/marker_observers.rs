@@ -60,8 +60,8 @@ impl<'a> MarkerObservers<'a> {
         self.of(marker).position(t, x, position)
     }
 
-    /// Predicted marker position as [`position`](Self::position) returns it, with its Jacobians by state and
-    /// parameters.
+    /// Predicted marker position as [`position`](Self::position) returns it, with its Jacobians with respect to state
+    /// and parameters.
     pub fn linearise(
         &mut self,
         t: f64,

@@ -171,7 +171,8 @@ pub struct Moments {
 }
 
 impl Moments {
-    /// Adds the residuals (m) of one channel of a flight at `times` (s); `None` marks a missing value.
+    /// Adds the residuals (m) of one channel of a flight at `times` (s); `None` marks a missing value. Residuals about
+    /// one sampling interval `interval` (s) apart are neighbours, from which the autocorrelation is estimated.
     pub fn add(&mut self, times: &[f64], residuals: &[Option<[f64; 3]>], interval: f64) {
         let mut before: Option<(f64, [f64; 3])> = None;
         for (&time, residual) in times.iter().zip(residuals) {
@@ -204,8 +205,8 @@ impl Moments {
         self.pairs += other.pairs;
     }
 
-    /// Estimates the noise from the sums of residuals of a fit with `unknowns` unknowns. A `given` standard deviation
-    /// (m) replaces the estimated one.
+    /// Estimates the noise from the sums of residuals of a fit with `unknowns` unknowns, for the sampling interval
+    /// `interval` (s). If the standard deviation is `given` (m), it replaces the estimated one.
     pub fn noise(&self, unknowns: usize, interval: f64, given: Option<f64>) -> AxesNoise {
         let measured = 3 * self.count;
         let spread = measured as f64 / measured.saturating_sub(unknowns).max(1) as f64;

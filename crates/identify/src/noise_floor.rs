@@ -17,21 +17,24 @@ use crate::pose::{Pose, point_position};
 use crate::problem::FitProblem;
 use crate::statistics::{median, robust_sigma};
 
-/// Number of neighbours on each side of a sample through which the cubic is fitted.
+/// Number of neighbours on each side of a sample to which a cubic in time is fitted; the noise floor is estimated from
+/// the deviation of the sample from this cubic.
 const SIDE: usize = 4;
 
-/// Maximum time span of a window of samples, relative to the span of a window without missing samples. Windows with a
-/// longer span are skipped.
+/// Maximum time span of a window (a sample with its neighbours, to which a cubic is fitted), relative to the span of a
+/// window without missing samples. Windows with a longer span are skipped.
 const MAX_GAP_RATIO: f64 = 1.5;
 
-/// Maximum number of samples of one flight that are compared with a cubic; longer flights are subsampled.
+/// Maximum number of samples of one flight that are compared with a cubic through their neighbours; longer flights are
+/// subsampled.
 const MAX_SAMPLES: usize = 60;
 
-/// Minimum number of compared samples for an estimate.
+/// Minimum number of samples that are compared with the cubic through their neighbours, for an estimate of the noise
+/// floor.
 const MIN_SAMPLES: usize = 8;
 
-/// Ratio of a sample's variance about the rigid body to the median variance, above which the sample is skipped because
-/// it contains an outlier.
+/// Ratio of the variance of a sample's marker positions about the fitted rigid body to the median of these variances,
+/// above which the sample is skipped because it contains an outlier.
 const MAX_VARIANCE_RATIO: f64 = 25.0;
 
 /// Measured position of the body's origin in one sample.

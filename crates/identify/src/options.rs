@@ -26,7 +26,7 @@ pub struct FitOptions<'a> {
     /// Whether flights with a [`DataFault`](crate::DataFault) are fitted nevertheless. The report lists the faults in
     /// both cases.
     pub trust_data: bool,
-    /// Faults that an earlier fit of the same flights reported; `None` if the data are to be screened.
+    /// Data faults that an earlier fit of the same flights reported; `None` if the data are to be screened for faults.
     pub known_faults: Option<&'a [DataFault]>,
     /// Number of threads; `None` for the number of processors. The result does not depend on it.
     pub threads: Option<usize>,

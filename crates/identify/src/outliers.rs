@@ -119,8 +119,8 @@ struct Line {
     spread: f64,
 }
 
-/// Relative difference up to which times are considered equal, so that the weights are reused for evenly spaced
-/// samples.
+/// Relative difference up to which times are considered equal, so that the weights of a [`Line`] are reused for evenly
+/// spaced samples.
 const SAME_TIME: f64 = 1e-9;
 
 impl Line {
@@ -211,8 +211,8 @@ pub fn judged_scales(own: &[Vec<[f64; 3]>]) -> Vec<Vec<[f64; 3]>> {
     own.iter().map(of_flight).collect()
 }
 
-/// Outliers for given scales of the noise groups: their indices `sample * channels + channel` as in
-/// `Observations::outlier`, and their local residuals, m.
+/// Values that are outliers for the standard deviations `scales`, m, of the noise groups: their indices `sample *
+/// channels + channel` as in `Observations::outlier`, and their local residuals, m.
 pub fn outlier_candidates(
     local_residuals: &Residuals,
     scales: &[[f64; 3]],
@@ -238,8 +238,8 @@ pub fn is_outlier(local_residual: &[f64; 3], scale: [f64; 3]) -> bool {
     (0..3).any(|axis| local_residual[axis].abs() > OUTLIER_LIMIT * scale[axis])
 }
 
-/// Outlier flags for given scales of the noise groups, indexed by `sample * channels + channel` as in
-/// `Observations::outlier`.
+/// Outlier flags for the standard deviations `scales`, m, of the noise groups, indexed by `sample * channels + channel`
+/// as in `Observations::outlier`.
 pub fn outlier_mask(
     local_residuals: &Residuals,
     scales: &[[f64; 3]],

@@ -68,7 +68,8 @@ pub(crate) struct KnownValues {
 }
 
 impl FitProblem {
-    /// Compiles the model, with derivatives by the estimated parameters, and combines it with a dataset and options.
+    /// Compiles the model, with derivatives with respect to the estimated parameters, and combines it with a dataset
+    /// and options.
     ///
     /// # Errors
     /// [`FitError::UnknownName`] if the dataset or the options contain a name that the model does not have;
@@ -315,7 +316,7 @@ fn with_instruments(model: &Model, kinds: &[Instrument]) -> Result<Model, FitErr
 }
 
 /// Compiles, for each kind of instrument, the model whose measurement equation is the quantity that it measures, with
-/// derivatives by all parameters.
+/// derivatives with respect to all parameters.
 fn instruments(
     model: &Model,
     kinds: &[Instrument],

@@ -45,7 +45,8 @@ impl StateManifold {
         self.states
     }
 
-    /// Nonzero entries (state, direction, value) of the derivative of the state by the directions, at `state`.
+    /// Nonzero entries (state, direction, value) of the derivative of the state with respect to the directions, at
+    /// `state`.
     pub fn tangent(&self, state: &[f64]) -> Vec<(usize, usize, f64)> {
         let direct = self.direct.iter().enumerate();
         direct

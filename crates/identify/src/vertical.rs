@@ -2,10 +2,10 @@
 
 use model_spec::model::Model;
 
-/// Name of the effect that rotates the measured axes.
+/// Name of the effect that rotates the measured axes so that the vertical direction can be estimated.
 pub const EFFECT: &str = "unknown_vertical";
 
-/// Names of the coefficients of the effect, which are rotation angles, rad: about the x axis, then about the rotated y
+/// Names of the coefficients of [`EFFECT`], which are rotation angles, rad: about the x axis, then about the rotated y
 /// axis.
 pub const ANGLES: [&str; 2] = ["vertical_x", "vertical_y"];
 

@@ -12,14 +12,14 @@ pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
     run_on(Isa::best(), kernel)
 }
 
-/// Runs a kernel on the lanes of one instruction set; `None` if the processor does not support it.
+/// Runs a kernel on the lanes of the instruction set `isa`; returns `None` if the processor does not support `isa`.
 pub fn dispatch_with<K: Kernel>(isa: Isa, kernel: K) -> Option<K::Output> {
     isa.is_supported().then(|| run_on(isa, kernel))
 }
 
-/// Runs a kernel on the lanes of one instruction set, if the processor supports it and it is among the widest of the
-/// architecture: AVX-512 and AVX2 on x86-64, portable lanes elsewhere. For large kernels, whose compilation for every
-/// instruction set would take long.
+/// Runs a kernel on the lanes of the instruction set `isa`. Returns `None` if the processor does not support `isa`, or
+/// if `isa` is not one of the widest instruction sets of the architecture: AVX-512 and AVX2 on x86-64, portable lanes
+/// elsewhere. Intended for large kernels, which would take long to compile for every instruction set.
 pub fn dispatch_widest<K: Kernel>(isa: Isa, kernel: K) -> Option<K::Output> {
     if !isa.is_supported() {
         return None;
@@ -35,7 +35,7 @@ pub fn dispatch_widest<K: Kernel>(isa: Isa, kernel: K) -> Option<K::Output> {
     }
 }
 
-/// Runs a kernel on `isa`, which must be supported.
+/// Runs a kernel on the lanes of the instruction set `isa`, which the processor must support.
 fn run_on<K: Kernel>(isa: Isa, kernel: K) -> K::Output {
     match isa {
         #[cfg(target_arch = "x86_64")]

@@ -5,13 +5,14 @@ use std::sync::OnceLock;
 /// Instruction set of a lane type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Isa {
-    /// Eight lanes, AVX-512 F and DQ; fused multiply-add.
+    /// Eight lanes with the instruction sets AVX-512 F and DQ; multiply-adds are fused (rounded once).
     Avx512,
-    /// Four lanes, AVX2 and FMA; fused multiply-add.
+    /// Four lanes with the instruction sets AVX2 and FMA; multiply-adds are fused (rounded once).
     Avx2,
-    /// Four lanes in an array, vectorized by the compiler; not fused, hence bit-identical on every machine.
+    /// Four lanes in an array, vectorized by the compiler. Multiply-adds are not fused, so that results are
+    /// bit-identical on every machine.
     Portable,
-    /// One lane of `f64`; not fused.
+    /// One lane, an `f64`; multiply-adds are not fused.
     Scalar,
 }
 

@@ -98,7 +98,8 @@ pub(crate) fn run_scalar<K: ScalarKernel>(kernel: K) {
     }
 }
 
-/// Calls an intrinsic. The existence of a value of the lane type proves that the processor supports it (see Soundness).
+/// Calls an intrinsic. The existence of a value of the lane type proves that the processor supports the intrinsic; see
+/// "Soundness" in the documentation of this module.
 macro_rules! instruction {
     ($e:expr) => {{
         // SAFETY: see Soundness, Intrinsics.

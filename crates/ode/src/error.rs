@@ -17,10 +17,11 @@ pub struct IntegrationError {
 /// Return code of a failed integration.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum IntegrationFailure {
-    /// Invalid input: an initial state, time, tolerance or step bound is NaN, infinite or not positive.
+    /// Invalid input: a component of the initial state or a time is NaN or infinite, or the duration, a tolerance or a
+    /// step bound is not a positive number.
     #[error("invalid integration input: {what} is {value}")]
     InvalidInput {
-        /// Name of the invalid quantity: a state or an option.
+        /// Name of the invalid quantity: a component of the initial state, a time, or an option.
         what: String,
         /// Value of the invalid quantity.
         value: f64,
@@ -28,21 +29,21 @@ pub enum IntegrationFailure {
     /// At the initial state, the event function of a terminal event is already past its zero.
     #[error("invalid initial state: it is already past the terminal event ({event})")]
     StartsPastEvent {
-        /// Name of the event.
+        /// Name of the terminal event whose event function is past its zero.
         event: String,
     },
     /// The right-hand side is NaN or infinite, however short the step.
     #[error("the derivative of {state} is {rate}")]
     NonFiniteDerivative {
-        /// Name of the state component.
+        /// Name of the state component whose derivative is NaN or infinite.
         state: String,
-        /// The non-finite derivative.
+        /// Value of the derivative: NaN or infinite.
         rate: f64,
     },
     /// The error test fails at the minimum step size.
     #[error("step size below minimum ({} s): d({})/dt is {}", Short(*.step), .state.0, Short(.state.1))]
     StepTooSmall {
-        /// Size of the last rejected step, in units of time.
+        /// Size of the last rejected step, in the time unit of the right-hand side.
         step: f64,
         /// Name and derivative of the state component that changes fastest relative to its value.
         state: (String, f64),

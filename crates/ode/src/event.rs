@@ -32,7 +32,7 @@ enum EventFunction<'a, X> {
     Function(Scalar<'a, X>),
 }
 
-/// Direction of the sign change of g that counts as an event.
+/// Direction of the sign change of the event function that counts as an event.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Direction {
     Falling,
@@ -40,7 +40,8 @@ enum Direction {
 }
 
 impl Direction {
-    /// `value` of g, negated for rising events, so that all events are falling zeros.
+    /// Returns the value `value` of the event function, negated for rising events, so that all events are falling
+    /// zeros.
     #[inline(always)]
     fn as_falling(self, value: f64) -> f64 {
         match self {
@@ -119,7 +120,8 @@ impl<'a, X: StateVector> Event<'a, X> {
         }
     }
 
-    /// Value of the event function, with the sign for which events are falling zeros; `dx` is scratch space.
+    /// Value of the event function at the time `t` and the state `x`, negated for rising events, so that all events are
+    /// falling zeros; `dx` is scratch space.
     #[inline(always)]
     fn value<D: OdeRhs<State = X>>(&mut self, rhs: &mut D, t: f64, x: &X, dx: &mut X) -> f64 {
         let value = match &mut self.function {
@@ -133,7 +135,7 @@ impl<'a, X: StateVector> Event<'a, X> {
         self.direction.as_falling(value)
     }
 
-    /// Whether the initial state is past the event's zero, or at the zero and moving past it.
+    /// Whether the event function is past its zero at the initial state, or is 0 there and moves past 0.
     pub(crate) fn is_past<D: OdeRhs<State = X>>(
         &mut self,
         rhs: &mut D,

@@ -105,8 +105,9 @@ pub(crate) fn non_finite_derivative<D: OdeRhs>(
     )
 }
 
-/// Error for a step size `h` below the minimum: a non-finite derivative, if the derivative is NaN or infinite after an
-/// Euler step of `h` or 1000 `h`; otherwise a step that is too small, with the state component that changes fastest.
+/// Error for a step size `h` below the minimum. It is `NonFiniteDerivative` if the derivative is NaN or infinite after
+/// an Euler step of size `h` or 1000 `h`; otherwise it is `StepTooSmall`, with the state component that changes fastest
+/// relative to its value.
 #[cold]
 pub(crate) fn step_too_small<D: OdeRhs>(
     rhs: &mut D,

@@ -14,10 +14,10 @@ pub struct IntegrationOptions {
     pub rtol: f64,
     /// Absolute error tolerance per step, in the unit of each state component; default 1e-6.
     pub atol: f64,
-    /// Maximum step size, in units of time; default infinity.
+    /// Maximum step size, in the time unit of the right-hand side; default infinity.
     pub max_step: f64,
-    /// Initial step size, in units of time; by default estimated from f and its change (Hairer, Nørsett & Wanner,
-    /// II.4).
+    /// Initial step size, in the time unit of the right-hand side f. If `None` (the default), it is estimated from the
+    /// values of f at the initial state and after a trial Euler step (Hairer, Nørsett & Wanner, II.4).
     pub first_step: Option<f64>,
     /// Maximum number of accepted and rejected steps together; default 100,000.
     pub max_steps: usize,
@@ -60,6 +60,7 @@ pub struct SolverStats {
     pub steps: usize,
     /// Number of steps rejected by the error test or by a non-finite derivative.
     pub rejected: usize,
-    /// Number of evaluations of the right-hand side by steps and dense output; those of event location are not counted.
+    /// Number of evaluations of the right-hand side by steps and dense output; evaluations by event location are not
+    /// counted.
     pub evaluations: usize,
 }

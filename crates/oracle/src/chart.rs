@@ -27,7 +27,8 @@ pub enum Step {
 /// Coordinate chart: physical meaning of each state of a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chart {
-    /// Default value of every state, used for states without physical meaning.
+    /// Default value of every state; states that describe neither position, velocity, attitude nor angular velocity
+    /// have these values when a physical state is converted to states.
     pub defaults: Vec<f64>,
     /// State indices of the position components, in the inertial frame.
     pub position: [usize; 3],
@@ -127,7 +128,8 @@ impl Chart {
         }
     }
 
-    /// Time derivatives of the states for the accelerations in `motion`; 0 for states without physical meaning.
+    /// Time derivatives of the states for the accelerations in `motion`; 0 for states that describe neither position,
+    /// velocity, attitude nor angular velocity.
     pub fn derivatives<T: Real>(&self, states: &[T], motion: &Motion<T>) -> Vec<T> {
         let mut out = vec![T::zero(); self.defaults.len()];
         let mut put = |indices: [usize; 3], v: Vector3<T>| {

@@ -25,7 +25,8 @@ const RESIDUAL: f64 = 1e-10;
 /// describe.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClaimedRates {
-    /// Rate of each state with respect to the time of flight; `None` if the laws do not determine it.
+    /// Derivative of each state with respect to true time, in contrast to recorded time (the time stamps of the
+    /// measurements); `None` if the laws do not determine it.
     pub rates: Vec<Option<ErrorBound>>,
     /// Laws that no rates satisfy, each with its residual relative to the sum of the magnitudes of its terms.
     pub unsatisfied: Vec<(BalanceLaw, f64)>,
@@ -33,9 +34,9 @@ pub struct ClaimedRates {
     pub solves_the_others: bool,
 }
 
-/// Solves the laws of motion of the body that a model claims to describe for the rates of the model's states;
-/// `time_rate` is the rate of the measuring clock relative to the time of flight. `None` if the model claims no body or
-/// a value is not finite.
+/// Solves the laws of motion of the body that a model claims to describe for the derivatives of the model's states with
+/// respect to true time; `time_rate` is the number of seconds of recorded time (the time stamps of the measurements)
+/// per second of true time. `None` if the model claims no body or a value is not finite.
 pub fn claimed_rates(
     model: &Model,
     point: &Point<ErrorBound>,

@@ -21,14 +21,14 @@ pub struct MassProperties<T> {
     pub inertia: Option<Matrix3<T>>,
 }
 
-/// Computes the derivative of every state of a model at a point with respect to the time of the measuring clock, which
-/// produces the time stamps.
+/// Computes the derivative of every state of a model at a point with respect to recorded time (the time stamps of the
+/// measurements, which may run at another rate than true time).
 pub fn derivatives<T: Real>(model: &Model, point: &Point<T>) -> Result<Vec<T>, Unsupported> {
     derivatives_of(&Tree::new(model, point))
 }
 
 /// Computes the derivative of every state of the model that `tree` has evaluated, at the same point, with respect to
-/// the time of the measuring clock, which produces the time stamps.
+/// recorded time (the time stamps of the measurements, which may run at another rate than true time).
 pub fn derivatives_of<T: Real>(tree: &Tree<'_, T>) -> Result<Vec<T>, Unsupported> {
     let model = tree.model;
     let mut out = match &model.body {
@@ -90,7 +90,8 @@ pub fn newton_euler<T: Field>(
     }
 }
 
-/// Derivatives of a body's states for the accelerations in `motion`; 0 for all other states.
+/// Time derivatives of a body's states for the accelerations in `motion`; 0 for states that do not describe the motion
+/// of the body or of a frame.
 pub fn state_derivatives<T: Field>(
     model: &Model,
     body: &Body,

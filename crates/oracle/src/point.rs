@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 /// Values of time, parameters, coefficients, inputs, states and marker of a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point<T> {
-    /// Time since release, s.
+    /// Recorded time since release, s; equal to true time unless the model declares another rate of the time stamps.
     pub time: T,
     /// Values of [`Model::params`].
     pub params: Vec<T>,

@@ -40,8 +40,8 @@ impl<'a, T: Real> Tree<'a, T> {
         Self::overriding(model, point, &[])
     }
 
-    /// Evaluates a model at a point, with some auxiliary variables replaced by the values `given`, as pairs of index
-    /// and value.
+    /// Evaluates a model at a point; auxiliary variables listed in `given` have the values stated there, as pairs
+    /// (index of the auxiliary variable, value), instead of those computed from their definitions.
     pub fn overriding(model: &'a Model, point: &'a Point<T>, given: &[(usize, Value<T>)]) -> Self {
         let frames = place_real(model, &point.states);
         let mut tree = Self {
@@ -124,7 +124,8 @@ impl<'a, T: Real> Tree<'a, T> {
             .fold(Vector3::zeros(), |sum, load| sum + self.vector(&load.value))
     }
 
-    /// Seconds of flight per second of the measuring clock; 1 if the model declares no clock.
+    /// Seconds of true time per second of recorded time (the time stamps of the measurements) at the point; 1 if the
+    /// model declares no clock.
     pub fn clock(&self) -> T {
         let stated = self.model.clock.as_ref();
         stated.map_or_else(|| T::lit(1.0), |clock| self.scalar(&clock.value))

@@ -47,7 +47,8 @@ pub(crate) fn covariance(report: &FitReport, names: &[&str]) -> DMatrix<f64> {
     })
 }
 
-/// Derivatives of one predicted position by the initial state, then by the global parameters, for each axis.
+/// Derivatives of one predicted position: one row for each axis, with the derivatives with respect to the initial
+/// state, then with respect to the global parameters.
 struct Sensitivity {
     sample: usize,
     channel: usize,

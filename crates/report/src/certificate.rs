@@ -76,7 +76,7 @@ impl CertificateNote {
 /// A report and the note on its model's certificate, serialized together as one JSON object.
 #[derive(Debug, Serialize)]
 pub struct WithCertificate<'a, R> {
-    /// The report; its fields are serialized at the top level of the object.
+    /// The report; its fields become fields of the JSON object, beside `certificate`.
     #[serde(flatten)]
     pub report: &'a R,
     /// Note on the certificate of the report's model.

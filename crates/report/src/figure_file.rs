@@ -44,7 +44,7 @@ impl FigureKind {
     /// All formats of figure files.
     pub const ALL: [FigureKind; 2] = [FigureKind::Pdf, FigureKind::Png];
 
-    /// Extension of the file name, which also names the format in options.
+    /// Extension of the file name, such as `pdf`; it also selects the format on the command line.
     pub fn name(self) -> &'static str {
         match self {
             FigureKind::Pdf => "pdf",

@@ -3,12 +3,12 @@
 //! Values for discs are converted to the frames and signs of this repository's models, in which negative `C_Mq` and
 //! `C_Nr` damp. Values with an incompatible definition are omitted.
 
-/// Publication with its values of coefficients.
+/// A publication that contains values of coefficients.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Source {
     /// Short name of the publication, used as a column heading.
     pub short: &'static str,
-    /// Full citation, and how the values were converted.
+    /// Full citation, and how the published values were converted to the frames and signs of the models.
     pub long: &'static str,
     /// Pairs of coefficient name and published value.
     pub values: &'static [(&'static str, Value)],
@@ -17,7 +17,7 @@ pub struct Source {
 /// Published value of a coefficient.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
-    /// Single number as text, as printed except for the sign.
+    /// Single number as text, as printed in the publication; only the sign may be changed to that of the models.
     One(&'static str),
     /// Range of numbers as text: lower and upper end.
     Range(&'static str, &'static str),
@@ -92,8 +92,8 @@ const BALL: &[Source] = &[Source {
     values: &[("C_D", Range("0.4", "0.5"))],
 }];
 
-/// Publications with values for the coefficients of a model with this `reference`; empty if the reference is unknown
-/// or `None`.
+/// Publications with values for the coefficients of a model; `reference` is the literature reference that the model
+/// file declares. Empty if the reference is unknown or `None`.
 pub fn sources(reference: Option<&str>) -> &'static [Source] {
     match reference {
         Some("hubbard_hummel_disc") => DISC,

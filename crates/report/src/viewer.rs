@@ -24,15 +24,15 @@ const MOST_FLIGHTS: usize = 24;
 /// Maximum number of samples of each flight.
 const MOST_SAMPLES: usize = 240;
 
-/// Shape with which the viewer draws a body, and its axes.
+/// Shape with which the viewer draws a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 enum Shape {
     /// A disc, for a rigid body with its third axis as axis of symmetry.
     Disc,
-    /// Three axes, for a rigid body whose third axis is not an axis of symmetry.
+    /// Three lines from the origin along the body axes, for a rigid body whose third axis is not an axis of symmetry.
     Cross,
-    /// A ball, for a point mass.
+    /// A ball, for a body modelled as a point mass.
     Ball,
 }
 
@@ -46,9 +46,9 @@ pub struct View {
 }
 
 impl View {
-    /// View of the flights of a fit, measured and predicted, in the order of the dataset; evenly selected if there
-    /// are more than the maximum. `by` names the predicting model, to distinguish flights of two models, and may be
-    /// empty.
+    /// View of the flights of a fit, measured and predicted, in the order of the dataset. If there are more than
+    /// `MOST_FLIGHTS` flights, evenly spaced ones are selected. `by` names the predicting model, to distinguish flights
+    /// of two models, and may be empty.
     pub fn of_fit(fit: &Fit, by: &str) -> View {
         let problem = fit.problem();
         let used = (0..fit.report.flights.len()).filter(|&i| fit.report.flights[i].is_used());

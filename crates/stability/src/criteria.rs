@@ -1,5 +1,5 @@
-//! Criteria for the stability of the axis of a body of revolution in the stream, with or without spin: derived from the
-//! linearised equations of the axis.
+//! Criteria for the stability of the axis of a body of revolution in the air stream, with or without spin: derived from
+//! the linearised equations of the axis.
 //!
 //! Let ω1, ω2 be the angular rates about d1, d2 in axes that do not spin, I_a, I_d the moments of inertia, r the spin
 //! and α the angle of attack, and let the aerodynamic moment be −D ω1 about d1 and −D ω2 − K α about d2:
@@ -18,7 +18,7 @@ use nalgebra::{Complex, DMatrix, Vector3};
 
 use crate::linearise::Linearised;
 
-/// Derivatives of the linearised motion that determine how the body axis moves in the stream.
+/// Derivatives of the linearised motion that determine how the body axis moves in the air stream.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisDerivatives {
     /// Decay rate a of the angle of attack by lift, 1/s. For the built-in discs a = q A (C_La + C_D)/(m V) with the
@@ -29,26 +29,28 @@ pub struct AxisDerivatives {
     pub damping: f64,
     /// Angular acceleration κ by the pitching moment per rad of the angle of attack, 1/s²: −q A d C_Ma/I_d with the
     /// dynamic pressure q, the area A, the diameter d and the diametral moment of inertia I_d. It is positive if the
-    /// stream lifts the nose, so that deviations grow.
+    /// moment raises the nose of a body with a positive angle of attack, so that deviations grow.
     pub pitching: f64,
-    /// Frequency ν of the nutation without a stream, rad/s: I_a r/I_d with the axial and the diametral moment of
-    /// inertia I_a and I_d and the spin r.
+    /// Frequency ν of the nutation without aerodynamic moments, rad/s: I_a r/I_d with the axial and the diametral
+    /// moment of inertia I_a and I_d and the spin r.
     pub gyroscopic: f64,
-    /// Moment about d2, the axis to the left in the plane of the body, at the state, divided by the diametral moment of
-    /// inertia, 1/s².
+    /// Aerodynamic moment about d2, the axis to the left in the plane of the body, at the state about which the motion
+    /// is linearised, divided by the diametral moment of inertia, 1/s².
     pub moment: f64,
 }
 
-/// Stability criteria, evaluated for a body in its stream.
+/// Criteria for the stability of the axis of a body in the air stream.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Criteria {
     /// Gyroscopic stability factor S = (ν² + δ² + 2 a δ)/κ with the symbols of [`AxisDerivatives`]. Spin and damping
-    /// stabilise the axis if S > 1; S is infinite or negative if the stream itself stabilises the axis.
+    /// stabilise the axis if S > 1; S is infinite or negative if κ ≤ 0, where the pitching moment does not destabilise
+    /// the axis.
     pub gyroscopic_factor: f64,
     /// Gyroscopic condition: whether ν² + δ² + 2 a δ > κ, with the symbols of [`AxisDerivatives`].
     pub gyroscopic: bool,
-    /// Condition for the slow motion of the axis: whether a (ν² + δ²) > κ δ, with the symbols of [`AxisDerivatives`].
-    /// Lift then turns the path to the axis faster than damping lets the axis drift.
+    /// Condition for the decay of the slow motion of the axis: whether a (ν² + δ²) > κ δ, with the symbols of
+    /// [`AxisDerivatives`]. Lift then turns the flight path towards the plane of the body faster than damping lets the
+    /// axis drift.
     pub slow: bool,
     /// Condition for the decay of the wobble: whether (2 δ + a)(ν² + δ² + 2 a δ − κ) > a (ν² + δ²) − κ δ, with the
     /// symbols of [`AxisDerivatives`].
@@ -132,8 +134,8 @@ impl AxisDerivatives {
 }
 
 impl Criteria {
-    /// Whether the conditions `gyroscopic`, `slow` and `wobble` all hold, so that every motion of the axis in the
-    /// stream decays.
+    /// Whether the conditions `gyroscopic`, `slow` and `wobble` are all satisfied, so that every motion of the axis
+    /// relative to the air stream decays.
     pub fn is_stable(&self) -> bool {
         self.gyroscopic && self.slow && self.wobble
     }

@@ -4,8 +4,8 @@
 //!   from the model's exact Jacobian, in coordinates that do not depend on those of the model.
 //! - [`modes`](fn@modes) removes the coordinates that nothing depends on and classifies the remaining motion: nutation,
 //!   incidence, phugoid and others.
-//! - [`AxisDerivatives`] are the few derivatives that determine how the body axis moves in the stream; [`Criteria`] are
-//!   the stability criteria computed from them.
+//! - [`AxisDerivatives`] are the few derivatives that determine how the body axis moves in the air stream;
+//!   [`Criteria`] are the stability criteria computed from them.
 //! - [`trim`](fn@trim) finds steady flight; [`along`] evaluates modes and criteria along a flight, and [`map`] over a
 //!   grid of speeds and spins.
 //!

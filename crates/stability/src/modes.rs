@@ -9,7 +9,7 @@ use crate::linearise::Linearised;
 /// below which the column counts as 0, so that no rate of change depends on the coordinate.
 const IGNORABLE: f64 = 1e-9;
 
-/// Kind of a mode, by the variables that move most in it.
+/// Kind of a mode, by the variables that change most in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModeKind {
     /// The body axis circles at about the spin times the ratio of the axial to the diametral moment of inertia: a
@@ -20,7 +20,7 @@ pub enum ModeKind {
     ShortPeriod,
     /// The angle of attack decays or grows without oscillation, because lift turns the path.
     Incidence,
-    /// Body axis and path wander together, more slowly than the nutation: the precession of a body in its stream.
+    /// Slow precession: body axis and direction of flight change together, more slowly than in the nutation.
     Precession,
     /// Speed and climb are exchanged in a slow oscillation.
     Phugoid,
@@ -28,7 +28,7 @@ pub enum ModeKind {
     Speed,
     /// The spin alone decays or grows.
     Spin,
-    /// The heading turns without resistance: a neutral mode.
+    /// Neutral mode: a change of the heading, on which no force or moment depends.
     Heading,
 }
 
@@ -53,9 +53,10 @@ impl ModeKind {
 pub struct Mode {
     /// Eigenvalue, 1/s; for a conjugate pair the one with a positive imaginary part.
     pub value: Complex<f64>,
-    /// Kind of the mode, by the variables that move most in it.
+    /// Kind of the mode, by the variables that change most in it.
     pub kind: ModeKind,
-    /// Relative contributions to the motion of the mode, which sum to 1: body axis, direction of the path, speed, spin.
+    /// Relative contributions of body axis, direction of flight, speed and spin, in this order, to the motion of the
+    /// mode; they sum to 1.
     pub shares: [f64; 4],
 }
 
@@ -178,8 +179,8 @@ pub fn modes(linearised: &Linearised, turn: f64) -> Modes {
     }
 }
 
-/// Assigns a kind to each mode by the variables that move most in it; `gyroscopic` is the frequency of the nutation
-/// without a stream, rad/s, and `size` the norm of the matrix of the linearised motion.
+/// Assigns a kind to each mode by the variables that change most in it; `gyroscopic` is the frequency of the nutation
+/// without aerodynamic moments, rad/s, and `size` the norm of the matrix of the linearised motion.
 fn name(modes: &mut [Mode], gyroscopic: f64, size: f64) {
     let (mut has_nutation, mut has_incidence) = (false, false);
     for mode in modes {

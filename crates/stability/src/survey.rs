@@ -8,18 +8,18 @@ use crate::criteria::{AxisDerivatives, Criteria};
 use crate::linearise::{BoundBody, StabilityError};
 use crate::modes::{Modes, modes};
 
-/// Modes and stability criteria of a body at one state.
+/// Modes and stability criteria of a body at one instant of a flight.
 #[derive(Clone, Debug)]
 pub struct Instant {
     /// Time in the flight, s; 0 for a release.
     pub time: f64,
-    /// Motion at the state, as a throw.
+    /// Motion of the body at this instant, in the form of a throw.
     pub throw: Throw,
-    /// Modes of the linearised motion at the state.
+    /// Modes of the motion linearised about the state of the body at this instant.
     pub modes: Modes,
-    /// Derivatives that determine how the body axis moves in the stream.
+    /// Derivatives that determine how the body axis moves in the air stream.
     pub derivatives: AxisDerivatives,
-    /// Stability criteria at the state.
+    /// Stability criteria of the body axis at this instant.
     pub criteria: Criteria,
 }
 
@@ -57,8 +57,8 @@ pub fn along(
         .collect()
 }
 
-/// Computes the modes and stability criteria of a throw for every pair of a speed (m/s) and a spin (rpm), speed by
-/// speed. Pairs whose motion the model cannot have are left out.
+/// Computes the modes and stability criteria of a throw for every pair of a speed (m/s) and a spin (rpm), in the order
+/// of the speeds and, for each speed, of the spins. Pairs that no state of the model can have are left out.
 pub fn map(body: &BoundBody<'_>, throw: &Throw, speeds: &[f64], spins: &[f64]) -> Vec<Instant> {
     let pairs = speeds
         .iter()

@@ -17,19 +17,19 @@ use crate::linearise::{BoundBody, Linearised, StabilityError};
 pub struct Trim {
     /// State of the model in the steady flight, with the mass centre above the origin at the default height of a throw.
     pub state: Vec<f64>,
-    /// Motion of the steady flight, as a throw.
+    /// Motion of the body in the steady flight, in the form of a throw.
     pub throw: Throw,
     /// Rate of change of the heading, positive to the left, rad/s; 0 in straight flight.
     pub turn: f64,
-    /// Linearised motion about the state.
+    /// Motion linearised about the state of the steady flight.
     pub linearised: Linearised,
 }
 
 /// Norm of the residual accelerations, in units of 10 m/s² and 10 rad/s², below which flight counts as steady.
 const STEADY: f64 = 1e-9;
-/// Maximum number of Newton steps from one starting point.
+/// Maximum number of Newton steps of the search for a steady flight from one starting point.
 const MAX_STEPS: usize = 60;
-/// Starting points of the search: speed (m/s), climb angle, nose and hyzer (rad).
+/// Starting points of the search for a steady flight: speed (m/s), climb angle, nose and hyzer (rad).
 const STARTS: [[f64; 4]; 8] = [
     [10.0, -0.2, 0.1, 0.0],
     [15.0, -0.1, 0.05, 0.0],
@@ -53,8 +53,8 @@ pub fn trim(body: &BoundBody<'_>, spin: f64) -> Option<Trim> {
     found.min_by(|a, b| a.turn.abs().total_cmp(&b.turn.abs()))
 }
 
-/// Motion of a steady flight with a spin (rad/s) and with the speed (m/s), climb angle, nose, hyzer (rad) and rate of
-/// change of the heading (rad/s) in `of`.
+/// Motion of a steady flight with a spin (rad/s); `of` contains speed (m/s), climb angle, nose, hyzer (rad) and rate of
+/// change of the heading (rad/s).
 fn motion(of: &DVector<f64>, spin: f64) -> Motion {
     let course = Rotation3::from_axis_angle(&Vector3::y_axis(), -of[1]);
     let attitude = course
@@ -72,8 +72,8 @@ fn motion(of: &DVector<f64>, spin: f64) -> Motion {
     }
 }
 
-/// Residual accelerations of a steady flight with the motion that `of` and `spin` describe, in units of 10 m/s² and 10
-/// rad/s², and the state with this motion; `None` if no state has the motion or a residual is not finite.
+/// Accelerations of a body minus those of a steady flight with the motion `motion(of, spin)`, in units of 10 m/s² and
+/// 10 rad/s², and the state with this motion; `None` if no state has the motion or a residual is not finite.
 fn residual(
     body: &BoundBody<'_>,
     of: &DVector<f64>,

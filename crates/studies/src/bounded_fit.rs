@@ -9,7 +9,7 @@ use model_spec::model::Model;
 
 /// Result of a fit with a time limit, and its computing time.
 pub(crate) struct BoundedFit {
-    /// The fit, or why it failed; [`FitError::Interrupted`] if the time limit was reached.
+    /// The fit, or the error that ended it; [`FitError::Interrupted`] if the time limit was reached.
     pub(crate) result: Result<Fit, FitError>,
     /// Elapsed time of the fit, s.
     pub(crate) seconds: f64,

@@ -36,7 +36,7 @@ pub enum Study {
         after_help = "Example:\n  hyzer-studies real-data --data ../shared/data --out docs/real-data.md"
     )]
     RealData(RealData),
-    /// How often the diagnosis finds effects that were seeded into flights simulated by the oracle
+    /// How often the diagnosis finds effects that were added to flights simulated by the oracle
     #[command(
         after_help = "Example:\n  hyzer-studies discovery --seeds 40 --only 'stall strong' --details"
     )]
@@ -150,11 +150,11 @@ pub struct RealData {
 /// Options of `hyzer-studies discovery`.
 #[derive(Args)]
 pub struct Discovery {
-    /// Options of the runs; `--seeds` is the number of runs per row without a seeded effect (default 100), and other
-    /// rows have a small fraction of it
+    /// Options of the runs; `--seeds` is the number of runs per row whose flights have no added effect (default 100),
+    /// and other rows have a small fraction of it
     #[command(flatten)]
     pub runs: Runs,
-    /// Print a line for each run, and why the diagnosis rejects a seeded effect that it missed
+    /// Print a line for each run, and why the diagnosis rejects an effect of the simulated flights that it missed
     #[arg(long)]
     pub details: bool,
 }

@@ -73,8 +73,8 @@ pub fn fingerprint(of: impl Display) -> String {
     digest.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// Range of the parts, of 0 to `count` - 1, that belong to share number `share` (from 1) of `of` shares of nearly
-/// equal size.
+/// Divides the part numbers 0 to `count` - 1 into `of` consecutive ranges (shares) of nearly equal size and returns
+/// share number `share`, counted from 1.
 ///
 /// # Errors
 /// [`FolderError::NoPart`] if `share` is not in 1 to `of`.

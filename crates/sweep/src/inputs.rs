@@ -116,7 +116,8 @@ impl<'p> Inputs<'p> {
     }
 
     /// Writes the initial states `x` and the parameters `p` of a flight for the drawn `values` of the axes. Returns
-    /// `false` if a value is out of its bounds or no state has the motion of the throw; the flight is not flown then.
+    /// `false` if a value is out of its bounds or no state of the model has the motion of the throw; such a flight is
+    /// not simulated.
     pub(crate) fn start(
         &mut self,
         flight: u64,

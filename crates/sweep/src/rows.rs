@@ -18,8 +18,8 @@ pub const STATUSES: [&str; 8] = [
     "refused",
 ];
 
-/// Index in [`STATUSES`] of a flight that was not integrated: an input is out of bounds, or no state has the motion
-/// of the throw.
+/// Index in [`STATUSES`] of a flight that was not integrated: an input is out of bounds, or no state of the model has
+/// the motion of the throw.
 const REFUSED: u8 = 7;
 
 fn status(outcome: FlightOutcome) -> u8 {
@@ -56,8 +56,8 @@ pub struct Rows {
     pub status: Vec<u8>,
 }
 
-/// Data shared by all parts of a sweep: the plan, the compiled model, the observer of speed and spin, and the end
-/// condition.
+/// Data shared by all parts of a sweep: the plan, the compiled model, the function that computes speed and spin from a
+/// state, and the condition that ends a flight.
 pub(crate) struct Flier<'p> {
     pub plan: &'p Plan,
     pub inputs: &'p InputModel,

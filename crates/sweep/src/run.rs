@@ -47,8 +47,8 @@ const FLIGHTS: &str = "flights.parquet";
 /// restrict the run to a share of the parts.
 ///
 /// # Errors
-/// [`SweepError`] if the plan needs a state that the model does not have, or a file cannot be read or written. A
-/// flight that fails is no error, but a row with its status.
+/// [`SweepError`] if the plan needs a state that the model does not have, or a file cannot be read or written. A flight
+/// that fails is not an error: its row in the table has a status other than the intended end.
 pub fn run(
     plan: &Plan,
     out: &Path,

@@ -22,9 +22,9 @@ pub enum Format {
     OptiTrack,
     /// Points digitised in video by DLTdv8, with columns such as `pt1_X,pt1_Y,pt1_Z`.
     Dltdv,
-    /// Table whose header names the positions and quaternions of bodies.
+    /// Table of rigid-body poses, whose header line names the columns of positions and quaternions.
     Poses,
-    /// Table whose header names the coordinates of points.
+    /// Table of point positions, whose header line names the column of each coordinate.
     Plain,
 }
 

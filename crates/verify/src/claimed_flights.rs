@@ -12,10 +12,10 @@ use crate::subject::Subject;
 use nalgebra::Vector3;
 use oracle::{ClaimedBody, Point, Quaternion, Tree};
 
-/// Maximum number of draws to find a random release within the validity limits of the model.
+/// Maximum number of draws of a release (initial state of a flight) until one is within the model's validity limits.
 const DRAWS: usize = 100;
-/// Maximum deviation of a state of a random release from the state's default, relative to the typical magnitude of
-/// quantities with the state's unit.
+/// Maximum deviation of a state of a random release (initial state of a flight) from the state's default, relative to
+/// the typical magnitude of quantities with the state's unit.
 const SPREAD: f64 = 0.2;
 
 /// Checks that energy and angular momentum are conserved in a flight without air.
@@ -130,8 +130,8 @@ fn acts_alike(before: &ClaimedBody<f64>, after: &ClaimedBody<f64>) -> bool {
         && (before.force - after.force).norm() <= TOLERANCE * size
 }
 
-/// Draws a release near the default state of the model, with effects off and random inputs. `None` if no draw is within
-/// the model's limits.
+/// Draws a release (initial state of a flight) near the default state of the model, with effects off and random inputs.
+/// `None` if no draw is within the model's validity limits.
 fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     let model = subject.model;
     (0..DRAWS).find_map(|_| {

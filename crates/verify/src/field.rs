@@ -16,7 +16,8 @@ use std::f64::consts::PI;
 /// An angle and its (sine, cosine), as elements of the prime field.
 pub type Angle = (Prime, (Prime, Prime));
 
-/// Maximum integer multiple of a known angle whose sine and cosine are derived by addition formulas.
+/// Maximum integer multiple for which sine and cosine are derived by addition formulas, from an angle whose sine and
+/// cosine exist in the field.
 const MULTIPLES: usize = 4;
 
 /// Evaluator of programs at a point of the prime field.
@@ -32,7 +33,8 @@ pub struct Machine<'a> {
 }
 
 impl<'a> Machine<'a> {
-    /// Creates an evaluator at a point; `circles` contains (sine, cosine) of each state.
+    /// Creates an evaluator at a point; `circles` contains (sine, cosine) of each state. `symbols`: whether functions
+    /// that are not rational, such as exp, have symbols as values; otherwise they have no value.
     pub fn new(point: &'a Point<Prime>, circles: &'a [(Prime, Prime)], symbols: bool) -> Self {
         let inputs = point.inputs.iter().flat_map(|v| [v.x, v.y, v.z]);
         let parameters = point
@@ -172,7 +174,8 @@ pub fn call(function: MathFunction, a: Prime) -> Prime {
     }
 }
 
-/// Value of a table function or of its derivative of the given order: a symbol that depends on the hash of the curve.
+/// Value, at `a`, of a table function or of its derivative of the given order: a symbol that depends on the hash
+/// `fingerprint` of the curve.
 pub fn table(fingerprint: u64, order: u8, a: Prime) -> Prime {
     symbol(0x100 + u64::from(order), &[Prime::new(fingerprint), a])
 }
@@ -261,7 +264,8 @@ fn odd(function: u64, a: Prime) -> Prime {
     symbol(function, &[a]) * sign
 }
 
-/// Symbolic (sine, cosine) of an angle that is not a multiple of a known angle. The sine is odd.
+/// Symbolic (sine, cosine) of an angle that is not a small multiple of an angle whose sine and cosine exist in the
+/// field. The sine is odd.
 pub fn circle(a: Prime) -> (Prime, Prime) {
     let (a, sign) = least(a);
     let (sine, cosine) = on_circle(symbol(5, &[a]));

@@ -15,21 +15,22 @@ use oracle::{
 
 /// Name in reports of the check of energy and angular momentum without air.
 pub const INVARIANTS: &str = "flight without air";
-/// Name in reports of the check that compares flights by the model's equations with flights by the reference law,
-/// integrated in momenta.
+/// Name in reports of the check that compares flights computed from the model's equations with flights computed from
+/// the reference law, which is integrated in momenta.
 pub const MOMENTA: &str = "flight: reference in momenta";
 /// Name in reports of the comparison of the flights of two models.
 const FLIGHTS: &str = "flights";
 
 /// Maximum relative difference of two final states; the integration tolerance is 1e-11.
 pub(crate) const TOLERANCE: f64 = 1e-8;
-/// Reason to skip a model whose measuring clock does not advance by 1 s per second of flight.
+/// Reason to skip a model in which recorded time (the time stamps of the measurements) does not advance by 1 s per
+/// second of flight.
 pub(crate) const OWN_CLOCK: &str = "its clock does not keep to the seconds of the flight";
-/// Number of flights per check.
+/// Number of simulated flights per flight check.
 pub(crate) const RELEASES: usize = 3;
-/// Maximum number of draws for a release within the limits of the model.
+/// Maximum number of draws of a release (initial state of a flight) until one is within the model's validity limits.
 const DRAWS: usize = 100;
-/// Duration of a flight, s.
+/// Duration of a simulated flight in the flight checks, s.
 pub(crate) const DURATION: f64 = 1.0;
 
 /// Checks that energy and angular momentum are conserved in a flight without air.
@@ -108,7 +109,7 @@ pub fn momenta(subject: &Subject<'_>, options: &Options) -> Row {
     Row::judged(MOMENTA, RELEASES, &worst, TOLERANCE)
 }
 
-/// Compares the final physical states of two models in flights from the same releases.
+/// Compares the final physical states of two models in flights that start from equal physical states.
 pub fn same_flights(a: &Subject<'_>, b: &Subject<'_>, options: &Options) -> Row {
     let mut random = Random::new(options.seed, FLIGHTS);
     let mut worst = Worst::default();
@@ -139,9 +140,9 @@ pub fn same_flights(a: &Subject<'_>, b: &Subject<'_>, options: &Options) -> Row 
     Row::judged(FLIGHTS, RELEASES, &worst, TOLERANCE)
 }
 
-/// Whether the loads at the start and at the end of a flight are a constant force without a moment. Other loads may
-/// remain without air in a law made by the model's author, such as the tension of a cord; then energy need not be
-/// conserved.
+/// Whether the loads at the start and at the end of a flight are the same force without a moment. Even without air, a
+/// law written by the model's author may contain other loads, such as the tension of a cord; energy is then not
+/// necessarily conserved.
 fn acts_alike(subject: &Subject<'_>, start: &Point<f64>, end: &Point<f64>) -> bool {
     let (Some((force, moment, _)), Some((later, other, _))) =
         (loads(subject, start), loads(subject, end))
@@ -152,7 +153,8 @@ fn acts_alike(subject: &Subject<'_>, start: &Point<f64>, end: &Point<f64>) -> bo
     moment.norm() == 0.0 && other.norm() == 0.0 && (force - later).norm() <= TOLERANCE * size
 }
 
-/// Row of a flight check for which no release was found.
+/// Row, with the verdict "unverified", of a flight check for a model for which no release (initial state of a flight)
+/// within the model's validity limits was found.
 fn unreleased(subject: &Subject<'_>, check: &'static str) -> Row {
     if subject.chart.is_none() {
         return subject.without_meaning(check);
@@ -160,8 +162,8 @@ fn unreleased(subject: &Subject<'_>, check: &'static str) -> Row {
     Row::unverified(check, "no release was found within the limits of the model")
 }
 
-/// Draws a release within the limits of the model; `None` if no draw is within them or the meaning of the states is
-/// unknown.
+/// Draws a release (initial state of a flight) within the validity limits of the model; `None` if no draw is within
+/// these limits or the meaning of the states is unknown.
 fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     (0..DRAWS).find_map(|_| {
         let point = any_release(subject, random)?;
@@ -169,8 +171,8 @@ fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     })
 }
 
-/// Draws a release: 12 ± 3 m/s forward, nearly level, spin −40 ± 10 rad/s, with default constants and random inputs.
-/// `None` if the meaning of the states is unknown.
+/// Draws a release (initial state of a flight): 12 ± 3 m/s forward, nearly level, spin −40 ± 10 rad/s, with default
+/// constants and random inputs. `None` if the meaning of the states is unknown.
 fn any_release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     let chart = subject.chart.as_ref()?;
     let mut point = Point::defaults(subject.model);

@@ -15,7 +15,8 @@ const HALVINGS: usize = 30;
 /// quantities.
 const FOUND: f64 = 1e-12;
 
-/// Physical meaning of the states of a model.
+/// How the states of a model determine the physical quantities of the body (position, velocity, attitude, angular
+/// velocity).
 pub enum Meaning<'a> {
     /// Each state is a component of a physical quantity.
     Chart(&'a Chart),
@@ -24,7 +25,8 @@ pub enum Meaning<'a> {
 }
 
 impl<'a> Meaning<'a> {
-    /// Meaning of the states of a subject; `None` if the model has neither a chart nor a claim.
+    /// Meaning of the states of a subject; `None` if the model has neither a [`Chart`] (direct conversion between
+    /// states and physical quantities) nor a claim.
     pub fn of(subject: &'a Subject<'_>) -> Option<Self> {
         match &subject.chart {
             Some(chart) => Some(Self::Chart(chart)),
@@ -41,8 +43,8 @@ impl<'a> Meaning<'a> {
         }
     }
 
-    /// Axis of revolution of the claimed body (1, 2 or 3): the axis of the rotation from the inertia's frame to the
-    /// body-fixed frame. `None` if there is no such rotation.
+    /// Axis of revolution of the claimed body (1, 2 or 3): the axis of the rotation from the frame in which the inertia
+    /// is declared to the body-fixed frame. `None` if there is no such rotation.
     pub fn axis_of_revolution(&self) -> Option<u8> {
         let Self::Claim(model) = self else {
             return None;
@@ -70,8 +72,8 @@ impl<'a> Meaning<'a> {
         }
     }
 
-    /// Rate of the physical state for given rates of the states; `pace` is the flight time, s, per second of the
-    /// model's clock. `None` if the claimed body cannot be evaluated.
+    /// Rate of the physical state for given rates of the states with respect to true time; `pace` is the flight time,
+    /// s, per second of recorded time. `None` if the claimed body cannot be evaluated.
     pub fn rate(&self, point: &Point<f64>, rates: &[f64], pace: f64) -> Option<PhysicalRate> {
         match self {
             Self::Chart(chart) => Some(chart.physical_rate(&point.states, rates)),
@@ -82,8 +84,8 @@ impl<'a> Meaning<'a> {
         }
     }
 
-    /// States that represent a physical state, with everything else taken from the point `at`; `None` if no such states
-    /// were found.
+    /// States that represent a physical state; `None` if no such states were found. Parameters, inputs and the time are
+    /// those of the point `at`, whose states are the initial values of the search if the states must be solved for.
     pub fn states(&self, physical: &Physical<f64>, at: &Point<f64>) -> Option<Vec<f64>> {
         match self {
             Self::Chart(chart) => chart.states(physical),
@@ -208,7 +210,8 @@ fn jacobian(
     Some(out)
 }
 
-/// Position, velocity, the axes with the indices `axes` (from 1), and angular velocity of a claimed body, concatenated.
+/// Position, velocity, the body axes with the indices `axes` (from 1), and angular velocity of a claimed body,
+/// concatenated.
 fn quantities<T: Real>(body: &ClaimedBody<T>, axes: &[u8]) -> Vec<T> {
     let mut out: Vec<T> = body.position.iter().copied().collect();
     out.extend(body.velocity.iter());

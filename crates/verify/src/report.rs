@@ -10,9 +10,9 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Outcome {
-    /// Every applicable check was made and holds.
+    /// Every applicable check was carried out and holds.
     Verified,
-    /// No check was refuted, but at least one applicable check could not be made.
+    /// No check was refuted, but at least one applicable check could not be carried out.
     NotVerified,
     /// At least one check was refuted.
     Refuted,
@@ -50,7 +50,8 @@ impl Report {
         self.rows.iter().all(|row| row.verdict != Verdict::Refuted)
     }
 
-    /// Combined outcome of all checks: the worst of all.
+    /// Combined outcome of all checks: refuted if any check is refuted, otherwise not verified if any check is
+    /// unverified, otherwise verified.
     pub fn outcome(&self) -> Outcome {
         let outcome = |row: &Row| match row.verdict {
             Verdict::Holds | Verdict::Skipped => Outcome::Verified,
@@ -61,7 +62,7 @@ impl Report {
         rows.max().unwrap_or(Outcome::NotVerified)
     }
 
-    /// Names of the checks that apply to the model but could not be made.
+    /// Names of the checks that apply to the model but could not be carried out.
     pub fn unverified(&self) -> Vec<&'static str> {
         let rows = self.rows.iter();
         rows.filter(|row| row.verdict == Verdict::Unverified)

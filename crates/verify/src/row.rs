@@ -12,8 +12,8 @@ pub enum Verdict {
     Refuted,
     /// The check does not apply to this model; the row's detail gives the reason.
     Skipped,
-    /// The check applies but could not be made, or not for the whole model; the row's detail gives the reason. The
-    /// model is then not verified.
+    /// The check applies but could not be carried out, or not for the whole model; the row's detail gives the reason.
+    /// The model is then not verified.
     Unverified,
 }
 
@@ -44,7 +44,7 @@ pub struct Row {
     pub measure: Measure,
     /// Maximum error that is allowed, in the unit given by `measure`.
     pub tolerance: f64,
-    /// Whether the check holds, is refuted, does not apply or could not be made.
+    /// Whether the check holds, is refuted, does not apply or could not be carried out.
     pub verdict: Verdict,
     /// Point or item with the maximum error, or the reason why the check was skipped; may have several lines.
     pub detail: String,
@@ -96,7 +96,7 @@ impl Row {
         }
     }
 
-    /// Creates the row of a check that applies to the model but could not be made, with the reason.
+    /// Creates the row of a check that applies to the model but could not be carried out; `why` is the reason.
     pub fn unverified(check: &'static str, why: impl Into<String>) -> Self {
         Self {
             verdict: Verdict::Unverified,
@@ -104,7 +104,7 @@ impl Row {
         }
     }
 
-    /// Creates the row of a check that does not apply to the model, with the reason.
+    /// Creates the row of a check that does not apply to the model; `why` is the reason.
     pub fn skipped(check: &'static str, why: impl Into<String>) -> Self {
         Self {
             check,

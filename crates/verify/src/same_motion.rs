@@ -17,7 +17,7 @@ pub struct Pair {
     pub models: [String; 2],
     /// Comparison of velocities and accelerations at equal physical states.
     pub accelerations: Row,
-    /// Comparison of the final states of flights from equal releases.
+    /// Comparison of the final states of flights that start from equal physical states.
     pub flights: Row,
 }
 

@@ -7,7 +7,8 @@ use oracle::{BindError, Chart, Point, Reference, Tree, Unsupported, derivatives}
 
 /// Equations of motion that can be evaluated at a point, independent of the backend.
 pub trait Equations: Sync {
-    /// Derivative of every state with respect to the time of the measuring clock, in state order.
+    /// Derivative of every state with respect to recorded time (the time stamps of the measurements, which may run at
+    /// another rate than true time), in state order.
     fn rates(&self, point: &Point<f64>) -> Vec<f64>;
     /// Observation (marker position) in inertial components; `None` if the model has no observation.
     fn observation(&self, point: &Point<f64>) -> Option<Vector3<f64>>;
@@ -30,7 +31,8 @@ pub struct Subject<'a> {
 }
 
 impl<'a> Subject<'a> {
-    /// Binds a model to its equations, and determines its reference law and the chart of its states.
+    /// Binds a model to its equations, and determines its reference law and the conversion between its states and
+    /// physical quantities ([`Subject::chart`]).
     pub fn new(model: &'a Model, equations: &'a dyn Equations) -> Self {
         let (reference, unbound) = match Reference::bind(model) {
             Some(Ok(reference)) => (Some(reference), None),
@@ -50,7 +52,8 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// Seconds of flight per second of the measuring clock, at a point.
+    /// Seconds of flight per second of recorded time (the time stamps of the measurements, which may run at another
+    /// rate than true time), at a point.
     pub fn clock(&self, point: &Point<f64>) -> f64 {
         match &self.model.clock {
             Some(_) => Tree::new(self.model, point).clock(),
@@ -58,7 +61,8 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// Derivative of every state with respect to the time of flight (rather than of the measuring clock).
+    /// Derivative of every state with respect to the true time of flight, rather than recorded time (the time stamps of
+    /// the measurements).
     pub fn flight_rates(&self, point: &Point<f64>) -> Vec<f64> {
         let pace = self.clock(point);
         let rates = self.equations.rates(point);
@@ -66,8 +70,8 @@ impl<'a> Subject<'a> {
     }
 
     /// Converts a point of this model to the point of the model `other` with the same physical state, time and marker
-    /// position, and the same values of parameters, coefficients and inputs of equal names. `None` if a chart is
-    /// missing or cannot represent the attitude.
+    /// position, and the same values of parameters, coefficients and inputs of equal names. `None` if one of the models
+    /// has no [`Chart`], or if the chart cannot represent the attitude.
     pub fn corresponding_point(
         &self,
         other: &Subject<'_>,
@@ -123,7 +127,8 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// Indices of the coefficients added by the model's author: extra coefficients that belong to no effect.
+    /// Indices of the coefficients added by the model's author: coefficients that neither the reference law nor an
+    /// effect contains; empty without a reference law.
     pub fn own_coefficients(&self) -> Vec<usize> {
         let of_effects = self.model.effects.iter().flat_map(|e| &e.coefficients);
         let of_effects: Vec<usize> = of_effects.map(|c| c.index).collect();
@@ -131,8 +136,8 @@ impl<'a> Subject<'a> {
         extras.filter(|i| !of_effects.contains(i)).collect()
     }
 
-    /// Whether the physical meaning of the states is given only by the claimed body: the model has a claim but no
-    /// chart.
+    /// Whether the physical meaning of the states is given only by the claimed body: the model has a claim, but no
+    /// [`Chart`] (direct conversion between states and physical quantities) exists.
     pub fn is_known_by_claim(&self) -> bool {
         self.chart.is_none() && self.model.claim.is_some()
     }
@@ -186,7 +191,7 @@ impl<'a> Subject<'a> {
     }
 }
 
-/// Equations of motion of a model, interpreted by the vector tree of the oracle.
+/// Equations of motion of a model, evaluated by the oracle from the model's vector expressions.
 pub struct Interpreted<'a>(&'a Model);
 
 impl<'a> Interpreted<'a> {

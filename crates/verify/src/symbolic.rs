@@ -25,7 +25,7 @@ thread_local! {
     static CONTEXT: RefCell<Context> = RefCell::new(Context::default());
 }
 
-/// Evaluates `task` with known sines and cosines of `angles`; `None` if a value does not exist in the field.
+/// Evaluates `task` with the given sines and cosines of `angles`; `None` if a value does not exist in the field.
 pub fn evaluate<R>(angles: Vec<Angle>, task: impl FnOnce() -> R) -> Option<R> {
     let fresh = Context {
         angles,
@@ -119,7 +119,7 @@ impl Real for Symbolic {
         Self(field::literal(value))
     }
 
-    /// Arbitrary value that is no singular point and is inside the domain of every function.
+    /// Arbitrary value that is not a singular point and is inside the domain of every function.
     fn re(self) -> f64 {
         0.5
     }

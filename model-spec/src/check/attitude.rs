@@ -21,8 +21,8 @@ impl Checker<'_> {
         }
     }
 
-    /// Reports an inertia tensor that changes with time in the frame `frame`. That frame must be the body-fixed frame
-    /// `body`, or differ from it only by rotations about axes of inertial symmetry.
+    /// Reports an inertia tensor whose components in the frame `frame` would change with time. They are constant if
+    /// `frame` is the body-fixed frame `body`, or differs from it only by rotations about axes of inertial symmetry.
     pub fn steady_inertia(
         &mut self,
         inertia: &[[Expr; 3]; 3],

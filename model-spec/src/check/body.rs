@@ -7,7 +7,8 @@ use crate::model::{self, Expr, ExprKind, Shape};
 use crate::syntax::ast::{self, BodyClass, BodyPartKind, ItemKind, Name};
 use crate::unit::Unit;
 
-/// Statements of a body's block, each at most once.
+/// The statements of a body's block, sorted by kind; each kind occurs at most once. `None` for a kind that is not
+/// stated.
 #[derive(Default)]
 pub(super) struct Parts<'a> {
     mass: Option<&'a ast::Expr>,

@@ -112,7 +112,8 @@ impl<'a> Checker<'a> {
         self.report(fault.help("state the quantity by the states and parameters"));
     }
 
-    /// Whether `e` uses an auxiliary variable that depends on `der(…)`; if so, reports an error.
+    /// Whether the expression `e` of a claim uses an auxiliary variable that depends on `der(…)`; if so, reports an
+    /// error.
     fn is_circular(&mut self, e: &Expr) -> bool {
         let of_equations: Vec<usize> = { self.derivatives.values() }
             .filter_map(|&definition| match self.definitions.get(definition) {

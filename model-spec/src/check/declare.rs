@@ -88,8 +88,10 @@ impl<'a> Checker<'a> {
         );
     }
 
-    /// Unit of a declared value, and the same unit as a term of unit inference: as stated, or dimensionless if no unit
-    /// is stated. If the stated unit is `[?]` or invalid, the term is a new unknown and the `bool` is `true`.
+    /// Unit of the declared quantity `name`, and the same unit as a [`Term`] for unit inference. Without a stated unit,
+    /// it is dimensionless, or an unknown if this run of the checker also infers the units of declarations without one.
+    /// If the stated unit is `[?]` or invalid, the term is a new unknown and the `bool` is `true`; otherwise the `bool`
+    /// is `false`.
     fn declared_unit(&mut self, name: &Name, unit: Option<&UnitExpr>) -> (Measure, Term, bool) {
         let Some(unit) = unit else {
             let term = self.unitless.term(name.span);

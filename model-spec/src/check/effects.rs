@@ -104,8 +104,8 @@ impl Checker<'_> {
         self.report(fault);
     }
 
-    /// Smallest effect size of interest, SI, of a coefficient or state as stated by `negligible NAME …;`; `None` if not
-    /// stated.
+    /// Smallest effect size of interest (departure from the null value that matters in practice), SI, of the
+    /// coefficient or state `name`, as stated by `negligible NAME …;`; `None` if not stated.
     fn smallest_of_interest(&mut self, applied: &Applied, name: &Name, unit: Unit) -> Option<f64> {
         let mut stated = applied.negligible.iter();
         let (_, quantity) = stated.find(|(own, _)| own.text == name.text)?;

@@ -121,8 +121,8 @@ impl Checker<'_> {
         false
     }
 
-    /// Adds to a unit error the units of the operands of each expression in `sides`, and the source spans of their
-    /// declarations.
+    /// Adds to the unit error `fault` the units of the operands of each inconsistent expression in `sides`, and the
+    /// source spans of the declarations of these operands.
     fn origins(&mut self, mut fault: Diagnostic, sides: &[&Typed]) -> Diagnostic {
         self.suspect_unitless(fault.span, sides);
         let mut shown: Vec<Span> = Vec::new();
@@ -171,8 +171,8 @@ impl Checker<'_> {
         fault
     }
 
-    /// Adds to an error the note that `2 g` means two grams, if a variable `g` is declared and might have been
-    /// intended.
+    /// If `leaf` is a literal with unit, such as `2 g`, and a variable `g` is declared, adds to the error `fault` the
+    /// note that `2 g` means two grams and not a product with `g`.
     fn unit_or_name(&self, fault: Diagnostic, leaf: &Leaf) -> Diagnostic {
         match leaf.name.split_once(' ') {
             Some((number, symbol)) if self.scope.find(symbol).is_some() => fault

@@ -124,7 +124,8 @@ fn expressions(model: &mut crate::model::Model) -> Vec<&mut Expr> {
     all
 }
 
-/// Units of all symbols, by the same indices as in the model's vectors.
+/// Units of the known constants, coefficients, inputs, states, tables and auxiliary variables, indexed like the vectors
+/// of the model.
 struct Tables {
     params: Vec<Unit>,
     coefficients: Vec<Unit>,

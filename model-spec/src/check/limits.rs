@@ -8,8 +8,8 @@ use crate::model::{self, Expr, ExprKind, FrameKind, Function, Shape};
 use crate::syntax::ast::ItemKind;
 use crate::unit::Unit;
 
-/// Lower bound, dimensionless, of the cosine or sine of the middle attitude angle. It avoids gimbal lock, where that
-/// function is 0.
+/// Lower bound, dimensionless, of the cosine (or sine) of the second of the three attitude angles. It keeps the
+/// attitude away from gimbal lock, where that cosine (or sine) is 0.
 const GIMBAL_LIMIT: f64 = 0.01;
 
 /// Maximum number of validity limits in a model. It bounds the run time, as every divisor is compared with each limit.
@@ -66,8 +66,8 @@ impl Checker<'_> {
         self.attitude_limit();
     }
 
-    /// Adds the limit that avoids gimbal lock. It bounds the cosine of the middle attitude angle, or its sine if the
-    /// first and third rotation axes have the same number.
+    /// Adds the validity limit that avoids gimbal lock: a lower bound of the cosine of the second of the three attitude
+    /// angles, or of its sine if the first and third rotations are about axes of the same number.
     fn attitude_limit(&mut self) {
         let Some(rotation) = self.model.body.as_ref().and_then(|b| b.rotation.as_ref()) else {
             return;
@@ -111,7 +111,7 @@ impl Checker<'_> {
         });
     }
 
-    /// Whether a validity limit requires an expression to exceed a bound of at least 0.
+    /// Whether a validity limit of the model requires the expression `e` to exceed a bound of at least 0.
     pub fn limited(&self, e: &Expr) -> bool {
         super::singular::limited(&self.model, e)
     }

@@ -27,8 +27,8 @@ pub(super) struct Defining<'a> {
     pub span: Span,
 }
 
-/// Calls `visit` for each name in an expression, with the arguments: name, whether it is the state of a `der(…)`,
-/// source span.
+/// Calls `visit` for each name in the expression `e`. Its arguments are the name, whether the name is the state in a
+/// `der(STATE)`, and the source span of the name.
 pub(super) fn uses<'e>(e: &'e Expr, visit: &mut dyn FnMut(&'e str, bool, Span)) {
     match &e.kind {
         ExprKind::Name(name) => visit(name, false, e.span),

@@ -44,7 +44,8 @@ pub(crate) const OF_BODY: [&str; 5] = [
     "angular_acceleration",
 ];
 
-/// Names of the built-in functions that are no [`Function`] of one scalar.
+/// Names of the built-in functions that are not variants of [`Function`], because they do not map one scalar to one
+/// scalar.
 const OTHER_FUNCTIONS: [&str; 11] = [
     "atan2",
     "min",

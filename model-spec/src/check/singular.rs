@@ -9,9 +9,9 @@ use crate::model::{Expr, ExprKind, Function, Model};
 /// there.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SingularPoint {
-    /// Source span of the expression.
+    /// Source span of the subexpression.
     pub span: Span,
-    /// Source text of the expression.
+    /// Source text of the subexpression.
     pub text: String,
     /// Behaviour at the singular point and condition under which it occurs, such as `derivative 0 where … is 0`.
     pub what: String,
@@ -157,8 +157,8 @@ impl<'m> Signs<'m> {
         }
     }
 
-    /// Factor of a divisor that may be zero, for the error message; the divisor itself if no single factor is
-    /// identified.
+    /// Factor, for the error message, that may be zero and so makes the divisor `e` zero; `e` itself if no single such
+    /// factor is identified.
     fn culprit<'e>(&self, e: &'e Expr) -> &'e Expr {
         match &e.kind {
             ExprKind::Mul(a, b) if !self.of(a).never_zero() && self.of(b).never_zero() => {
@@ -172,7 +172,7 @@ impl<'m> Signs<'m> {
     }
 }
 
-/// Whether a validity limit requires an expression to exceed a bound of at least 0.
+/// Whether a validity limit of the model requires the expression `e` to exceed a bound of at least 0.
 pub(super) fn limited(model: &Model, e: &Expr) -> bool {
     model.limits.iter().filter(|l| l.bound >= 0.0).any(|limit| {
         let (a, b) = (named(model, e), named(model, &limit.value));
@@ -188,8 +188,8 @@ fn named<'m>(model: &'m Model, e: &'m Expr) -> &'m Expr {
     }
 }
 
-/// Root expressions of a model: mass, inertia, auxiliary variables, loads, equations, claim, observation, clock,
-/// limits.
+/// Root expressions of a model: mass, inertia, auxiliary variables, loads, equations, claim, observation, clock rate,
+/// validity limits.
 fn roots(model: &Model) -> Vec<&Expr> {
     let mut all: Vec<&Expr> = Vec::new();
     if let Some(body) = &model.body {

@@ -14,7 +14,8 @@ const MIN_KNOTS: usize = 3;
 const MAX_KNOTS: usize = 500;
 /// Maximum number of tables of a model; a further table is reported as an error.
 const MAX_TABLES: usize = 100;
-/// Minimum width of an interval between knots, relative to the range of the arguments.
+/// Minimum distance of the arguments of two adjacent knots, as a fraction of the distance from the first to the last
+/// argument.
 const MIN_WIDTH: f64 = 1e-9;
 /// Decimal exponent that limits the numbers of a table: absolute values are at most 10^60, and intervals between knots
 /// are wider than 10^-60, SI.
@@ -78,8 +79,9 @@ impl Checker<'_> {
         }
     }
 
-    /// SI value of an argument or value at a knot. A number without a unit has the unit `column`. `None`, with an error
-    /// reported, if the number states a unit that is not compatible with `column`.
+    /// SI value of `number`, the argument or the value of one knot. A number without a unit has the unit `column` that
+    /// is declared for all arguments or values of the table. `None`, with an error reported, if the number states a
+    /// unit that is not compatible with `column`.
     fn of_table(&mut self, number: &Quantity, column: &Measure) -> Option<f64> {
         let Some(unit) = &number.unit else {
             return Some(column.of(&number.number).0);
@@ -97,7 +99,8 @@ impl Checker<'_> {
         Some(own.of(&number.number).0)
     }
 
-    /// Checks that the number of knots is permitted, that their arguments increase, and that no value is too large.
+    /// Checks that the number of knots is permitted, that their arguments increase by at least the minimum distance,
+    /// and that no argument or value is too large.
     fn knots(&mut self, table: &ast::Table, knots: &[(f64, f64)]) {
         let name = &table.name.text;
         if !(MIN_KNOTS..=MAX_KNOTS).contains(&knots.len()) {

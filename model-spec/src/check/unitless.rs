@@ -10,15 +10,16 @@ use crate::model::{Expr, ExprKind};
 use crate::syntax::ast::{Item, ItemKind, Name, UnitExpr, UnitFactor};
 use crate::unit::Unit;
 
-/// Maximum number of declarations that one unit error suggests to change.
+/// Maximum number of declarations for which the message of one unit error proposes a unit.
 const MAX_SUGGESTED: usize = 3;
 
-/// Record of the declarations without a unit, which are identified by the spans of their names.
+/// Declarations without a unit, each identified by the source span of the declared name.
 #[derive(Default)]
 pub(super) struct Unitless {
-    /// Whether the units are unknowns to be inferred rather than 1.
+    /// Whether the unit of a declaration without a unit is an unknown to be inferred (`true`) or 1 (`false`).
     infers: bool,
-    /// Unit of each declaration, by the span of its name: 1, or an unknown if units are inferred.
+    /// Unit assumed for each declaration without a unit: 1, or an unknown if units are inferred. The key is the source
+    /// span of the declared name.
     terms: HashMap<Span, Term>,
     /// For each unit error, its source span and the declarations without a unit on which the inconsistent expressions
     /// depend. A declaration is identified by the source span of its name.
@@ -26,7 +27,7 @@ pub(super) struct Unitless {
 }
 
 impl Unitless {
-    /// Creates the record for a check that infers the units of all declarations that state none.
+    /// Creates an empty record for a run of the checker that infers the unit of every declaration without one.
     pub fn inferred() -> Unitless {
         Unitless {
             infers: true,
@@ -34,8 +35,8 @@ impl Unitless {
         }
     }
 
-    /// Unit that the checker assumes for a declaration without a unit, given the span of its name: 1, or an unknown if
-    /// units are inferred.
+    /// Unit that the checker assumes for the declaration whose name has the source span `name`, and which states no
+    /// unit: 1, or an unknown if units are inferred.
     pub fn term(&self, name: Span) -> Term {
         self.terms.get(&name).cloned().unwrap_or_else(Term::one)
     }
@@ -47,9 +48,9 @@ impl Unitless {
 }
 
 impl<'a> Checker<'a> {
-    /// Records the declarations without a unit. If units are inferred, the unknowns of these declarations are created
-    /// before those of declarations with `[?]`, because `Units::equate` solves for the newest unknown, here that of
-    /// `[?]`.
+    /// Records the declarations without a unit. If units are inferred, this creates their unknown units, which must
+    /// precede those of declarations with `[?]`: `Units::equate` solves for the unknown that was created last, so that
+    /// it solves for the units written as `[?]` first.
     pub fn declare_unitless(&mut self) {
         let file = self.file;
         for item in &file.items {
@@ -65,8 +66,9 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Records the declarations without a unit on which the expressions `sides` of a unit error depend, directly or
-    /// through auxiliary variables, for [`Checker::suggest_units`].
+    /// Records possible causes of a unit error for [`Checker::suggest_units`]: the declarations without a unit on which
+    /// the inconsistent expressions `sides` depend, directly or through auxiliary variables. `fault` is the source span
+    /// of the error.
     pub fn suspect_unitless(&mut self, fault: Span, sides: &[&Typed]) {
         if self.unitless.suspects.len() >= MAX_SHOWN || self.unitless.terms.is_empty() {
             return;
@@ -88,7 +90,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Records the declaration of a name as a possible cause of a unit error, if that declaration has no unit.
+    /// Records the declaration whose name has the source span `name` as a possible cause of the unit error at `fault`,
+    /// if that declaration states no unit.
     pub fn suspect_declaration(&mut self, fault: Span, name: Span) {
         if !self.unitless.terms.contains_key(&name) {
             return;

@@ -18,15 +18,16 @@ const ANGULAR_VELOCITY: &str = "angular_velocity";
 const SPECIFIC_FORCE: &str = "specific_force";
 const ANGULAR_ACCELERATION: &str = "angular_acceleration";
 
-/// Text of the requirement of an effect that refers to the mass, position, velocity or specific force of the body.
+/// Requirement, as shown in messages, of an effect that uses the mass, position, velocity or specific force of the
+/// body.
 const BODY: &str = "a body or a point";
-/// Text of the requirement of an effect that refers to moments, angular rates or the body-fixed frame.
+/// Requirement, as shown in messages, of an effect that uses moments, angular rates or the body-fixed frame.
 const TURNING: &str = "a body that turns";
 
-/// Requirement of an effect that a model does not meet.
+/// A requirement for the application of an effect that the model does not meet.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Unmet {
-    /// The effect is restricted to other models (`on`).
+    /// The effect is restricted to certain models by `on MODEL, …`, and this model is not one of them.
     #[error("it is made for {}", .models.join(", "))]
     OtherModel {
         /// Names of the models to which the effect is restricted.
@@ -48,7 +49,7 @@ pub enum Unmet {
         /// Kind (vector or number) and unit of the model's quantity, such as `a vector in m/s`.
         found: String,
     },
-    /// The model has no statement that the effect's `replace` could refer to.
+    /// The effect contains a `replace` statement, but the model has no corresponding statement to be replaced.
     #[error("the model has no {what} to replace")]
     Replaced {
         /// Description of the statement that the effect replaces.

@@ -1,6 +1,6 @@
 //! Instruments mounted on a body, and the default definitions of the quantities that they measure.
 
-/// An instrument whose reading is predicted by an auxiliary variable of the model.
+/// An instrument on the body. An auxiliary variable of the model predicts the measured value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Instrument {
     /// Measures the angular velocity of the body, rad/s, with components in the frame of the model's marker.
@@ -8,7 +8,8 @@ pub enum Instrument {
     /// Measures the specific force at the position of the model's marker, m/s², with components in the frame of the
     /// marker.
     Accelerometer,
-    /// Measures a speed, m/s: that of the centre of mass over ground unless the model declares another `speed`.
+    /// Measures a speed, m/s: the speed of the centre of mass over ground, unless the model declares an auxiliary
+    /// variable `speed` with another definition.
     Speed,
 }
 
@@ -25,7 +26,7 @@ impl Instrument {
         }
     }
 
-    /// Number of scalar components of a reading: 3 for a vector, 1 for a speed.
+    /// Number of scalar components of the measured quantity: 3 for a vector, 1 for a speed.
     pub fn components(self) -> usize {
         match self {
             Self::Gyroscope | Self::Accelerometer => 3,
@@ -34,7 +35,7 @@ impl Instrument {
     }
 
     /// Default definition of the quantity that the instrument measures, as a `let` statement. `frame` is the name of
-    /// the frame of the reading's components, and `marker` is the name of the vector from the centre of mass to the
+    /// the frame of the measured components, and `marker` is the name of the vector from the centre of mass to the
     /// instrument.
     pub(super) fn definition(self, frame: &str, marker: &str) -> String {
         match self {

@@ -13,16 +13,15 @@ use crate::model::Model;
 pub enum Origin {
     /// The effect is declared in the model's file.
     Own,
-    /// The effect is built in and made for a family of models.
+    /// A built-in effect that is written for a certain family of models, such as flying discs.
     Specific,
-    /// The effect is built in, for models of any kind.
+    /// A built-in effect that is written for models of any kind.
     General,
     /// The effect is generated for a stated equation of the model.
     Equation,
 }
 
-/// Reason why an effect is not a candidate, that is, why a diagnosis does not propose the effect as missing from a
-/// model.
+/// Reason why a diagnosis does not propose an effect as missing from a model.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Refused {
     /// The model does not meet a requirement of the effect.
@@ -31,8 +30,8 @@ pub enum Refused {
     /// The effect is already applied to the model.
     #[error("it is switched on")]
     Applied,
-    /// The effect generalises a more specific effect that is applicable to the model, so only the specific one is a
-    /// candidate.
+    /// The effect is the general form of a more specific effect that is applicable to the model; the diagnosis proposes
+    /// only the specific effect.
     #[error("`{by}` says it of this model")]
     Covered {
         /// Name of the more specific effect.
@@ -40,7 +39,8 @@ pub enum Refused {
     },
 }
 
-/// An effect that can be found by name for a model, with the reason, if any, why a diagnosis does not propose it.
+/// An effect that can be applied to a model by name, and whether a diagnosis may propose the effect as missing from the
+/// model.
 #[derive(Clone, Debug)]
 pub struct KnownEffect {
     /// Syntax tree of the effect.

@@ -10,8 +10,8 @@ use crate::syntax::ast::{Equation, ExprKind, File, ItemKind, State, UnitExpr, Un
 /// Maximum number of stated equations for which effects are generated; further equations get no effects.
 const MAX_EQUATIONS: usize = 24;
 
-/// Generates the effects of the stated equations, except equations whose right-hand side is only the name of a state;
-/// empty if the model has a body.
+/// Generates three effects per stated equation, each of which adds a term to the derivative of the state. Equations
+/// whose right-hand side is only the name of a state are skipped. Empty if the model has a body.
 pub(super) fn rate_effects(file: &File) -> Vec<EffectTree> {
     let has_body = file
         .items
@@ -59,9 +59,9 @@ fn is_state(equation: &Equation, states: &BTreeSet<&str>) -> bool {
     matches!(&equation.value.kind, ExprKind::Name(name) if states.contains(name.as_str()))
 }
 
-/// Generates three effects for the equation of a state. Each adds one term to the state's derivative: a constant, a
-/// multiple of time, or a multiple of the state. The smallest effect size of interest of each coefficient is 0.001 in
-/// the unit of the coefficient.
+/// Generates three effects for the equation of a state. Each adds one term to the derivative of the state: a constant,
+/// a multiple of time, or a multiple of the state. The smallest effect size of interest of each coefficient (the
+/// departure from 0 that matters in practice) is 0.001 in the unit of the coefficient.
 fn of_equation(state: &State) -> impl Iterator<Item = EffectTree> {
     let name = &state.name.text;
     let per = |seconds: i32| format!("[{}]", per_second(state.value.unit.as_ref(), seconds));

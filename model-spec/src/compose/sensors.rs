@@ -13,12 +13,12 @@ use super::ModelTree;
 use super::instrument::Instrument;
 
 impl ModelTree {
-    /// Returns the model with an auxiliary variable for each of the instruments. A variable that the model does not
-    /// declare is added with the default definition of the instrument's quantity.
+    /// Returns the model with an auxiliary variable for each of `instruments`. If the model does not declare that
+    /// variable, the default definition of the measured quantity is added.
     ///
     /// # Errors
-    /// [`LoadError::Faults`] if the default definition of an instrument is invalid for the model, such as a gyroscope
-    /// on a point mass.
+    /// [`LoadError::Faults`] if the default definition for an instrument is invalid in the model, such as that of a
+    /// gyroscope for a point mass.
     pub fn with_instruments(&self, instruments: &[Instrument]) -> Result<ModelTree, LoadError> {
         let mut tree = self.clone();
         for instrument in instruments {

@@ -17,11 +17,11 @@ pub struct AppliedEffect {
     pub variables: Vec<String>,
     /// Literature reference of the effect (`source` statement); empty if there is none.
     pub citation: String,
-    /// Sentence that describes the effect if its first coefficient exceeds the null value (`increases "…"` statement);
-    /// empty if not stated.
+    /// Sentence that describes the effect if its first coefficient exceeds its null value (the value at which the
+    /// effect is absent), from the statement `increases "…"`; empty if not stated.
     pub increases: String,
-    /// Sentence that describes the effect if its first coefficient is below the null value (`decreases "…"` statement);
-    /// empty if not stated.
+    /// Sentence that describes the effect if its first coefficient is below its null value (the value at which the
+    /// effect is absent), from the statement `decreases "…"`; empty if not stated.
     pub decreases: String,
     /// Coefficients that the effect adds; [`EffectUnknown::index`] refers to [`Model::coefficients`].
     pub coefficients: Vec<EffectUnknown>,
@@ -31,9 +31,9 @@ pub struct AppliedEffect {
 }
 
 impl AppliedEffect {
-    /// Sentence that describes the effect if its first coefficient differs from the null value by `departure`:
-    /// [`AppliedEffect::increases`] or [`AppliedEffect::decreases`], or the documentation if that sentence is not
-    /// stated.
+    /// Sentence that describes the effect for `departure`, the first coefficient minus its null value:
+    /// [`AppliedEffect::increases`] if positive, [`AppliedEffect::decreases`] if negative. The documentation of the
+    /// effect if `departure` is 0 or that sentence is empty.
     pub fn sentence(&self, departure: f64) -> &str {
         let stated = if departure > 0.0 {
             &self.increases
@@ -57,14 +57,15 @@ pub struct OfferedEffect {
     pub span: Span,
 }
 
-/// A coefficient of an effect, or the initial value of a state of an effect, with the null value at which the effect is
-/// absent.
+/// An unknown quantity that an effect adds: a coefficient, or the initial value of a state. At its null value the
+/// effect is absent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EffectUnknown {
     /// Index into [`Model::coefficients`] for a coefficient, or into [`Model::states`] for a state.
     pub index: usize,
     /// Value at which the effect is absent, SI; equal to the default value.
     pub null_value: f64,
-    /// Smallest effect size of interest, as a distance from the null value, SI; `None` if not stated.
+    /// Smallest departure from the null value that matters in practice (smallest effect size of interest), SI; `None`
+    /// if not stated.
     pub smallest_of_interest: Option<f64>,
 }

@@ -10,9 +10,10 @@ pub use crate::syntax::ast::{Continuation, Interpolation};
 ///
 /// With [`Interpolation::Spline`], the second derivative is continuous between the first and the last knot. With linear
 /// continuation it is zero at both end knots (natural cubic spline), so it is continuous everywhere. With constant
-/// continuation the slope is zero at both end knots (clamped cubic spline). With [`Interpolation::Monotone`], the
-/// slopes at the inner knots are those of Fritsch and Butland (1984), weighted by the intervals. The slopes at the end
-/// knots are one-sided three-point slopes limited to preserve the shape, or zero with constant continuation.
+/// continuation the slope is zero at both end knots (clamped cubic spline). With [`Interpolation::Monotone`], the slope
+/// at an inner knot is the weighted harmonic mean of the slopes of the two adjacent chords (Fritsch and Butland 1984),
+/// with weights from the chords' widths. The slopes at the end knots are one-sided three-point estimates limited to
+/// preserve the shape, or zero with constant continuation.
 #[derive(Clone, Debug)]
 pub struct Table {
     /// Name by which expressions call the table.
@@ -29,9 +30,9 @@ pub struct Table {
     pub unit_texts: [String; 2],
     /// Pairs of argument and value at the knots, SI: at least 3 pairs, arguments strictly increasing, all finite.
     pub knots: Vec<(f64, f64)>,
-    /// Interpolation between the knots.
+    /// Method of interpolation between the knots.
     pub interpolation: Interpolation,
-    /// Continuation below the first knot and above the last knot.
+    /// Method of extrapolation below the first and above the last knot.
     pub continuation: Continuation,
     /// Source span of the name in the declaration.
     pub span: Span,

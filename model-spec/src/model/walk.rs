@@ -99,8 +99,9 @@ impl Model {
         raw.split_whitespace().collect::<Vec<_>>().join(" ")
     }
 
-    /// Indices of the states whose initial values have a default, so that a flight need not state them. In a model with
-    /// a body, these are all states that are not the body's; without a body, the states of effects.
+    /// Indices of the states whose initial values have a default, so that the data of a flight need not state them. In
+    /// a model with a body, these are all states except position, velocity, attitude and angular velocity of the body;
+    /// in a model without a body, the states that effects add.
     pub fn added_states(&self) -> Vec<usize> {
         let of_effects = |state: &usize| {
             self.effects

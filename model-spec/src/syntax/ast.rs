@@ -16,7 +16,7 @@ pub use table::{Continuation, Interpolation, Table};
 pub struct File {
     /// Documentation: the `//!` lines of the file.
     pub doc: String,
-    /// Statements in order; those of applied effects come last.
+    /// Statements in the order of the file, followed by the statements that applied effects add.
     pub items: Vec<Item>,
     /// Applied effects, in order of application.
     pub applied: Vec<Applied>,
@@ -38,11 +38,14 @@ pub struct Applied {
     pub variables: Vec<String>,
     /// Literature reference of the effect; empty if none is stated.
     pub citation: String,
-    /// Sentence that describes the effect if its first coefficient exceeds the null value; empty if none is stated.
+    /// Sentence that describes the effect if its first coefficient exceeds its null value (the value at which the
+    /// effect is absent); empty if none is stated.
     pub increases: String,
-    /// Sentence that describes the effect if its first coefficient is below the null value; empty if none is stated.
+    /// Sentence that describes the effect if its first coefficient is below its null value (the value at which the
+    /// effect is absent); empty if none is stated.
     pub decreases: String,
-    /// Smallest effect sizes of interest, as stated by `negligible`: name of a coefficient or state, and size.
+    /// Smallest effect sizes of interest, as stated by `negligible`: name of a coefficient or state, and smallest
+    /// departure from its null value that matters in practice.
     pub negligible: Vec<(Name, Quantity)>,
     /// Quantities of the model that the effect needs, without quantities that a fallback expression replaces.
     pub needs: Vec<Need>,
@@ -57,8 +60,8 @@ pub struct Item {
     pub doc: String,
     /// Source span from the first word of the statement to its end.
     pub span: Span,
-    /// Index into [`File::applied`] of the effect that added or replaced the statement; `None` for a statement of the
-    /// model's file.
+    /// Index into [`File::applied`] of the effect that added this statement or replaced it; `None` for an unchanged
+    /// statement of the model's file.
     pub effect: Option<usize>,
 }
 
@@ -91,7 +94,7 @@ pub enum ItemKind {
     Marker(Marker),
     /// Measurement equation: `observe NAME = …;`
     Observe(Observe),
-    /// Rate of flight time relative to measured time: `clock EXPR;`
+    /// Rate of true time relative to recorded time (the time stamps of the measurements): `clock EXPR;`
     Clock(Expr),
     /// Validity limit: `limit … > bound "reason";`
     Limit(Limit),
@@ -283,7 +286,8 @@ pub enum BodyPartKind {
     Velocity([Name; 3], Name),
     /// `angular velocity (p, q, r) in FRAME;`: names of the angular-velocity states, and their frame.
     AngularVelocity([Name; 3], Name),
-    /// `angular velocity in FRAME;`: frame of the components of `angular_velocity` in expressions.
+    /// `angular velocity in FRAME;`: frame in which the vector `angular_velocity` has its components when expressions
+    /// use it.
     AngularVelocityIn(Name),
 }
 
@@ -354,18 +358,18 @@ pub struct Observe {
     pub value: Expr,
 }
 
-/// A validity limit: the model is valid where the value exceeds the bound.
+/// A validity limit: the model is valid only where the expression `value` exceeds `bound`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Limit {
     /// Scalar expression that must exceed the bound.
     pub value: Expr,
     /// Lower bound of the expression.
     pub bound: Quantity,
-    /// Reason why the model is invalid where the condition fails, for messages.
+    /// Reason why the model is invalid where the expression does not exceed the bound, for messages.
     pub reason: String,
 }
 
-/// A check case: values to set, and expected results.
+/// A test case, `check "title" { … }`: values to set, and results expected for these values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Check {
     /// Title of the check case; no other check case of the file has the same title.

@@ -14,16 +14,17 @@ use super::{ChannelEntry, LibraryFile, VariableEntry};
 use crate::model::{Body, Expr, ExprKind, Model, Shape};
 use crate::unit::Unit;
 
-/// Maximum number of leading variables of the generated library of which all products of two are formed.
+/// Maximum number of variables, in order of rank, of which all products of two (squares included) are formed.
 const MAX_IN_PRODUCTS: usize = 4;
 
-/// Maximum number of variables of the generated library that are taken from the model's auxiliary variables.
+/// Maximum number of auxiliary variables of the model that become variables of the generated term library.
 const MAX_NAMED: usize = 3;
 
-/// Maximum number of variables of the generated library that are taken from the states of a model without a body.
+/// Maximum number of states of a model without a body that become variables of the generated term library.
 const MAX_STATES: usize = 6;
 
-/// Maximum number of stated equations that become channels of the generated library; further equations are skipped.
+/// Maximum number of stated differential equations that become channels of the generated term library; further
+/// equations are skipped.
 const MAX_EQUATIONS: usize = 8;
 
 /// `needs` statement of every generated effect that uses `air_velocity`, the velocity of the body relative to the air.
@@ -33,8 +34,8 @@ const ALONG: &str = "unit(in_inertial(air_velocity))";
 const LEFT: &str = "unit(cross(inertial.3, in_inertial(air_velocity)))";
 const WEIGHT: &str = "mass*(9.80665 [m/s^2])";
 
-/// A variable of the generated library, with its definition. Variables are sorted by ascending rank (0 to 4); products
-/// of two are formed of the first [`MAX_IN_PRODUCTS`] variables.
+/// A variable of the generated term library, with its definition. `rank` (0 to 4) is its priority: variables are sorted
+/// by ascending rank, and products of two are formed only of the first [`MAX_IN_PRODUCTS`] variables.
 struct Variable {
     name: String,
     definition: String,
@@ -42,7 +43,8 @@ struct Variable {
     rank: u8,
 }
 
-/// Generates the library of a model; `None` if the model has neither a body nor an equation that becomes a channel.
+/// Generates a term library for a model; `None` if the model has neither a body nor a stated equation that becomes a
+/// channel.
 pub(super) fn library(model: &Model) -> Option<LibraryFile> {
     let (mut loads, channels) = match &model.body {
         Some(body) => channels_of_body(model, body),
@@ -82,8 +84,8 @@ pub(super) fn library(model: &Model) -> Option<LibraryFile> {
     })
 }
 
-/// Factor names of all products: the constant 1, each variable, and each product of two of the first
-/// [`MAX_IN_PRODUCTS`] variables.
+/// Names of the factors of each product: none for the constant 1, each variable alone, and each pair of the first
+/// [`MAX_IN_PRODUCTS`] variables (squares included).
 fn products(names: &[String]) -> Vec<Vec<String>> {
     let mut products = vec![Vec::new()];
     products.extend(names.iter().map(|name| vec![name.clone()]));
@@ -228,9 +230,9 @@ fn variables_of_states(model: &Model) -> Vec<Variable> {
         .collect()
 }
 
-/// Variables from the scalar auxiliary variables that vary during a flight and depend on no coefficient: dimensionless
-/// ones first, then rates, then others, each in the order of the file. Forces and moments are excluded; for a body,
-/// also speeds and lengths.
+/// Up to [`MAX_NAMED`] variables, taken from the scalar auxiliary variables that vary during a flight and depend on no
+/// coefficient: dimensionless quantities first, then rates in rad/s or 1/s, then other quantities, each in the order of
+/// the file. Forces and moments are excluded; in a model with a body, also speeds and lengths.
 fn named_quantities(model: &Model) -> Vec<Variable> {
     let traits = traits(model);
     let loads = [Unit::NEWTON, Unit::NEWTON_METRE];

@@ -8,7 +8,7 @@ use anyhow::Result;
 use identify::{Fit, FitError, FitOptions};
 use sweep::folder::PartsFolder;
 
-/// Number of refits in one part.
+/// Number of refits in one part; a part is a block of consecutive refits whose results are stored in one file.
 pub(super) const LEN: u64 = 16;
 
 /// Name of the column that states whether a refit converged.
@@ -17,7 +17,7 @@ const CONVERGED: &str = "converged";
 /// One refit: its number and the estimated global parameters, SI; `None` if it did not converge.
 pub(super) type Refit = (u64, Option<Vec<f64>>);
 
-/// Number of parts for the given number of refits.
+/// Number of parts, of [`LEN`] refits each, into which `refits` refits are divided.
 pub(super) fn count(refits: u64) -> u64 {
     refits.div_ceil(LEN)
 }
@@ -90,7 +90,8 @@ pub(super) fn table(fit: &Fit, refits: &[Refit]) -> String {
     text + "\n"
 }
 
-/// Reads the refits of a CSV table with `width` estimates per row; `None` if the file is missing or is no such table.
+/// Reads the refits of a CSV table with `width` estimates per row; `None` if the file is missing or does not have this
+/// format.
 fn read(path: &Path, width: usize) -> Option<Vec<Refit>> {
     let text = fs::read_to_string(path).ok()?;
     let row = |line: &str| {

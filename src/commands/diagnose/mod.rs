@@ -99,8 +99,8 @@ pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
 /// Fraction of excluded flights above which a diagnosis is unreliable.
 const MAX_EXCLUDED: f64 = 1.0 / 3.0;
 
-/// Reasons not to rely on a diagnosis; empty if there are none. Large residuals are no such reason, because the
-/// diagnosis explains them.
+/// Reasons not to rely on a diagnosis; empty if there are none. Large residuals do not count as a reason, because the
+/// diagnosis searches for their cause.
 fn reasons_against(found: &Diagnosis) -> Vec<String> {
     let mut reasons = Vec::new();
     let (what, fit) = match &found.after {

@@ -125,7 +125,7 @@ pub fn estimated(
     })
 }
 
-/// A valid marker name made from a label: other characters than letters, digits, `_`, `-` and `.` become `_`.
+/// A valid marker name made from a label: every character except letters, digits, `_`, `-` and `.` is replaced by `_`.
 pub(super) fn name(label: &str) -> String {
     let is_kept = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '.');
     let each = label.chars().map(|c| if is_kept(c) { c } else { '_' });

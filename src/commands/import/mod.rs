@@ -29,11 +29,11 @@ const PAGE: &str = "import.html";
 #[derive(Default)]
 struct Found {
     flights: Vec<Flight>,
-    /// Decisions of the import, as text.
+    /// Text of the decisions made in the import: axes, tracked points, and the first and last sample of each flight.
     decisions: String,
     /// Name of the body if the flights are recorded as its poses; `None` if they are recorded as marker positions.
     pose: Option<String>,
-    /// Decisions and curves of each recording, for the report page.
+    /// Decisions and plotted curves of each recording, for the report page.
     takes: Vec<ImportedTake>,
 }
 
@@ -173,7 +173,7 @@ fn labels(texts: &[String]) -> anyhow::Result<BTreeMap<String, String>> {
     Ok(labels)
 }
 
-/// Adds the throws of the recording `take` to the flights of `all`, and the decisions made to its text and report page.
+/// Adds the flights of the throws in the recording `take`, the decisions made and the figures to `all`.
 fn add(
     take: &Take,
     file: &Path,
@@ -291,7 +291,8 @@ fn add(
     Ok(())
 }
 
-/// Replaces the marker positions of a flight by the recorded poses of the followed body.
+/// Replaces the marker positions of a flight by the poses of the body `followed` in the samples `samples` of the
+/// recording `take`.
 fn of_poses(flight: Flight, samples: &Range<usize>, followed: &Followed, take: &Take) -> Flight {
     let readings = samples
         .clone()

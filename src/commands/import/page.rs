@@ -11,7 +11,8 @@ const AROUND: f64 = 0.5;
 /// Maximum number of pairs of markers whose distances are shown.
 const MOST_PAIRS: usize = 45;
 
-/// A recording with z up, and the points or the body followed in it, from which the figures of flights are made.
+/// Data from which the figures of flights are made: a recording with z up, and the points or the body in it whose
+/// motion is imported.
 pub struct Shown<'a> {
     pub take: &'a Take,
     pub followed: &'a Followed,

@@ -16,7 +16,7 @@ const LARGEST: u64 = 4 << 20;
 pub struct Template {
     /// Name or path of the model; `None` if not stated.
     pub model: Option<String>,
-    /// Known constants, SI.
+    /// Known parameters of the body or its environment, by name, SI.
     pub parameters: BTreeMap<String, f64>,
     /// Markers and their positions on the body, m.
     pub markers: Vec<Marker>,

@@ -21,7 +21,7 @@ pub struct Flown {
     pub ended_by: String,
     /// Horizontal distance from the release to the end, m.
     pub range: f64,
-    /// Lateral distance of the end from the line along the release's heading, left positive, m.
+    /// Lateral distance of the end of the flight from the line along the heading at release, left positive, m.
     pub sideways: f64,
     /// Maximum height, m, and its time, s.
     pub apex: (f64, f64),
@@ -29,9 +29,10 @@ pub struct Flown {
     pub top_speed: f64,
     /// Position of the mass centre at the end, m.
     pub landing: [f64; 3],
-    /// Motion of the body at release, by the quantities of a throw (speed, angles, spin, height).
+    /// Motion of the body at release, expressed in the quantities of a throw (speed, angles, spin, height).
     pub release: Throw,
-    /// Motion of the body at the end of the flight, by the quantities of a throw (speed, angles, spin, height).
+    /// Motion of the body at the end of the flight, expressed in the quantities of a throw (speed, angles, spin,
+    /// height).
     pub end: Throw,
     /// Minimum and maximum angle of attack, deg; `None` for a point mass.
     pub alpha: Option<(f64, f64)>,
@@ -164,8 +165,8 @@ pub fn shown(value: f64) -> f64 {
     (value * 100.0).round() / 100.0 + 0.0
 }
 
-/// Angle of attack, deg: the model's quantity `alpha` if it has one, otherwise the angle relative to the velocity
-/// over the ground; `None` for a body without attitude.
+/// Angle of attack, deg: the model's quantity `alpha` if it has one, otherwise the angle of attack relative to the
+/// velocity over the ground, `motion.nose`; `None` for a body without attitude.
 fn angle_of_attack(
     bound: &BoundModel<'_>,
     body: &CompiledModel,

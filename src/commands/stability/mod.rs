@@ -17,8 +17,8 @@ use super::vector;
 use crate::cli::Stability as Options;
 use crate::{Answer, output};
 
-/// Speeds of the map over speed and spin, m/s. The spins are evenly spaced from 0; `SPINS` states the number of
-/// intervals and the maximum, rpm.
+/// Speeds, m/s, of the grid of the map over speed and spin. The spins of the grid are evenly spaced from 0; [`SPINS`]
+/// states the number of intervals and the maximum, rpm.
 const SPEEDS: [f64; 12] = [
     6.0, 8.0, 10.0, 12.0, 14.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 31.0,
 ];

@@ -142,7 +142,7 @@ pub fn nutation(modes: &Modes) -> Option<&Mode> {
     modes.modes.iter().find(|mode| kinds.contains(&mode.kind))
 }
 
-/// Minimum decay rate, 1/s, of the modes other than the nutation and the neutral modes of heading and spin.
+/// Minimum decay rate, 1/s, of all modes except those of the kinds nutation, heading and spin.
 pub fn slowest(modes: &Modes) -> f64 {
     let others = modes.modes.iter().filter(|mode| {
         !matches!(

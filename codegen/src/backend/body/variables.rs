@@ -45,7 +45,7 @@ impl Variables {
         variables
     }
 
-    /// Name of the variable of statement `k`; `None` if the statement is inlined into its users.
+    /// Name of the variable of statement `k`; `None` if the statement is inlined into the expressions that use it.
     pub fn of_statement(&self, k: usize) -> Option<&str> {
         self.statements[k].as_deref()
     }

@@ -6,14 +6,16 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::hash::Hash;
 
-/// Score of a pair: number of operations saved, then whether the pair depends on parameters only.
+/// Priority of a pair of operands for extraction into a shared definition: number of operations saved, and, among equal
+/// numbers, whether the pair depends on parameters only.
 pub type Score = (usize, bool);
 
 /// Candidate pairs of operands, with the definitions that contain each pair and the number of operations saved by
 /// computing the pair once.
 ///
-/// A score in the heap may be outdated but never too low; it is recomputed when popped. Pairs of equal score are
-/// ordered by pair, so that the result does not depend on the iteration order of a map.
+/// A stored score may be outdated but is never too low; [`next`](Self::next) recomputes it before it returns the pair.
+/// Pairs with equal scores are sorted by their operands, so that the result does not depend on the iteration order of a
+/// hash map.
 #[derive(Debug)]
 pub struct Candidates<P> {
     heap: BinaryHeap<(Score, Reverse<P>)>,

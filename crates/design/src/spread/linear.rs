@@ -33,11 +33,11 @@ impl Landings {
     }
 }
 
-/// Covariance of the landing position (x, y), m², to first order in the scatter of release, wind and parameters.
-/// `near` is the release state of a similar throw, which speeds up finding the state of this one.
+/// Covariance of the landing position (x, y), m², to first order in the scatter of release, wind and parameters. `near`
+/// is the release state of a similar throw, which speeds up the search for the release state of this throw.
 ///
 /// # Errors
-/// [`ThrowFlightError`] if the throw has no flight.
+/// [`ThrowFlightError`] if the throw cannot be flown.
 pub fn landing_covariance(
     flights: &ThrowFlights<'_>,
     throw: &Throw,

@@ -39,12 +39,12 @@ impl Default for SampleOptions {
 /// Spread of the landings of a throw.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spread {
-    /// Distribution of landings to first order in the scatter.
+    /// Distribution of landings by linear propagation of the scatter (to first order).
     pub linear: Landings,
     /// Distribution of landings of sampled flights; `None` if sampling was disabled or fewer than three flights
     /// landed.
     pub sampled: Option<Sampled>,
-    /// Fraction of the sampled flights that land within the circle about the aim; draws without a flight count as
+    /// Fraction of the sampled flights that land within the circle about the aim; draws that cannot be flown count as
     /// outside. `None` without samples.
     pub inside: Option<f64>,
     /// Comparison of the linear with the sampled spread; `None` without samples or if the linear covariance is
@@ -75,7 +75,7 @@ pub const TOLERATED: f64 = 0.15;
 /// m.
 ///
 /// # Errors
-/// [`ThrowFlightError`] if the throw itself has no flight.
+/// [`ThrowFlightError`] if the throw itself, without scatter, cannot be flown.
 pub fn spread(
     flights: &ThrowFlights<'_>,
     throw: &Throw,

@@ -24,7 +24,7 @@ pub struct Sampled {
     pub landings: Landings,
     /// Landing positions (x, y), m.
     pub points: Vec<Vector2<f64>>,
-    /// Number of draws without a flight: a quantity of the throw is out of its range, or the flight leaves the
+    /// Number of draws that cannot be flown: a quantity of the throw is out of its range, or the flight leaves the
     /// model's limits.
     pub failed: usize,
     /// Bands of the paths at increasing distances along the line from release to the mean landing of the linear
@@ -35,11 +35,13 @@ pub struct Sampled {
 /// Quantiles of the paths at the points where they first reach a given distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Band {
-    /// Horizontal distance from the release, m, along the line to the mean landing of the linear spread.
+    /// Horizontal distance from the release, m, measured along the line from the release to the mean landing of the
+    /// linear spread.
     pub distance: f64,
     /// Number of flights that reach this distance.
     pub flights: usize,
-    /// Quantiles of the lateral offset from the line, left positive, m, at each probability of [`QUANTILES`].
+    /// Quantiles of the lateral offset of the paths from this line, left positive, m, at each probability of
+    /// [`QUANTILES`].
     pub left: [f64; 3],
     /// Quantiles of the height, m, at each probability of [`QUANTILES`].
     pub height: [f64; 3],
@@ -116,8 +118,8 @@ pub(super) fn sampled(
     })
 }
 
-/// Lateral offset, left positive, and height, m, where a path first reaches the distance `station` along the line;
-/// `None` if the path does not reach it.
+/// Lateral offset, left positive, and height, m, where a path first reaches the distance `station`, m, along the line
+/// from the release in the direction `along`. `None` if the path does not reach this distance.
 fn pass(
     places: &[Vector3<f64>],
     along: Vector2<f64>,

@@ -11,15 +11,17 @@ const MAX_ITERATIONS: usize = 20;
 /// can be discordant; flights below it carry too little information.
 const MIN_EXPECTED_CHI2: f64 = 10.0;
 
-/// A flight is discordant if its own estimate is less than this fraction of the common estimate.
+/// A flight is discordant if the value estimated from this flight alone is less than this fraction of the common value,
+/// which is estimated from all concordant flights.
 const MIN_SHARE: f64 = 0.25;
 
 /// Flights divided by whether they agree with a common value of one unknown.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Concordance {
-    /// Indices of the flights that contradict the common value.
+    /// Indices of the flights that contradict the value of the unknown on which all other flights agree.
     pub discordant: Vec<usize>,
-    /// Decrease of the weighted sum of squares, χ², of the concordant flights if the unknown has the common value.
+    /// Decrease of the weighted sum of squares, χ², of the concordant flights if the unknown has the value on which
+    /// these flights agree, instead of its value at the linearization point.
     pub chi2_decrease: f64,
 }
 

@@ -181,8 +181,8 @@ fn sign_flip_test(
     SignFlipTest::new(model, &blocks, &given.effects)
 }
 
-/// Groups of columns for [`SignFlipTest::p_values`]: one group for each candidate, empty if the candidate is
-/// conditioned on, then one group for each library term.
+/// Groups of columns for [`SignFlipTest::p_values`]: one group for each candidate, empty for the candidates in
+/// `conditioned_on`, then one group for each library term.
 fn groups(model: &ScoreTestModel, conditioned_on: &[CandidateId]) -> Vec<Vec<ColumnId>> {
     let of_candidates = model
         .candidates()

@@ -158,7 +158,8 @@ impl SignFlipTest {
         observed.into_iter().map(p_value).collect()
     }
 
-    /// Cosines of all flights for one column, scaled to a vector of unit length.
+    /// Value of [`cosine`](Self::cosine) of every flight for the unknown of `column`, scaled to a vector of unit
+    /// length.
     fn unit_cosines(&self, column: ColumnId) -> Vec<f64> {
         let cosines: Vec<f64> = (0..self.flights())
             .map(|f| self.cosine(f, column))
@@ -184,8 +185,8 @@ pub(super) mod tests {
     use super::*;
     use rand_distr::{Distribution, StandardNormal};
 
-    /// Test with `count` flights and two unknowns: the first is about 1, or −1 in the last `opposite` flights; the
-    /// second is random.
+    /// Sign-flip test of `count` simulated flights with two unknowns. The value of the first unknown is about 1, but −1
+    /// in the last `opposite` flights; the second unknown is random.
     pub(in crate::consensus) fn flights(count: usize, opposite: usize) -> SignFlipTest {
         let mut random = ChaCha12Rng::seed_from_u64(4);
         let mut normal = || -> f64 { StandardNormal.sample(&mut random) };

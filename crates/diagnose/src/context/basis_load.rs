@@ -9,12 +9,14 @@ use ode::DifferentiableRhs;
 /// Equations of motion whose parameters are those of a model, followed by one coefficient for each basis function.
 ///
 /// Each additional parameter is the coefficient `c` of a load `c · basis(t, x) · load`. At `c = 0`, the derivative of
-/// the right-hand side by `c` is the derivative by the coefficient of `load`, times `basis(t, x)`.
+/// the right-hand side with respect to `c` is its derivative with respect to the coefficient of `load`, times `basis(t,
+/// x)`.
 pub(crate) struct BasisLoads<'a, B> {
     motion: DifferentiableModelRhs<'a>,
     pattern: Vec<(usize, usize)>,
-    /// For each entry that the basis functions add to the parameter Jacobian: index of the model's entry by the load
-    /// coefficient, and index of the basis function by which that entry is multiplied.
+    /// For each entry that the basis functions add to the parameter Jacobian: index of the model's entry that is the
+    /// derivative with respect to the load coefficient, and index of the basis function by which this entry is
+    /// multiplied.
     sources: Vec<(usize, usize)>,
     own_entries: usize,
     basis: B,

@@ -8,7 +8,7 @@ use model_spec::model::{AppliedEffect, Model};
 pub(crate) struct Candidate {
     /// Name of the effect with hyphens, as shown in reports.
     pub name: String,
-    /// Description of the effect, from the comment in its file.
+    /// Description of the effect: the doc comment of the effect's declaration in the model language.
     pub doc: String,
     /// Sentences that describe the effect if its first coefficient is above (index 0) or below (index 1) its null
     /// value; the general description for an effect that declares no such sentence.

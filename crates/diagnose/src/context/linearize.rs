@@ -15,8 +15,8 @@ use super::score_test_model::ScoreTestModel;
 use super::trajectory_cache::LinearizationPoint;
 
 impl ScoreTestModel {
-    /// Normal equations of every flight by its local parameters and the global parameters, with residuals whitened by
-    /// `noise`.
+    /// Normal equations of every flight for its local parameters and the global parameters, with residuals whitened by
+    /// the noise model `noise`.
     ///
     /// # Errors
     /// [`FitError::Flight`] if a trajectory cannot be integrated; [`FitError::Interrupted`] if the caller cancelled.
@@ -42,8 +42,8 @@ impl ScoreTestModel {
         })
     }
 
-    /// Normal equations of every flight by its local parameters, the global parameters and the coefficients of the
-    /// library terms, with residuals whitened by `noise`.
+    /// Normal equations of every flight for its local parameters, the global parameters and the coefficients of the
+    /// library terms, with residuals whitened by the noise model `noise`.
     ///
     /// # Errors
     /// [`FitError::Flight`] if a trajectory cannot be integrated; [`FitError::Interrupted`] if the caller cancelled.
@@ -82,8 +82,8 @@ impl ScoreTestModel {
         })
     }
 
-    /// Calls `each` with every residual of a flight and the residual's derivatives by the tangent directions of the
-    /// flight's initial state, the global parameters and the coefficients of the library terms.
+    /// Calls `each` with every residual of a flight and the derivatives of the residual with respect to the tangent
+    /// directions of the flight's initial state, the global parameters and the coefficients of the library terms.
     ///
     /// # Errors
     /// [`FitError::Flight`] if the trajectory cannot be integrated.

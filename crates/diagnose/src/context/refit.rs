@@ -25,7 +25,7 @@ const REFIT_STOPPING: StoppingCriteria = StoppingCriteria {
 /// little that its exact minimum does not matter.
 const MISFIT_RATIO: f64 = 3.0;
 
-/// Result of a refit.
+/// Result of fitting the model under test with some candidates included.
 pub(crate) struct Refitted {
     /// Fitted values of all unknowns of the encompassing problem.
     pub iterate: Iterate,

@@ -175,7 +175,7 @@ impl ScoreTestModel {
     }
 
     /// The problem of [`problem_with`](Self::problem_with) in which only the global parameters of `columns` are
-    /// unknowns; derivatives by other parameters are not generated.
+    /// unknowns; the compiled model has no derivatives with respect to other parameters.
     pub fn refit_problem(&self, effects: &[CandidateId], columns: &[ColumnId]) -> FitProblem {
         let fixed = fixed_parameters(&self.encompassing, effects);
         let globals = columns

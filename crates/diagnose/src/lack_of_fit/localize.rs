@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 use super::noise_floor::FlightSeries;
 use super::spline_basis::{SUPPORT, SplineBasis};
 
-/// Fraction of the maximum deviation: the reported time interval extends around the maximum while the deviation is
-/// larger.
+/// Fraction of the maximum deviation. The reported time interval contains the samples around the maximum at which the
+/// deviation is at least this fraction.
 const STRETCH: f64 = 0.5;
 
 /// The largest smooth deviation of a flight's measurements from the fitted model.
@@ -30,8 +30,8 @@ pub struct SmoothMisfit {
     pub p: f64,
 }
 
-/// Largest smooth deviation of a flight, in the coordinate whose spline-fitted residuals exceed noise most; `None` if
-/// there is no residual. The file and p-value are left for the caller to set.
+/// Maximum of the splines fitted to the residuals of one coordinate of a flight: the coordinate for which the splines
+/// exceed noise most. `None` if there is no residual. The fields `file` and `p` are to be set by the caller.
 pub(super) fn greatest_misfit(
     flight: &FlightSeries,
     basis: &SplineBasis,

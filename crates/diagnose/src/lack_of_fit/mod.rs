@@ -44,15 +44,15 @@ const MIN_SAMPLES_PER_KNOT: f64 = 3.0;
 /// than this error cannot be distinguished from 0.
 const INTEGRATION_ERROR: f64 = 0.02;
 
-/// Maximum number of flights whose deviation is described in the report.
+/// Maximum number of flights whose largest smooth deviation is described in the report.
 const MAX_DESCRIBED: usize = 6;
 
 /// Result of the lack-of-fit test: residuals of a fit compared with noise that no smooth motion can follow.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LackOfFit {
-    /// p-value, familywise over the joint test of all flights and the tests of the single flights.
+    /// Familywise p-value of the joint test of all flights and the tests of the single flights.
     pub p: f64,
-    /// p-value of each fitted flight, by file name.
+    /// p-value of the lack-of-fit test of each fitted flight, by file name.
     pub flights: BTreeMap<String, f64>,
     /// Largest smooth deviation of each of the most significant flights, smallest p-value first; empty in a report if
     /// the test passes.
@@ -244,8 +244,8 @@ impl FittedFlight<'_> {
         })
     }
 
-    /// Residuals of the inliers with their derivatives by the local parameters of the flight; the spline basis is
-    /// copied from `from`.
+    /// Residuals of the inliers and their derivatives with respect to the local parameters of the flight; the spline
+    /// basis is copied from `from`.
     fn with_derivatives(&self, fit: &Fit, from: &FlightSeries) -> Result<FlightSeries, FitError> {
         let Some((observed, local)) = fit.flight(self.id) else {
             return Ok(FlightSeries {

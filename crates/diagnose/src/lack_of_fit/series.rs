@@ -10,11 +10,11 @@ use super::spline_basis::{SUPPORT, SplineBasis};
 pub(super) struct Series {
     /// Sample times of the inliers, s.
     pub times: Vec<f64>,
-    /// `sides[sample * count + k]`: residual, m, for `k = 0`; for larger `k`, derivative of the residual by local
-    /// parameter `k − 1` of the flight (tangent direction of the initial state).
+    /// `sides[sample * count + k]`: residual, m, for `k = 0`; for larger `k`, derivative of the residual with respect
+    /// to local parameter `k − 1` of the flight (tangent direction of the initial state).
     pub sides: Vec<f64>,
-    /// Number of values that `sides` contains for each sample: the residual and its derivatives by the local parameters
-    /// of the flight.
+    /// Number of values that `sides` contains for each sample: the residual and its derivatives with respect to the
+    /// local parameters of the flight.
     pub count: usize,
 }
 

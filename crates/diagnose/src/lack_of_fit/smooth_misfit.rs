@@ -9,33 +9,34 @@ use super::noise_floor::FlightSeries;
 use super::series::Series;
 use super::spline_basis::SplineBasis;
 
-/// Minimum eigenvalue of the Gram matrix of the local columns: the residuals' derivatives by the flight's initial
-/// state, scaled to unit norm. Directions with smaller eigenvalues, after projecting out the splines, are dropped,
-/// because the splines reproduce them.
+/// Minimum eigenvalue of the Gram matrix of the local columns (derivatives of the residuals with respect to the
+/// flight's initial state, scaled to unit norm). Directions with smaller eigenvalues after projecting out the splines
+/// are dropped, because the splines reproduce them.
 const MIN_TOLERANCE: f64 = 1e-9;
 
 /// Lack-of-fit statistics of one flight: reduction of its sum of squares by two sets of splines.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct FlightMisfit {
-    /// Statistic of splines with knots a fifth of the flight apart: misfit caused by wrong forces.
+    /// Reduction of the sum of squares by splines with knots a fifth of the flight apart: misfit caused by wrong
+    /// forces.
     pub slow: ScaledStatistic,
-    /// Statistic of splines with several knots for each turn of the body: misfit in marker positions, attitude and
-    /// spin.
+    /// Reduction of the sum of squares by splines with several knots for each turn of the body: misfit in marker
+    /// positions, attitude and spin.
     pub fine: ScaledStatistic,
 }
 
 /// Sums of products over all series of a flight, before and after projecting out one spline basis. Local columns are
-/// the derivatives of the residuals by the flight's initial state.
+/// the derivatives of the residuals with respect to the flight's initial state.
 struct Projection {
     /// Sum of squares of the residuals' projection on the splines.
     squares: f64,
     rank: usize,
-    /// Gram matrix of the local columns after projecting out the splines; `left_gradient` contains the products of
-    /// these columns with the residuals.
+    /// Gram matrix of the local columns after projecting out the splines; `left_gradient` contains the products of the
+    /// projected columns with the residuals.
     left: DMatrix<f64>,
     left_gradient: DVector<f64>,
-    /// Sum of squares of the residuals without projection. Also without projection are `local`, the Gram matrix of the
-    /// local columns, and `gradient`, the products of the local columns with the residuals.
+    /// Sum of squares of the residuals. Splines are not projected out of this sum, of `local` (Gram matrix of the local
+    /// columns), or of `gradient` (products of the local columns with the residuals).
     total: f64,
     local: DMatrix<f64>,
     gradient: DVector<f64>,
@@ -43,8 +44,9 @@ struct Projection {
 }
 
 impl FlightMisfit {
-    /// Tests the residuals of a flight against the noise floor; `None` if the flight has too few samples.
-    /// `least_ratio` is the minimum ratio of the flight's noise to the noise floor, due to the integration error.
+    /// Tests the residuals of a flight against the noise floor; `None` if the flight has too few samples. `least_ratio`
+    /// is the minimum that is assumed for the ratio of the flight's noise to the noise floor, because integration
+    /// errors also contribute to the residuals.
     pub fn new(
         flight: &FlightSeries,
         slow: &SplineBasis,

@@ -10,15 +10,17 @@ use crate::context::{CandidateId, LinearizationPoint, ScoreTestModel};
 use crate::error::DiagnosisError;
 use crate::score_test::{ScoreTests, keep_directions};
 
-/// Minimum score of a direction, in standard deviations, for its contribution to be removed from the residuals.
-/// Removing weaker directions would bias the estimated variance low and distort the autocorrelation.
+/// Minimum score, in standard deviations, of a principal direction of the tested parameters at which the contribution
+/// of this direction is removed from the residuals. Removing directions with a smaller score would bias the estimated
+/// variance low and distort the autocorrelation.
 const MIN_SCORE: f64 = 4.0;
 
 /// Maximum log p-value of the score test of a candidate with states (one value for each flight) at which the states are
 /// estimated along with the other parameters, before the noise is estimated.
 const MAX_LN_P_OF_STATES: f64 = -14.0;
 
-/// Damping added when local parameters are eliminated, relative to the diagonal of JᵀJ.
+/// Damping added to JᵀJ, the normal matrix of a flight's local parameters, when these parameters are eliminated;
+/// relative to the diagonal of JᵀJ.
 const DAMPING: f64 = 1e-12;
 
 impl ScoreTestModel {
@@ -57,8 +59,8 @@ impl ScoreTestModel {
         Ok(self.noise_of(&remaining, unknowns, noise.interval))
     }
 
-    /// The candidates in `conditioned_on`, followed by the significant candidates that have one value for each flight
-    /// (a state).
+    /// The candidates in `conditioned_on`, followed by the significant candidates whose effect is a state with one
+    /// value for each flight.
     fn with_significant_states(
         &self,
         tests: &ScoreTests,

@@ -28,7 +28,7 @@ const INITIAL_SIGMA: f64 = 0.03;
 /// Number of iterations of the expectation maximization.
 const EM_ITERATIONS: usize = 40;
 
-/// Minimum standard deviation of the random walk; prevents division by 0.
+/// Minimum standard deviation of the first value and of the increments of a random walk; prevents division by 0.
 const MIN_SIGMA: f64 = 1e-7;
 
 /// Time history of one missing load coefficient in one flight.
@@ -44,7 +44,8 @@ pub struct LoadHistory {
     pub std_error: Vec<f64>,
 }
 
-/// Load histories by channel of the term library, in the library's order, then by flight; empty without a library.
+/// Estimated load histories: one list for each channel of the term library, in the library's order, with one history
+/// for each flight. Empty without a library.
 pub(crate) fn random_walk_loads(
     model: &ScoreTestModel,
     at: &Iterate,
@@ -82,7 +83,8 @@ pub(crate) fn random_walk_loads(
     histories
 }
 
-/// Standard deviations of the random walk of one channel: of its first value and of its increments between knots.
+/// Standard deviations of the random walk that describes the load coefficient of one channel: of its first value, and
+/// of its increments between knots.
 #[derive(Clone, Copy, Debug)]
 struct WalkSigma {
     first: f64,
@@ -199,7 +201,8 @@ impl FlightLoads {
         Some((-(&covariance * &self.gradient), covariance))
     }
 
-    /// Adds the expected squares of the first value and of the increments of each channel to `sums`.
+    /// For the random walk of each load channel, adds to `sums` the expected squares of the first value and of the
+    /// increments between knots, computed from their posterior mean and covariance.
     fn add_expected_squares(
         &self,
         (mean, covariance): (&DVector<f64>, &DMatrix<f64>),

@@ -6,7 +6,8 @@ use nalgebra::{DMatrix, DVector};
 use crate::context::{ColumnId, ScoreTestModel, select};
 use crate::selection::Hypothesis;
 
-/// Damping added when local parameters are eliminated, relative to the diagonal of JᵀJ.
+/// Damping added to JᵀJ, the normal matrix of a flight's local parameters, when these parameters are eliminated;
+/// relative to the diagonal of JᵀJ.
 const DAMPING: f64 = 1e-12;
 
 /// Information matrix of the global columns from the given normal equations, with the local parameters eliminated;
@@ -29,7 +30,7 @@ pub(super) struct Alternative {
 }
 
 impl Alternative {
-    /// Takes the departures of the hypothesis' coefficients from its fitted iterate.
+    /// Computes the fitted minus the null value of every coefficient of the hypothesis.
     pub fn new(model: &ScoreTestModel, hypothesis: &Hypothesis) -> Self {
         let effects = hypothesis.effects.iter();
         let columns: Vec<ColumnId> = effects

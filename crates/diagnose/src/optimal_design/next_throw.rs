@@ -28,7 +28,8 @@ const SUFFICIENT_SEPARATION: f64 = 3.0;
 /// [`SUFFICIENT_SEPARATION`] to be proposed.
 const MIN_IMPROVEMENT: f64 = 1.3;
 
-/// Name of the vector input for the angular velocity, rad/s, in models of point masses.
+/// Name of the vector input from which a model that describes the body as a point mass reads the angular velocity,
+/// rad/s.
 const ANGULAR_VELOCITY: &str = "omega";
 
 /// Release of the proposed next throw, which would best distinguish the accepted hypotheses.

@@ -17,7 +17,7 @@ pub(super) struct Release {
     pub nose: f64,
     /// Hyzer angle: tilt of the body about the velocity, rad.
     pub hyzer: f64,
-    /// Spin rate about the axis of symmetry, rad/s, with sign.
+    /// Spin rate about the axis of symmetry, rad/s; the sign is that of the rotation about the third body axis.
     pub spin: f64,
     /// Heading of the velocity in the horizontal plane, measured from the x axis, rad.
     pub heading: f64,
@@ -38,8 +38,8 @@ impl Release {
         }
     }
 
-    /// Position, velocity, attitude and angular velocity of the body at the release; attitude and angular velocity
-    /// are `None` for a point mass.
+    /// Position, velocity, attitude and angular velocity of the body when it is released at `height`, m, above the
+    /// ground. Attitude and angular velocity are `None` if `has_attitude` is false (a body modelled as a point mass).
     pub fn motion(&self, height: f64, has_attitude: bool) -> RigidMotion {
         let about = UnitQuaternion::from_axis_angle;
         let path =

@@ -26,7 +26,7 @@ const MAX_FRACTION_OF_BOUNDS: f64 = 0.5;
 /// An effect that the flights cannot distinguish from the parameters of the model under test.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct NotIdentifiable {
-    /// Name of the effect, as in reports.
+    /// Display name of the effect: its identifier in the model language, with hyphens instead of underscores.
     pub name: String,
     /// Names of the confounding coefficients, or `initial states`; empty if the effect does not influence these
     /// flights.
@@ -37,7 +37,7 @@ pub struct NotIdentifiable {
 /// Minimum detectable effect: the smallest size of a coefficient that is detected with probability 0.9.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MinDetectableEffect {
-    /// Name of the effect, as in reports.
+    /// Display name of the effect: its identifier in the model language, with hyphens instead of underscores.
     pub name: String,
     /// Name of the effect's coefficient.
     pub coefficient: String,

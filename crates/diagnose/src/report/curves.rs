@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 /// Number of equal intervals into which the abscissa of a curve is divided.
 const INTERVALS: usize = 24;
 
-/// Minimum number of samples for an interval to be part of the curve.
+/// Minimum number of samples in an interval of the abscissa for the curve to have a point in this interval.
 const MIN_SAMPLES: usize = 4;
 
 /// Quantiles of the abscissa's samples between which the curve is computed.
@@ -29,13 +29,13 @@ pub struct CoefficientCurve {
     pub over: String,
     /// Unit of the abscissa, as text.
     pub unit: String,
-    /// Centres of the intervals, in the unit of the abscissa.
+    /// Centres of the intervals into which the abscissa is divided, in the unit of the abscissa.
     pub x: Vec<f64>,
     /// Medians of the coefficient in the model without the extension, one for each interval of the abscissa.
     pub before: Vec<f64>,
     /// Medians of the coefficient in the extended model, one for each interval of the abscissa.
     pub after: Vec<f64>,
-    /// Number of samples in each interval, without the extension.
+    /// Number of samples in each interval of the abscissa, counted for the model without the extension.
     pub support: Vec<usize>,
 }
 
@@ -84,8 +84,9 @@ struct Interval {
     support: usize,
 }
 
-/// Centres and medians of the intervals with enough samples; `None` if the abscissa has no range. Samples are pairs
-/// (abscissa, value), without and with the extension.
+/// Centres of the intervals of the abscissa that contain enough samples, and the medians in each interval; `None` if
+/// all abscissae are equal or there are no samples. The arguments are samples (abscissa, value) of the models without
+/// and with the extension.
 fn medians(
     mut before: Vec<(f64, f64)>,
     mut after: Vec<(f64, f64)>,

@@ -56,8 +56,8 @@ fn answer(report: &Report) -> String {
     }
 }
 
-/// Name of the single effect that the second of two causes contains in addition to those of the first; `None` if the
-/// causes differ in another way.
+/// If there are two explanations (`causes`), and the second consists of all effects of the first and one more effect:
+/// name of this further effect; otherwise `None`.
 fn undecided(causes: &[Cause]) -> Option<String> {
     let [first, second] = causes else {
         return None;

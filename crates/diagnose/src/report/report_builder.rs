@@ -437,8 +437,8 @@ mod tests {
     use crate::selection::Search;
     use crate::test_support::mystery;
 
-    /// Report of a fit that did not converge, on flights of which the first has no samples. The second value states
-    /// whether the search was significant before and after its detection threshold was set to −∞.
+    /// Report of a fit that did not converge; the first of its flights has no samples. The array states whether a model
+    /// error is detected with the usual detection threshold and with the threshold −∞.
     fn report_of_faulty_fit() -> (Report, [bool; 2]) {
         let mut dataset = mystery(4);
         dataset.flights[0]

@@ -80,7 +80,8 @@ fn departure(found: &SmoothMisfit) -> String {
     format!("{file}, {coordinate} by {sign}{size} at {from_s:.2} to {to_s:.2} s")
 }
 
-/// Names of effects as in reports, joined by "with".
+/// Display names (with hyphens instead of underscores) of the effects with the identifiers `effects`, joined by " with
+/// ".
 pub(crate) fn display_names(effects: &[String]) -> String {
     let names: Vec<String> = effects.iter().map(|name| display_name(name)).collect();
     names.join(" with ")

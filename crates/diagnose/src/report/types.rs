@@ -67,7 +67,8 @@ pub struct Report {
     /// Lack of fit that no candidate effect explains; `None` if there is none.
     #[serde(rename = "outside")]
     pub unattributed: Option<Unattributed>,
-    /// Agreement between flights, if the causes do not explain the entire misfit of every flight; otherwise `None`.
+    /// Agreement of the flights on the explanations in `causes`; `None` if these explain the entire misfit of every
+    /// flight.
     #[serde(rename = "agreement")]
     pub consensus: Option<Consensus>,
     /// Lack-of-fit test of the residuals of the final model; `None` if the residuals are too few to separate noise
@@ -79,15 +80,15 @@ pub struct Report {
     /// Whether every fit converged.
     #[serde(default = "converged_by_default")]
     pub converged: bool,
-    /// Whether the search was completed. If false, the report contains the best result before the time or the steps
-    /// were used up.
+    /// Whether the search was completed. If false, the deadline or the maximum number of least-squares steps was
+    /// reached, and the report contains the best result until then.
     #[serde(default = "converged_by_default")]
     pub complete: bool,
     /// Messages on limitations of the result.
     pub notes: Vec<String>,
 }
 
-/// Default of `converged` and `complete` for reports written before these fields existed.
+/// Value (`true`) of `converged` and `complete` in reports that were written before these fields existed.
 fn converged_by_default() -> bool {
     true
 }
@@ -116,35 +117,37 @@ pub enum Verdict {
 pub struct Cause {
     /// The effects that the model lacks according to this explanation.
     pub effects: Vec<CauseEffect>,
-    /// Decrease of the weighted sum of squares, χ², when the effects are included.
+    /// Decrease of the weighted sum of squares, χ², when the effects of this explanation are added to the model under
+    /// test.
     #[serde(rename = "gain")]
     pub chi2_decrease: f64,
-    /// Fraction of the excess χ² (misfit beyond noise that a smooth motion could remove) that this cause explains, 0
-    /// … 1.
+    /// Fraction, 0 … 1, of the excess χ² (misfit beyond noise that a smooth motion could remove) that this explanation
+    /// accounts for.
     #[serde(default)]
     pub explained: f64,
-    /// Root mean square of the residuals in excess of the noise once this cause is included in the model, m.
+    /// Root mean square of the residuals in excess of the noise, m, of the model that includes the effects of this
+    /// explanation.
     #[serde(default)]
     pub remaining_m: f64,
-    /// The most significant other candidate once the effects of this cause are included; `None` if no other candidate
-    /// can be tested.
+    /// The most significant candidate outside this explanation, tested with the effects of this explanation included in
+    /// the model; `None` if no such candidate can be tested.
     #[serde(rename = "rival")]
     pub strongest_remaining: Option<RemainingEffect>,
 }
 
-/// The most significant candidate effect that a cause does not include.
+/// The most significant candidate effect that an explanation (a [`Cause`]) does not include.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RemainingEffect {
-    /// Name of the effect, as in reports.
+    /// Display name of the effect: its identifier in the model language, with hyphens instead of underscores.
     pub name: String,
-    /// p-value of the effect's score test with the cause included.
+    /// p-value of the effect's score test in the model that includes the effects of the explanation.
     pub p: f64,
 }
 
-/// One effect of a cause, with the estimates of its coefficients.
+/// One effect of an explanation (a [`Cause`]), with the estimates of its coefficients.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CauseEffect {
-    /// Name of the candidate effect, or of the effect generated from library terms.
+    /// Display name, with hyphens, of the candidate effect or of the effect generated from library terms.
     pub name: String,
     /// Description of the effect; for candidates, according to the sign of the estimate.
     pub doc: String,
@@ -154,7 +157,8 @@ pub struct CauseEffect {
     pub variables: Vec<String>,
     /// Estimates of the effect's coefficients by name; for a state, the root mean square over the flights.
     pub estimates: BTreeMap<String, Estimate>,
-    /// Score statistic of the effect, χ², with only the model under test included.
+    /// Score statistic of the effect, χ², tested at the fit of the model under test; 0 for an effect generated from
+    /// library terms.
     pub statistic: f64,
     /// Whether every estimate is below the smallest effect size of interest.
     #[serde(rename = "immaterial")]
@@ -204,7 +208,7 @@ pub struct Coefficient {
 /// Result of the score test of one candidate effect.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CandidateTest {
-    /// Name of the effect, as in reports.
+    /// Display name of the effect: its identifier in the model language, with hyphens instead of underscores.
     pub name: String,
     /// Description of the effect.
     pub doc: String,
@@ -252,7 +256,7 @@ pub struct ScoreCorrelations {
     pub matrix: Vec<Vec<f64>>,
 }
 
-/// Residuals of one flight without and with the extension.
+/// RMS residuals of one flight in the model without and with the extension.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FlightGain {
     /// File name of the flight.
@@ -272,25 +276,25 @@ pub struct FlightGain {
     pub rms_after_m: Option<f64>,
 }
 
-/// Lack of fit that no candidate effect explains, located by load channel and library terms.
+/// Lack of fit that no candidate effect explains, with the loads and library terms that would reduce it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Unattributed {
     /// Sentences that state where the lack of fit is located.
     pub says: String,
-    /// Missing loads, by load channel.
+    /// Estimated missing load of each load channel.
     pub channels: Vec<LoadChannel>,
     /// Tested terms of the term library, most significant first.
     pub terms: Vec<StepwiseTerm>,
 }
 
-/// Agreement of the flights on causes that do not explain the entire misfit; the remaining misfit differs from flight
-/// to flight.
+/// Agreement of the flights on the accepted explanations, which leave part of the misfit unexplained; the remaining
+/// misfit differs from flight to flight.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Consensus {
-    /// Number of fitted flights on whose agreement the causes are based; discordant flights are not counted.
+    /// Number of fitted flights on whose agreement the explanations are based; discordant flights are not counted.
     pub flights: usize,
     /// Fraction, 0 … 1, of the excess χ² (weighted sum of squares minus its expectation for pure noise) that the first
-    /// cause explains; `None` if the causes explain the concordant flights entirely.
+    /// explanation accounts for; `None` if the explanations account for the entire misfit of the concordant flights.
     #[serde(rename = "part")]
     pub explained: Option<f64>,
     /// p-value of the sign-flip test, familywise over all candidates and library terms.

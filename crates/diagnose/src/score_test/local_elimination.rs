@@ -21,7 +21,7 @@ pub(crate) struct GlobalEquations {
 #[derive(Clone, Debug)]
 pub(super) struct PerFlightCandidate {
     pub equations: GlobalEquations,
-    /// Decrease of the sum of squares by fitting the candidate's states, global parameters fixed.
+    /// Decrease of the weighted sum of squares by fitting the candidate's states with the global parameters fixed.
     pub decrease: f64,
     /// Number of the candidate's states that the flights determine.
     pub dof: usize,
@@ -30,11 +30,10 @@ pub(super) struct PerFlightCandidate {
 /// Normal equations of the global columns, summed over all flights.
 #[derive(Clone, Debug)]
 pub(super) struct LocalElimination {
-    /// Equations under the null hypothesis: states of candidates that are not conditioned on are fixed at their null
-    /// values.
+    /// Normal equations under the null hypothesis: the states of all tested candidates are fixed at their null values.
     pub null: GlobalEquations,
-    /// For each per-flight candidate that is tested: equations in which its states are estimated; `None` for all
-    /// other candidates.
+    /// For each tested per-flight candidate: normal equations in which the states of this candidate are estimated;
+    /// `None` for all other candidates.
     pub candidates: IndexVec<CandidateId, Option<PerFlightCandidate>>,
 }
 
@@ -171,14 +170,14 @@ pub(crate) fn eliminate_locals(
     })
 }
 
-/// Restricts the normal equations to the local directions in `local`; the unknowns of all other directions remain
-/// fixed.
+/// Restricts the normal equations of one flight to the tangent directions of its initial state that are listed in
+/// `local`; the unknowns of all other directions remain fixed.
 pub(crate) fn keep_directions(block: &NormalBlock, local: &[DirectionId]) -> NormalBlock {
     promote_directions(block, local, &[])
 }
 
-/// Restricts the normal equations to the local directions in `local`, and moves the directions in `promoted` in front
-/// of the global columns.
+/// Restricts the normal equations of one flight to the tangent directions of its initial state that are listed in
+/// `local` and `promoted`. The directions in `promoted` become global columns, in front of all other global columns.
 fn promote_directions(
     block: &NormalBlock,
     local: &[DirectionId],

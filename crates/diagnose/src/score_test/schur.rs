@@ -14,15 +14,17 @@ pub(super) fn inverse_sqrt(value: f64) -> f64 {
 /// Score and information of the tested columns after the nuisance parameters are projected out.
 #[derive(Clone, Debug)]
 pub(super) struct EffectiveScore {
-    /// Effective information of the tested columns: the Schur complement H_tt − H_tn H_nn⁻¹ H_nt, with rows and
-    /// columns scaled.
+    /// Effective information of the tested columns: the Schur complement H_tt − H_tn H_nn⁻¹ H_nt, with rows and columns
+    /// scaled. H is the Hessian of half the sum of squares; `t` denotes tested, `n` nuisance columns.
     pub information: DMatrix<f64>,
-    /// Effective score −(g_t − H_tn H_nn⁻¹ g_n), with each entry scaled.
+    /// Effective score −(g_t − H_tn H_nn⁻¹ g_n) of the tested columns `t`, with each entry scaled. H and g are the
+    /// Hessian and the gradient of half the sum of squares; `n` denotes nuisance columns.
     pub score: DVector<f64>,
-    /// Projection coefficients H_nn⁻¹ H_nt: one row for each nuisance column, one scaled column for each tested
-    /// column.
+    /// Projection coefficients H_nn⁻¹ H_nt, where H is the Hessian of half the sum of squares: one row for each
+    /// nuisance column `n`, one scaled column for each tested column `t`.
     pub nuisance_projection: DMatrix<f64>,
-    /// Step −H_nn⁻¹ g_n of the nuisance parameters with the tested parameters fixed.
+    /// Step −H_nn⁻¹ g_n of the nuisance parameters `n` with the tested parameters fixed, from the Hessian H and the
+    /// gradient g of half the sum of squares.
     pub nuisance_step: DVector<f64>,
 }
 

@@ -19,11 +19,11 @@ pub(crate) const MIN_TOLERANCE: f64 = 1e-8;
 /// Seed of the simulated null distribution from which thresholds are computed.
 const THRESHOLD_SEED: u64 = 1;
 
-/// Score tests of candidates and terms. The parameters of the model under test and of the candidates conditioned on
-/// are nuisance parameters.
+/// Score tests of candidates and library terms. The parameters of the model under test, and of candidates that are
+/// included in the null hypothesis, are nuisance parameters.
 #[derive(Clone, Debug)]
 pub(crate) struct ScoreTests {
-    /// Test of each candidate; `None` if the candidate is conditioned on.
+    /// Test of each candidate; `None` if the parameters of the candidate are nuisance parameters.
     pub candidates: IndexVec<CandidateId, Option<ScoreTest>>,
     /// Test of each library term; empty if the normal equations have no columns for terms.
     pub terms: IndexVec<TermId, ScoreTest>,
@@ -43,8 +43,8 @@ pub(crate) struct ScoreTests {
     /// Squared norms of each tested column, before and after the local parameters are eliminated.
     pub norms: Vec<ColumnNorms>,
     pub(super) nuisance_step: DVector<f64>,
-    /// Matrix of each test with at least one degree of freedom that maps the effective scores to independent standard
-    /// normal variables; one column for each tested column.
+    /// For each test with at least one degree of freedom: matrix that maps the effective scores of all tested columns
+    /// to independent standard normal variables; one matrix column for each tested column.
     whitenings: Vec<DMatrix<f64>>,
     /// Number of tests of per-flight candidates, whose states are not among the tested columns.
     state_tests: usize,

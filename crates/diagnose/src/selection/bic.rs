@@ -7,12 +7,14 @@ use crate::context::ScoreTestModel;
 /// Maximum difference of a hypothesis' BIC from the smallest BIC at which the hypothesis is retained.
 const MAX_BIC_DIFFERENCE: f64 = 12.0;
 
-/// Maximum BIC advantage of library terms at which the hypotheses are still preferred.
+/// Maximum amount by which the BIC of library terms may be below the smallest BIC of the hypotheses while the
+/// hypotheses are still preferred.
 const TERM_BIC_MARGIN: f64 = 1.0;
 
 /// Returns the hypotheses whose BIC is near the smallest, without changing their order. Hypotheses with at most `free`
-/// unknowns are retained whatever their BIC. The result is empty if adequate library terms have a smaller BIC. Unknowns
-/// are penalized because several effects together, or one value for each flight, can fit almost any data.
+/// unknowns are retained whatever their BIC. The result is empty if the library terms in `terms` are adequate and their
+/// BIC is smaller by more than [`TERM_BIC_MARGIN`]. Unknowns are penalized because several effects together, or one
+/// value for each flight, can fit almost any data.
 pub(crate) fn select_by_bic(
     model: &ScoreTestModel,
     hypotheses: Vec<Hypothesis>,

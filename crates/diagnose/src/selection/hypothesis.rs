@@ -20,7 +20,8 @@ pub(crate) struct Hypothesis {
     pub iterate: Iterate,
     /// Weighted sum of squares of the residuals at the fitted values.
     pub squares: f64,
-    /// Score tests of all other candidates, with the effects of this hypothesis as nuisance parameters.
+    /// Score tests of all candidates outside this hypothesis, with the effects of this hypothesis as nuisance
+    /// parameters.
     pub tests: ScoreTests,
     /// False if the fit reached the maximum number of steps or was abandoned, as in [`Refitted::is_finished`]; true
     /// otherwise.
@@ -45,8 +46,9 @@ impl Hypothesis {
         strongest.map(|(id, test)| (id, test.ln_p))
     }
 
-    /// Whether the hypothesis can fit almost any data: it has a value for each flight, or many effects. Such a
-    /// hypothesis is accepted only if it improves out-of-sample predictions.
+    /// Whether the hypothesis can fit almost any data: an effect has one value for each flight, or there are more than
+    /// [`MAX_EFFECTS_UNVALIDATED`] effects. Such a hypothesis is accepted only if it improves out-of-sample
+    /// predictions.
     pub fn is_overflexible(&self, model: &ScoreTestModel) -> bool {
         let mut effects = self.effects.iter();
         self.effects.len() > MAX_EFFECTS_UNVALIDATED
@@ -108,8 +110,8 @@ impl ScoreTestModel {
         })
     }
 
-    /// Score tests of all other candidates and of the library terms, with the effects of the hypothesis as nuisance
-    /// parameters.
+    /// Score tests of the library terms and of all candidates outside the hypothesis, with the effects of the
+    /// hypothesis as nuisance parameters.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated.

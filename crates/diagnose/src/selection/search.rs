@@ -8,14 +8,14 @@ use crate::context::{CandidateId, Context, LinearizationPoint, ScoreTestModel, T
 use crate::error::{DiagnosisError, if_possible};
 use crate::score_test::{ScoreTest, ScoreTests};
 
-/// Margin in χ²: a hypothesis is refitted if its expected sum of squares exceeds the smallest expected one by less.
+/// A hypothesis is fitted only if its expected sum of squares, χ², exceeds the smallest expected one by less than this.
 const CHI2_MARGIN: f64 = 30.0;
 
 /// Addition to [`CHI2_MARGIN`] that allows for linearization error, as a fraction of the largest expected decrease of
 /// the sum of squares.
 const CHI2_MARGIN_RELATIVE: f64 = 0.25;
 
-/// Maximum number of hypotheses that are refitted for each number of effects in a hypothesis.
+/// Maximum number of hypotheses fitted in one round of the search; all of them have the same number of effects.
 const MAX_REFITS: usize = 6;
 
 /// Maximum number of effects in one hypothesis.
@@ -28,8 +28,8 @@ const NOISE_TOLERANCE: f64 = 0.05;
 /// Maximum number of rejected hypotheses that are extended by a further effect.
 const MAX_PARENTS: usize = 3;
 
-/// Familywise p-value below which a remaining candidate is also reported: the flights do not decide whether the model
-/// lacks it too.
+/// Familywise p-value below which the strongest candidate outside the accepted hypothesis is also reported, because the
+/// flights do not decide whether the model lacks this candidate too.
 const ALPHA_UNDECIDED: f64 = 0.05;
 
 /// State of the search over hypotheses.
@@ -45,7 +45,7 @@ pub(crate) struct Search<'a> {
     pub thresholds: Thresholds,
     /// Model confidence set: hypotheses that are not rejected, best fit first.
     pub accepted: Vec<Hypothesis>,
-    /// Rejected hypotheses of the last round in which none was accepted, best fit first.
+    /// Hypotheses of the last search round in which no hypothesis was adequate, best fit first.
     pub rejected: Vec<Hypothesis>,
 }
 
@@ -58,7 +58,7 @@ pub(crate) struct TestsAtPoint {
 }
 
 impl ScoreTestModel {
-    /// Score tests of all candidates and library terms, conditioned on no candidate.
+    /// Score tests of all candidates and library terms; no candidate is among the nuisance parameters.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated.
@@ -222,8 +222,8 @@ impl<'a> Search<'a> {
         Ok(again.unwrap_or(hypothesis))
     }
 
-    /// Estimates the noise with the hypothesis `given` included. If it differs from the present noise, stores it,
-    /// repeats all tests with it, and returns true.
+    /// Estimates the noise with the hypothesis `given` included. If the estimate differs from the stored noise model,
+    /// stores the estimate, repeats all tests with it, and returns true; otherwise returns false.
     fn refine_noise(
         &mut self,
         model: &mut ScoreTestModel,
@@ -243,8 +243,8 @@ impl<'a> Search<'a> {
         Ok(true)
     }
 
-    /// Stores the adequate hypotheses as accepted; if none is adequate, stores all as rejected. Both are sorted by
-    /// the sum of squares.
+    /// Stores the adequate hypotheses as accepted; if none is adequate, stores all as rejected. The stored hypotheses
+    /// are sorted by the sum of squares.
     fn classify(
         &mut self,
         model: &ScoreTestModel,
@@ -420,7 +420,7 @@ mod tests {
     use crate::context::DiagnosisOptions;
     use crate::test_support::{Fixture, fixture, mystery};
 
-    /// A search at the fit of the fixture, with no result yet.
+    /// Calls `with` with the fixture and with a search at its fit, from which the accepted hypotheses are removed.
     fn searched(with: impl FnOnce(&Fixture, Search<'_>)) {
         let mut fixture = fixture();
         let (dataset, model) = (mystery(3), model_spec::load::load("disc", &[]).unwrap());

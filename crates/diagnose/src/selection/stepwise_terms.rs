@@ -34,9 +34,9 @@ pub struct StepwiseTerm {
     pub formula: String,
     /// Score statistic, χ² with one degree of freedom.
     pub statistic: f64,
-    /// One-step estimate of the term's coefficient.
+    /// One-step estimate of the term's coefficient, SI.
     pub value: f64,
-    /// Standard error of `value`.
+    /// Standard error of `value`, SI.
     pub std_error: f64,
     /// Whether the term is part of the extended model.
     #[serde(rename = "taken")]

@@ -14,7 +14,8 @@ pub struct PredictiveGain {
     pub held_out_rms_before_m: f64,
     /// RMS prediction error of one coordinate by the extended model, m; the mean is over all predicted flights.
     pub held_out_rms_after_m: f64,
-    /// Jackknife standard error, over flights, of the difference of the two RMS errors, m; NaN for a single flight.
+    /// Jackknife standard error, over flights, of the RMS error without the extension minus the RMS error with it, m;
+    /// NaN for a single flight.
     pub standard_error_m: f64,
     /// Standard deviation of the noise of one coordinate, m: the smallest possible prediction error.
     pub noise_floor_m: f64,
@@ -39,7 +40,8 @@ pub struct PredictiveGain {
     /// Median, over the predicted flights, of the flight's RMS prediction error by the extended model, m.
     #[serde(default)]
     pub median_after_m: f64,
-    /// p-value of the sign test: probability that at least `improved` flights improve by chance.
+    /// p-value of the sign test: probability that at least `improved` flights improve if improvement and worsening are
+    /// equally likely.
     #[serde(default)]
     pub p_sign: f64,
     /// File names of the flights that are set apart because neither model predicts them.
@@ -88,9 +90,10 @@ const MIN_FLIGHTS: usize = 4;
 pub(super) struct FlightErrors {
     /// File name of the flight.
     file: String,
-    /// Mean squared error without the extension, m².
+    /// Mean squared prediction error of one coordinate by the model without the extension, m².
     before: f64,
-    /// Mean squared error with the extension, m²; without it if the extension is not applied to the flight.
+    /// Mean squared prediction error of one coordinate by the extended model, m²; equal to `before` if the extension is
+    /// not applied to the flight.
     after: f64,
     is_applied: bool,
 }
@@ -190,8 +193,9 @@ pub(super) fn summarize(
     })
 }
 
-/// Splits the flights into those set apart and all others. A flight is set apart if its smaller error is far above
-/// the median of the flights and above the noise. If more than a quarter of the flights are, none is set apart.
+/// Splits the flights into those set apart and all others. A flight is set apart if the smaller of its two RMS errors
+/// is far above the median of this error over the flights and above the noise. If this holds for more than a quarter of
+/// the flights, no flight is set apart.
 fn without_set_apart(
     flights: Vec<FlightErrors>,
     noise_floor_m: f64,

@@ -47,7 +47,7 @@ pub enum Stop {
 }
 
 impl Release {
-    /// Maximum duration of a release and of a flight to the ground, s.
+    /// Maximum duration that a release file may state, and maximum duration of a flight that ends at the ground, s.
     pub const MAX_DURATION: f64 = 600.0;
 
     /// Initial state vector, SI units, in the model's order of states.
@@ -118,7 +118,8 @@ pub struct Name {
 }
 
 impl Vocabulary {
-    /// Vocabulary of the model composed with a wind; the error message states why the model cannot fly in that wind.
+    /// Vocabulary of the model after the wind `field` has been added to it; the error message states why the model
+    /// cannot fly in that wind.
     fn in_wind(&self, field: &WindField) -> Result<Vocabulary, String> {
         let model = self.model.as_ref();
         let model =
@@ -130,7 +131,7 @@ impl Vocabulary {
         Ok(Vocabulary::of(&model))
     }
 
-    /// Collects the names of a model that its release files may use.
+    /// Collects the names and bounds that a model defines and that its release files may use.
     pub fn of(model: &Model) -> Vocabulary {
         let names = |of: &[Parameter]| {
             of.iter()

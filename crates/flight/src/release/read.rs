@@ -85,8 +85,9 @@ pub fn read(
     reader.finish(file, release)
 }
 
-/// Like [`read`], but accepts winds by height and gusts, and further top-level keys `own_keys`, which are not read
-/// here. Also returns the vocabulary of the model in that wind; the release must be flown with [`Vocabulary::model`].
+/// Like [`read`], but accepts winds by height and gusts, and also the top-level keys `own_keys`, whose values are
+/// ignored here. Also returns the vocabulary of the model with the wind added to it; the release must be flown with the
+/// model in [`Vocabulary::model`].
 ///
 /// # Errors
 /// [`ReleaseError`] with all faults of the file.
@@ -358,7 +359,8 @@ impl<'t> Reader<'t> {
     }
 
     /// Parses the table `key` of the document, either `parameters` or `coefficients`, and returns its names and values.
-    /// `names` are the names that are valid in this table, `others` those that belong in the other one.
+    /// `names` are the names that are valid in this table, `others` those that are valid in the other of the two
+    /// tables.
     fn constants(
         &mut self,
         document: &DeTable<'t>,

@@ -11,8 +11,8 @@ use super::{Release, Vocabulary};
 use crate::throw::{FIELDS, Throw, ThrowError, ThrownModel};
 
 impl<'t> Reader<'t> {
-    /// Parses `[throw]`, which replaces `[initial]`, and sets the initial states of the release to those with the
-    /// throw's motion.
+    /// Parses the table `[throw]`, which a release file may contain instead of `[initial]`, and sets the initial values
+    /// of the release to the state in which the body has the motion of this throw.
     pub(super) fn throw(
         &mut self,
         document: &DeTable<'t>,
@@ -66,7 +66,7 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// Name and value of every state of the model for the motion of a throw.
+/// Name and value of every state of the model in the state in which its body has the motion of `throw`.
 fn initial(
     throw: &Throw,
     vocabulary: &Vocabulary,

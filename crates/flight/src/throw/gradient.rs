@@ -1,4 +1,5 @@
-//! Derivatives of the motion at release by the fields of a throw, and of the states that have this motion.
+//! Derivatives of the motion at release, and of the states that have this motion, with respect to the fields of a
+//! throw.
 //!
 //! The state s with the motion of the throw θ satisfies M(s) = W(θ), hence ∂M/∂s · ds/dθ = ∂W/∂θ. The right-hand side
 //! is written out below; ∂M/∂s is a sixth-order central difference of the compiled motion, whose error is dominated by
@@ -19,8 +20,8 @@ const WEIGHTS: [f64; 3] = [45.0 / 60.0, -9.0 / 60.0, 1.0 / 60.0];
 const RANK_TOLERANCE: f64 = 1e-9;
 
 impl BoundMotion<'_> {
-    /// Jacobian of the motion by the states. Rows: position and velocity, and for a body with attitude also its three
-    /// axes and its angular velocity; each has three components in the inertial frame.
+    /// Jacobian of the motion with respect to the states. Rows: position and velocity, and for a body with attitude
+    /// also its three axes and its angular velocity; each has three components in the inertial frame.
     pub fn jacobian(&self, state: &[f64]) -> DMatrix<f64> {
         let rows = stacked(&self.motion(state)).len();
         let mut jacobian = DMatrix::zeros(rows, state.len());
@@ -42,12 +43,12 @@ impl BoundMotion<'_> {
         jacobian
     }
 
-    /// Derivatives of a state by the fields of the throw whose motion it has: one row per state, one column per entry
-    /// of [`FIELDS`], in the unit of the state per unit of the field. Columns of fields that a body without attitude
-    /// lacks are 0.
+    /// Derivatives of `state`, which has the motion of `throw`, with respect to the fields of the throw: one row per
+    /// state, one column per entry of [`FIELDS`], in the unit of the state per unit of the field. Columns of fields
+    /// that a body without attitude lacks are 0.
     pub fn state_by_throw(&self, throw: &Throw, state: &[f64]) -> DMatrix<f64> {
         let motion = self.motion(state);
-        // Angular velocity in body axes for a spin of 1 rad/s, and its derivative by the wobble, 1/rad.
+        // Angular velocity in body axes for a spin of 1 rad/s, and its derivative with respect to the wobble.
         let turning = motion.turning.as_ref();
         let unit = turning.map(|_| self.rates_of_spin(throw, state));
         let course = throw.course();
@@ -117,8 +118,8 @@ impl BoundMotion<'_> {
             .unwrap_or_else(|_| DMatrix::zeros(state.len(), wanted.ncols()))
     }
 
-    /// Angular velocity in body axes for a spin of 1 rad/s about the third axis and the wobble of the throw, and its
-    /// derivative by the wobble, 1/rad.
+    /// Angular velocity in body axes for a spin of 1 rad/s about the third axis and the wobble of the throw, rad/s, and
+    /// its derivative with respect to the wobble, rad/s per rad.
     fn rates_of_spin(&self, throw: &Throw, state: &[f64]) -> (Vector3<f64>, Vector3<f64>) {
         let axes = throw.attitude();
         let wobble = throw.wobble.unwrap_or(0.0).to_radians();
@@ -136,7 +137,7 @@ impl BoundMotion<'_> {
     }
 }
 
-/// Change of a motion: position, velocity, body axes and angular velocity.
+/// A small change of each vector of a motion: position, velocity, body axes and angular velocity.
 #[derive(Default)]
 struct Change {
     position: Vector3<f64>,

@@ -36,7 +36,7 @@ pub struct Throw {
     /// Height of the mass centre, m.
     pub height: f64,
     /// Angle of attack relative to the velocity over the ground, positive nose-up, deg. `None` if not stated, which
-    /// counts as 0; a body without attitude must not state it. The same holds for `hyzer`, `spin` and `wobble`.
+    /// counts as 0; a body without attitude must not state it. The same applies to `hyzer`, `spin` and `wobble`.
     pub nose: Option<f64>,
     /// Tilt of the body about the velocity, deg; positive if the left edge, seen from behind, is the lower one. `None`
     /// counts as 0.
@@ -321,9 +321,9 @@ impl ThrownModel {
         find(&wanted, Some(&state))
     }
 
-    /// Derivatives of the state of a throw by the fields of the throw: one row per state, one column per entry of
-    /// [`FIELDS`], in the unit of the state per unit of the field. Columns of fields that a body without attitude lacks
-    /// are 0.
+    /// Derivatives of `state`, which has the motion of `throw`, with respect to the fields of the throw: one row per
+    /// state, one column per entry of [`FIELDS`], in the unit of the state per unit of the field. Columns of fields
+    /// that a body without attitude lacks are 0.
     pub fn state_by_throw(&self, throw: &Throw, state: &[f64], parameters: &[f64]) -> DMatrix<f64> {
         self.motion.bind(parameters).state_by_throw(throw, state)
     }
@@ -333,8 +333,8 @@ impl ThrownModel {
         self.motion.bind(parameters).motion(state)
     }
 
-    /// Jacobian of the motion by the states. Rows: position and velocity, and for a body with attitude also its three
-    /// axes and its angular velocity; each has three components in the inertial frame.
+    /// Jacobian of the motion with respect to the states. Rows: position and velocity, and for a body with attitude
+    /// also its three axes and its angular velocity; each has three components in the inertial frame.
     pub fn motion_jacobian(&self, state: &[f64], parameters: &[f64]) -> DMatrix<f64> {
         self.motion.bind(parameters).jacobian(state)
     }

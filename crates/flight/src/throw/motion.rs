@@ -46,8 +46,8 @@ pub struct MotionModel {
     pub(super) quaternions: Vec<[usize; 4]>,
 }
 
-/// Number of vectors that describe the motion of a body with attitude: position, velocity, three axes, angular
-/// velocity, three rows of the inertia tensor, three axes of the tensor's frame.
+/// Number of vectors that describe the motion of a body with attitude: position, velocity, three body axes, angular
+/// velocity, three rows of the inertia tensor, three axes of the frame in which the tensor is given.
 pub(super) const VECTORS: usize = 12;
 /// Number of vectors that describe the motion of a point mass: position and velocity.
 pub(super) const POINT_VECTORS: usize = 2;

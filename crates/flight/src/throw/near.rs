@@ -22,7 +22,7 @@ const SAME: f64 = 1e-9;
 /// Finds the states of throws that are near a known throw.
 pub struct NearThrows<'m> {
     thrown: &'m ThrownModel,
-    /// State of the known throw.
+    /// State with the motion of the known throw, at which the search starts.
     near: Vec<f64>,
     /// Indices of the attitude states (`attitude`), and of the states in which the motion is linear (`linear`).
     attitude: Vec<usize>,

@@ -106,7 +106,8 @@ impl MeanWind<'_> {
     }
 }
 
-/// Replaces names by their definitions, recursively; the definitions must not be cyclic.
+/// Replaces each name in the expression `e` that `lets` defines by its definition, recursively; the definitions must
+/// not be cyclic.
 fn insert(e: &mut Expr, lets: &HashMap<&str, &Expr>) {
     while let ExprKind::Name(own) = &e.kind
         && let Some(value) = lets.get(own.as_str())

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// Number of sinusoids per component of the gusts.
+/// Number of sinusoids whose sum represents one component of the gusts.
 pub const GUST_TERMS: usize = 24;
 
 /// Upper edge of the first and of the last wavenumber band, as products of wavenumber and length scale of the gusts.
@@ -51,7 +51,7 @@ fn part_across(x: f64) -> f64 {
     (2.0 * x.atan() - x / (1.0 + x * x)) / PI
 }
 
-/// Argument between `low` and `high` at which the increasing function `of` has a value, by bisection.
+/// Argument between `low` and `high` at which the increasing function `of` equals `value`, by bisection.
 fn between(of: fn(f64) -> f64, value: f64, mut low: f64, mut high: f64) -> f64 {
     for _ in 0..60 {
         let middle = (low + high) / 2.0;
@@ -78,7 +78,8 @@ pub fn gust_phases(seed: u64, flight: u64) -> Vec<(String, f64)> {
         .collect()
 }
 
-/// Name of the parameter for the phase of a sinusoid; `term` counts from 1.
+/// Name of the parameter that is the phase of one sinusoid of a gust component; `term` is the number of the sinusoid,
+/// from 1.
 pub(super) fn phase_name(component: &str, term: usize) -> String {
     format!("gust_phase_{component}_{term}")
 }

@@ -13,7 +13,7 @@ const MAX_ROWS: usize = 500;
 const MAX_SPEED: f64 = 200.0;
 /// Default height of gusts, m: 10 ft, the minimum height of the low-altitude gust model.
 const GUST_HEIGHT: f64 = 3.048;
-/// Keys of `[wind]`; those after the first three belong to a profile.
+/// Keys of the table `[wind]`; those after `table` describe a mean wind that follows a formula of the height.
 const KEYS: [&str; 9] = [
     "constant",
     "gusts",

@@ -8,8 +8,8 @@ use super::nodes::{add_let, add_table, call, inertial_vector, name};
 /// Names of the tables for the three components of the wind.
 const COMPONENTS: [&str; 3] = ["wind_table_1", "wind_table_2", "wind_table_3"];
 
-/// Statements that define `wind_height` and `wind_of_profile` by a table of heights (m, increasing) and velocities
-/// (m/s).
+/// Statements of the model language that define the height `wind_height` and, from a table over this height, the wind
+/// velocity `wind_of_profile`. `rows` contain height (m, increasing) and the three components of the velocity (m/s).
 pub(super) fn statements(rows: &[[f64; 4]]) -> Vec<EffectPart> {
     let height = Expr {
         kind: ExprKind::Part(Box::new(name("position")), 3),

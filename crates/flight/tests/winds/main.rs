@@ -69,7 +69,7 @@ fn tight() -> IntegrationOptions {
     }
 }
 
-/// The model without derivatives by parameters, which is compiled sooner.
+/// The model compiled without derivatives with respect to parameters, which takes less time.
 fn compiled(model: &Model) -> CompiledModel {
     CompiledModel::with_derivatives_by(model, Vec::new())
 }

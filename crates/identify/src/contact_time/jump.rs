@@ -27,9 +27,10 @@ pub struct Comparison {
 
 /// Comparisons of free motion with motion whose velocities jump, for jumps just before each of the tried samples.
 pub struct Jumps {
-    /// Index of the first tried sample: the first one for which a jump in the preceding interval is tested.
+    /// Index of the first sample for which a jump in the preceding interval is tested.
     tried: usize,
-    /// For each tried sample, the change of the initial state with which free motion is fitted to all earlier samples.
+    /// For each sample before which a jump is tested: change of the initial state for which free motion best fits all
+    /// earlier samples.
     before: Vec<DVector<f64>>,
     /// `comparisons[i][k]` tests a jump just before sample `tried + i`, with the samples up to `tried + i + k`.
     comparisons: Vec<Vec<Comparison>>,
@@ -102,14 +103,14 @@ impl Jumps {
         each.filter_map(move |(contact, by)| Some((contact, by.get(last - contact)?)))
     }
 
-    /// Change of the initial state with which free motion is fitted to the samples before `contact`.
+    /// Change of the initial state for which free motion best fits the samples before `contact`.
     pub fn before(&self, contact: usize) -> &DVector<f64> {
         &self.before[contact - self.tried]
     }
 }
 
-/// Derivatives of a residual, if the velocities jump just before sample `contact`: first by the initial state before
-/// the jump, then by the change of the initial state that represents the jump.
+/// Derivatives of a residual, if the velocities jump just before sample `contact`: first with respect to the initial
+/// state before the jump, then with respect to the change of the initial state that represents the jump.
 fn after(point: &Point, row: &Row, contact: usize) -> DVector<f64> {
     let is_first = point.previous.is_none_or(|previous| previous < contact);
     let by_change = match is_first {

@@ -28,11 +28,11 @@ use crate::problem::FitProblem;
 
 /// Number of samples before the first sample at which a velocity jump is tried; the free flight is fitted to them.
 const BEFORE: usize = 24;
-/// Number of samples before the range to be searched at which velocity jumps are also tried. They show by how much a
-/// jump decreases the sum of squares in free flight.
+/// Number of samples before the range searched for a contact at which velocity jumps are also tried. The decrease of
+/// the sum of squares by a jump there is the reference for free flight.
 const USUAL: usize = 8;
-/// Maximum number of samples by which a detected contact may precede the range to be searched. An earlier deviation is
-/// attributed to the model, not to a contact.
+/// Maximum number of samples by which a detected contact may precede the range searched for a contact. An earlier
+/// deviation is attributed to an inaccurate model, not to a contact.
 const LATE: usize = 2;
 /// Minimum decrease of the whitened sum of squares by a velocity jump for the jump to be a contact. Noise exceeds it at
 /// one sample in 10⁹.
@@ -44,12 +44,12 @@ const MIN_GROWTH: f64 = 4.0;
 /// value, the 90 % quantile of χ² with one degree of freedom. A contact time that is too late leaves disturbed samples
 /// in the data, which is worse than the loss of undisturbed samples by one that is too early.
 const UNDECIDED: f64 = 2.71;
-/// Number of further samples that must confirm a contact; and minimum factor by which the decrease of the sum of
-/// squares must grow with them if it has just grown abruptly (see `OUTLIER`). With an outlier, it does not grow
-/// further.
+/// Confirmation of a contact by later samples: number of further samples with which the jump is tested again; and
+/// minimum factor by which the decrease of the sum of squares must then grow if it has just grown abruptly (see
+/// `OUTLIER`). The decrease that an outlier causes does not grow with further samples.
 const CONFIRMING: (usize, f64) = (2, 1.2);
-/// Growth of the decrease of the sum of squares by one additional sample, above which that sample contains an outlier
-/// unless the following samples confirm a contact (see `CONFIRMING`).
+/// Growth, by one additional sample, of the decrease of the sum of squares by a velocity jump, above which that sample
+/// contains an outlier unless the following samples confirm a contact (see `CONFIRMING`).
 const OUTLIER: f64 = 26.0;
 /// Maximum number of marker positions that are excluded as outliers from the free flight before the first tried jump,
 /// and maximum number of attempts to exclude further ones at later samples.

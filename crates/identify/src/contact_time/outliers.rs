@@ -8,7 +8,7 @@ use crate::observations::Observations;
 
 /// Squared whitened residual of a marker position above which it is an outlier; noise exceeds it with probability 10⁻⁵.
 const LIMIT: f64 = 26.0;
-/// Maximum deviation of the measured distance between two markers from their distance on the body, in units of the
+/// Maximum difference between the measured distance of two markers and their distance on the body, in units of the
 /// noise standard deviation of a coordinate.
 const DISTANCE: f64 = 6.0;
 
@@ -44,8 +44,8 @@ pub fn leave_out_displaced(
     }
 }
 
-/// Marks as outliers the marker positions that are far from free motion, one after another and at most `most`. Only the
-/// samples before `trajectory.tried` are examined, at which no contact is tried.
+/// Marks as outliers at most `most` marker positions that are far from free motion, one after another, each time the
+/// farthest one. Examines only samples before `trajectory.tried`, the first sample at which a contact is tried.
 pub fn leave_out_before(
     observations: &mut Observations,
     trajectory: &Trajectory,

@@ -25,14 +25,14 @@ impl Quadratic {
         }
     }
 
-    /// Adds the square of a residual, given with its derivatives by the unknowns.
+    /// Adds the square of a residual, given with its derivatives with respect to the unknowns.
     pub fn add(&mut self, derivatives: &DVector<f64>, residual: f64) {
         self.normal.syger(1.0, derivatives, derivatives, 1.0);
         self.right.axpy(residual, derivatives, 1.0);
         self.constant += residual * residual;
     }
 
-    /// Copy of the sum of squares with `further` unknowns appended, on which it does not depend.
+    /// Copy of the sum of squares with `further` unknowns appended, on which the sum does not depend.
     pub fn extended(&self, further: usize) -> Self {
         let few = self.right.len();
         let mut extended = Self::zeros(few + further);
@@ -43,8 +43,8 @@ impl Quadratic {
         extended
     }
 
-    /// Copy of the sum of squares to which the square of (row · last unknowns) is added for each row of the matrix
-    /// `rows`. `None` if the matrix has more columns than there are unknowns.
+    /// Copy of the sum of squares to which, for each row of `rows`, the square of the scalar product of the row and the
+    /// last unknowns is added. `None` if the matrix has more columns than there are unknowns.
     pub fn with_last(&self, rows: &DMatrix<f64>) -> Option<Self> {
         let count = rows.ncols();
         let first = self.right.len().checked_sub(count)?;
@@ -54,7 +54,7 @@ impl Quadratic {
         Some(held)
     }
 
-    /// Minimum of the sum, and the unknowns at the minimum; `None` if the normal equations are singular.
+    /// Minimum of the sum of squares, and the unknowns at the minimum; `None` if the normal equations are singular.
     pub fn least(&self) -> Option<(f64, DVector<f64>)> {
         let diagonal = self.normal.diagonal();
         let scale = diagonal.map(|entry| entry.max(f64::MIN_POSITIVE).sqrt().recip());

@@ -1,4 +1,4 @@
-//! Whitened residuals of a flight about its fitted trajectory, with derivatives by the initial state.
+//! Whitened residuals of a flight about its fitted trajectory, with derivatives with respect to the initial state.
 
 use nalgebra::DVector;
 
@@ -21,10 +21,10 @@ pub struct Point {
 pub struct Row {
     /// Whitened residual, predicted − measured, in standard deviations.
     pub residual: f64,
-    /// Derivatives of the residual by the initial state.
+    /// Derivatives of the residual with respect to the initial state.
     pub derivatives: DVector<f64>,
-    /// Derivatives of the residual by the initial state through the present sample only, without the AR(1) contribution
-    /// of the preceding sample that whitening subtracts.
+    /// Derivatives of the residual with respect to the initial state through the present sample only, without the AR(1)
+    /// contribution of the preceding sample that whitening subtracts.
     pub fresh: DVector<f64>,
 }
 

@@ -1,4 +1,4 @@
-//! Fitted trajectory of a flight at and between samples, with derivatives by the initial state.
+//! Fitted trajectory of a flight at and between samples, with derivatives with respect to the initial state.
 
 use std::ops::Range;
 
@@ -13,18 +13,18 @@ use crate::state_manifold::StateManifold;
 /// Times within the interval between two samples at which a contact is tried, as fractions of the interval.
 const PARTS: [f64; 4] = [0.125, 0.375, 0.625, 0.875];
 
-/// Predicted marker positions of a flight, with derivatives by the initial state.
+/// Predicted marker positions of a flight, with derivatives with respect to the initial state.
 pub struct Trajectory {
     /// Number of free directions in which the initial state may vary (see [`StateManifold`]).
     pub dimension: usize,
     /// Index of the first evaluated sample.
     pub first: usize,
-    /// Index of the first sample for which contacts in the preceding interval are tried.
+    /// Index of the first sample for which a contact in the preceding interval is tried.
     pub tried: usize,
     /// Predicted markers at each sample from `first` on, indexed by the sample counted from `first`, and the marker.
     pub samples: Vec<Vec<Predicted>>,
-    /// Predicted markers at the times `PARTS` within the interval before each sample from `tried` on, indexed by the
-    /// sample counted from `tried`, the time, and the marker.
+    /// Predicted markers between samples: at the fractions `PARTS` of the interval before each sample from `tried` on,
+    /// indexed by the sample counted from `tried`, the fraction, and the marker.
     pub contacts: Vec<Vec<Vec<Predicted>>>,
 }
 
@@ -33,7 +33,7 @@ pub struct Trajectory {
 pub struct Predicted {
     /// Predicted position in the inertial frame, m.
     pub position: [f64; 3],
-    /// Derivatives of each coordinate by the free directions of the initial state (see [`StateManifold`]).
+    /// Derivatives of each coordinate with respect to the free directions of the initial state (see [`StateManifold`]).
     pub derivatives: [DVector<f64>; 3],
 }
 
@@ -48,8 +48,8 @@ enum Place {
 }
 
 impl Trajectory {
-    /// Computes the trajectory at the samples `seen`, and at the times `PARTS` within the interval before each of these
-    /// samples from `tried` on. `unknowns` are the global parameters and the initial state.
+    /// Computes the trajectory at the samples `seen`, and, for each of these samples from `tried` on, at the fractions
+    /// `PARTS` of the interval before the sample. `unknowns` are the global parameters and the initial state.
     ///
     /// # Errors
     /// [`FlightError::Integration`] if the trajectory cannot be computed.
@@ -120,7 +120,7 @@ impl Trajectory {
         Ok(trajectory)
     }
 
-    /// Derivatives, by the initial state, of the mean position of the markers in a sample.
+    /// Derivatives of the mean position of the markers in a sample with respect to the initial state.
     pub fn centre(&self, sample: usize) -> Matrix3xX<f64> {
         let markers = &self.samples[sample - self.first];
         Matrix3xX::from_fn(self.dimension, |axis, column| {
@@ -132,8 +132,8 @@ impl Trajectory {
     }
 }
 
-/// Derivatives of the coordinates of all markers by the initial state, divided by the standard deviations `sigma` (m)
-/// along the axes.
+/// Derivatives of the coordinates of all markers with respect to the initial state, divided by the standard deviations
+/// `sigma` (m) along the axes.
 pub fn over_noise(markers: &[Predicted], sigma: [f64; 3]) -> DMatrix<f64> {
     let dimension = markers[0].derivatives[0].len();
     DMatrix::from_fn(3 * markers.len(), dimension, |row, column| {

@@ -103,7 +103,7 @@ impl Fields<'_> {
         Err(self.wrong_kind(value, key, "three numbers, as in [0.0, 0.0, 0.0]"))
     }
 
-    /// The table under a key; `None` if the key is absent, an error if its value is no table.
+    /// The table under a key; `None` if the key is absent, an error if its value is not a table.
     pub fn table<'d, 't>(
         &self,
         document: &'d DeTable<'t>,

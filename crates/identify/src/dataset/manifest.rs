@@ -212,8 +212,8 @@ impl Checker<'_> {
         Ok(markers)
     }
 
-    /// Reads `origin_error` of `[template]`: standard errors of the origin of the markers' positions, m; `None` if
-    /// absent.
+    /// Reads `origin_error` of `[template]`: standard errors, along the body axes, of the origin of the markers'
+    /// positions (the mass centre), m; `None` if the key is absent.
     fn origin_error(&self, document: &DeTable<'_>) -> Result<Option<[f64; 3]>, InputError> {
         let Some(template) = self.0.table(document, "template")? else {
             return Ok(None);

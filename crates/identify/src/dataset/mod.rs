@@ -77,7 +77,8 @@ pub enum Role {
     HeldOut,
 }
 
-/// Value, for one flight, of a quantity of the model that was measured or set by other means, such as the wind.
+/// Value, for one flight, of a quantity of the model that was measured independently of the markers and sensors or was
+/// set, such as the wind.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum KnownValue {
     /// Value of a parameter, or of a state at the first sample, SI.
@@ -93,7 +94,8 @@ pub struct Flight {
     pub file: String,
     /// Whether the flight is fitted or held out.
     pub role: Role,
-    /// Values of this flight known by other means, by their names in the model.
+    /// Values of model quantities in this flight that are known from other sources than its marker positions and sensor
+    /// readings, such as the wind, by their names in the model.
     pub known: BTreeMap<String, KnownValue>,
     /// Times of the samples, s, increasing.
     pub times: Vec<f64>,

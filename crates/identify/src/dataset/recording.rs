@@ -14,7 +14,7 @@ use crate::input_error::InputError;
 const LENGTHS: [&str; 5] = ["m", "cm", "mm", "in", "ft"];
 const TIMES: [&str; 2] = ["s", "ms"];
 const UPS: [&str; 7] = ["+z", "-z", "+y", "-y", "+x", "-x", UNKNOWN];
-/// Value of the key `up` for an unknown vertical.
+/// Value of the key `up` if the direction of the vertical is unknown.
 const UNKNOWN: &str = "unknown";
 
 /// The +z axis: the default upward axis, and the third axis of the dataset if the vertical is unknown.

@@ -12,7 +12,7 @@ const REACH: f64 = 0.1;
 pub enum SensorKind {
     /// Position and attitude of the body, for example from a fiducial tag or a rigid body of a motion-capture system.
     Pose,
-    /// A quantity that the model computes, such as an angular velocity.
+    /// A quantity that the model predicts, other than the pose, such as an angular velocity.
     Instrument(Instrument),
 }
 

@@ -29,7 +29,8 @@ impl Unplaced {
     }
 }
 
-/// Markers that are required for estimating the position of a further marker, as stated in the error message.
+/// Phrase of the error message that states which markers must have known positions so that the remaining positions can
+/// be estimated.
 const NEEDED: &str = "at least three markers with positions that are not on a line, or none";
 
 /// Estimates the unknown positions of markers and pose sensors and writes them into `markers` and `sensors`. If all

@@ -28,29 +28,30 @@ use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 
-/// Numbers of samples before and after the end of a truncated flight between which its contact is searched again. The
-/// end was found from the samples alone, without the fitted model.
+/// Range in which the contact of a truncated flight is searched again: numbers of samples before and after its present
+/// end, which was found from the samples alone, without the fitted model.
 const NEAR: (usize, usize) = (12, 14);
 /// Number of samples by which the ranges of two successive searches for a contact in one flight overlap.
 const OVERLAP: usize = 8;
 /// Minimum ratio of the vertical component to the magnitude of the velocity jump at a contact with the ground.
 const MIN_UPWARD_PART: f64 = 0.3;
-/// Ratio of a flight's residual scale to the median scale, above which the flight is left out of the reference fit,
-/// because it may contain a contact. The whole length of a truncated flight is restored if its ratio is then at most
-/// this value.
+/// Ratio of a flight's residual scale (robust standard deviation of its residuals) to the median over the flights,
+/// above which the flight is left out of the reference fit, because it may contain a contact. The whole length of a
+/// truncated flight is restored if the ratio for the whole length is at most this value.
 const STANDS_OUT: f64 = 1.2;
-/// Number of standard errors by which a flight's residual scale must also exceed the median scale for the flight to be
-/// left out of the reference fit.
+/// Second condition for a flight to be left out of the reference fit, besides `STANDS_OUT`: minimum number of standard
+/// errors by which its residual scale must exceed the median scale.
 const SURELY: f64 = 4.0;
 /// A flight is searched for a contact if its residual scale exceeds the median scale by more than this ratio (first
 /// value) and by more than this number of standard errors (second value), both in the reference fit, which leaves out
 /// flights that may contain contacts.
 const SUSPICIOUS: (f64, f64) = (1.05, 3.0);
-/// Maximum ratio of the median residual scale to the initial noise estimate `sigma0`, at which the model is accurate
-/// enough to reveal contacts that were not found from the poses.
+/// Maximum ratio of the median residual scale (over flights, of the robust standard deviation of their residuals) to
+/// the initial noise estimate `sigma0`, at which the model is accurate enough to reveal contacts that were not found
+/// from the poses.
 const FLYING_RATIO: f64 = 1.3;
 
-/// Observations of a flight whose end was moved, with the initial state fitted to them.
+/// Observations of a flight whose last used sample was changed, with the initial state fitted to them.
 struct Moved {
     observations: Observations,
     local: DVector<f64>,
@@ -154,7 +155,7 @@ pub fn refine_contacts(
 }
 
 /// Reference fit: fits the flights whose residual scale is not far above `usual`, m, without the other flights. Returns
-/// the fitted flights and their residuals; `None` if these are all flights or fewer than half of them.
+/// the fitted flights and their residuals; `None` if this would leave out no flight or more than half of the flights.
 fn fitted_without(
     problem: &FitProblem,
     state: &State,
@@ -182,14 +183,15 @@ struct Search<'a> {
     problem: &'a FitProblem,
     global: &'a DVector<f64>,
     noise: &'a NoiseModel,
-    /// Usual residual scale of a flight, m: the median over the reference fit, or `sigma0` if that is greater.
+    /// Usual residual scale (robust standard deviation of residuals) of a flight, m: the median over the flights of the
+    /// reference fit, or `sigma0` if that is greater.
     usual: f64,
     options: &'a FitOptions<'a>,
 }
 
 impl Search<'_> {
-    /// Searches a fitted flight for its contact. Returns the flight truncated there, or its whole length if a contact
-    /// found before is not confirmed; `None` if the end of the flight does not change.
+    /// Searches a fitted flight for its contact. Returns the flight truncated at the contact, or its whole length if a
+    /// contact found before is not confirmed; `None` if the last used sample of the flight does not change.
     fn moved(
         &self,
         flight: &Flight,
@@ -216,8 +218,8 @@ impl Search<'_> {
         is_contact.then_some(moved)
     }
 
-    /// Restores the whole length of a flight that was truncated at a supposed contact, if the model predicts all of it;
-    /// `None` otherwise.
+    /// Restores the whole length of a flight that was truncated at a supposed contact, if the model predicts the whole
+    /// flight; `None` otherwise.
     fn whole(&self, whole: Observations, local: &DVector<f64>) -> Option<Moved> {
         let samples = whole.times.len();
         let local = self.fitted(&whole, samples, local)?;
@@ -243,7 +245,7 @@ impl Search<'_> {
         self.is_like_the_others(&moved).then_some(moved)
     }
 
-    /// Whether the residuals of a flight up to its new end are similar to those of the other flights.
+    /// Whether the residuals of a flight up to its new last sample are similar to those of the other flights.
     fn is_like_the_others(&self, moved: &Moved) -> bool {
         let (observations, unknowns) = (&moved.observations, (self.global, &moved.local));
         let samples = observations.times.len();

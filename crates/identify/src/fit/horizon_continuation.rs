@@ -27,30 +27,31 @@ const MIN_REMAINING_GROWTH: f64 = 1.2;
 /// for example by late recording, so that the initial guesses are poor.
 const MANY_STEPS: usize = 15;
 
-/// Maximum number of restarts from samples corrected for their distortion by the measurement. Each restart uses a
-/// better estimate of the distortion.
+/// Maximum number of restarts from samples corrected for their distortion by the measurement, such as late recording.
+/// Each restart uses a better estimate of the distortion.
 const MAX_STARTS: usize = 3;
 
-/// Residual scale, in units of the initial noise estimate `sigma0`, below which the fit over a short horizon is
-/// sufficient and the horizon is extended.
+/// Residual scale (robust standard deviation of the residuals), in units of the initial noise estimate `sigma0`, below
+/// which the fit over a short horizon is sufficient and the horizon is extended.
 const HORIZON_SCALE: f64 = 5.0;
 
-/// Maximum median of the flights' residual scales, in units of the initial noise estimate `sigma0`, at which the
-/// residuals are considered noise.
+/// Maximum median over the flights of their residual scales (robust standard deviations of the residuals), in units of
+/// the initial noise estimate `sigma0`, at which the residuals are considered noise.
 const MAX_MEDIAN_NOISE: f64 = 1.1;
 
-/// Maximum residual scale of a single flight, in units of the initial noise estimate `sigma0`, at which its residuals
-/// are considered noise.
+/// Maximum residual scale (robust standard deviation of the residuals) of a single flight, in units of the initial
+/// noise estimate `sigma0`, at which its residuals are considered noise.
 const MAX_FLIGHT_NOISE: f64 = 2.0;
 
-/// Maximum ratio of the median residual scale after a step to that before it for the step to be accepted.
+/// Maximum ratio of the median residual scale after a step to that before the step, for the step to be accepted. The
+/// residual scale of a flight is the robust standard deviation of its residuals.
 const MAX_GROWTH: f64 = 1.1;
 
 /// Fits all flights over a time horizon that grows to their whole length. Far from the solution, long flights have
 /// local minima that short ones do not have.
 ///
-/// A flight that cannot be integrated to the horizon from the present unknowns is used up to a limit before its
-/// failure.
+/// A flight that cannot be integrated to the horizon from the present unknowns is used up to a time before the failure
+/// of its integration.
 ///
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
@@ -121,8 +122,8 @@ fn fit_undistorted(
     Ok(())
 }
 
-/// Tries one step over whole flights. Returns the residuals after the step if they are at noise level; `None`
-/// otherwise.
+/// Tries one step of all unknowns over whole flights. Returns the residuals after the step if they are at noise level;
+/// `None` otherwise.
 fn step_to_noise(
     problem: &FitProblem,
     state: &mut State,
@@ -140,12 +141,13 @@ fn step_to_noise(
     Ok(stepped.map(|step| step.cache).filter(is_noise))
 }
 
-/// A least-squares step that was accepted from the residuals after it, without computing derivatives there.
+/// A least-squares step that was accepted on the basis of the residuals after it, without computing the derivatives at
+/// the new iterate.
 pub struct AcceptedStep {
     /// Residuals after the step.
     pub cache: ResidualCache,
-    /// Reduction of the sum of squares by the step that the linearised problem predicts; `None` if the solver does not
-    /// return it.
+    /// Reduction of the sum of squares by the step that the linearised problem predicts; `None` if the solver predicts
+    /// none.
     pub predicted_reduction: Option<f64>,
 }
 

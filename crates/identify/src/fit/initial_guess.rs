@@ -223,8 +223,9 @@ fn observations_and_poses(
     Ok((observations, poses))
 }
 
-/// Returns initial guesses refined by a fit to the first segment with fixed global parameters, each with its sum of
-/// squares; the guess with the slowest spin is first. After the deadline, guesses are returned without refinement.
+/// Returns initial guesses refined by a fit to the first segment of the flight with fixed global parameters, each with
+/// its sum of squares; the guess with the slowest spin is first. After the deadline, guesses are returned without
+/// refinement.
 ///
 /// # Errors
 /// [`FlightError`] if no guess can be found or refined.

@@ -23,10 +23,10 @@ use crate::problem::FitProblem;
 /// Duration of the first and shortest arcs, which are parts of a flight with separate initial states, s.
 const ARC: f64 = 0.14;
 
-/// Minimum number of samples of an arc.
+/// Minimum number of samples of an arc, a part of a flight with its own initial state.
 const MIN_ARC_SAMPLES: usize = 12;
 
-/// Number of consecutive arcs of a flight that are joined to one longer arc.
+/// Number of consecutive arcs of a flight (parts with separate initial states) that are joined to one longer arc.
 const JOINED: usize = 3;
 
 /// Minimum distance between the initial value of a parameter and its bounds, in units of the parameter's typical
@@ -34,10 +34,10 @@ const JOINED: usize = 3;
 const OFF_BOUND: f64 = 0.1;
 
 /// Change of the sum of squares, if a parameter changes by its typical magnitude, below which the parameter is
-/// considered to have no effect.
+/// considered to have no effect on the residuals.
 const HIDDEN: f64 = 1e-6;
 
-/// Maximum number of parameters without effect for which other initial values are tried.
+/// Maximum number of parameters without an effect on the residuals for which other initial values are tried.
 const MAX_HIDDEN: usize = 2;
 
 /// Fits all flights again by multiple shooting if the present fit may have ended in a wrong minimum: its residuals are
@@ -114,7 +114,8 @@ fn hidden(problem: &FitProblem, state: &State) -> Vec<(usize, f64)> {
     hidden.take(MAX_HIDDEN).flatten().collect()
 }
 
-/// Fits arcs of increasing length and then whole flights; `None` if too few arcs can be fitted.
+/// Fits arcs of increasing length (parts of flights with separate initial states) and then whole flights; `None` if too
+/// few arcs can be fitted.
 fn shoot(
     problem: &FitProblem,
     state: &mut State,
@@ -158,7 +159,8 @@ fn shoot(
     anneal_scale(problem, state, options).map(Some)
 }
 
-/// Divides all flights into arcs, each with its initial guess; `None` if no arc has an initial guess.
+/// Divides all flights into arcs (parts with separate initial states), each with its initial guess; `None` if no arc
+/// has an initial guess.
 fn arcs(
     problem: &FitProblem,
     state: &State,
@@ -200,8 +202,8 @@ fn guess(problem: &FitProblem, arc: &Observations) -> Option<DVector<f64>> {
     Some(guesses.into_iter().next()?.state)
 }
 
-/// Joins each group of `JOINED` consecutive arcs of a flight to one arc; returns `false` if all arcs are whole flights
-/// already.
+/// Joins each group of `JOINED` consecutive arcs of a flight to one arc, with the initial state of the first arc;
+/// returns `false` if all arcs are whole flights already.
 fn join(state: &State, arcs: &mut State) -> bool {
     let before = std::mem::replace(arcs, State::new(arcs.global.clone(), arcs.interval));
     let mut has_joined = false;

@@ -15,14 +15,17 @@ use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::statistics::median;
 
-/// Ratio of a flight's residual scale to the reference scale of all flights, above which the flight is fitted again.
+/// Ratio of a flight's residual scale (robust standard deviation of its residuals) to the reference scale of all
+/// flights, above which the flight is fitted again.
 const SUSPECT_RATIO: f64 = 3.0;
 
-/// Maximum ratio of the new residual scale of a flight to the old one for the new initial state to be accepted.
+/// Maximum ratio of the new residual scale of a flight (robust standard deviation of its residuals) to the old one, for
+/// the new initial state to be accepted.
 const ACCEPTED_RATIO: f64 = 0.7;
 
-/// Median of the flights' residual scales, in units of the initial noise estimate `sigma0`, above which the model or
-/// most initial guesses are wrong. Flights are then compared with `sigma0` instead of the median.
+/// Median over the flights of their residual scales (robust standard deviations of the residuals), in units of the
+/// initial noise estimate `sigma0`, above which the model or most initial guesses are wrong. Flights are then compared
+/// with `sigma0` instead of the median.
 const MISFIT_RATIO: f64 = 10.0;
 
 /// Refits flights whose residual scale is far above that of the other flights and of the noise. If a refit improves a
@@ -68,8 +71,8 @@ pub fn multistart(
     }
 }
 
-/// Residual scale with which that of each flight is compared, m: the median of `scales`, at least `sigma0`; or `sigma0`
-/// if the median is far above the noise.
+/// Residual scale (robust standard deviation of residuals) with which that of each flight is compared, m: the median of
+/// `scales`, at least `sigma0`; or `sigma0` if the median is far above the noise.
 fn reference_scale(scales: &[f64], sigma0: f64) -> f64 {
     let median = median(&mut scales.to_vec());
     match median > MISFIT_RATIO * sigma0 {
@@ -79,7 +82,7 @@ fn reference_scale(scales: &[f64], sigma0: f64) -> f64 {
 }
 
 /// Better initial state of a flight at the present global parameters, with a note for the report; `None` if no initial
-/// guess leads to a residual scale clearly below `before`, m.
+/// guess leads to a residual scale (robust standard deviation of the residuals) clearly below `before`, m.
 fn restart(
     problem: &FitProblem,
     state: &State,

@@ -39,7 +39,7 @@ pub struct Outcome<'a> {
     fitted: &'a Reweighted,
     covariance: Covariance,
     flights: Vec<FlightOutcomeData>,
-    /// Median of the flights' rms residuals, m.
+    /// Median over the flights of their root mean square residuals, m.
     median_rms: f64,
     pool: ResidualPool,
     channels: Vec<ChannelSum>,
@@ -48,7 +48,7 @@ pub struct Outcome<'a> {
 }
 
 struct FlightOutcomeData {
-    /// Root mean square residual of one coordinate, m.
+    /// Root mean square residual of one coordinate of the flight, outliers excluded, m.
     rms: f64,
     outliers: usize,
     initial: BTreeMap<String, Estimate>,

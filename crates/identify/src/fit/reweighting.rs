@@ -22,22 +22,22 @@ use crate::report::FitStatus;
 /// flag. Among very many values, a few are always near the outlier threshold.
 const POINTS_PER_CHANGED_MARK: usize = 10_000;
 
-/// Maximum number of noise estimates.
+/// Maximum number of noise estimates in the alternation of noise estimates and least squares.
 const MAX_ROUNDS: usize = 8;
 
 /// Number of least-squares solutions that stop at the maximum number of steps, after which reweighting ends without
 /// convergence.
 const MAX_UNFINISHED: usize = 2;
 
-/// Number of least-squares solutions with residuals far above the noise, after which reweighting ends, because the
-/// weights of such residuals need not converge precisely.
+/// Number of least-squares solutions with residuals far above the noise, after which the alternation of noise estimates
+/// and least squares ends, because the weights of such residuals need not converge precisely.
 const MAX_MISFITS: usize = 3;
 
 /// Converged noise estimate and unknowns, or the last iterates if the alternation did not converge.
 pub struct Reweighted {
     /// Noise model by which the residuals are weighted.
     pub noise: NoiseModel,
-    /// Least-squares solution with this noise model.
+    /// Least-squares solution for residuals weighted according to `noise`.
     pub solution: Solution,
     /// Residuals of the solution.
     pub cache: ResidualCache,

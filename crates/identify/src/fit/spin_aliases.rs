@@ -15,8 +15,9 @@ use crate::statistics::median;
 /// decreasing probability.
 const ALIASES: [i32; 3] = [0, -1, 1];
 
-/// Maximum ratio of the median residual scale of the fit with one spin alias to that of the best alias tried before,
-/// for the new alias to be preferred. An alias is a number of additional turns between samples.
+/// Maximum ratio of the median residual scale (over flights, of the robust standard deviation of their residuals) of
+/// the fit with one spin alias to that of the best alias tried before, for the new alias to be preferred. An alias is a
+/// number of additional turns between samples.
 const ACCEPTED_RATIO: f64 = 0.9;
 
 /// Fits all flights by horizon continuation once for each spin alias (number of additional turns between samples), and
@@ -78,8 +79,9 @@ fn with_alias(state: &State, alternatives: &[Vec<InitialGuess>], alias: i32) -> 
     state
 }
 
-/// Median of the residual scales of the flights, m. A flight that cannot be integrated or was excluded counts as
-/// infinite. The median is used because single flights may still be in a wrong minimum.
+/// Median over the flights of their residual scales (robust standard deviations of the residuals), m. A flight that
+/// cannot be integrated or was excluded counts as infinite. The median is used because single flights may still be in a
+/// wrong minimum.
 fn median_scale(cache: &ResidualCache, excluded: usize) -> f64 {
     let scales = cache.scales().into_iter();
     let flown = scales.map(|scale| scale.unwrap_or(f64::INFINITY));

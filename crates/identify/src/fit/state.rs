@@ -30,7 +30,7 @@ pub(crate) struct State {
     pub interval: f64,
     /// Number of least-squares steps so far.
     pub steps: usize,
-    /// Number of noise estimates so far.
+    /// Number of times that the noise has been estimated so far.
     pub rounds: usize,
 }
 
@@ -85,8 +85,8 @@ impl State {
             .collect()
     }
 
-    /// Limits each flight of `failures` to the part that can be integrated. For flights that are limited already and do
-    /// not fail, the limit is doubled.
+    /// Limits each flight of `failures` to a fraction of the time before the failure of its integration, and doubles
+    /// the limits of all other flights. Flights without a limit remain unlimited.
     pub fn limit_to_flyable(&mut self, failures: &[FailedFlight]) {
         for limit in &mut self.limits {
             *limit *= 2.0;

@@ -19,15 +19,16 @@ use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::screening::FaultKind;
 
-/// Maximum ratio of a flight's residual scale to that of the other flights at which it is considered similar to them.
+/// Maximum ratio of a flight's residual scale (robust standard deviation of its residuals) to that of the other
+/// flights, at which the flight is considered similar to them.
 pub const LIKE_RATIO: f64 = 3.0;
 
 /// Maximum number of passes over the excluded flights. Flights that one pass includes improve the parameters, so that
 /// the next pass may include further flights.
 const MAX_PASSES: usize = 2;
 
-/// Includes excluded flights again if the model predicts them about as well as the others, and fits all flights again.
-/// Returns the new solution, or the present one, `reweighted`, if no flight is included again.
+/// Includes excluded flights again if the model predicts them about as well as the fitted flights, and fits all flights
+/// again. Returns the new solution, or the present one, `reweighted`, if no flight is included again.
 ///
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
@@ -98,8 +99,8 @@ pub fn may_come_back(excluded: &ExcludedFlight) -> bool {
     }
 }
 
-/// Observations and initial state of a flight, if its residual scale at the given global parameters is similar to that
-/// of the other flights, `usual`, m; `None` otherwise.
+/// Observations and initial state of an excluded flight, if its residual scale (robust standard deviation of its
+/// residuals) at the given global parameters is similar to that of the other flights, `usual`, m; `None` otherwise.
 fn like_the_others(
     problem: &FitProblem,
     flight: &crate::dataset::Flight,

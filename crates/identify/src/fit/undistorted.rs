@@ -16,8 +16,8 @@ use crate::options::FitOptions;
 use crate::predict::states;
 use crate::problem::FitProblem;
 
-/// Maximum number of iterations. Each computes the distortion of the samples at the present initial state, and
-/// estimates the initial state again from the corrected samples, because the distortion depends on the motion.
+/// Maximum number of iterations. Each computes how the measurement distorts the samples at the present initial state,
+/// and estimates the initial state again from the corrected samples, because the distortion depends on the motion.
 const PASSES: usize = 4;
 
 /// Maximum distortion that is neglected: displacement of a marker position by an error of the measurement such as late
@@ -40,8 +40,8 @@ pub fn initial_guesses(
     Ok(guesses)
 }
 
-/// Initial guess from corrected samples: the distortion by the measurement is subtracted that the parameters `global`
-/// predict for the initial state `local`. `None` if this distortion is negligible.
+/// Initial guess from samples that are corrected for their distortion by the measurement. The distortion is predicted
+/// from the parameters `global` and the initial state `local`. `None` if it is negligible.
 fn undistorted_guess(
     problem: &FitProblem,
     observations: &Observations,

@@ -14,18 +14,19 @@ use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 
-/// Ratio of a flight's residual scale to the median scale over the flights (at least the initial noise estimate
-/// `sigma0`), above which the flight is a suspect: the other flights are then fitted without it.
+/// Ratio of a flight's residual scale (robust standard deviation of its residuals) to the median over all flights, or
+/// to the initial noise estimate `sigma0` if that is greater, above which the flight is a suspect: the other flights
+/// are then fitted without it.
 const SUSPECT_RATIO: f64 = 3.0;
 
-/// Ratio of a flight's residual scale to that of the other flights, fitted without it, above which it is excluded,
-/// because it would bias the fit of all others.
+/// Ratio of a flight's residual scale (robust standard deviation of its residuals) to that of the other flights, fitted
+/// without it, above which the flight is excluded, because it would bias the fit of all others.
 const UNLIKE_RATIO: f64 = 10.0;
 
 /// Maximum number of passes in which flights are excluded.
 const MAX_PASSES: usize = 4;
 
-/// Excludes a minority of flights whose residuals remain far above those of the other flights, although the global
+/// Excludes a minority of flights whose residuals remain far above those of the other flights, even if the global
 /// parameters are fitted to the other flights alone. `cache` contains the residuals at the present state. Returns the
 /// residuals at the new state.
 ///
@@ -53,7 +54,8 @@ pub fn exclude_unlike_flights(
     Ok(cache)
 }
 
-/// Indices of the flights whose residual scale is far above the median.
+/// Indices of the flights whose residual scale (robust standard deviation of the residuals) is far above the median
+/// over all flights.
 fn suspects(problem: &FitProblem, cache: &ResidualCache) -> Vec<usize> {
     let limit = SUSPECT_RATIO * cache.median_scale().max(problem.sigma0);
     let scales = cache.scales().into_iter().enumerate();

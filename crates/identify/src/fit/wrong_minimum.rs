@@ -8,8 +8,8 @@ use super::undistorted;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 
-/// Maximum ratio of the root mean square residual scale of a new fit to that of the present fit for the new fit to be
-/// accepted.
+/// Maximum ratio of the residual scale of a new fit (root mean square over the flights) to that of the present fit, for
+/// the new fit to be accepted. The residual scale of a flight is the robust standard deviation of its residuals.
 const ACCEPTED_RATIO: f64 = 0.98;
 
 /// Maximum number of restarts from samples corrected for their distortion by the measurement, such as late recording.

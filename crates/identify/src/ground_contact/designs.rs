@@ -2,16 +2,18 @@
 
 use super::motion::Point;
 
-/// Maximum number of designs: windows differ in the rounding of their times, which repeats after a few samples.
+/// Maximum number of stored designs (factorised regression matrices). Ranges of evenly spaced points differ only in the
+/// rounding of their times, which repeats after a few samples.
 const MAX_DESIGNS: usize = 8;
 /// Maximum difference between times that are considered equal, s. In this time a body moves by some nanometres.
 const SAME_TIME: f64 = 1e-9;
 
-/// Designs of recent windows. Windows whose samples have the same times relative to a reference time share one.
+/// Recently used designs (factorised regression matrices) for ranges of points. Ranges whose samples have the same
+/// times relative to a reference time share one design.
 #[derive(Debug)]
 pub struct Designs<D> {
     recent: Vec<(Vec<(usize, f64)>, D)>,
-    /// Index of the design that the next one replaces.
+    /// Index of the oldest stored design, which the next new design replaces.
     oldest: usize,
 }
 
@@ -24,8 +26,8 @@ impl<D> Designs<D> {
         }
     }
 
-    /// Returns the design of a window of points, with times relative to `about`, s: the design of an equal window, or
-    /// the result of `make`. `None` if `make` returns `None` or there are no points.
+    /// Returns the design of a range of points, with times relative to `about`, s: a stored design for the same times,
+    /// or the result of `make`, which is then stored. `None` if `make` returns `None` or there are no points.
     pub fn of<'p>(
         &mut self,
         points: impl ExactSizeIterator<Item = &'p Point> + Clone,

@@ -4,10 +4,11 @@ use nalgebra::Vector3;
 
 use super::motion::Point;
 
-/// Maximum number of points after an interval with a possible contact within which a hand stops a body. A disc that
-/// slides on the ground takes longer.
+/// Maximum number of points, after an interval in which a contact is suspected, within which a hand stops a body. A
+/// disc that slides on the ground takes longer to stop.
 const WITHIN: usize = 24;
-/// Number of points at the end of the `WITHIN` points after the interval, from which the final speed is computed.
+/// Number of points at the end of the period in which a hand must stop the body (the `WITHIN` points after a suspected
+/// contact); the final speed is computed from them.
 const LAST: usize = 3;
 /// Maximum ratio of the final speed to the speed before the contact for a body to be considered at rest. The limit
 /// allows for noise and for samples that end shortly before a caught body is at rest.

@@ -10,16 +10,17 @@ use super::PathPoint;
 use crate::path_noise::path_noise;
 use crate::statistics::median;
 
-/// Maximum number of points that are used on each side of the tested interval, which is the interval between two
-/// successive points in which an impact is assumed.
+/// Maximum number of points that are used on each side of an interval between two successive points that is tested for
+/// an impact.
 const SIDE: usize = 7;
-/// Minimum numbers of points before and after the tested interval.
+/// Minimum numbers of points before and after an interval that is tested for an impact.
 const LEAST_SIDES: (usize, usize) = (6, 3);
-/// Minimum number of points on one side of the tested interval for a parabola. With fewer points after the interval,
-/// only position and velocity are fitted there, and the acceleration before the interval is used.
+/// Minimum number of points on one side of an interval, which is tested for an impact, for a parabola to be fitted to
+/// them. With fewer points after the interval, only position and velocity are fitted there, and the acceleration before
+/// the interval is used.
 const PARABOLA: usize = 5;
 /// Number of coefficients (degree plus one) of the single polynomial that represents motion without an impact. It is
-/// fitted to the points on both sides of the tested interval.
+/// fitted to the points before and after the interval that is tested for an impact.
 const SMOOTH: usize = 5;
 /// Minimum velocity jump of an impact, m/s.
 const MIN_JUMP: f64 = 0.5;
@@ -28,8 +29,8 @@ const MIN_SIGNIFICANCE: f64 = 8.0;
 /// Minimum velocity jump of an impact, in units of the median of the jumps that are fitted at other intervals of the
 /// flight.
 const MIN_RATIO: f64 = 3.5;
-/// Minimum velocity jump of an impact, in units of the velocity change within the tested interval by the larger one of
-/// the accelerations before and after it.
+/// Minimum velocity jump of an impact, in units of the velocity change that acceleration alone causes within the tested
+/// interval (the larger of the accelerations before and after the interval is used).
 const MIN_IMPULSE: f64 = 3.0;
 /// Minimum ratios of the upward component of the velocity jump at an impact: to the magnitude of the jump, and to the
 /// descent speed before it.
@@ -37,10 +38,10 @@ const MIN_VERTICAL_PART: (f64, f64) = (0.3, 0.3);
 /// Minimum ratio of the residual variance of a single polynomial (motion without an impact) to that of two parabolas
 /// (motion before and after an impact).
 const MIN_SQUARES_RATIO: f64 = 1.5;
-/// Maximum number of points around the tested interval that are excluded as outliers.
+/// Maximum number of points around an interval tested for an impact that are excluded as outliers.
 const MOST_OUTLIERS: usize = 2;
-/// Maximum number of intervals, distributed over the flight, from which the median velocity jump of `MIN_RATIO` is
-/// computed.
+/// Maximum number of intervals, distributed over the flight, at which velocity jumps are fitted; the jump of an impact
+/// is compared with their median (see `MIN_RATIO`).
 const USUAL: usize = 24;
 
 /// An impact on a path: a velocity jump between two of its points.
@@ -110,18 +111,19 @@ fn may_be_impact(path: &[PathPoint], index: usize) -> bool {
 /// Test of one interval for an impact: parabolas in time fitted to the motion before and after the interval.
 #[derive(Clone, Copy)]
 struct Kink {
-    /// Index of the first point after the tested interval.
+    /// Index of the first point after the interval that is tested for an impact.
     index: usize,
-    /// Velocity in the middle of the tested interval, extrapolated from the motion before it, m/s.
+    /// Velocity before the impact, extrapolated to the middle of the interval that is tested for an impact, m/s.
     before: Vector3<f64>,
-    /// Jump of the velocity in the tested interval, m/s.
+    /// Jump of the velocity in the interval that is tested for an impact, m/s.
     jump: Vector3<f64>,
     /// Standard error of a component of the jump, m/s.
     error: f64,
-    /// Velocity change within the tested interval by the larger one of the accelerations before and after it, m/s.
+    /// Velocity change within the interval that is tested for an impact, if the acceleration is the larger of those
+    /// before and after the interval, m/s.
     impulse: f64,
-    /// Residual variances, m²: of the two parabolas (`squares`, at least the noise variance), and of a single
-    /// polynomial through all points (`smooth`).
+    /// Residual variance of the two parabolas, at least the noise variance, m². `smooth` is the residual variance of a
+    /// single polynomial through all points, m².
     squares: f64,
     smooth: f64,
 }
@@ -141,8 +143,8 @@ impl Kink {
     }
 }
 
-/// Fits parabolas before and after the interval that precedes point `index`, and a single polynomial through all their
-/// points. `noise` is the standard deviation of one coordinate, m. `None` if there are too few points.
+/// Fits parabolas before and after the interval that precedes point `index`, and a single polynomial through the points
+/// of both parabolas. `noise` is the standard deviation of one coordinate, m. `None` if there are too few points.
 fn kink(path: &[PathPoint], index: usize, noise: f64) -> Option<Kink> {
     let (from, to) = (index.saturating_sub(SIDE), (index + SIDE).min(path.len()));
     let time = 0.5 * (path[index - 1].1 + path[index].1);

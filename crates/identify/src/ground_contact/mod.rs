@@ -22,7 +22,8 @@ use crate::statistics::median;
 /// Ratio of the residual variance of a pose (of the marker positions about the fitted rigid body) to the median over
 /// the flight, above which the sample contains an outlier.
 const MAX_VARIANCE_RATIO: f64 = 25.0;
-/// Minimum residual variance of a pose, m², for its sample to contain an outlier.
+/// Lower limit of the threshold of the residual variance of a pose, m², above which the sample of the pose is
+/// considered to contain an outlier.
 const MIN_OUTLIER_VARIANCE: f64 = 1e-8;
 
 /// Maximum difference, in samples, between a contact detected from the path and one detected from the attitude, for
@@ -96,8 +97,8 @@ fn contact_of(
     contact(&path, &posed.collect::<Vec<Posed>>())
 }
 
-/// Residual variance of a pose, m², above which the sample contains an outlier. `variances` are the residual variances
-/// of all poses of the flight, m².
+/// Threshold of the residual variance of a pose, m², above which the sample of the pose is considered to contain an
+/// outlier. `variances` are the residual variances of all poses of the flight, m².
 pub fn variance_limit(variances: impl Iterator<Item = f64>) -> f64 {
     let limit = MAX_VARIANCE_RATIO * median(&mut variances.collect::<Vec<f64>>());
     limit.max(MIN_OUTLIER_VARIANCE)

@@ -7,7 +7,7 @@ use nalgebra::{SVector, Vector3};
 
 use super::regression::Row;
 
-/// Unit in which time is expressed in the powers of the polynomials, s.
+/// Unit of time in the polynomials of the motion, s: their variable is time divided by this value.
 pub const SCALE: f64 = 0.1;
 /// Prior standard deviation of the fourth time derivative of the position, m/s⁴. The value allows for a lift of several
 /// g that decays within half a second.
@@ -49,16 +49,16 @@ pub struct Character {
 /// disturbed within the interval, so that its velocity and wobble change.
 #[derive(Clone, Copy, Debug)]
 pub struct Comparison {
-    /// Index of the first point after the tested interval.
+    /// Index of the first point after the interval that is tested for a contact.
     pub index: usize,
     /// Decreases of the sums of squared residuals of position and axis if the disturbance is allowed. Each is divided
     /// by its noise variance, or by `LOCAL_PART` × its residual variance if that is greater.
     pub gains: [f64; 2],
-    /// Residual variances of the disturbed motion: of the position, m², and of the axis.
+    /// Residual variances of the disturbed motion: of the position, m², and of the axis (a unit vector, dimensionless).
     pub variances: [f64; 2],
     /// Sum of the squared residuals of position and axis for the disturbed motion, each in units of its noise variance.
     pub remaining: f64,
-    /// Velocity just before the disturbance (`velocity`) and jump of the velocity at the disturbance (`jump`), m/s.
+    /// Velocity just before the disturbance, m/s. `jump` is the change of the velocity at the disturbance, m/s.
     pub velocity: Vector3<f64>,
     pub jump: Vector3<f64>,
 }
@@ -103,8 +103,8 @@ impl Character {
         [0.0, 0.0, 0.0, self.precision(1, BEND), 0.0, 0.0]
     }
 
-    /// Variances by which the gains of position, m², and axis are divided. `variances` are the residual variances of
-    /// the disturbed motion.
+    /// Variances by which the gains (decreases of the sum of squared residuals) of position, m², and axis are divided.
+    /// `variances` are the residual variances of the disturbed motion.
     pub fn units(&self, variances: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|part| self.noise[part].powi(2).max(LOCAL_PART * variances[part]))
     }

@@ -8,20 +8,21 @@ use super::designs::Designs;
 use super::motion::{Character, Comparison, Point, SCALE};
 use super::regression::{Design, Regression};
 
-/// Maximum numbers of points that are used before and after the tested interval, which is the interval between two
-/// successive points in which a contact is assumed.
+/// Maximum numbers of points that are used before and after an interval between two successive points that is tested
+/// for a contact.
 pub const SIDES: (usize, usize) = (20, 8);
-/// Maximum numbers of samples, with or without a pose, that the points used before and after the tested interval may
-/// span.
+/// Maximum numbers of samples, with or without a pose, that the points used before and after an interval tested for a
+/// contact may span.
 const SPANS: (usize, usize) = (26, 16);
-/// Minimum numbers of points that are required before and after the tested interval.
+/// Minimum numbers of points that are required before and after an interval tested for a contact.
 const LEAST_SIDES: (usize, usize) = (8, 4);
-/// Maximum number of points around the tested interval that are excluded as outliers.
+/// Maximum number of points around an interval tested for a contact that are excluded as outliers.
 const MOST_OUTLIERS: usize = 2;
 /// Sum of the squared residuals of a point's position and axis, each divided by its noise variance, above which the
 /// point is an outlier.
 const OUTLIER: f64 = 40.0;
-/// The regressions of one flight, which share designs between windows.
+/// Least-squares fits of free and of disturbed motion to ranges of points of one flight. Ranges with equally spaced
+/// times share one factorised design.
 #[derive(Debug)]
 pub struct MotionFits {
     /// Wobble rate and noise that the regressions assume.
@@ -31,7 +32,7 @@ pub struct MotionFits {
 }
 
 impl MotionFits {
-    /// Regressions without designs so far.
+    /// Creates the fits for a given wobble rate and noise, without any stored design.
     pub fn new(character: Character) -> Self {
         Self {
             character,

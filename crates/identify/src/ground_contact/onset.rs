@@ -3,12 +3,12 @@
 use super::motion::{Comparison, Point};
 use super::motion_fits::{MotionFits, SIDES, range_before};
 
-/// Numbers of points before and after the interval with the detected contact, among which the first point after the
-/// contact is searched. A hard contact is already detected in an earlier interval, as soon as the points used after
+/// Numbers of points before and after the interval in which a contact was detected, among which the first point after
+/// the contact is searched. A hard contact is already detected in an earlier interval, as soon as the points used after
 /// that interval include the contact.
 const SOUGHT: (usize, usize) = (7, SIDES.1 + 2);
-/// Minimum number of points before those among which the first point after the contact is searched; free motion is
-/// fitted to them.
+/// Minimum number of points that precede the points searched for the first one after a contact (see `SOUGHT`); free
+/// motion is fitted to them.
 const LEAST_BEFORE: usize = 8;
 /// Sum of the squared innovations of position and axis, in units of their variances, at which a sample is evidence
 /// neither for nor against free motion: three times the expected value.
@@ -17,12 +17,12 @@ const NEUTRAL: f64 = 18.0;
 /// contact was detected. For a strong contact, it prevents small prediction errors before the contact from being
 /// mistaken for the contact.
 const NEUTRAL_PART: f64 = 0.02;
-/// Maximum squared innovation that is counted for a sample, in units of the neutral squared innovation, so that a
-/// single outlier is not mistaken for a contact.
+/// Maximum squared innovation that is counted for a sample, in units of the neutral squared innovation (see `NEUTRAL`),
+/// so that a single outlier is not mistaken for a contact.
 const MOST: f64 = 2.4;
 
-/// Index of the first sample after a contact, which was detected by `comparison`; `None` if the points do not determine
-/// it.
+/// Index of the first sample after the contact that was detected by `comparison`; `None` if the points do not determine
+/// this sample.
 pub fn onset(points: &[Point], comparison: &Comparison, fits: &mut MotionFits) -> Option<usize> {
     let index = first_point(points, comparison, fits)?;
     let (last, next) = (
@@ -35,8 +35,8 @@ pub fn onset(points: &[Point], comparison: &Comparison, fits: &mut MotionFits) -
     }
 }
 
-/// Index of the first point that the free motion before it does not predict, near the contact that was detected by
-/// `found`; `None` if the points do not determine the free motion.
+/// Index of the first point that is not predicted by free motion fitted to the points before it, near the contact that
+/// was detected by `found`; `None` if the points do not determine the free motion.
 fn first_point(points: &[Point], found: &Comparison, fits: &mut MotionFits) -> Option<usize> {
     let character = fits.character;
     let base = found.index.saturating_sub(SOUGHT.0).max(LEAST_BEFORE);

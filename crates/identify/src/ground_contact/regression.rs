@@ -138,17 +138,18 @@ impl<const N: usize> Design<N> {
     }
 }
 
-/// Transformation of a row to noise of one variance that does not depend on the noise of the previous row.
+/// Transformation of a regression row that makes its noise independent of the noise of the previous row and gives all
+/// rows the same noise variance (AR(1) whitening).
 #[derive(Clone, Copy, Debug)]
 struct Whitening {
-    /// Correlation with the previous row.
+    /// Correlation between the noise of the row and that of the previous row.
     shared: f64,
     scale: f64,
 }
 
 impl Whitening {
-    /// The transformation of a row, given the indices of its sample and of that of the previous row; `None` for the
-    /// first row.
+    /// Transformation of a row, given its sample index and that of the previous row; `previous` is `None` for the first
+    /// row.
     fn of(previous: Option<usize>, sample: usize, correlation: f64) -> Self {
         let fresh = 1.0 - correlation * correlation;
         let shared = previous.map_or(0.0, |previous| {
@@ -161,7 +162,7 @@ impl Whitening {
         }
     }
 
-    /// Subtracts the part that the noise of the previous row predicts, and scales the rest.
+    /// Subtracts the noise that is expected from the previous row, and scales the rest to the common variance.
     fn apply<const M: usize>(
         self,
         previous: Option<SVector<f64, M>>,

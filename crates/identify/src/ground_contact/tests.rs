@@ -6,7 +6,7 @@ use super::{Posed, contact};
 
 /// Interval between samples, s.
 const INTERVAL: f64 = 1.0 / 120.0;
-/// Spin rate, and rate of the wobble, rad/s.
+/// Spin rate of the simulated disc, and angular rate of its wobble, rad/s.
 const RATES: (f64, f64) = (50.0, 96.0);
 
 /// Deterministic pseudo-random value between −1 and 1.

@@ -13,19 +13,21 @@ use super::wobble::{noise_correlation, points_with_axis, wobble_rate};
 use crate::path_noise::path_noise;
 use crate::statistics::median;
 
-/// Number of points before the first interval that is tested for a contact. With fewer points, the model of free motion
-/// could follow any curve.
+/// Minimum number of points before an interval that is tested for a contact. With fewer points, the model of free
+/// motion could follow any curve.
 const LEAST_BEFORE: usize = 32;
-/// Number of points after the last interval that is tested for a contact; the motion after a contact is fitted to them.
+/// Minimum number of points after an interval that is tested for a contact; the motion after a contact is fitted to
+/// them. Intervals nearer to the end of the flight are not tested.
 const LEAST_AFTER: usize = 4;
-/// Lower limits of the usual gains of position and axis in free flight. A gain is the decrease of the sum of squared
-/// residuals by allowing a contact; its expected value increases with the number of coefficients that a contact adds.
+/// Lower limits of the usual gains of position and axis. A gain is the decrease of the sum of squared residuals if a
+/// contact is assumed in an interval; the usual gain is typical of intervals of the flight without a contact. Its
+/// expected value increases with the number of coefficients that a contact adds.
 const LEAST_USUAL: [f64; 2] = [8.0, 12.0];
-/// Minimum number of earlier intervals for the usual gain to be the median of their gains. With fewer, the usual gain
-/// is the lower quartile over the whole flight.
+/// Minimum number of earlier intervals for the usual gain (see `LEAST_USUAL`) to be the median of the gains of these
+/// intervals. With fewer, the usual gain is the lower quartile over the whole flight.
 const EARLIER: usize = 8;
-/// Minimum gain of a contact, in units of the usual gain. The first value applies to the gains of position and axis,
-/// the second value to the geometric mean of these two gains.
+/// Minimum gains of a contact, in units of the usual gain (see `LEAST_USUAL`): the first value applies to the gain of
+/// the position and to that of the axis, the second value to the geometric mean of the two.
 const MIN_GAINS: (f64, f64) = (3.5, 5.5);
 /// Minimum upward velocity jump, m/s, of a contact that is evident from both the position and the axis.
 const MIN_JUMP: f64 = 0.15;
@@ -33,11 +35,12 @@ const MIN_JUMP: f64 = 0.15;
 /// horizontal component.
 const MIN_UPWARD_PART: f64 = 0.3;
 /// Thresholds for a contact that is evident from the position alone: minimum gain of the position, in units of the
-/// usual gain; minimum upward velocity jump, m/s; and minimum ratio of this jump to the descent speed before it.
+/// usual gain (see `LEAST_USUAL`); minimum upward velocity jump, m/s; and minimum ratio of this jump to the descent
+/// speed before it.
 const MIN_OF_PATH: (f64, f64, f64) = (7.0, 0.8, 0.3);
 
-/// Factor by which the minimum gains and jumps are multiplied in a first, cheap pass with a rough noise estimate. A
-/// flight in which no interval exceeds these lower thresholds has no contact.
+/// Factor by which the minimum gains and velocity jumps are multiplied in a first, cheap pass with a rough noise
+/// estimate. A flight in which no interval exceeds these lower thresholds has no contact.
 const ROUGH: f64 = 0.5;
 
 /// Spacing, in points, of the intervals that are tested in the first, cheap pass. A contact affects the tests of
@@ -53,8 +56,8 @@ pub struct Touch {
     pub jump: f64,
 }
 
-/// Finds the first contact with the ground; `None` if the body flies freely, is caught by a hand, has no steady axis,
-/// or has too few samples.
+/// Finds the first contact with the ground; `None` if the body flies freely, is caught by a hand, has no steady axis
+/// (it tumbles), or has too few samples.
 pub fn touch(posed: &[Posed]) -> Option<Touch> {
     if posed.len() < LEAST_BEFORE + LEAST_AFTER {
         return None;
@@ -108,8 +111,8 @@ pub fn touch(posed: &[Posed]) -> Option<Touch> {
     })
 }
 
-/// Whether a test of the first, cheap pass exceeds the lower thresholds (see `ROUGH`), so that the flight may have a
-/// contact. `gains` are the gains of `comparison`, converted to a better noise estimate.
+/// Whether `comparison`, a test in the first, cheap pass, exceeds the lower thresholds (see `ROUGH`), so that the
+/// flight may have a contact. `gains` are the gains of `comparison`, converted to a better noise estimate.
 fn may_be_touch(comparison: &Comparison, gains: [f64; 2]) -> bool {
     let [position, axis] = [0, 1].map(|part| gains[part] / LEAST_USUAL[part]);
     let jump = comparison.jump.z;

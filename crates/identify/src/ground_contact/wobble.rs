@@ -13,16 +13,17 @@ const MOST_TURN: f64 = 0.3;
 /// Minimum spin, rad/s. The axis of a slower body drifts as fast as it wobbles, so that a contact is indistinguishable
 /// from free motion.
 const LEAST_SPIN: f64 = 24.0;
-/// The spin is computed from the first 1/`SPIN_PART` of a flight, because ground friction slows it later.
+/// Reciprocal of the fraction of a flight, counted from its start, from which the spin is computed, because ground
+/// friction slows the spin later.
 const SPIN_PART: usize = 3;
 /// Trial values of the wobble angle between successive samples: minimum (rad), step (rad) and number, up to about half
 /// a turn.
 const TURNS: (f64, f64, usize) = (0.25, 0.05, 56);
-/// Spacing, in steps of `TURNS`, of the trial values in the first, coarse search for the wobble rate.
+/// Spacing of the trial values in the first, coarse search for the wobble rate, in multiples of the step of `TURNS`.
 const COARSE: usize = 3;
 /// Number of points of each segment to which a wobble of the trial rate is fitted.
 const CHUNK: usize = 12;
-/// Unit in which time is expressed in the powers of a polynomial over a segment, s.
+/// Unit of time in a polynomial over a segment, s: its variable is time divided by this value.
 const SCALE: f64 = 0.05;
 /// Lower limit of the sum of squared residuals of the axis in a segment, because its logarithm is used; smaller values
 /// are rounding errors.

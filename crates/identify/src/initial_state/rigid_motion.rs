@@ -144,18 +144,18 @@ pub fn of(problem: &FitProblem, observations: &Observations) -> Result<RigidMoti
     Ok(motion)
 }
 
-/// Ratio of a sample's variance about the rigid body to the median variance, above which the sample contains an
-/// outlier.
+/// Ratio of the variance of a sample's marker positions about the fitted rigid body to the median of these variances,
+/// above which the sample contains an outlier.
 const MAX_VARIANCE_RATIO: f64 = 25.0;
 
-/// Ratio of a position's squared distance from the parabola to the median of these squared distances, above which the
-/// position is dropped as an outlier.
+/// Ratio of a position's squared distance from the fitted parabola to the median of these squared distances, above
+/// which the position is dropped as an outlier.
 const MAX_SQUARES_RATIO: f64 = 16.0;
 
-/// Maximum number of refits of the parabola after positions were dropped.
+/// Maximum number of times that the parabola is fitted again without outliers.
 const MAX_PATH_REFITS: usize = 2;
 
-/// Minimum number of positions that must remain for a refit of the parabola.
+/// Minimum number of positions that must remain without the outliers for the parabola to be fitted again.
 const MIN_PATH_POINTS: usize = 4;
 
 /// Position, m, and velocity, m/s, at time 0 from a least-squares parabola, which is refitted without outliers.
@@ -238,8 +238,8 @@ fn rates(seen: &[SeenFrame], observations: &Observations) -> Result<Vector3<f64>
     Ok(rates.into())
 }
 
-/// Attitude at time 0. The first poses are rotated back to time 0, and the one with the smallest sum of rotation angles
-/// to the other poses is returned.
+/// Attitude at time 0. The first poses are rotated back to time 0 with the angular velocity `rates`, rad/s, and the one
+/// with the smallest sum of rotation angles to the others is returned. `None` if there is no pose.
 fn attitude(seen: &[SeenFrame], rates: Vector3<f64>) -> Option<UnitQuaternion<f64>> {
     const FIRST: usize = 5;
     let back = |seen: &SeenFrame| {

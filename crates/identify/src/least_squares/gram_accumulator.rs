@@ -11,8 +11,8 @@ const BATCH: usize = 64;
 /// Rows are padded to a multiple of this length, the number of lanes of the widest vectors.
 const PADDING: usize = 8;
 
-/// Accumulates the Gram matrix of the Jacobian rows of one flight. A row contains the derivatives by the local and
-/// global parameters, each in its column, then the residual, then zeros as padding.
+/// Accumulates the Gram matrix of the Jacobian rows of one flight. A row contains the derivatives with respect to the
+/// local and global parameters, each in its column, then the residual, then zeros as padding.
 pub struct GramAccumulator {
     /// Column indices of the local parameters.
     local: Vec<usize>,
@@ -158,8 +158,8 @@ impl Kernel for AddSquares<'_> {
     }
 }
 
-/// Adds products to a tile of the sums, from row `first` and column `column` on, `VECTORS` vectors wide. Returns the
-/// number of columns of the tile.
+/// Adds the products of the rows' elements to a tile of the Gram matrix `sums`: from row `first` and column `column`
+/// on, `VECTORS` SIMD vectors wide. Returns the number of columns of the tile.
 #[inline(always)]
 fn add_block<T: Lanes, const VECTORS: usize>(
     rows: &[f64],

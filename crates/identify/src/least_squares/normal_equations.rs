@@ -42,7 +42,7 @@ impl NormalBlock {
         }
     }
 
-    /// Adds one residual, given with its derivatives by the local and the global parameters.
+    /// Adds one residual, given with its derivatives with respect to the local and the global parameters.
     pub fn add(&mut self, residual: f64, by_local: &DVector<f64>, by_global: &DVector<f64>) {
         self.local.ger(1.0, by_local, by_local, 1.0);
         self.cross.ger(1.0, by_local, by_global, 1.0);
@@ -224,7 +224,7 @@ impl ReducedSystem<'_> {
     }
 }
 
-/// Gradient of a flight by the global parameters, after elimination of its local parameters.
+/// Gradient Jᵀr of a flight with respect to the global parameters, after elimination of its local parameters.
 fn reduced_gradient(block: &NormalBlock, factor: &ScaledCholesky) -> DVector<f64> {
     let local = factor.solve(&block.local_gradient);
     &block.global_gradient - block.cross.tr_mul(&local)

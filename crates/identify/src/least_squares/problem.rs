@@ -5,7 +5,7 @@ use nalgebra::DVector;
 use super::{Constraint, NormalBlock, UndeterminedFlight};
 use crate::error::FlightError;
 
-/// Selects the unknowns by which residuals are differentiated.
+/// Selects the unknowns with respect to which residuals are differentiated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unknowns {
     /// The local parameters only: the initial state of the flight.

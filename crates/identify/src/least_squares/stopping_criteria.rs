@@ -13,14 +13,16 @@ pub struct StoppingCriteria {
     pub accept_unevaluated: f64,
     /// Maximum number of steps.
     pub max_steps: usize,
-    /// Sum of squares above which a slow iteration is given up; infinite if it is never given up.
+    /// Sum of squares above which an iteration with slow progress is stopped; infinite if it is never stopped for this
+    /// reason.
     pub worthwhile_squares: f64,
 }
 
-/// Minimum number of steps before an iteration is given up.
+/// Minimum number of steps before an iteration is stopped because of slow progress.
 const MIN_STEPS: usize = 8;
 
-/// Predicted reduction, as a fraction of the sum of squares, below which an iteration is considered slow.
+/// Predicted reduction by a step, as a fraction of the sum of squares, below which the progress of an iteration is
+/// considered slow.
 const SLOW: f64 = 0.1;
 
 impl StoppingCriteria {
@@ -71,8 +73,8 @@ impl StoppingCriteria {
         predicted_reduction <= self.ftol_abs.max(self.ftol_rel * squares)
     }
 
-    /// Whether to give up: after a minimum number of steps, progress is slow and the sum of squares is above
-    /// `worthwhile_squares`.
+    /// Whether to stop the iteration without convergence: after a minimum number of steps, progress is slow and the sum
+    /// of squares is above `worthwhile_squares`.
     pub(super) fn is_hopeless(&self, steps: usize, predicted_reduction: f64, squares: f64) -> bool {
         steps >= MIN_STEPS
             && squares > self.worthwhile_squares
@@ -106,7 +108,8 @@ pub enum StopReason {
     MaxSteps,
     /// No step decreased the sum of squares, even with the maximum damping.
     NoDescent,
-    /// Progress was slow at a sum of squares above [`StoppingCriteria::worthwhile_squares`].
+    /// The iteration was stopped because its progress was slow at a sum of squares above
+    /// [`StoppingCriteria::worthwhile_squares`].
     GivenUp,
     /// The deadline passed.
     Deadline,

@@ -11,7 +11,7 @@ fn of(block: NormalBlock, by: Unknowns) -> NormalBlock {
     }
 }
 
-/// Test problem: each flight is `y = local * exp(-global t)`.
+/// Test problem: each flight measures `y = local * exp(-global t)`.
 struct Decay {
     data: Vec<Vec<(f64, f64)>>,
     constraints: [Constraint; 1],

@@ -10,22 +10,24 @@ use crate::observations::Observations;
 
 /// Order of the columns of a Jacobian row: free directions of the initial state with integrated sensitivities, then
 /// parameters, then free directions with constant sensitivity. The sensitivity to a direction is constant if no
-/// derivative of the model depends on the state that it varies: the derivative of that state by its initial value is
-/// then 1.
+/// derivative of the model depends on the state that varies along it: the derivative of that state with respect to its
+/// initial value is then 1.
 pub(super) struct JacobianColumns<'p> {
-    /// Number of free directions of the initial state whose sensitivities are integrated.
+    /// Number of free directions of the initial state whose sensitivities are integrated; other sensitivities are
+    /// constant.
     pub integrated: usize,
     /// Column index of each free direction of the initial state (see `StateManifold`).
     local: Vec<usize>,
     /// For each state with constant sensitivity, the column of the direction that varies it; `None` for states whose
     /// sensitivities are integrated or that are known.
     constant: Vec<Option<usize>>,
-    /// Parameters by which residuals are differentiated.
+    /// Parameters with respect to which residuals are differentiated.
     pub parameters: &'p [ParamId],
 }
 
 impl<'p> JacobianColumns<'p> {
-    /// Assigns the columns for a flight, given the entries (derivative, state) of the sparsity pattern of ∂f/∂x.
+    /// Assigns a column to each direction and parameter of a flight, given the entries (derivative, state) of the
+    /// sparsity pattern of ∂f/∂x.
     pub fn new(
         observations: &Observations,
         pattern: &[(usize, usize)],
@@ -80,8 +82,8 @@ impl<'p> JacobianColumns<'p> {
         local.chain(self.parameter_columns()).collect()
     }
 
-    /// Entries (state, column, value) of the tangent of the manifold for the columns whose sensitivities are
-    /// integrated. `entries` contains (state, direction, value).
+    /// Converts the tangent of the state manifold from `entries` (state, direction, value) to (state, column, value).
+    /// Returns only the columns whose sensitivities are integrated.
     pub fn tangent(&self, entries: &[(usize, usize, f64)]) -> Vec<(usize, usize, f64)> {
         let columns = entries.iter();
         let columns =
@@ -97,8 +99,8 @@ impl<'p> JacobianColumns<'p> {
         [0; 3].map(|_| vec![0.0; width])
     }
 
-    /// Writes the derivatives of an observation by the unknowns into `rows`, one per axis. `row_of` returns the
-    /// sensitivities of a state.
+    /// Writes the derivatives of an observation with respect to the unknowns into `rows`, one per axis. `row_of`
+    /// returns the sensitivities of a state.
     pub fn derive<'s>(
         &self,
         derivatives: &ObservationJacobians<'_>,
@@ -132,7 +134,8 @@ impl<'p> JacobianColumns<'p> {
     }
 }
 
-/// SIMD kernel of the chain rule: derivatives of an observation by the states times the sensitivities of the states.
+/// SIMD kernel of the chain rule: derivatives of an observation with respect to the states, times the sensitivities of
+/// the states.
 struct Chain<'a, R> {
     derivatives: &'a ObservationJacobians<'a>,
     /// Returns the row of sensitivities of a state, padded with zeros to whole SIMD vectors.

@@ -35,7 +35,7 @@ pub enum Loss<'a> {
 }
 
 /// Normal equations of the first `samples` samples of a flight at the given global and local parameters. `unknowns`
-/// selects the parameters by which residuals are differentiated.
+/// selects the parameters with respect to which residuals are differentiated.
 ///
 /// # Errors
 /// [`FlightError::Integration`] if the trajectory cannot be computed.
@@ -64,8 +64,8 @@ pub fn linearise(
     )
 }
 
-/// Normal equations as from [`linearise`], for given equations of motion and with derivatives by the given parameters
-/// instead of the global ones.
+/// Normal equations as from [`linearise`], for given equations of motion and with derivatives with respect to the given
+/// parameters instead of the global ones.
 ///
 /// The first call with a `cache` stores the trajectory in it. Later calls reuse the trajectory; only the loss and the
 /// outliers may change between calls.
@@ -107,7 +107,7 @@ pub fn linearise_with<M: DifferentiableRhs>(
 }
 
 /// Calls `each` with every residual of a flight, sample by sample and channel by channel, outliers included. The
-/// derivatives are by the local parameters and then by `parameters`.
+/// derivatives are with respect to the local parameters and then with respect to `parameters`.
 ///
 /// # Errors
 /// [`FlightError::Integration`] if the trajectory cannot be computed.
@@ -156,7 +156,7 @@ pub struct PointResidual<'r> {
     /// Predicted − measured along each axis, times the scale of the channel, m. A scalar residual is repeated three
     /// times.
     pub residual: [f64; 3],
-    /// Derivatives of the residual, one row per axis: by the local parameters, then by the selected parameters of the
-    /// model.
+    /// Derivatives of the residual, one row per axis: with respect to the local parameters, then with respect to the
+    /// selected parameters of the model.
     pub rows: &'r [Vec<f64>; 3],
 }

@@ -12,9 +12,11 @@ pub(super) struct WeightedRows<'a> {
     pub accumulator: GramAccumulator,
     loss: Loss<'a>,
     channels: &'a [Channel],
-    /// For each channel and axis: autocorrelation over one sampling interval, and weight of the innovation (1/m).
+    /// For each channel and axis: autocorrelation of the noise over one sampling interval, and weight of the innovation
+    /// (1/m).
     one_interval: Vec<[(f64, f64); 3]>,
-    /// Time and rows of the previous measured value of each channel.
+    /// Time (s) of the previous measured value of each channel, and the derivatives and residual of that value; `None`
+    /// before the first value.
     previous: Vec<Option<(f64, [Vec<f64>; 3])>>,
 }
 
@@ -35,7 +37,8 @@ impl<'a> WeightedRows<'a> {
         }
     }
 
-    /// Adds the residual (m) of a channel at a time (s). `now` contains its derivatives, and may be overwritten.
+    /// Adds the residual (m) of a channel at the time `time` (s). `now` contains the derivatives of the residual, one
+    /// row per axis, and may be overwritten.
     pub fn add(&mut self, channel: usize, time: f64, now: &mut [Vec<f64>; 3], residual: [f64; 3]) {
         let at = self.accumulator.residual();
         let components = self.channels[channel].components;
@@ -84,7 +87,8 @@ impl<'a> WeightedRows<'a> {
     }
 }
 
-/// Autocorrelation over a time difference (s) and weight of the innovation (1/m), along each axis.
+/// Autocorrelation of the noise over the time difference `gap` (s), and weight of the innovation (1/m), along each
+/// axis.
 fn innovations(noise: &AxesNoise, gap: f64) -> [(f64, f64); 3] {
     [0, 1, 2].map(|axis| {
         let (phi, sigma) = noise.innovation(axis, gap);

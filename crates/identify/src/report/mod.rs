@@ -90,9 +90,11 @@ pub struct SensorReport {
     pub measures: String,
     /// Unit of one component.
     pub unit: String,
-    /// Root mean square residual of one component over the fitted flights, outliers excluded.
+    /// Root mean square residual of one component over the fitted flights, outliers excluded, in the unit of the
+    /// channel.
     pub rms: f64,
-    /// Root mean square of the components' noise standard deviations, given by the dataset or estimated.
+    /// Root mean square of the components' noise standard deviations, in the unit of the channel; given by the dataset
+    /// or estimated.
     pub sigma: f64,
     /// Lag-1 autocorrelation of the noise, mean over the components.
     pub ar1: f64,
@@ -172,7 +174,7 @@ pub struct FlightReport {
     /// Whether the flight was fitted, predicted or excluded.
     #[serde(flatten)]
     pub outcome: FlightOutcome,
-    /// Number of samples in the table of the flight, not counting those that `cut` drops.
+    /// Number of samples in the table of the flight, not counting those after the truncation `cut`.
     pub samples: usize,
     /// Root mean square residual of one coordinate, m. For a held-out flight, it covers the samples after the
     /// conditioning segment. `None` if the flight is excluded.

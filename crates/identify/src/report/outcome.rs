@@ -25,7 +25,7 @@ pub enum FlightOutcome {
 pub enum FitStatus {
     /// The last least-squares iteration converged, and the noise model agrees with its residuals.
     Converged,
-    /// The last least-squares iteration reached its maximum number of steps, or was given up because of slow progress.
+    /// The last least-squares iteration reached its maximum number of steps, or was stopped because of slow progress.
     MaxSteps,
     /// The last least-squares iteration found no step that decreases the sum of squares.
     NoDescent,
@@ -36,7 +36,8 @@ pub enum FitStatus {
 }
 
 impl FitStatus {
-    /// Status after a least-squares iteration. `noise_agrees` states whether the noise model agrees with its residuals.
+    /// Status after a least-squares iteration, given the reason why the iteration stopped. `noise_agrees` states
+    /// whether the noise model agrees with the residuals of that iteration.
     pub(crate) fn of(least_squares: StopReason, noise_agrees: bool) -> Self {
         match least_squares {
             StopReason::MaxSteps | StopReason::GivenUp => Self::MaxSteps,

@@ -28,7 +28,7 @@ pub struct ResidualPool {
 
 #[derive(Clone, Debug)]
 struct Axis {
-    /// For each lag in samples: sum (m²) and number of the products of two residuals that are this far apart.
+    /// For each lag, in samples: sum (m²) and number of the products of two residuals separated by that lag.
     raw: Vec<(f64, usize)>,
     whitened: Vec<(f64, usize)>,
     /// Histogram of the whitened residuals: number of values per bin.
@@ -188,8 +188,8 @@ fn quantiles(bins: &[u32]) -> Vec<[f64; 2]> {
     each.collect()
 }
 
-/// Value below which `wanted` of the binned values are. The search resumes at `from` (bin, count below the bin), since
-/// quantiles are requested in increasing order.
+/// Value below which there are `wanted` of the binned values. The search resumes at `from` (bin, count below the bin),
+/// since quantiles are requested in increasing order.
 fn binned_quantile(bins: &[u32], wanted: f64, from: &mut (usize, f64)) -> f64 {
     let width = 2.0 * HISTOGRAM_LIMIT / BINS as f64;
     for (index, &count) in bins.iter().enumerate().skip(from.0) {

@@ -7,18 +7,19 @@ use crate::statistics::{median, robust_sigma};
 /// Maximum number of markers whose mutual distances are compared; more would add little information and much
 /// computation.
 pub const MOST_MARKERS: usize = 8;
-/// Maximum relative deviation of one pair's ratio of measured to declared distance from the median ratio of all pairs,
-/// at which the ratios count as consistent.
+/// Maximum relative deviation of the ratio of measured to declared distance of any pair of markers from the median
+/// ratio of all pairs, at which the ratios count as consistent.
 const RATIO_SPREAD: f64 = 0.1;
-/// Maximum relative deviation of a ratio of measured to true lengths from the ratio that a wrong unit causes, at which
-/// this unit is reported as the cause.
+/// Maximum relative deviation of the ratio of measured to true lengths from the ratio expected for a wrong unit, at
+/// which this unit is accepted as the explanation.
 const UNIT_TOLERANCE: f64 = 0.05;
-/// Minimum error of a grossly wrong distance, relative to the declared distance. The limits [`GROSS_DISTANCE`] and
-/// [`GROSS_NOISE`] must be exceeded too.
+/// Minimum deviation of a measured distance from the declared distance, relative to the latter, at which the measured
+/// distance counts as grossly wrong. The limits [`GROSS_DISTANCE`] and [`GROSS_NOISE`] must be exceeded too.
 const GROSS: f64 = 0.25;
-/// Minimum error of a grossly wrong distance, m; see [`GROSS`].
+/// Minimum deviation, m, of a grossly wrong measured distance from the declared distance; see [`GROSS`].
 const GROSS_DISTANCE: f64 = 0.02;
-/// Minimum error of a grossly wrong distance, in units of the standard deviation of its noise; see [`GROSS`].
+/// Minimum deviation of a grossly wrong measured distance from the declared distance, in units of the standard
+/// deviation of the noise of measured distances; see [`GROSS`].
 const GROSS_NOISE: f64 = 8.0;
 
 /// Units of length that are mistaken for metres: length in metres, and name.
@@ -61,8 +62,9 @@ pub struct Distances {
 }
 
 impl Distances {
-    /// Distances of the pairs of a flight's markers whose entry in `rigid` is true, in the order of [`marker_pairs`].
-    /// `None` if no such pair is measured.
+    /// Distances of the pairs of a flight's markers that the template fixes: `rigid` has an entry for each pair, in the
+    /// order of [`marker_pairs`], which is true if the distance of the pair is fixed. `None` if no such pair is
+    /// measured.
     pub fn of(flight: &Flight, markers: &[Marker], rigid: &[bool]) -> Option<Self> {
         let pairs = marker_pairs(markers.len()).into_iter().zip(rigid);
         let pairs: Vec<(usize, usize)> =
@@ -108,7 +110,8 @@ impl Distances {
         })
     }
 
-    /// Median ratio of measured to declared distances; `None` if the ratios of the pairs differ too much.
+    /// Median ratio of measured to declared distances; `None` if the ratio of a pair differs from the median by more
+    /// than [`RATIO_SPREAD`].
     pub fn ratio(&self) -> Option<f64> {
         let pairs = self.medians.iter().zip(&self.declared);
         let ratios: Vec<f64> = pairs
@@ -122,8 +125,8 @@ impl Distances {
         (agree && common > 0.0).then_some(common)
     }
 
-    /// Whether the measured distance, m, of pair number `pair` is grossly wrong: its error exceeds a relative limit, an
-    /// absolute limit and a multiple of the noise.
+    /// Whether the measured distance, m, of pair number `pair` is grossly wrong: its deviation from the declared
+    /// distance exceeds the limits [`GROSS`], [`GROSS_DISTANCE`] and [`GROSS_NOISE`].
     pub fn is_gross(&self, measured: f64, pair: usize) -> bool {
         let declared = self.declared[pair];
         let limit = (GROSS * declared)

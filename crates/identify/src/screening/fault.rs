@@ -35,7 +35,7 @@ pub enum FaultKind {
     NotFreeFlight,
     /// A track repeats the same coordinates while the body moves.
     Frozen,
-    /// Another mistake, described by the fault's detail.
+    /// A mistake of another kind, described in [`DataFault::detail`].
     Other,
 }
 

@@ -18,14 +18,16 @@ const LEAST_DEVIATION: f64 = 0.5;
 /// Minimum deviation of the fitted constant acceleration from gravity at which a fault of all flights is reported, in
 /// units of the standard error of the deviation.
 const LEAST_SIGNIFICANCE: f64 = 8.0;
-/// Minimum ratio, at which a fault of all flights is reported, of the median residual acceleration of the regression
-/// with the constant acceleration fixed at gravity to that of the regression with a fitted constant acceleration.
+/// Minimum ratio of two median residual accelerations at which a fault of all flights is reported: that of the
+/// regression whose constant acceleration is fixed at gravity, to that of the regression with a fitted constant
+/// acceleration.
 const LEAST_RATIO: f64 = 1.7;
 /// Minimum cosine of the angle between a measured acceleration and gravity at which the acceleration counts as directed
 /// downwards: cos 30°.
 const ALONG: f64 = 0.866;
-/// Range of the ratio of the fitted constant acceleration to gravity in which no fault is reported, because loads that
-/// the regression lacks may explain the deviation. A time scale wrong by a factor of 2 gives a ratio of 4 or 1/4.
+/// Range of the ratio of the fitted constant acceleration to gravity in which no fault is reported, because aerodynamic
+/// loads that the regression does not include may explain the deviation. A time scale wrong by a factor of 2 gives a
+/// ratio of 4 or 1/4.
 const USUAL_FACTORS: std::ops::Range<f64> = 0.38..2.6;
 /// Minimum misfit (unexplained acceleration) of a single flight at which corrections of its data are tried: the larger
 /// of the first number times gravity and the second number times the median misfit of all flights.
@@ -136,8 +138,8 @@ impl<'a> FreeFall<'a> {
     }
 
     /// Fault that all flights have in common: kind, description and instruction for correcting it. `fixed` and `free`
-    /// are the regressions with the constant acceleration fixed at gravity and with a fitted constant acceleration;
-    /// `None` if the fitted acceleration is no clear evidence of a fault.
+    /// are the regressions with the constant acceleration fixed at gravity and with a fitted constant acceleration; The
+    /// result is `None` if the fitted constant acceleration is not clear evidence of a fault.
     fn of_all(&self, fixed: &Regression, free: &Regression) -> Option<(FaultKind, String, String)> {
         let g = self.gravity.norm();
         let deviation = free.gravity - self.gravity;
@@ -230,7 +232,8 @@ impl<'a> FreeFall<'a> {
         })
     }
 
-    /// Faults of single flights that agree with gravity and the common loads only after a correction.
+    /// Faults of single flights that agree with gravity and with the aerodynamic loads fitted to all flights only after
+    /// a correction of their data.
     fn single(&self, fixed: &Regression) -> Vec<DataFault> {
         let g = self.gravity.norm();
         let misfit = |rows: &[Row]| self.misfit(fixed, rows);
@@ -285,9 +288,9 @@ impl<'a> FreeFall<'a> {
         })
     }
 
-    /// Misfit of a flight, m/s²: the deviation of its accelerations from gravity after subtraction of the loads fitted
-    /// to all flights. It is the deviation of their median over the windows plus a fraction of their scatter; `None`
-    /// without windows.
+    /// Misfit of a flight, m/s²: how much its accelerations, after subtraction of the aerodynamic loads fitted to all
+    /// flights, deviate from gravity. It is the deviation of the median over the time windows plus [`SCATTER_PART`]
+    /// times the scatter of the accelerations about this median; `None` without windows.
     fn misfit(&self, fixed: &Regression, rows: &[Row]) -> Option<f64> {
         let rest = rows.iter().map(|row| fixed.without_loads(row));
         misfit(&rest.collect::<Vec<_>>(), self.gravity)
@@ -410,22 +413,22 @@ pub fn upright(problem: &FitProblem, track: &Track) -> Option<f64> {
     (!each.is_empty()).then(|| median(&mut each))
 }
 
-/// Vector of the medians of each component.
+/// Component-wise median of vectors.
 fn middle(vectors: &[Vector3<f64>]) -> Vector3<f64> {
     let axis = |axis: usize| median(&mut vectors.iter().map(|v| v[axis]).collect::<Vec<f64>>());
     Vector3::new(axis(0), axis(1), axis(2))
 }
 
-/// Distance of the component-wise median of accelerations from gravity, plus a fraction of their scatter, m/s²;
-/// `None` for an empty slice.
+/// Distance of the component-wise median of accelerations from gravity, plus [`SCATTER_PART`] times their scatter,
+/// m/s²; `None` for an empty slice.
 fn misfit(accelerations: &[Vector3<f64>], gravity: Vector3<f64>) -> Option<f64> {
     let middle = middle(accelerations);
     let mut scatter: Vec<f64> = accelerations.iter().map(|a| (a - middle).norm()).collect();
     (!scatter.is_empty()).then(|| (middle - gravity).norm() + SCATTER_PART * median(&mut scatter))
 }
 
-/// Known spin of a flight of a point mass, rad/s: the first vector input of the model whose unit is that of a rate.
-/// `None` if the model has no such input.
+/// Known angular velocity, in one flight, of a body modelled as a point mass, rad/s: the value of the first vector
+/// input of the model whose unit is that of an angular velocity. `None` if the model has no such input.
 fn omega(problem: &FitProblem, flight: &Flight) -> Option<Vector3<f64>> {
     let inputs = problem.model.inputs.iter();
     let rates = inputs.filter(|input| input.unit == model_spec::unit::Unit::RATE);

@@ -7,23 +7,23 @@ use super::track::{MIN_POINTS, Parabola, Track, parabola};
 use crate::dataset::Flight;
 use crate::statistics::median;
 
-/// Numbers of points of the intervals at the start and at the end of a flight that are examined for contact with a hand
-/// or the ground.
+/// Lengths, in points of the track, of the intervals at the start and at the end of a flight that are examined for
+/// contact with a hand or the ground.
 const LENGTHS: [usize; 8] = [6, 9, 13, 20, 32, 52, 90, 160];
 /// Minimum forward component of the force per mass (without gravity) that counts as a push by a hand: in units of
 /// gravity, and of the magnitude of this force; both limits must be exceeded. Aerodynamic forces in moderate wind do
 /// not exceed both.
 const PUSH: (f64, f64) = (1.0, 0.5);
-/// Margin, in units of the standard error, by which a measured force per mass must exceed its limit to count as
-/// detected.
+/// Margin, in units of the standard error, by which a measured force per mass must exceed its limit (in [`PUSH`],
+/// [`CATCH`] or [`REST_FORCE`]) to count as detected.
 const SIGNIFICANT: f64 = 6.0;
 /// Maximum speed of a body at rest: the smaller of the first number in m/s and the second number times the flight's
 /// median speed.
 const REST: (f64, f64) = (0.5, 0.08);
 /// Minimum force per mass (without gravity) on a supported body at rest, in units of gravity.
 const REST_FORCE: f64 = 0.7;
-/// Minimum braking force per mass of a catch: in units of gravity, and of the aerodynamic force that the earlier flight
-/// suggests for the same speed. Both limits must be exceeded.
+/// Minimum braking force per mass of a catch: in units of gravity, and of the force extrapolated, with the square of
+/// the speed, from the earlier part of the flight. Both limits must be exceeded.
 const CATCH: (f64, f64) = (3.0, 5.0);
 
 /// Fault of a flight that has samples not of free flight, at its start or its end; `None` if all samples are of free
@@ -165,7 +165,8 @@ impl<'a> Examined<'a> {
         from
     }
 
-    /// Whether the body is braked, from point `first` to the end, by far more than the air could brake it.
+    /// Whether the body is braked, from point `first` to the end, by a force that far exceeds gravity and the
+    /// aerodynamic force, as in a catch (see [`CATCH`]).
     fn is_caught(&self, motion: &Parabola, first: usize) -> bool {
         let g = self.gravity.norm();
         let force = self.force(motion).norm();

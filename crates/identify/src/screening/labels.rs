@@ -143,8 +143,8 @@ fn permuted(distances: &Distances, permutation: &[usize]) -> Vec<f64> {
         .collect()
 }
 
-/// The range of consecutive samples with the greatest log-likelihood ratio of the distances `permuted`, m, which are
-/// expected for exchanged labels, to the declared distances; `None` if the evidence for exchanged labels is
+/// Range of consecutive samples with the greatest log-likelihood ratio of exchanged to declared labels; `permuted` are
+/// the distances, m, that are expected if the labels are exchanged. `None` if the evidence for exchanged labels is
 /// insufficient.
 fn stretch(distances: &Distances, permuted: &[f64]) -> Option<Stretch> {
     let variance = (CORRELATION * distances.noise).powi(2) + TEMPLATE_ERROR.powi(2);

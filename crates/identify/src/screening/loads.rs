@@ -5,37 +5,40 @@ use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
 use super::track::{Parabola, Point, Track};
 
-/// Standard deviation of the zero-mean prior of each load at the typical speed, in units of the typical acceleration.
+/// Standard deviation of the zero-mean prior of each aerodynamic load at the median speed, in units of the median
+/// acceleration.
 const PRIOR: f64 = 3.0;
 /// Standard deviation of the unexplained acceleration that the first iteration of the regression assumes, in units of
-/// the typical acceleration.
+/// the median acceleration.
 const FIRST_SCALE: f64 = 0.1;
 /// Number of iterations of reweighting, which reduces the weights of windows with large residuals.
 const REPETITIONS: usize = 6;
 
-/// Regression data of one window of a flight: its acceleration and the loads that may cause it.
+/// Regression data of one time window of a flight: the measured motion and the aerodynamic loads that may cause its
+/// acceleration.
 #[derive(Clone, Debug)]
 pub struct Row {
     /// Motion of the body's origin in the window.
     pub motion: Parabola,
-    /// Regressors of the loads: the acceleration per unit of each load's coefficient, m²/s².
+    /// Regressor of each aerodynamic load: the acceleration per unit of the load's coefficient, m²/s².
     pub loads: Vec<Vector3<f64>>,
 }
 
-/// Result of a regression of accelerations: the constant acceleration (gravity) and the coefficients of the loads.
+/// Result of a regression of accelerations: the constant acceleration (gravity) and the coefficients of the aerodynamic
+/// loads.
 pub struct Regression {
     /// The fitted or given constant acceleration, m/s².
     pub gravity: Vector3<f64>,
     /// Covariance of the constant acceleration, m²/s⁴; zero if the constant was given.
     pub covariance: Matrix3<f64>,
-    /// Coefficients of the loads, 1/m.
+    /// Coefficients of the aerodynamic loads, in the order of [`Row::loads`], 1/m.
     pub coefficients: Vec<f64>,
     /// Median magnitude of the residual accelerations, m/s².
     pub remaining: f64,
 }
 
-/// Divides a track into time windows and computes the regression data of each; `omega` is the spin of a point mass,
-/// rad/s, if it is known.
+/// Divides a track into time windows and computes the regression data of each; `omega` is the angular velocity of a
+/// body modelled as a point mass, rad/s; `None` if it is unknown.
 pub fn rows(track: &Track, omega: Option<Vector3<f64>>) -> Vec<Row> {
     let each = track.windows().into_iter();
     each.map(|(range, motion)| Row {
@@ -45,9 +48,9 @@ pub fn rows(track: &Track, omega: Option<Vector3<f64>>) -> Vec<Row> {
     .collect()
 }
 
-/// Regressors of the loads in a time window, averaged over its points. For a body with an attitude: drag, and for each
-/// body axis four forces that depend on the direction of this axis relative to the velocity. For a point mass: drag
-/// and, with `omega`, lift by spin.
+/// Regressors of the aerodynamic loads in a time window, averaged over the points in the window. For a body with an
+/// attitude: drag, and for each body axis four forces that depend on the direction of this axis relative to the
+/// velocity. For a point mass: drag and, if its angular velocity `omega` (rad/s) is known, lift caused by spin.
 fn loads(motion: &Parabola, points: &[Point], omega: Option<Vector3<f64>>) -> Vec<Vector3<f64>> {
     let speed = motion.velocity.norm();
     let along = motion
@@ -78,8 +81,8 @@ fn loads(motion: &Parabola, points: &[Point], omega: Option<Vector3<f64>>) -> Ve
     loads
 }
 
-/// Robust regression of the accelerations of `rows` on their loads and on a constant acceleration, which is fitted
-/// unless `gravity` states it, m/s². `None` if the rows do not determine the unknowns.
+/// Robust regression of the accelerations of `rows` on aerodynamic loads and a constant acceleration. The constant is
+/// `gravity` (m/s²) or, if that is `None`, is fitted. The result is `None` if the rows do not determine the unknowns.
 pub fn regress(rows: &[&Row], gravity: Option<Vector3<f64>>) -> Option<Regression> {
     let loads = rows.first()?.loads.len();
     let first = if gravity.is_some() { 0 } else { 3 };
@@ -165,7 +168,8 @@ pub fn regress(rows: &[&Row], gravity: Option<Vector3<f64>>) -> Option<Regressio
 }
 
 impl Regression {
-    /// Acceleration of a window minus its fitted loads, m/s²; equal to gravity if the loads are right.
+    /// Acceleration of a window minus the fitted aerodynamic loads, m/s²; equal to gravity if the fitted loads are
+    /// exact.
     pub fn without_loads(&self, row: &Row) -> Vector3<f64> {
         let loads = row.loads.iter().zip(&self.coefficients);
         row.motion.acceleration

@@ -32,11 +32,11 @@ use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::statistics::median;
 
-/// Minimum ratio of the noise of a track to the median noise of all flights at which the track is reported as not that
-/// of a flight. The limit [`NOISE_PART`] must be exceeded too.
+/// Minimum ratio of the noise of a track to the median noise of all flights at which a fault is reported, because the
+/// data are then not a flight. The limit [`NOISE_PART`] must be exceeded too.
 const NOISE_RATIO: f64 = 30.0;
-/// Minimum ratio of the noise of a track to its extent at which the track is reported as not that of a flight; see
-/// [`NOISE_RATIO`].
+/// Minimum ratio of the noise of a track to the extent of the track at which a fault is reported, because the data are
+/// then not a flight. The limit [`NOISE_RATIO`] must be exceeded too.
 const NOISE_PART: f64 = 0.1;
 
 /// Result of screening a dataset.
@@ -86,8 +86,8 @@ pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) ->
     Screening { faults, contacts }
 }
 
-/// Completes the faults of single flights by those that a comparison of the flights with each other and with gravity
-/// reveals. `faults` and `tracks` have one entry per flight.
+/// Adds the faults that a comparison of the flights with each other and with gravity reveals to `faults`, which were
+/// found in single flights, and returns all faults. `faults` and `tracks` have one entry per flight.
 fn of_all(
     problem: &FitProblem,
     dataset: &Dataset,

@@ -5,8 +5,8 @@ use super::distances::marker_pairs;
 use crate::marker_observers::MarkerConditions;
 use crate::problem::FitProblem;
 
-/// Maximum derivative of a distance between markers by an estimated parameter that counts as zero, relative to the
-/// derivatives of the markers' positions.
+/// Maximum derivative of a distance between markers with respect to an estimated parameter that counts as zero,
+/// relative to the derivatives of the markers' positions.
 const LEAST_DERIVATIVE: f64 = 1e-9;
 
 /// Whether the declared positions of the markers fix the distance of each pair of markers independently of all
@@ -27,7 +27,7 @@ pub fn rigid_pairs(problem: &FitProblem) -> Vec<bool> {
         let mut globals = problem.globals.iter();
         globals.position(|global| global.param.index() == param)
     };
-    // Position of each marker and its derivatives by the estimated parameters.
+    // Position of each marker and its derivatives with respect to the estimated parameters.
     let seen: Vec<([f64; 3], Vec<[f64; 3]>)> = (problem.markers.iter().enumerate())
         .map(|marker| {
             let (position, jacobians) = observers.linearise(0.0, &state, marker);

@@ -37,7 +37,7 @@ pub struct Point {
 pub struct Track {
     /// Samples in which the origin could be determined.
     pub points: Vec<Point>,
-    /// Standard deviation of a coordinate of the origin about a smooth path, m.
+    /// Standard deviation of the noise of one coordinate of the measured position of the body's origin, m.
     pub noise: f64,
 }
 
@@ -52,7 +52,7 @@ pub struct Parabola {
     pub error: f64,
     /// Half of the duration of the window, s.
     pub half: f64,
-    /// Standard deviation of a coordinate about the parabola, m.
+    /// Standard deviation of one coordinate of the measured points about the parabola, m.
     pub deviation: f64,
 }
 

@@ -19,7 +19,7 @@ use crate::statistics::median;
 /// Minimum magnitude of the vertical component of the unit normal of the markers' plane at which it is clear which side
 /// of the body is up.
 const UPRIGHT: f64 = 0.3;
-/// Minimum number of flights at which this fault is reported; the body must be upside down in all of them.
+/// Minimum number of flights at which mirrored axes are reported; the body must appear upside down in all flights.
 const LEAST_FLIGHTS: usize = 3;
 /// Maximum number of flights in which measured and modelled accelerations are compared, and maximum number of time
 /// windows per flight.
@@ -28,7 +28,7 @@ const COMPARED: (usize, usize) = (6, 3);
 /// the recorded flights, at which the flights are reported as mirrored.
 const MISFIT: f64 = 0.6;
 
-/// Faults of all flights if they seem to be mirror images of the true flights; otherwise empty.
+/// Faults of all flights if the recorded flights seem to be mirror images of the true flights; otherwise empty.
 pub fn check(problem: &FitProblem, dataset: &Dataset, tracks: &[Option<Track>]) -> Vec<DataFault> {
     if !problem.has_attitude || mirror::is_decided_by(&problem.markers) {
         return Vec::new();

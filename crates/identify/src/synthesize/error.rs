@@ -77,7 +77,7 @@ pub enum SynthesisError {
     Flight {
         /// Number of the flight, counted from 1.
         number: usize,
-        /// Reason why it cannot be simulated.
+        /// Reason why the flight cannot be simulated.
         reason: SimulationError,
     },
 }

@@ -92,7 +92,7 @@ impl Maker<'_> {
         Ok((0..count as usize).map(time).collect())
     }
 
-    /// Time at which the body reaches the ground, s, or the end `watched` of the observed time, s, if that is earlier.
+    /// Time at which the body reaches the ground, s; or `watched`, the end of the observed time, s, if that is earlier.
     fn landing(
         &self,
         parameters: &[f64],

@@ -13,13 +13,15 @@ use super::error::OutOfRange;
 /// standard deviation `fraction` · max(|s|, scale), with a scale that depends on its unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
-    /// Standard deviation relative to max(|state|, scale); with 0, all flights have the initial state of the release.
+    /// Standard deviation of a state, relative to max(|state|, scale); with 0, all flights have the initial state of
+    /// the release.
     pub fraction: f64,
-    /// Scale of velocities: minimum magnitude to which `fraction` refers, m/s.
+    /// Scale for velocity states, m/s: `fraction` refers to this value if the magnitude of the state is smaller.
     pub speed: f64,
-    /// Scale of angles: minimum magnitude to which `fraction` refers, rad.
+    /// Scale for angle states, rad: `fraction` refers to this value if the magnitude of the state is smaller.
+    /// Half of this value is the scale for states of other units, such as the components of a quaternion.
     pub angle: f64,
-    /// Scale of angular rates: minimum magnitude to which `fraction` refers, rad/s.
+    /// Scale for angular-rate states, rad/s: `fraction` refers to this value if the magnitude of the state is smaller.
     pub rate: f64,
 }
 

@@ -10,7 +10,8 @@ use crate::problem::GlobalParameter;
 use crate::report::NonIdentifiable;
 use crate::wording::listed;
 
-/// Standard error, relative to the typical magnitudes of the parameters, above which a direction is not identifiable.
+/// Standard error along a direction of the parameter space, in units of the parameters' typical magnitudes, above which
+/// the direction is not identifiable.
 const MAX_RELATIVE_ERROR: f64 = 0.5;
 
 /// Minimum component of a direction, relative to its largest component, for a coefficient to be listed with that

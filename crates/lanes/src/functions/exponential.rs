@@ -4,7 +4,8 @@ use super::{ROUND_TO_INTEGER, polynomial};
 use crate::primitive::Primitive;
 use std::f64::consts::LOG2_E;
 
-/// ln 2 as head and tail: the head has 42 bits, so that its multiples are exact.
+/// ln 2 as the sum of head and tail: the head has 42 bits, so that its products with integers of up to 11 bits are
+/// exact.
 const LN_2: [f64; 2] = [
     f64::from_bits(0x3fe6_2e42_fefa_3800),
     5.497_923_018_708_371e-14,

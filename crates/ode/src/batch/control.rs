@@ -11,7 +11,7 @@ pub(crate) const MAX_LANES: usize = 8;
 
 /// Flight, time, step size and step counts of each lane.
 pub(crate) struct Control {
-    /// Queue number of the flight in each lane; `None` if the lane is idle.
+    /// Number that identifies the flight in each lane, as returned by `FlightQueue::next`; `None` if the lane is idle.
     pub flight: [Option<u64>; MAX_LANES],
     /// Time at the start of the current step in each lane.
     pub t: [f64; MAX_LANES],
@@ -66,7 +66,8 @@ impl Control {
         }
     }
 
-    /// Starts the flight number `flight` in a lane at time 0, with the initial step size `h` and the initial height.
+    /// Starts the flight number `flight` in a lane at time 0, with the initial step size `h` and the initial height
+    /// `height`.
     #[inline(always)]
     pub(crate) fn start(&mut self, lane: usize, flight: u64, h: f64, height: f64) {
         self.flight[lane] = Some(flight);

@@ -5,15 +5,15 @@ use crate::method::{Method, ROWS};
 use crate::root::first_past_root;
 
 /// Bracket width to which an apex is located, as a fraction of the step; the relative error of the apex height is of
-/// the order of its square.
+/// the order of the square of this fraction.
 const APEX_WIDTH: f64 = 1e-8;
 
 /// Maximum number of Newton iterations in the search for the time of a landing; each iteration doubles the number of
 /// correct digits.
 const NEWTON_STEPS: u32 = 6;
 
-/// Height at the start and end of a step, and the step size times its time derivative at both points: the data of the
-/// cubic Hermite interpolant.
+/// Data of the cubic Hermite interpolant of the height over a step: the height at the start and the end of the step,
+/// and the time derivative of the height at both points, multiplied by the step size.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct HeightEnds {
     pub start: f64,
@@ -76,20 +76,22 @@ impl HeightEnds {
     }
 }
 
-/// Dense output of the height of one lane over a step, as nested products: terms[0] + f₀ (terms[1] + f₁ (terms[2] + …)).
+/// Dense output of the height of one lane over a step, as nested products: terms[0] + f₀ (terms[1] + f₁ (terms[2] +
+/// …)), where f₀ = f₂ = … = s is the fraction of the step, and f₁ = f₃ = … is s for Tsit5 and 1 - s for DOP853.
 pub(crate) struct HeightStep {
     pub method: Method,
     /// Time at the start of the step.
     pub t: f64,
     /// Step size.
     pub h: f64,
-    /// Coefficients of the powers of the fraction s of the step (Tsit5), or the rows of the dense output (DOP853).
+    /// Coefficients of the nested products: for Tsit5 the coefficients of the powers of the fraction s of the step, for
+    /// DOP853 the height components of the dense-output rows.
     pub terms: [f64; ROWS],
 }
 
 impl HeightStep {
-    /// Degree of the interpolant in s, the value of the odd-numbered factors f₁ = f₃ = … in [`HeightStep::terms`], and
-    /// the derivative of these factors with respect to s. The even-numbered factors are s.
+    /// Returns the degree of the interpolant as a polynomial in the fraction `s` of the step, the factor f₁ = f₃ = … of
+    /// the nested products that [`HeightStep`] defines, and the derivative of that factor with respect to `s`.
     #[inline(always)]
     fn factors(&self, s: f64) -> (usize, f64, f64) {
         match self.method {
@@ -130,7 +132,8 @@ impl HeightStep {
         slope
     }
 
-    /// Fraction of the step at which the height first falls to 0, or `None` if it does not; `found` is scratch space.
+    /// Fraction of the step at which the height first falls to 0, or `None` if the height does not fall to 0; `found`
+    /// is scratch space.
     pub(crate) fn landing(&self, ends: &HeightEnds, found: &mut Vec<f64>) -> Option<f64> {
         let height = |s: f64| self.height(s);
         if ends.falls_once() {
@@ -145,9 +148,9 @@ impl HeightStep {
         found.first().copied()
     }
 
-    /// Locates the zero of the height by Newton's method, started at the zero of the chord, given the height at the
-    /// start and the end of the step. Returns a point past the zero by at most `width`, or `None` if the iteration does
-    /// not converge.
+    /// Locates the zero of the height by Newton's method, started at the zero of the chord; `first` and `last` are the
+    /// heights at the start and the end of the step. Returns a fraction of the step that is past the zero by at most
+    /// `width`, or `None` if the iteration does not converge.
     fn newton(&self, (first, last): (f64, f64), width: f64) -> Option<f64> {
         let mut s = first / (first - last);
         for _ in 0..NEWTON_STEPS {

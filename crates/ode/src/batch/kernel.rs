@@ -77,7 +77,7 @@ enum EndState {
     Start,
     /// State at the end of the step.
     End,
-    /// State in [`Flying::within`].
+    /// State at an interior point of the step, which is stored in [`Flying::within`].
     Within,
 }
 

@@ -28,14 +28,14 @@ pub struct LaneSizes {
     pub prepared: usize,
     /// Number of limits of validity.
     pub limits: usize,
-    /// Length of the scratch array that an evaluation requires.
+    /// Length of the scratch array that each method of the [`LaneRhs`] requires.
     pub scratch: usize,
 }
 
 /// Arguments of a [`LaneRhs`], one flight per lane.
 #[derive(Clone, Copy)]
 pub struct LanePoint<'a, T> {
-    /// Time, in the unit of the integration.
+    /// Time, in the time unit of the right-hand side.
     pub t: T,
     /// State vector x.
     pub x: &'a [T],
@@ -52,16 +52,17 @@ pub struct LanePoint<'a, T> {
 pub trait LaneRhs {
     /// Returns the lengths of the state, parameter and work arrays.
     fn sizes(&self) -> LaneSizes;
-    /// Computes the invariants `prepared` of the flights from their parameters `p`.
+    /// Writes the invariants of the flights, values that depend only on the parameters `p`, to `prepared`.
     fn prepare<T: Lanes>(&self, p: &[T], scratch: &mut [T], prepared: &mut [T]);
     /// Writes f(t, x, p) to every element of `dx`.
     fn derivative<T: Lanes>(&self, at: LanePoint<'_, T>, scratch: &mut [T], dx: &mut [T]);
-    /// Writes the margin of each limit of validity; the right-hand side is valid where all margins are above 0.
+    /// Writes the margin of each limit of validity to `margins`; the right-hand side is valid where all margins are
+    /// above 0.
     fn limits<T: Lanes>(&self, at: LanePoint<'_, T>, scratch: &mut [T], margins: &mut [T]);
 }
 
-/// Computes the margins of the limits of validity in a separate function that is not inlined: for rarely executed code,
-/// so that the limits are not compiled again at each such place.
+/// Computes the margins of the limits of validity in a separate function that is not inlined. Rarely executed code
+/// calls this function, so that the limits are not compiled again at each call.
 #[inline(always)]
 fn outlined_limits<T: Lanes, R: LaneRhs>(
     rhs: &R,
@@ -103,9 +104,9 @@ pub trait FlightQueue {
 /// Reason why the integration of a flight ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FlightOutcome {
-    /// The height fell to 0.
+    /// The height above the ground ([`FlightSpan::height`]) fell to 0.
     Ground,
-    /// The final time was reached.
+    /// The final time [`FlightSpan::t_end`] was reached.
     Time,
     /// The limit of validity with this index was crossed, or was already exceeded at the start.
     Limit(usize),
@@ -115,7 +116,7 @@ pub enum FlightOutcome {
     StepTooSmall,
     /// The initial height was below 0, or was 0 and falling.
     StartsBelowGround,
-    /// An initial state or a parameter was not finite.
+    /// A component of the initial state or a parameter was not finite.
     NotFinite,
 }
 
@@ -126,9 +127,9 @@ pub struct FlightEnd<'a> {
     pub flight: u64,
     /// Reason why the integration ended.
     pub outcome: FlightOutcome,
-    /// Final time.
+    /// Time at which the flight ended, in the time unit of the right-hand side.
     pub time: f64,
-    /// State at the final time.
+    /// State at [`time`](Self::time).
     pub state: &'a [f64],
     /// Time and value of the maximum height, which is at the start, at the end, or where the time derivative of the
     /// height falls to 0. The value is NaN if [`FlightSpan::seeks_apex`] is false or [`FlightSpan::height`] is `None`.
@@ -144,14 +145,14 @@ pub struct FlightSpan {
     pub t_end: f64,
     /// Index of the state component that is the height above the ground; `None` if there is no such component.
     pub height: Option<usize>,
-    /// Whether the maximum height is located.
+    /// Whether the time and value of the maximum height of each flight are determined.
     pub seeks_apex: bool,
     /// Whether a flight ends when its height falls to 0.
     pub until_ground: bool,
 }
 
 impl FlightSpan {
-    /// Index of the height if its maximum is to be located, else `None`.
+    /// State index of the height if the maximum of the height is to be located, else `None`.
     fn apex(&self) -> Option<usize> {
         self.height.filter(|_| self.seeks_apex)
     }

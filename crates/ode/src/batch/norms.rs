@@ -104,8 +104,8 @@ pub(crate) fn change_norm<T: Lanes>(
     (sum * T::splat(1.0 / n as f64)).sqrt()
 }
 
-/// Size of the trial Euler step in each lane, from which the initial step size is estimated, given the norms of the
-/// state and its derivative.
+/// Size, in each lane, of the trial Euler step from which the initial step size is estimated. `norms` contains the norm
+/// of the state and the norm of the derivative of the state.
 #[inline(always)]
 pub(crate) fn euler_steps<T: Lanes>(norms: [T; 2], max_step: f64) -> T {
     T::from_fn(|lane| first_step(norms[0].lane(lane), norms[1].lane(lane), max_step))

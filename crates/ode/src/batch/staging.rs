@@ -33,7 +33,7 @@ impl<T: Lanes> LaneValues<T> {
         }
     }
 
-    /// Copies the values of `from` in the lanes where `keep` is 0.
+    /// Replaces the values by those of `from` in the lanes where `keep` is 0.
     #[inline(always)]
     pub(crate) fn take(&mut self, keep: T, from: &LaneValues<T>) {
         merge(keep, &from.x, &mut self.x);
@@ -57,7 +57,8 @@ pub(crate) fn merge<T: Lanes>(keep: T, from: &[T], to: &mut [T]) {
 /// Flights that wait to be started, at most one per lane.
 pub(crate) struct Staging<T> {
     pub values: LaneValues<T>,
-    /// Queue number of the flight that waits for each lane; `None` if no flight waits.
+    /// Number that identifies the flight that waits for each lane, as returned by `FlightQueue::next`; `None` if no
+    /// flight waits.
     pub flight: [Option<u64>; MAX_LANES],
     /// Initial step size of the flight that waits for each lane.
     pub h: [f64; MAX_LANES],

@@ -17,7 +17,7 @@ pub(crate) static TABLEAU: Tableau = Tableau {
     step_factor_bounds: STEP_FACTOR_BOUNDS,
 };
 
-/// Weights of the last four rows of the dense output.
+/// Weights of the stages in each of the last four rows of the dense output.
 pub(crate) static DENSE: [Row; 4] = [&D0, &D1, &D2, &D3];
 
 /// Order of the error estimate: the exponent of the step size to which the estimate is proportional.

@@ -12,12 +12,12 @@ use std::ops::Range;
 pub trait DifferentiableRhs {
     /// Number of states.
     fn states(&self) -> usize;
-    /// Sparsity pattern of J: (row, column) of each entry, ordered by row.
+    /// Sparsity pattern of the Jacobian J = ∂f/∂x: (row, column) of each entry, ordered by row.
     fn jacobian_pattern(&self) -> &[(usize, usize)];
-    /// Sparsity pattern of Jp: (row, parameter) of each entry, in any order.
+    /// Sparsity pattern of the Jacobian Jp = ∂f/∂p: (row, parameter index) of each entry, in any order.
     fn parameter_jacobian_pattern(&self) -> &[(usize, usize)];
-    /// Writes f(t, x) to `dx` and the entries of J and Jp, in the order of their patterns, to `jacobian` and
-    /// `parameter_jacobian`.
+    /// Writes f(t, x, p) to `dx`, the entries of J = ∂f/∂x to `jacobian`, and the entries of Jp = ∂f/∂p to
+    /// `parameter_jacobian`; entries are in the order of the sparsity patterns.
     fn derivative_with_jacobians(
         &mut self,
         t: f64,
@@ -49,7 +49,8 @@ pub struct Sensitivities<M> {
     /// to initial states.
     initial: Vec<usize>,
     product: JacobianProduct,
-    /// Terms that Jp adds to dS/dt: (index of the entry in Jp, index of the element in S).
+    /// Terms that the parameter Jacobian Jp = ∂f/∂p adds to dS/dt, the time derivative of the sensitivity matrix S:
+    /// (index of the entry in Jp, index of the element in S).
     parameter_terms: Vec<(usize, usize)>,
     jacobian: Vec<f64>,
     parameter_jacobian: Vec<f64>,
@@ -58,11 +59,11 @@ pub struct Sensitivities<M> {
 
 impl<M: DifferentiableRhs> Sensitivities<M> {
     /// Builds the augmented right-hand side. The first columns of the sensitivity matrix S are derivatives with respect
-    /// to the initial values of the states `initial`, the following columns with respect to the `parameters`, given by
-    /// their index in Jp.
+    /// to the initial values of the states with the indices `initial`; the following columns are derivatives with
+    /// respect to the parameters with the indices `parameters` in the parameter Jacobian ∂f/∂p.
     ///
     /// # Panics
-    /// If a state in `initial` does not exist, or the entries of J are not ordered by row.
+    /// If a state in `initial` does not exist, or the entries of the Jacobian ∂f/∂x are not ordered by row.
     pub fn new(rhs: M, initial: &[usize], parameters: &[usize]) -> Self {
         let states = rhs.states();
         assert!(initial.iter().all(|i| *i < states), "states of the model");

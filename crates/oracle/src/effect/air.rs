@@ -35,7 +35,8 @@ pub(super) enum Air {
 }
 
 impl Air {
-    /// Velocity that the effect adds to the given wind, m/s, in inertial components.
+    /// Velocity that the effect adds to the wind of the model, m/s, in inertial components; 0 for an effect on density
+    /// or gravity.
     pub fn velocity<T: Real>(self, values: &[T], at: &Physical<T>) -> Vector3<T> {
         let along = match self {
             Self::Wind => T::one(),

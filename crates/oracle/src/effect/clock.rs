@@ -1,9 +1,9 @@
-//! Errors of the clock that produces the time stamps.
+//! Errors of the rate of recorded time (the time stamps of the measurements) relative to true time.
 
 use super::{ANY, Effect, Kind, effect};
 use crate::scalar::Real;
 
-/// Built-in effects on the clock.
+/// Built-in effects on the rate of recorded time (the time stamps of the measurements) relative to true time.
 pub(super) const EFFECTS: &[Effect] = &[effect(
     "clock_rate",
     &["clock_error"],
@@ -13,12 +13,13 @@ pub(super) const EFFECTS: &[Effect] = &[effect(
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Clock {
-    /// The clock runs fast by a constant fraction.
+    /// Recorded time (the time stamps of the measurements) runs faster than true time by a constant fraction.
     Rate,
 }
 
 impl Clock {
-    /// Factor 1/(1 + error) by which the effect multiplies the seconds of flight per second of the measuring clock.
+    /// Factor 1/(1 + e) by which the effect multiplies the seconds of true time per second of recorded time (the time
+    /// stamps of the measurements); e is the relative error of the time stamps, the only entry of `values`.
     pub fn factor<T: Real>(self, values: &[T]) -> T {
         match self {
             Self::Rate => T::one() / (T::one() + values[0]),

@@ -81,7 +81,8 @@ impl<T: Real> ExtendedLaw<T> {
         }
     }
 
-    /// Seconds of flight per second of the measuring clock; 1 without an effect on the clock.
+    /// Seconds of true time per second of recorded time (the time stamps of the measurements); 1 without an effect on
+    /// the rate of the time stamps.
     pub fn clock(&self) -> T {
         self.effects
             .iter()

@@ -72,7 +72,8 @@ impl ExtendedReference {
         }
     }
 
-    /// Computes the derivative of every state with respect to the time of the measuring clock.
+    /// Computes the derivative of every state with respect to recorded time (the time stamps of the measurements, which
+    /// may run at another rate than true time).
     pub fn derivatives<T: Real>(&self, point: &Point<T>) -> Vec<T> {
         let law = self.at(point);
         let chart = &self.reference.chart;

@@ -6,7 +6,7 @@ use crate::physical::Physical;
 use crate::scalar::Real;
 use nalgebra::Vector3;
 
-/// Built-in effects on the observation.
+/// Built-in effects on the measured marker positions.
 pub(super) const EFFECTS: &[Effect] = &[
     effect(
         "tilted_vertical",
@@ -60,17 +60,17 @@ pub(super) const EFFECTS: &[Effect] = &[
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Observation {
-    /// The measurement axes are rotated about x, then about y.
+    /// The axes of the measurement are rotated relative to the inertial frame, about x and then about y.
     Tilted,
     /// All measured lengths have a common relative error.
     Scale,
-    /// Markers are sampled one after the other.
+    /// The second and the third marker are sampled one and two delays later than the first one.
     TimeOffset,
-    /// Position error on the body of the marker with this index, from 0.
+    /// The marker with this index, from 0, is elsewhere on the body than measured.
     Misplaced(usize),
-    /// All markers have a common error of their height on the body.
+    /// The measured coordinates of all markers along the body axis have a common error.
     Height,
-    /// All markers have a common relative error of their radius on the body.
+    /// The measured distances of all markers from the body axis have a common relative error.
     Radius,
 }
 
@@ -92,8 +92,8 @@ impl Observation {
         }
     }
 
-    /// Displacement of a marker by the motion of the body until the marker is sampled, m; `arm` points from the mass
-    /// centre to the marker.
+    /// Displacement of a marker by the motion of the body during the delay with which the marker is sampled, m; `arm`
+    /// points from the mass centre to the marker.
     pub fn motion_until_sampled<T: Real>(
         self,
         values: &[T],

@@ -32,7 +32,7 @@ pub(super) const EFFECTS: &[Effect] = &[
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Roll {
-    /// Damping moment proportional to the angular rate about d1.
+    /// Damping moment proportional to the angular rate about d1, the forward direction in the plane of the body.
     Damping,
     /// Rolling moment proportional to the angle of attack.
     ByAngle,

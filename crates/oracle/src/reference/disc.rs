@@ -51,7 +51,8 @@ pub(super) fn mass_properties<T: Real>(constants: &[T]) -> MassProperties<T> {
     body(constants).mass_properties()
 }
 
-/// Body with the first seven constants, which disc and discus have in common.
+/// Mass, inertia, dimensions and environment of a disc or discus, from the first seven of its `constants`, which the
+/// two laws have in common.
 pub(super) fn body<T: Real>(constants: &[T]) -> Body<T> {
     let &[mass, axial, diametral, diameter, area, density, gravity, ..] = constants else {
         unreachable!("bound to names that begin with {:?}", &CONSTANTS[..7])

@@ -27,7 +27,7 @@ pub enum Law {
     Discus,
 }
 
-/// Names that a model may give after `reference`.
+/// Names of reference laws that a model may state after the keyword `reference`.
 pub(crate) const NAMES: [&str; 3] = ["hubbard_hummel_disc", "ball_with_drag", "frohlich_discus"];
 
 /// A reference law of motion, with the indices of its parameters, coefficients, states and wind in a model.
@@ -185,7 +185,8 @@ impl Reference {
         self.constants.iter().map(value).collect()
     }
 
-    /// Computes the derivative of every state with respect to the time of flight.
+    /// Computes the derivative of every state with respect to true time, in contrast to recorded time (the time stamps
+    /// of the measurements).
     pub fn derivatives<T: Real>(&self, point: &Point<T>) -> Vec<T> {
         self.chart.derivatives(&point.states, &self.motion(point))
     }

@@ -34,7 +34,7 @@ pub enum Elementary {
 }
 
 impl Elementary {
-    /// All functions.
+    /// All elementary functions.
     pub const ALL: [Elementary; 8] = [
         Self::Sqrt,
         Self::Sin,
@@ -77,7 +77,8 @@ impl Elementary {
         }
     }
 
-    /// The function as `num-dual` evaluates it, on `f64` by the standard library, at an argument inside its domain.
+    /// Value of the function at `x`, an argument inside the domain of the function, as computed by the crate
+    /// `num-dual`; for `f64` this is the value of the standard library.
     pub(crate) fn inside_domain<D: DualNum>(self, x: D) -> D {
         match self {
             Self::Sqrt => x.sqrt(),

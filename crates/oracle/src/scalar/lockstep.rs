@@ -7,7 +7,8 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 
 /// A pair of scalars on which every operation acts separately; comparisons use `first`.
 ///
-/// One evaluation of a model, and one instantiation of its code, yields several kinds of derivatives.
+/// With such a pair, a single evaluation of a model yields derivatives of two kinds, and the code of the evaluation is
+/// compiled only once for both.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lockstep<A, B> {
     /// First scalar, whose real value decides comparisons.

@@ -76,7 +76,8 @@ impl Interpolant {
         }
     }
 
-    /// Sum of the magnitudes of the terms from which the value near `x` is computed.
+    /// Sum of the absolute values at the two knots next to `x` and of the absolute slopes there times the distance of
+    /// the knots: the scale of the rounding error of the interpolated value.
     pub fn magnitude_near(&self, x: f64) -> f64 {
         let right = self.knots.iter().position(|&(knot, _)| x < knot);
         let right = right.unwrap_or(self.knots.len() - 1).max(1);
@@ -127,7 +128,9 @@ fn spline_slopes(knots: &[(f64, f64)], is_flat: bool) -> Vec<f64> {
     slopes
 }
 
-/// Slopes at the knots that keep the curve monotone wherever the values are (Fritsch and Butland 1984).
+/// Slopes at the knots that make the curve monotone wherever the values at the knots are (Fritsch and Butland 1984). At
+/// the ends the slope is 0 if `is_flat`, otherwise it is that of a parabola through three knots, limited so that the
+/// curve stays monotone.
 fn monotone_slopes(knots: &[(f64, f64)], is_flat: bool) -> Vec<f64> {
     let intervals = intervals(knots);
     let last = intervals.len();

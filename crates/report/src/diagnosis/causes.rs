@@ -20,8 +20,8 @@ pub(super) struct Explanation {
     name: String,
     /// Decrease of the weighted sum of squares, χ², when the effects of the hypothesis are included; formatted.
     gain: String,
-    /// Formatted fraction of the misfit that the hypothesis explains, and remaining RMS beyond the noise; `None` if
-    /// not computed.
+    /// Fraction of the misfit beyond noise that the hypothesis explains, and RMS of the remaining residuals in excess
+    /// of the noise, both formatted; `None` if not computed.
     explained: Option<[String; 2]>,
     /// Name and formatted p-value of the strongest remaining candidate effect; `None` if no other candidate can be
     /// tested.

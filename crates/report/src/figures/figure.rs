@@ -7,7 +7,7 @@ use super::svg::{Svg, cut};
 use crate::fit::numbers::significant;
 use crate::fit::thin::stride;
 
-/// Maximum number of points of a line whose values are shown on pointing at them.
+/// Maximum number of points of one line that show their value when pointed at, tapped or focused.
 const MOST_VALUES: usize = 6;
 
 /// Draws the panels one below the other, in a column of the default width; returns the SVG text.

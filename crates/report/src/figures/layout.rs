@@ -124,8 +124,8 @@ impl Scale {
     }
 }
 
-/// Tick values of a range, about `most`, and the number of decimals of their labels. More ticks are used if fewer
-/// than three would result.
+/// Tick values within the range `of`, and the number of decimals of their labels. The number of ticks is about `most`,
+/// or about twice `most` if fewer than three ticks would result otherwise.
 fn scale_of(of: (f64, f64), most: usize) -> (Vec<f64>, usize) {
     let found = ticks(of, most);
     if found.0.len() < 3 {

@@ -127,7 +127,7 @@ pub(crate) fn rendered(template: &str, context: Value) -> String {
         })
 }
 
-/// Converts a serializable value to a template value; the template engine escapes its texts.
+/// Converts a serializable value to a template value. The template engine escapes the strings of this value.
 pub(crate) fn plain_values(of: &impl Serialize) -> Value {
     Value::from(Serde(of))
 }
@@ -136,7 +136,7 @@ pub(crate) fn shown(drawn: &[Drawn]) -> Vec<Value> {
     drawn.iter().map(one).collect()
 }
 
-/// Copy of a figure in which the keyboard focus reaches the values that are shown on pointing at them.
+/// Copy of a figure in which the keyboard focus can be moved to the points whose values are shown on pointing at them.
 pub(crate) fn reached(drawn: &Drawn) -> Drawn {
     let reached = |svg: &str| svg.replace("tabindex=\"-1\"", "tabindex=\"0\"");
     Drawn {

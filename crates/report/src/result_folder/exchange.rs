@@ -7,7 +7,8 @@ use std::path::{Path, PathBuf};
 use super::keep::discard;
 use super::manifest::MANIFEST;
 
-/// Suffix of the renamed earlier folder, on file systems that cannot exchange two folders in one step.
+/// Suffix that is appended to the name of the earlier results folder, on file systems that cannot exchange two folders
+/// in one step.
 const OLD: &str = ".old";
 
 /// Name of the hidden folder in which this process prepares the results for the folder `name`.
@@ -15,8 +16,8 @@ pub(super) fn part_name(name: &str) -> String {
     format!(".{name}.hyzer-{}", std::process::id())
 }
 
-/// Exchanges the names of two folders, in one step if the file system supports it. Returns the new path of the folder
-/// that was at `target`.
+/// Exchanges the names of the folders `part` and `target`, in one step if the file system supports it. Returns the new
+/// path of the folder that was at `target`.
 pub(super) fn exchange(part: &Path, target: &Path) -> io::Result<PathBuf> {
     match in_one_step(part, target) {
         Ok(()) => Ok(part.to_path_buf()),

@@ -103,8 +103,8 @@ pub(super) fn discard(old: &Path, current: &Path) -> io::Result<()> {
     fs::remove_dir(old)
 }
 
-/// Whether `current` contains a file with the same contents, under the same name or one of the names for preserved
-/// files.
+/// Whether the folder `current` contains a file with the same contents as `file`, under the name `path` or one of the
+/// names of a preserved file (`NAME.kept`, `NAME.kept2`, and so on).
 fn is_kept(file: &Path, current: &Path, path: &Path) -> bool {
     let same = |other: &Path| match (fs::read(file), fs::read(other)) {
         (Ok(a), Ok(b)) => a == b,
@@ -116,7 +116,8 @@ fn is_kept(file: &Path, current: &Path, path: &Path) -> bool {
     })
 }
 
-/// Maximum number of names of preserved files that are checked.
+/// Maximum number of names (`NAME`, `NAME.kept`, `NAME.kept2`, …) under which an already preserved copy of a file is
+/// searched.
 const MAX_KEPT: usize = 100;
 
 /// Names under which a file can be preserved: `NAME`, `NAME.kept`, `NAME.kept2`, and so on.
@@ -132,7 +133,8 @@ fn kept_names(path: &Path) -> impl Iterator<Item = PathBuf> {
     })
 }
 
-/// Path in `folder` with the first name for the preserved file that no other file has.
+/// Path in `folder` under which a file can be preserved: the first of `NAME`, `NAME.kept`, `NAME.kept2`, … that does
+/// not exist.
 fn free_name(folder: &Path, path: &Path) -> PathBuf {
     let mut names = kept_names(path).map(|name| folder.join(name));
     let is_free = |name: &PathBuf| fs::symlink_metadata(name).is_err();

@@ -29,15 +29,15 @@ pub(super) struct Flight {
     /// Position of the origin of the body frame at each of `times`, m, in inertial coordinates.
     position: Vec<[f64; 3]>,
     /// Rotation matrix, stored row by row, from the body frame to the inertial frame at each of `times`; `None` for a
-    /// point mass.
+    /// body modelled as a point mass.
     attitude: Option<Vec<[f64; 9]>>,
-    /// Measured positions of the markers, by time and marker; `None` if missing.
+    /// Measured positions of the markers, m, as `measured[time][marker]`; `None` if missing.
     measured: Vec<Vec<Option<[f64; 3]>>>,
-    /// Predicted positions of the markers, by time and marker.
+    /// Predicted positions of the markers, m, as `predicted[time][marker]`.
     predicted: Vec<Vec<[f64; 3]>>,
-    /// Times at which all markers are measured.
+    /// Times at which all markers are measured, s.
     trail_times: Vec<f64>,
-    /// Mean position of the measured markers at each of `trail_times`.
+    /// Mean position of the measured markers, m, at each of `trail_times`.
     trail: Vec<[f64; 3]>,
     arrows: Vec<Arrow>,
     numbers: Vec<Number>,
@@ -51,7 +51,7 @@ struct Arrow {
     unit: String,
 }
 
-/// Scalar quantity shown over time; one value for each time of the flight, `None` if not finite.
+/// Scalar quantity shown over time; one value for each time of the flight, `None` if the value is not finite.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 struct Number {
     name: String,
@@ -138,7 +138,7 @@ impl<'m> Place<'m> {
         all.all(|v| v.is_finite()).then_some((origin, attitude))
     }
 
-    /// Vector inputs in the inertial frame that are not zero.
+    /// Constant vector inputs of the flight in the inertial frame, such as the wind; zero vectors are omitted.
     fn arrows(&self) -> Vec<Arrow> {
         let layout = self.body.layout();
         let given = self.model.inputs.iter().filter(|input| input.frame == 0);

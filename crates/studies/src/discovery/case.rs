@@ -18,15 +18,15 @@ const BALL_FLIGHTS: (usize, usize) = (12, 3);
 /// Minimum ratio of a run's effect size to the nominal size of its row. The maximum ratio is twice this.
 const MIN_SIZE: f64 = 0.7;
 
-/// ChaCha stream of the random sizes and signs. The streams of the flights are numbered from 1.
+/// ChaCha stream of the random sizes and signs of the effects. The streams of the flights are numbered from 1.
 const SIZE_STREAM: u64 = u64::MAX;
 
-/// Simulation settings of one run of a row.
+/// Simulation settings of one run of a row of the study's table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Case {
     /// Body that is thrown.
     pub body: Body,
-    /// Seeded effects, noise, and the number of held-out flights.
+    /// Effects added to the simulated flights, noise, and the number of held-out flights.
     pub seeded: SeededEffects,
     /// Number of flights in the simulated dataset.
     pub flights: usize,
@@ -37,7 +37,7 @@ pub struct Case {
 }
 
 impl Case {
-    /// Draws the settings of run `run` of a row. They depend only on the row's key and `run`.
+    /// Draws the settings of run `run` of a row of the study's table. They depend only on the row's key and `run`.
     ///
     /// # Panics
     /// If a built-in effect does not load.
@@ -99,7 +99,8 @@ impl Case {
         dataset
     }
 
-    /// Names of the seeded effects of the catalogue, sorted; effects outside the catalogue are left out.
+    /// Names of the effects of the catalogue that are added to the simulated flights, sorted; effects outside the
+    /// catalogue are left out.
     pub(super) fn truth(&self) -> Vec<String> {
         let names = self.seeded.listed.iter().map(|(name, _)| name.clone());
         let mut names: Vec<String> = names.collect();

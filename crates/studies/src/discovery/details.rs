@@ -3,8 +3,8 @@
 use super::outcome::Outcome;
 use super::run::RowResult;
 
-/// Lines of text about a row: a heading and one line per run. A run with a text in `rejections` has a second line, on
-/// the diagnosis repeated with the seeded effects in the model.
+/// Lines of text about a row of the study's table: a heading and one line per run. A run with a text in `rejections`
+/// has a second line, on the diagnosis repeated with a model that contains the effects added to the simulated flights.
 pub fn details(result: &RowResult, rejections: &[Option<String>]) -> Vec<String> {
     let mut lines = vec![result.row.key()];
     for (run, outcome) in result.outcomes.iter().enumerate() {
@@ -62,7 +62,7 @@ fn mark(outcome: &Outcome) -> &'static str {
     }
 }
 
-/// Names of the seeded effects, with their values in parentheses.
+/// Names of the effects added to the simulated flights, with their values in parentheses.
 fn truth(outcome: &Outcome) -> String {
     let seeded = &outcome.case.seeded;
     let listed = seeded.listed.iter().map(|(name, values)| {

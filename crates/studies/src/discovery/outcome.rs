@@ -1,10 +1,10 @@
-//! Outcome of one run: the answer of the diagnosis, scored against the seeded effects.
+//! Outcome of one run: the answer of the diagnosis, scored against the effects added to the simulated flights.
 
 use diagnose::Verdict;
 
 use super::case::Case;
 
-/// Answer of the diagnosis in one run, scored against the seeded effects.
+/// Answer of the diagnosis in one run, scored against the effects added to the simulated flights.
 #[derive(Clone, Debug)]
 pub struct Outcome {
     /// Settings with which the run was simulated.
@@ -17,18 +17,20 @@ pub struct Outcome {
     pub hypotheses: Vec<Vec<String>>,
     /// For each hypothesis, the strongest remaining candidate and its p-value; `None` if no candidate remains.
     pub strongest_remaining: Vec<Option<(String, f64)>>,
-    /// Whether the seeded effects are among the hypotheses. For an effect outside the catalogue: whether the verdict is
-    /// `Unattributed`, or a hypothesis names a nearly equivalent effect of the catalogue.
+    /// Whether the effects added to the simulated flights are among the hypotheses. For an effect outside the
+    /// catalogue: whether the verdict is `Unattributed`, or a hypothesis names a nearly equivalent effect of the
+    /// catalogue.
     pub in_set: bool,
     /// Whether the answer is one single hypothesis, and it is wrong.
     pub uniquely_wrong: bool,
-    /// Whether the report lists a seeded effect as not identifiable from the run's flights.
+    /// Whether the report lists an effect that was added to the simulated flights as not identifiable from these
+    /// flights.
     pub not_identifiable: bool,
-    /// Seeded size / minimum detectable effect: the minimum over the seeded effects, 0 if one is not identifiable.
-    /// `None` if the ratio is not known, as for effects outside the catalogue.
+    /// Size of the effect added to the simulated flights / minimum detectable size: the minimum over these effects, 0
+    /// if one is not identifiable. `None` if the ratio is not known, as for effects outside the catalogue.
     pub detectability: Option<f64>,
-    /// z-equivalent of the seeded effect's score test, the minimum over the seeded effects; `None` if no seeded effect
-    /// was tested.
+    /// z-equivalent (two-sided standard normal quantile of the p-value) of the score test of the effect added to the
+    /// simulated flights, the minimum over these effects; `None` if none of them was tested.
     pub z: Option<f64>,
     /// Counts of the flights that contradict the effect found in most flights, and that the report therefore lists as
     /// discordant.
@@ -59,11 +61,12 @@ pub struct Discordant {
 /// RMS prediction errors on the held-out flights, m, of three models.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldOutErrors {
-    /// Error of the plain model, without any added effect.
+    /// Error of the model without any added effect.
     pub before: f64,
     /// Error of the plain model extended by the effects that the diagnosis found; equal to `before` if it found none.
     pub after: f64,
-    /// Error of the model with the seeded effects; `None` if there is no such model or its fit failed.
+    /// Error of the model with the effects that were added to the simulated flights; `None` if there is no such model
+    /// or its fit failed.
     pub truth: Option<f64>,
 }
 
@@ -94,8 +97,8 @@ impl Outcome {
         }
     }
 
-    /// Number of effects in the first hypothesis that were not seeded, plus the number of terms that the diagnosis
-    /// selected from its term library.
+    /// Number of effects in the first hypothesis that were not added to the simulated flights, plus the number of terms
+    /// that the diagnosis selected from its term library.
     pub fn terms_too_many(&self) -> usize {
         let truth = self.case.truth();
         let first = self.hypotheses.first().map_or(&[][..], Vec::as_slice);
@@ -108,14 +111,14 @@ impl Outcome {
         self.verdict.is_some_and(|verdict| verdict != Verdict::None)
     }
 
-    /// Held-out error of the extended model / that of the model with the seeded effects; `None` if the latter error is
-    /// not known.
+    /// Prediction error on held-out flights of the model extended by the effects that the diagnosis found / that of the
+    /// model with the effects added to the simulated flights; `None` if the latter error is not known.
     pub fn held_out_ratio(&self) -> Option<f64> {
         Some(self.held_out.after / self.held_out.truth?)
     }
 
-    /// Whether the seeded effect has at least `ratio` times the minimum detectable size; false if no effect of the
-    /// catalogue was seeded.
+    /// Whether the effect added to the simulated flights has at least `ratio` times the minimum detectable size; false
+    /// if no effect of the catalogue was added.
     pub fn is_detectable(&self, ratio: f64) -> bool {
         self.detectability.is_some_and(|found| found >= ratio)
     }

@@ -108,7 +108,7 @@ struct TimeLimit {
     seconds: Option<f64>,
 }
 
-/// Results of a row with two or three seeded effects, or with a severe one.
+/// Results of a row with two or three effects added to the simulated flights, or with one of severe size.
 #[derive(Serialize)]
 struct SeveralRow {
     seeded: String,
@@ -119,8 +119,8 @@ struct SeveralRow {
     mean_set_size: Option<f64>,
     uniquely_wrong: usize,
     failed: usize,
-    /// Maximum over the row's runs of the number of wrong terms: effects of the first hypothesis that were not seeded,
-    /// plus selected library terms.
+    /// Maximum over the row's runs of the number of wrong terms: effects of the first hypothesis that were not added to
+    /// the simulated flights, plus selected library terms.
     terms_too_many: usize,
     seconds: Option<f64>,
     slowest: f64,
@@ -146,7 +146,8 @@ struct UnlistedRow {
     runs: usize,
     detected: usize,
     in_set: usize,
-    /// Number of runs in which the diagnosis selected a library term that acts at the same site as the seeded effect.
+    /// Number of runs in which the diagnosis selected a library term that acts at the same site as the effect added to
+    /// the simulated flights.
     at_its_site: usize,
     sites: String,
     uniquely_wrong: usize,
@@ -177,7 +178,8 @@ struct TableRow {
     runs: usize,
     detectability: Option<f64>,
     detected: usize,
-    /// Number of runs with the seeded effects among the hypotheses; `None` for a row without a seeded effect.
+    /// Number of runs in which the effects added to the simulated flights are among the hypotheses; `None` for a row
+    /// without such effects.
     in_set: Option<usize>,
     mean_set_size: Option<f64>,
     uniquely_wrong: usize,

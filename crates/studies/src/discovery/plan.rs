@@ -8,7 +8,7 @@ use super::row::{Body, Group, Row, Size};
 use crate::oracle_flights::{NoiseCondition, noise_conditions};
 use crate::seeded::{InputErrors, UNLISTED};
 
-/// Number of runs of a row of each kind, per 100 runs of a row without a seeded effect.
+/// Number of runs of a row of each kind, per 100 runs of a row whose simulated flights contain no added effect.
 struct Share {
     single: usize,
     /// Number of runs of a row with one effect under noise that is not white.
@@ -49,7 +49,8 @@ const SEVERAL: [(usize, usize); 2] = [(2, 10), (3, 10)];
 /// Seed with which the random combinations of two or three effects are drawn.
 const SEVERAL_SEED: u64 = 23;
 
-/// Effects that are also seeded at severe size, where the model is badly wrong.
+/// Effects that are also added to simulated flights at severe size, so that the model without the effect is badly
+/// wrong.
 const SEVERE: [&str; 3] = ["stall", "zero_lift_drag_angle", "cubic_pitching_moment"];
 
 /// Effects that flights cannot distinguish from another cause, each with that cause.
@@ -63,7 +64,7 @@ const CONFOUNDED: [(&str, &str); 7] = [
     ("wind", "tilted_vertical"),
 ];
 
-/// Sets of effects that are seeded together into flights of a ball, each with the kind of ball.
+/// Sets of effects that are added together to simulated flights of a ball, each with the kind of ball.
 const BALL_EFFECTS: [(&[&str], Body); 5] = [
     (&["magnus"], Body::TableTennis),
     (&["drag_crisis"], Body::Football),
@@ -80,8 +81,8 @@ const INPUT_ERRORS: [(f64, f64); 4] = [(0.2, 0.0), (0.0, 0.33), (0.2, 0.33), (0.
 
 const BOTH_SIZES: [Size; 2] = [Size::Weak, Size::Strong];
 
-/// Builds the rows of the study. `seeds` is the number of runs of a row without a seeded effect; other rows have a
-/// fraction of this number.
+/// Builds the rows of the study's table. `seeds` is the number of runs of a row whose simulated flights contain no
+/// added effect; other rows have a fraction of this number.
 struct Planner {
     seeds: usize,
     noises: Vec<NoiseCondition>,
@@ -177,7 +178,8 @@ impl Planner {
     }
 }
 
-/// Returns all rows of the study: `seeds` runs for each row without a seeded effect, fewer for the others.
+/// Returns all rows of the study's table: `seeds` runs for each row whose simulated flights contain no added effect,
+/// fewer for the other rows.
 ///
 /// # Panics
 /// If a built-in effect does not load.

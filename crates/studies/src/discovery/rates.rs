@@ -10,33 +10,34 @@ use crate::statistics::median;
 /// Upper bound of the fraction of runs whose answer is a single wrong hypothesis.
 pub(super) const MAX_UNIQUELY_WRONG: f64 = 0.005;
 
-/// Lower bound of the fraction of runs with the seeded effects among the hypotheses, over runs with a detectable
-/// effect.
+/// Lower bound of the fraction of runs in which the effects added to the simulated flights are among the hypotheses,
+/// over runs with a detectable effect.
 pub(super) const MIN_IN_SET: f64 = 0.97;
 
-/// Lower bound of the fraction of runs with the seeded effects among the hypotheses, over runs whose effect has at
-/// least [`STRONG`] times the minimum detectable size.
+/// Lower bound of the fraction of runs in which the effects added to the simulated flights are among the hypotheses,
+/// over runs whose effect has at least [`STRONG`] times the minimum detectable size.
 pub(super) const MIN_IN_SET_STRONG: f64 = 0.97;
 
 /// Upper bound of the false-alarm rate under each noise condition.
 pub(super) const MAX_FALSE_ALARMS: f64 = 0.05;
 
-/// Upper bound of the held-out error of the extended model, relative to the model with the seeded effects.
+/// Upper bound of a ratio of prediction errors on held-out flights: model extended by the effects that the diagnosis
+/// found / model with the effects added to the simulated flights.
 pub(super) const MAX_HELD_OUT_RATIO: f64 = 1.05;
 
-/// Lower bound of the fraction of runs with the seeded effects among the hypotheses, for two and for three detectable
-/// effects: (number of effects, bound).
+/// Lower bound of the fraction of runs in which the effects added to the simulated flights are among the hypotheses,
+/// for two and for three detectable effects: (number of effects, bound).
 pub(super) const MIN_IN_SET_SEVERAL: [(usize, f64); 2] = [(2, 0.95), (3, 0.85)];
 
 /// Multiple of the minimum detectable size from which an effect counts as strong.
 pub(super) const STRONG: f64 = 5.0;
 
-/// Number of runs that have a certain property, out of the runs examined.
+/// A number of runs: those that have a certain property, out of those examined.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Count {
     /// Number of runs examined.
     pub(super) total: usize,
-    /// Number of runs that have the property.
+    /// Number of the examined runs that have the property.
     pub(super) count: usize,
 }
 
@@ -48,7 +49,7 @@ impl Count {
         })
     }
 
-    /// Fraction of the runs that have the property; `None` if no run was examined.
+    /// Fraction of the examined runs that have the property; `None` if no run was examined.
     pub(super) fn fraction(&self) -> Option<f64> {
         (self.total > 0).then(|| self.count as f64 / self.total as f64)
     }
@@ -59,19 +60,21 @@ impl Count {
 pub(super) struct RowRates {
     /// Number of runs in which the diagnosis detected something (verdict other than `Verdict::None`).
     pub(super) detected: usize,
-    /// Number of runs with the seeded effects among the hypotheses.
+    /// Number of runs in which the effects added to the simulated flights are among the hypotheses.
     pub(super) in_set: usize,
     /// Mean number of hypotheses over the runs in which the diagnosis detected something; `None` without such a run.
     pub(super) mean_set_size: Option<f64>,
     /// Number of runs whose answer is a single wrong hypothesis.
     pub(super) uniquely_wrong: usize,
-    /// Median over the runs of the ratio seeded size / minimum detectable size; `None` if no run has this ratio.
+    /// Median over the runs of the ratio of the size of the effect in the simulated flights to the minimum detectable
+    /// size; `None` if no run has this ratio.
     pub(super) detectability: Option<f64>,
-    /// Median over the runs of the ratio of two prediction errors on held-out flights: model extended by the diagnosis
-    /// / model with the seeded effects. `None` if no run has this ratio.
+    /// Median over the runs of the ratio of two prediction errors on held-out flights: model extended by the effects
+    /// that the diagnosis found / model with the effects added to the simulated flights. `None` if no run has this
+    /// ratio.
     pub(super) held_out_ratio: Option<f64>,
-    /// Median over the runs of the ratio of two prediction errors on held-out flights: model extended by the diagnosis
-    /// / plain model. `None` if no run has a finite ratio.
+    /// Median over the runs of the ratio of two prediction errors on held-out flights: model extended by the effects
+    /// that the diagnosis found / model without added effects. `None` if no run has a finite ratio.
     pub(super) held_out_change: Option<f64>,
     /// Median elapsed time of a diagnosis, s; `None` if no diagnosis succeeded.
     pub(super) seconds: Option<f64>,
@@ -104,26 +107,30 @@ impl RowRates {
 pub(super) struct Rates {
     /// Runs whose answer is a single wrong hypothesis, out of all runs.
     pub(super) uniquely_wrong: Count,
-    /// Runs with the seeded effects among the hypotheses, out of the runs with effects of the catalogue of at least the
-    /// minimum detectable size.
+    /// Runs in which the effects added to the simulated flights are among the hypotheses, out of the runs with effects
+    /// of the catalogue of at least the minimum detectable size.
     pub(super) in_set: Count,
-    /// Runs with the seeded effects among the hypotheses, out of the runs with an effect of at least [`STRONG`] times
-    /// the minimum detectable size.
+    /// Runs in which the effects added to the simulated flights are among the hypotheses, out of the runs with an
+    /// effect of at least [`STRONG`] times the minimum detectable size.
     pub(super) in_set_strong: Count,
-    /// For each number of effects in [`Group::Several`]: the number, the lower bound of the rate, and the runs with the
-    /// seeded effects among the hypotheses, out of those where all effects are detectable.
+    /// For each number of effects in [`Group::Several`]: the number, the lower bound of the rate, and the runs in which
+    /// the effects added to the simulated flights are among the hypotheses, out of those where all effects are
+    /// detectable.
     pub(super) in_set_several: Vec<(usize, f64, Count)>,
     /// For each noise condition: its name, and the runs in which the diagnosis detected something, out of the runs
-    /// without a seeded effect.
+    /// without an effect added to the simulated flights.
     pub(super) false_alarms: Vec<(&'static str, Count)>,
     /// Runs whose prediction error on held-out flights is at most [`MAX_HELD_OUT_RATIO`] times that of the model with
-    /// the seeded effects, out of all runs with an effect of the catalogue for which this ratio is known.
+    /// the effects added to the simulated flights, out of all runs with an effect of the catalogue for which this ratio
+    /// is known.
     pub(super) held_out: Count,
-    /// Median, over the runs counted in `held_out`, of the held-out prediction error of the extended model / that of
-    /// the model with the seeded effects; `None` without such a run.
+    /// Median, over the runs counted in `held_out`, of the ratio of two prediction errors on held-out flights: model
+    /// extended by the effects that the diagnosis found / model with the effects added to the simulated flights; `None`
+    /// without such a run.
     pub(super) held_out_median: Option<f64>,
-    /// RMS held-out error of the extended models over all runs with an effect of the catalogue, divided by that of the
-    /// models with the seeded effects; `None` without such a run.
+    /// RMS prediction error on held-out flights, over all runs with an effect of the catalogue, of the models extended
+    /// by the effects that the diagnosis found / that of the models with the effects added to the simulated flights;
+    /// `None` without such a run.
     pub(super) held_out_pooled: Option<f64>,
     /// Runs whose diagnosis failed, out of all runs.
     pub(super) failed: Count,
@@ -201,8 +208,8 @@ impl Rates {
     }
 }
 
-/// RMS held-out error of the extended models over all runs, divided by that of the models with the seeded effects;
-/// `None` if no run has both.
+/// RMS prediction error on held-out flights, over all runs, of the models extended by the effects that the diagnosis
+/// found / that of the models with the effects added to the simulated flights; `None` if no run has both.
 fn pooled<'a>(outcomes: impl Iterator<Item = &'a Outcome>) -> Option<f64> {
     let squares = outcomes.filter_map(|o| {
         let (after, truth) = (o.held_out.after, o.held_out.truth?);

@@ -6,23 +6,24 @@ use crate::seeded::InputErrors;
 /// Kind of a row: which effects or errors its runs contain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Group {
-    /// No effect is seeded.
+    /// No effect is added to the simulated flights.
     Null,
-    /// One effect of the catalogue is seeded.
+    /// One effect of the catalogue is added to the simulated flights.
     Single,
-    /// Two effects of the catalogue are seeded, drawn without regard to their identifiability.
+    /// Two effects of the catalogue are added to the simulated flights, drawn without regard to their identifiability.
     Pair,
-    /// Two or three effects of the catalogue are seeded, none of which has the same influence on flights as another
-    /// cause. The combinations are drawn separately from those of `Pair`.
+    /// Two or three effects of the catalogue are added to the simulated flights, none of which has the same influence
+    /// on flights as another cause. The combinations are drawn separately from those of `Pair`.
     Several,
-    /// The seeded effect changes the flights in the same way as another cause, so that the diagnosis cannot distinguish
-    /// them.
+    /// The added effect changes the simulated flights in the same way as another cause, so that the diagnosis cannot
+    /// distinguish the two.
     Confounded,
-    /// An effect outside the catalogue is seeded.
+    /// An effect outside the catalogue is added to the simulated flights.
     Unlisted,
-    /// Effects are seeded into flights of a ball.
+    /// Effects are added to simulated flights of a ball.
     Ball,
-    /// An effect outside the catalogue is seeded into 48 flights instead of the default number.
+    /// An effect outside the catalogue is added to the simulated flights, of which there are 48 instead of the default
+    /// number.
     UnlistedManyFlights,
     /// The spins that the dataset states for the flights contain errors.
     InputErrors,
@@ -60,7 +61,7 @@ impl Group {
     }
 }
 
-/// Size of a seeded effect, relative to what is met in practice.
+/// Size of an effect added to simulated flights, relative to what is met in practice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Size {
     /// Near the smallest size of the effect that is met in practice.
@@ -122,14 +123,14 @@ pub struct Row {
     pub group: Group,
     /// Body that is thrown.
     pub body: Body,
-    /// Names of the seeded effects of the catalogue.
+    /// Names of the effects of the catalogue that are added to the simulated flights.
     pub effects: Vec<&'static str>,
-    /// Name of the seeded effect outside the catalogue, if any.
+    /// Name of the effect outside the catalogue that is added to the simulated flights; `None` if there is none.
     pub unlisted: Option<&'static str>,
-    /// Name of the effect or quantity that imitates the seeded effect; `None` unless the group is
-    /// [`Group::Confounded`].
+    /// Name of the effect or quantity that imitates the effect added to the simulated flights; `None` unless the group
+    /// is [`Group::Confounded`].
     pub confounded_with: Option<&'static str>,
-    /// Size of the seeded effects; `None` without a seeded effect.
+    /// Size of the effects added to the simulated flights; `None` if there are none.
     pub size: Option<Size>,
     /// Noise condition.
     pub noise: NoiseCondition,
@@ -142,7 +143,7 @@ pub struct Row {
 }
 
 impl Row {
-    /// Names of the seeded effects as one text; "nothing" if none is seeded.
+    /// Names of the effects added to the simulated flights as one text; "nothing" if there are none.
     pub(super) fn seeded(&self) -> String {
         let mut names: Vec<&str> = self.effects.clone();
         names.extend(self.unlisted);

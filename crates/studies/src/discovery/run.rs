@@ -1,4 +1,5 @@
-//! Executes the runs: simulates the flights, diagnoses them, and compares the answer with the seeded effects.
+//! Executes the runs: simulates the flights, diagnoses them, and compares the answer with the effects added to the
+//! simulated flights.
 
 use std::collections::BTreeMap;
 use std::sync::Mutex;
@@ -52,9 +53,9 @@ pub fn run_rows(
     results.collect()
 }
 
-/// Repeats, with the seeded effects added to the model, the diagnosis of each run that detected something but missed a
-/// detectable effect. Returns texts indexed by row and run; `None` for a run whose diagnosis is not repeated or has no
-/// result.
+/// Repeats the diagnosis of each run that detected something but missed a detectable effect, with a model that contains
+/// the effects added to the simulated flights. Returns texts indexed by row and run; `None` for a run whose diagnosis
+/// is not repeated or has no result.
 pub fn rejections(results: &[RowResult]) -> Vec<Vec<Option<String>>> {
     let models = Models::default();
     let all: Vec<&Outcome> = results.iter().flat_map(|result| &result.outcomes).collect();
@@ -97,7 +98,8 @@ fn fit_options(threads: usize) -> FitOptions<'static> {
     }
 }
 
-/// Simulates the flights of a run, diagnoses them, and scores the answer.
+/// Simulates the flights of a run, diagnoses them, and scores the answer against the effects added to the simulated
+/// flights.
 fn outcome(case: &Case, models: &Models, threads: usize) -> Outcome {
     let dataset = case.dataset();
     let base = models.get(case.body.model(), &[]);
@@ -118,8 +120,8 @@ fn outcome(case: &Case, models: &Models, threads: usize) -> Outcome {
     outcome
 }
 
-/// RMS prediction errors on the held-out flights of three models: plain, extended by the diagnosis, and with the seeded
-/// effects.
+/// RMS prediction errors on the held-out flights of three models: without added effects, extended by the effects that
+/// the diagnosis found, and with the effects added to the simulated flights.
 fn held_out(
     outcome: &Outcome,
     found: &Diagnosis,
@@ -159,8 +161,8 @@ fn prediction_error(fitted: &Fit) -> f64 {
     (squares.iter().sum::<f64>() / squares.len() as f64).sqrt()
 }
 
-/// Text on the diagnosis with the seeded effects in the model: its verdict, hypotheses and strongest candidate. `None`
-/// if there is no candidate, if no model has the effects, or if the diagnosis fails.
+/// Text on the diagnosis with a model that contains the effects added to the simulated flights: its verdict, hypotheses
+/// and strongest candidate. `None` if there is no candidate, if no model has the effects, or if the diagnosis fails.
 fn rejection(case: &Case, models: &Models) -> Option<String> {
     let with = case.truth();
     let names: Vec<&str> = with.iter().map(String::as_str).collect();

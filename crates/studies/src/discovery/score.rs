@@ -1,4 +1,4 @@
-//! Scores a diagnosis against the seeded effects.
+//! Scores a diagnosis against the effects added to the simulated flights.
 
 use diagnose::{Report, Verdict};
 
@@ -22,7 +22,7 @@ pub(super) fn hypotheses(report: &Report) -> Vec<Vec<String>> {
     each.collect()
 }
 
-/// Copies the answer from a report to `outcome`, and scores it against the seeded effects.
+/// Copies the answer from a report to `outcome`, and scores it against the effects added to the simulated flights.
 pub(super) fn score(outcome: &mut Outcome, report: &Report) {
     outcome.verdict = Some(report.verdict);
     outcome.seconds = report.seconds.get("total").copied().unwrap_or(f64::NAN);
@@ -118,9 +118,9 @@ fn discordant(case: &Case, errors: InputErrors, report: &Report) -> Discordant {
     }
 }
 
-/// Seeded size / minimum detectable effect, the maximum over the effect's coefficients. An effect that has states but
-/// no coefficients has no minimum detectable size; for it, returns its z / the z that is found with power 0.9. `None`
-/// if the report lacks the values.
+/// Size of an effect in the simulated flights / minimum detectable size, the maximum over the effect's coefficients. An
+/// effect that has states but no coefficients has no minimum detectable size; the ratio is then the z of the effect's
+/// score test / the z at which the test has power 0.9. `None` if the report lacks the values.
 fn detectability(report: &Report, name: &str, values: &[f64]) -> Option<f64> {
     let effect = oracle::effect::by_name(name)?;
     let coefficients = effect.coefficients.iter().zip(values);
@@ -139,7 +139,8 @@ fn detectability(report: &Report, name: &str, values: &[f64]) -> Option<f64> {
     Some(z(report, name)? / (report.threshold.z + POWER_QUANTILE))
 }
 
-/// z-equivalent of a candidate's score test; `None` if the report has no such candidate.
+/// z-equivalent (two-sided standard normal quantile of the p-value) of a candidate's score test; `None` if the report
+/// has no such candidate.
 fn z(report: &Report, name: &str) -> Option<f64> {
     let mut candidates = report.candidates.iter();
     let candidate = candidates.find(|candidate| underscored(&candidate.name) == name)?;

@@ -37,12 +37,12 @@ const STEPS: usize = 7;
 /// ChaCha stream of the random effects and sizes. The streams of the flights are numbered from 1.
 const SIZE_STREAM: u64 = u64::MAX - 3;
 
-/// Seeded effects of one random fit.
+/// Effects added to the simulated flights of one random fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FitCase {
     /// Seed of the effects, the throws and the noise.
     pub seed: u64,
-    /// Names of the seeded effects, with their values, SI.
+    /// Names of the effects added to the simulated flights, with their values, SI.
     pub effects: Vec<(String, Vec<f64>)>,
     /// Displacement of the markers by all effects together, RMS over the coordinates, m. Flights with and without the
     /// effects start from the same releases.
@@ -50,9 +50,9 @@ pub struct FitCase {
 }
 
 impl FitCase {
-    /// Draws the case of a seed: one to three effects of the disc, each with a log-uniform displacement as far as the
-    /// coefficients' bounds allow. The values of all effects are halved until together they displace the markers by at
-    /// most one metre and no disc exceeds the maximum angle of attack.
+    /// Draws the effects of the random fit with a given seed: one to three effects of the disc, each with a log-uniform
+    /// displacement as far as the coefficients' bounds allow. The values of all effects are halved until together they
+    /// displace the markers by at most one metre and no disc exceeds the maximum angle of attack.
     ///
     /// # Panics
     /// If the built-in disc does not load.
@@ -91,7 +91,7 @@ impl FitCase {
         }
     }
 
-    /// Names of the seeded effects.
+    /// Names of the effects added to the simulated flights.
     pub fn names(&self) -> Vec<&str> {
         self.effects.iter().map(|(name, _)| name.as_str()).collect()
     }

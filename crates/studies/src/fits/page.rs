@@ -10,7 +10,7 @@ use crate::statistics::median;
 /// Maximum number of failed fits that the page lists.
 const MAX_LISTED: usize = 40;
 
-/// Boundaries of the classes of displacement, m.
+/// Boundaries, m, of the classes of marker displacement by the effects, into which the page sorts the fits.
 const CLASSES: [f64; 5] = [0.0, 0.005, 0.05, 0.3, f64::INFINITY];
 
 #[derive(Serialize)]

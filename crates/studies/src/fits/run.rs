@@ -16,7 +16,7 @@ const MAX_OUTLIERS: f64 = 0.005;
 /// Outcome of fitting one dataset with randomly drawn effects.
 #[derive(Clone, Debug)]
 pub struct FitOutcome {
-    /// Seeded effects of the fit.
+    /// Effects added to the simulated flights that were fitted.
     pub case: FitCase,
     /// Error message if the fit ended without a result; `None` otherwise.
     pub failure: Option<String>,

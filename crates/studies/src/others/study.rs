@@ -55,12 +55,13 @@ pub struct RateInFlight {
     pub state: String,
     /// Unit of the state; the rates are in this unit per second.
     pub unit: String,
-    /// Maximum magnitude, along the flight, of the state's rate as stated by the simulator's equations.
+    /// Maximum magnitude, along the flight, of the state's rate as stated by the simulator's equations, in `unit` per
+    /// second.
     pub stated: f64,
-    /// Maximum magnitude, along the flight, of the state's rate as implied by the laws of motion.
+    /// Maximum magnitude, along the flight, of the state's rate as implied by the laws of motion, in `unit` per second.
     pub implied: f64,
     /// Maximum magnitude, along the flight, of the difference between the rate that the simulator's equations state and
-    /// the rate that the laws of motion imply.
+    /// the rate that the laws of motion imply, in `unit` per second.
     pub difference: f64,
 }
 
@@ -68,7 +69,7 @@ pub struct RateInFlight {
 /// flight.
 #[derive(Clone, Debug)]
 pub struct Stage {
-    /// Description of the last change; `None` for the published equations.
+    /// Description of the correction that was applied last; `None` for the published equations.
     pub change: Option<&'static str>,
     /// Violations of laws that `hyzer verify` reports for the claimed body, one line each; empty if the body obeys
     /// every law.

@@ -16,7 +16,7 @@ pub(super) struct Scene {
 /// Rate that is added to a state, as a function of the time (s) and of a lookup of state values by name.
 type AddedRate = fn(f64, &dyn Fn(&str) -> f64) -> f64;
 
-/// Action of a hidden effect of size 1.
+/// How a hidden effect of size 1 changes the motion or the measurement.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Action {
     /// Additional acceleration of the centre of mass, m/s².
@@ -25,11 +25,11 @@ pub(super) enum Action {
     Moment(fn(&Scene) -> Vector3<f64>),
     /// Velocity of the air, m/s, inertial axes.
     Wind(fn(&Scene) -> Vector3<f64>),
-    /// Name of a parameter of the model, and its relative change as a function of the time, s.
+    /// Name of a parameter of the model, and the relative change of this parameter as a function of the time, s.
     Parameter(&'static str, fn(f64) -> f64),
     /// Name of a state, and the rate that is added to the state's derivative.
     Rate(&'static str, AddedRate),
-    /// The clock of the measured times runs fast by a fraction equal to the size.
+    /// The time stamps of the measurements run faster than true time, by a fraction equal to the size.
     Clock,
     /// Displacement (m) of a marker's measured position, as a function of the scene, the position and the marker's
     /// index.

@@ -52,7 +52,7 @@ impl Task {
 /// Answer of one diagnosis, and how detectable the hidden effect was.
 #[derive(Clone, Debug)]
 pub struct Outcome {
-    /// The diagnosis that was run.
+    /// Settings of the diagnosis.
     pub task: Task,
     /// Verdict of the diagnosis; `None` if the diagnosis failed.
     pub verdict: Option<Verdict>,

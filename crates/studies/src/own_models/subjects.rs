@@ -87,7 +87,7 @@ pub const SUBJECTS: [Subject; 6] = [
 ];
 
 impl Subject {
-    /// Loads the model.
+    /// Loads the model of this subject.
     ///
     /// # Panics
     /// If the model's text has an error.

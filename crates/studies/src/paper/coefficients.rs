@@ -23,8 +23,8 @@ pub(super) struct Coefficients {
     pub(super) spin_down: f64,
 }
 
-/// Converts a printed row to coefficients by the order of columns and the conventions of a reading; `d` in m, `g` in
-/// m/s².
+/// Converts a printed row of Table 1 to coefficients, with an assumed order of columns and assumed signs and units; `d`
+/// in m, `g` in m/s².
 pub(super) fn coefficients(
     row: &[f64; 8],
     columns: Columns,

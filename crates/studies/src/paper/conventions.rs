@@ -83,7 +83,7 @@ impl Conventions {
         all
     }
 
-    /// Descriptions of the hypotheses, one for each deviation from the printed conventions.
+    /// Descriptions of the hypotheses, one for each sign or unit that deviates from the printed Table 1.
     pub(super) fn hypotheses(&self) -> Vec<&'static str> {
         let signs = [
             (self.pitch_damping_reversed, "pitch damping reversed"),

@@ -10,7 +10,7 @@ use super::table::Table1;
 use crate::error::StudyError;
 use crate::page::{Page, render};
 
-/// Number of readings in the page's ranking.
+/// Number of readings (interpretations of the paper's Table 1) in the page's ranking.
 const SHOWN: usize = 20;
 
 #[derive(Serialize)]
@@ -51,8 +51,8 @@ struct ReadingRow {
     description: String,
 }
 
-/// Best score among the readings that lack one hypothesis of the best-ranked reading. It shows how much the hypothesis
-/// contributes to the agreement.
+/// Best score among the readings (interpretations of Table 1) that lack one hypothesis of the best-ranked reading. It
+/// shows how much the hypothesis contributes to the agreement.
 #[derive(Serialize)]
 struct HypothesisRow {
     description: &'static str,
@@ -61,13 +61,14 @@ struct HypothesisRow {
     loss: f64,
 }
 
-/// A reading that the stated outcomes cannot distinguish from the best-ranked one and that differs from it in a single
-/// hypothesis.
+/// A reading (interpretation of the paper's Table 1) that the stated outcomes cannot distinguish from the best-ranked
+/// one and that differs from it in a single hypothesis.
 #[derive(Serialize)]
 struct Alternative {
     best_has: String,
     alternative: String,
-    /// Whether the best-ranked and this reading give exactly the same simulated outcomes.
+    /// Whether the best-ranked reading (interpretation of Table 1) and this one give exactly the same simulated
+    /// outcomes.
     is_equivalent: bool,
     misfit: f64,
     best_misfit: f64,
@@ -136,7 +137,8 @@ fn describe(claim: &Claim) -> String {
     }
 }
 
-/// Rows of the first [`SHOWN`] readings, and of the tables as printed if these rank lower.
+/// Table rows of the first [`SHOWN`] readings (interpretations of the paper's Table 1), and of the table as printed if
+/// it ranks lower.
 fn ranking(study: &Study) -> Vec<ReadingRow> {
     let ranked = study.ranking.iter().enumerate();
     let shown = ranked.filter(|(k, scored)| *k < SHOWN || scored.reading == Reading::PRINTED);
@@ -151,7 +153,8 @@ fn ranking(study: &Study) -> Vec<ReadingRow> {
     rows.collect()
 }
 
-/// Names of the flights, each with its lift and drag coefficients `[C_L0, C_La, C_D0, C_Da]` under a reading.
+/// Names of the flights, each with its lift and drag coefficients `[C_L0, C_La, C_D0, C_Da]` under a reading
+/// (interpretation of the paper's Table 1).
 fn columns(reading: &Reading) -> Vec<(&'static str, [f64; 4])> {
     let table = Table1::printed();
     let flight = |row: [f64; 8], order: Columns| order.map(|column| row[column as usize]);

@@ -7,7 +7,7 @@ use super::conventions::Conventions;
 /// and columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Reading {
-    /// Signs and units that the reading assumes.
+    /// Signs and units that this interpretation of Table 1 assumes.
     pub conventions: Conventions,
     /// Order of the lift and drag columns for fssh3.
     pub fssh3: Columns,
@@ -16,14 +16,15 @@ pub struct Reading {
 }
 
 impl Reading {
-    /// The tables as printed, without any hypothesis.
+    /// Table 1 as printed, without any hypothesis.
     pub const PRINTED: Self = Self {
         conventions: Conventions::PRINTED,
         fssh3: PRINTED,
         bffl8: PRINTED,
     };
 
-    /// Number of hypotheses of the reading. An interchange of columns that applies to both flights counts once.
+    /// Number of hypotheses, that is of deviations from the printed Table 1, in this interpretation of it. An
+    /// interchange of columns that applies to both flights counts once.
     pub fn hypotheses(&self) -> usize {
         let columns = if self.fssh3 == self.bffl8 {
             interchanges(self.fssh3)
@@ -33,8 +34,8 @@ impl Reading {
         columns + self.conventions.hypotheses().len()
     }
 
-    /// Descriptions (of `self`, of `other`) of the one hypothesis in which the two readings differ; `None` if they
-    /// differ in more than one.
+    /// Descriptions (of `self`, of `other`) of the one hypothesis in which two interpretations of Table 1 differ;
+    /// `None` if they differ in more than one hypothesis.
     pub(super) fn difference(&self, other: &Self) -> Option<(String, String)> {
         let columns = |reading: &Self| {
             let reading = Self {
@@ -59,7 +60,8 @@ impl Reading {
         }
     }
 
-    /// Describes the hypotheses of the reading; "as printed" if it has none.
+    /// Describes the hypotheses (deviations from the printed Table 1) of this interpretation; "as printed" if it has
+    /// none.
     pub fn description(&self) -> String {
         let mut parts: Vec<String> = Vec::new();
         let mut columns = |flights: &str, order: Columns| {

@@ -14,8 +14,9 @@ use crate::error::StudyError;
 /// are clipped to this value.
 const MAX_DEPARTURE: f64 = 10.0;
 
-/// Increase of the score of a reading (interpretation of Table 1) for each hypothesis that it makes, in squared
-/// tolerances: Akaike's penalty for one more parameter.
+/// Increase of the score of a reading (interpretation of Table 1) for each hypothesis that it makes: Akaike's penalty
+/// for one more parameter. The remainder of the score is a sum of squared deviations, each deviation divided by its
+/// tolerance.
 pub(super) const PENALTY: f64 = 2.0;
 
 /// A reading (interpretation of the paper's Table 1), with the agreement between its simulated flights and the outcomes
@@ -24,8 +25,8 @@ pub(super) const PENALTY: f64 = 2.0;
 pub struct Scored {
     /// Interpretation of the paper's Table 1 under which both flights were simulated.
     pub reading: Reading,
-    /// Sum over the stated outcomes of the squared deviations of the simulation, in units of the tolerance; each square
-    /// is clipped to 100.
+    /// Sum, over the outcomes that the paper states, of the squared deviations of the simulation, each deviation
+    /// divided by the outcome's tolerance; each square is clipped to 100.
     pub misfit: f64,
     /// Number of outcomes stated in the paper from which the simulation deviates by at most the tolerance.
     pub held: usize,
@@ -43,17 +44,18 @@ impl Scored {
 pub struct Study {
     /// Numerical outcomes that the paper (Hubbard & Hummel, 2000) states for its two flights.
     pub claims: Vec<Claim>,
-    /// All readings with their misfit, sorted by score, best first.
+    /// All readings (interpretations of the paper's Table 1) with their misfit, sorted by score, best first.
     pub ranking: Vec<Scored>,
     orders: Vec<Columns>,
     conventions: Vec<Conventions>,
-    /// Outcomes of the flight fssh3, indexed `[convention][order]`; `None` if the integration fails.
+    /// Outcomes of the flight fssh3, indexed `[convention][order]` like the lists `conventions` (signs and units) and
+    /// `orders` (order of the columns); `None` if the integration fails.
     fssh3: Vec<Vec<Option<Outcome>>>,
     bffl8: Vec<Vec<Option<Outcome>>>,
 }
 
 impl Study {
-    /// Simulates both flights under every reading and ranks the readings.
+    /// Simulates both flights under every reading (interpretation of the paper's Table 1) and ranks the readings.
     ///
     /// # Errors
     /// [`StudyError`] if the built-in model or a release does not load.
@@ -138,7 +140,8 @@ impl Study {
         })
     }
 
-    /// Outcome of a flight under a reading; `None` if the integration fails.
+    /// Outcome of a flight simulated under a reading (interpretation of the paper's Table 1); `None` if the integration
+    /// fails.
     pub(super) fn outcome(&self, reading: &Reading, flight: &str) -> Option<Outcome> {
         let convention = self
             .conventions
@@ -151,15 +154,17 @@ impl Study {
         outcomes[convention][self.orders.iter().position(|&known| known == order)?]
     }
 
-    /// Score of a reading; `None` if the reading is not part of the study.
+    /// Misfit and score of a reading (interpretation of the paper's Table 1); `None` if the reading is not part of the
+    /// study.
     pub(super) fn score_of(&self, reading: &Reading) -> Option<&Scored> {
         self.ranking
             .iter()
             .find(|scored| scored.reading == *reading)
     }
 
-    /// Returns the readings that the claims cannot distinguish from the best one: those with the same number of claims
-    /// within tolerance and a misfit less than one squared tolerance above the minimum. The best reading is first.
+    /// Returns the readings (interpretations of Table 1) that the claims cannot distinguish from the best one: those
+    /// with the same number of claims within tolerance and a misfit less than 1 above the minimum. The best reading is
+    /// first.
     pub(super) fn indistinguishable(&self) -> Vec<&Scored> {
         let best = &self.ranking[0];
         let near = |scored: &&Scored| scored.held == best.held && scored.misfit < best.misfit + 1.0;

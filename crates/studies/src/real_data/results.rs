@@ -13,7 +13,7 @@ use super::wind_tunnel::{Measured, read};
 use crate::error::StudyError;
 use crate::oracle_flights::disc;
 
-/// Results on all measured data.
+/// Results of the studies of all measured data.
 pub struct RealData {
     pub(super) balls: Balls,
     pub(super) spin_decay: SpinDecay,

@@ -1,4 +1,4 @@
-//! Simulates datasets of a ball of known spin, with seeded effects.
+//! Simulates datasets of a ball of known spin, with effects added to the law of motion.
 
 use identify::dataset::{Dataset, KnownValue, Marker};
 use model_spec::model::Model;
@@ -72,7 +72,7 @@ fn model() -> Model {
     model_spec::load::load("ball", &[]).expect("the built-in ball")
 }
 
-/// Simulates flights of a ball with seeded effects. The dataset states the true spin of each flight.
+/// Simulates flights of a ball with the effects and noise in `seeded`. The dataset states the true spin of each flight.
 ///
 /// # Panics
 /// If an effect does not act on a ball, or if its number of values is wrong.

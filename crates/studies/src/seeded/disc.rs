@@ -1,4 +1,4 @@
-//! Simulates datasets of the disc with seeded effects.
+//! Simulates datasets of the disc with effects added to the law of motion.
 
 use identify::dataset::Dataset;
 use identify::synthesize::MARKERS;
@@ -12,7 +12,7 @@ use super::effects::SeededEffects;
 use super::flight::{FlightPlace, seeded_flight};
 use crate::oracle_flights::{Plan, disc, disc_constants, empty, reference_of, sample_times};
 
-/// Simulates flights of the disc with seeded effects. Without effects and noise they equal those of
+/// Simulates flights of the disc with the effects and noise in `seeded`. Without effects and noise they equal those of
 /// [`crate::oracle_flights::flights`].
 ///
 /// # Panics

@@ -1,4 +1,4 @@
-//! Simulates one flight with seeded effects.
+//! Simulates one flight with effects added to the law of motion.
 
 use identify::dataset::{Flight, Role};
 use identify::synthesize::corrupt;
@@ -23,7 +23,8 @@ pub(super) struct FlightPlace {
 }
 
 impl FlightPlace {
-    /// Law of motion of the flight with the seeded effects, including the randomly drawn states of this flight.
+    /// Law of motion of the flight with the effects in `seeded`, including the randomly drawn states of these effects
+    /// for this flight.
     pub(super) fn world(self, world: &ExtendedLaw<f64>, seeded: &SeededEffects) -> SeededWorld {
         let mut random = ChaCha12Rng::seed_from_u64(self.seed);
         random.set_stream(1 + self.index as u64);
@@ -32,7 +33,7 @@ impl FlightPlace {
 }
 
 /// Simulates a flight and its measurement at `times` (s); `markers` are in the body frame, m. The random stream depends
-/// only on the flight, so the throws are the same for any seeded effects.
+/// only on the flight, so the throws are the same whatever effects are added.
 pub(super) fn seeded_flight(
     world: &ExtendedLaw<f64>,
     seeded: &SeededEffects,

@@ -15,7 +15,7 @@ pub struct InputErrors {
     pub exchanged: f64,
 }
 
-/// ChaCha stream of the errors. The streams of the flights are numbered from 1.
+/// ChaCha stream of the random errors of the stated spins. The streams of the flights are numbered from 1.
 const ERROR_STREAM: u64 = u64::MAX - 1;
 
 /// ChaCha stream that selects the flights with exchanged spins.

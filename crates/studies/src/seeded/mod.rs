@@ -1,4 +1,4 @@
-//! Simulates flights with seeded effects, some of them from the catalogue (in the oracle's implementation) and some
+//! Simulates flights with added effects, some of them from the catalogue (in the oracle's implementation) and some
 //! that are in no catalogue.
 //!
 //! Neither the compiler nor the text of an effect is used: forces, integration and observation are implemented by the

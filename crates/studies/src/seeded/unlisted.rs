@@ -7,9 +7,9 @@ use oracle::effect::Flow;
 /// Time constant of the first-order lag with which the lift of the effect `lagging_lift` follows the angle of attack,
 /// s.
 pub(super) const LAG: f64 = 0.15;
-/// Angular frequency of the wind in the effect `gusts`, rad/s.
-const CLIMB_SCALE: f64 = 2.0;
 /// Climb rate at which the effect `drag_by_climb` saturates, m/s.
+const CLIMB_SCALE: f64 = 2.0;
+/// Angular frequency of the wind in the effect `gusts`, rad/s.
 const GUST_FREQUENCY: f64 = 8.0;
 /// Airspeed at which the effect `drag_by_power_of_speed` leaves the drag unchanged, m/s.
 const REFERENCE_SPEED: f64 = 14.0;
@@ -72,9 +72,9 @@ const fn row(
     }
 }
 
-/// All effects outside the catalogue. Units of their sizes: 1 for aerodynamic coefficients (moments have the lever d),
-/// 1/s for `pitching_moment_by_time`, N·m·s/m for `spin_down_by_speed`, 1/m for `drag_by_height`, m/s for `gusts` and
-/// `updraft`, N for `swerve`.
+/// All effects outside the catalogue. Units of their sizes: 1 for aerodynamic coefficients (the moment arm is the
+/// diameter d), 1/s for `pitching_moment_by_time`, N·m·s/m for `spin_down_by_speed`, 1/m for `drag_by_height`, m/s for
+/// `gusts` and `updraft`, N for `swerve`.
 #[rustfmt::skip]
 pub const UNLISTED: &[UnlistedEffect] = &[
     row("roll_by_angle_squared", "roll", [0.02, 0.1], DISCS, Kind::RollByAngleSquared),

@@ -1,4 +1,4 @@
-//! The oracle's law of motion with seeded effects, and the simulated measurement of a flight under it.
+//! The oracle's law of motion with added effects, and the simulated measurement of a flight under it.
 
 use nalgebra::Vector3;
 use oracle::Physical;
@@ -17,7 +17,7 @@ pub(super) struct SeededWorld {
 }
 
 impl SeededWorld {
-    /// Adds the seeded effects to a law of motion, and draws the effects' states for one flight.
+    /// Adds effects to a law of motion, and draws the effects' states for one flight.
     ///
     /// # Panics
     /// If an effect does not act on this body, or if its number of values is wrong.
@@ -48,7 +48,8 @@ impl SeededWorld {
         }
     }
 
-    /// Simulated marker positions, m, indexed `[sample][marker]`, at `times` (s) of the measuring clock. Without noise.
+    /// Simulated marker positions, m, indexed `[sample][marker]`, at `times` (s). These are time stamps of the
+    /// measurements, which may run at another rate than true time. Without noise.
     pub(super) fn observe(
         &self,
         start: Physical<f64>,
@@ -73,7 +74,8 @@ impl SeededWorld {
         angles.fold(0.0, f64::max)
     }
 
-    /// Body states at `times` (s) of the measuring clock.
+    /// Body states at `times` (s). These are time stamps of the measurements, which may run at another rate than true
+    /// time.
     fn fly(&self, start: Physical<f64>, times: &[f64]) -> Vec<Physical<f64>> {
         let clock = self.world.clock();
         let true_times: Vec<f64> = times.iter().map(|time| time * clock).collect();
@@ -86,7 +88,7 @@ impl SeededWorld {
         )
     }
 
-    /// Accelerations, and the rate (rad/s) of the lagged angle of attack.
+    /// Accelerations of the body, and the rate (rad/s) of the lagged angle of attack.
     fn derivatives(&self, body: &Physical<f64>, time: f64, lagged_alpha: f64) -> Derivatives {
         if self.unlisted.is_empty() {
             return Derivatives {
@@ -111,7 +113,7 @@ impl SeededWorld {
         }
     }
 
-    /// Flow about the body, without the winds of effects outside the catalogue.
+    /// Flow about the body, without the winds of effects that are not in the catalogue.
     fn scene<'s>(&'s self, body: &'s Physical<f64>, time: f64) -> Flow<'s, f64> {
         let world = &self.world;
         Flow::new(

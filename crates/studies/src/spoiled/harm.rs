@@ -16,7 +16,7 @@ pub(super) type FlightHarm = fn(&mut Flight, &Flight, &mut ChaCha12Rng);
 /// Function that introduces a mistake into the marker template or the parameters of a dataset.
 pub(super) type DatasetHarm = fn(&mut Dataset);
 
-/// The change that a kind of mistake makes.
+/// How a kind of recording mistake changes the data.
 #[derive(Clone, Copy)]
 pub(super) enum Harm {
     Flight(FlightHarm),

@@ -60,8 +60,8 @@ pub struct Judged {
     pub says: String,
 }
 
-/// Judges a fit of a dataset in which the mistake was introduced into the flights with the file names `spoiled`.
-/// `truth` contains the names and true values of the coefficients.
+/// Judges the result of a fit of a dataset in which a mistake was introduced into the flights with the file names
+/// `spoiled`. `truth` contains the names and true values of the coefficients.
 pub(super) fn judge(
     result: &Result<FitReport, FitError>,
     spoiled: &[String],

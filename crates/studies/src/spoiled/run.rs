@@ -28,7 +28,7 @@ pub enum Which {
 }
 
 impl Which {
-    /// Label on the page and for selection by words.
+    /// Label printed on the page; the words that select runs on the command line are also compared with it.
     pub fn label(self) -> &'static str {
         match self {
             Self::One => "one flight",

@@ -4,11 +4,12 @@ use nalgebra::{UnitQuaternion, Vector3};
 use oracle::{Physical, Quaternion};
 use rand::{Rng, RngExt};
 
-/// Motion up to the release: the body is held, then pushed along the release velocity with a sinusoidal acceleration.
+/// Motion of the hand up to the release: the body is held, then pushed along the release velocity with a sinusoidal
+/// acceleration.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Hand {
     release: Physical<f64>,
-    /// Time for which the body is held, s.
+    /// Time for which the body is held in the hand before it is pushed, s.
     held: f64,
     /// Half period of the sinusoidal acceleration, s; `part` is the fraction of the half period after which the body is
     /// released.
@@ -16,7 +17,7 @@ pub(super) struct Hand {
     part: f64,
 }
 
-/// Amplitude of a held body's sway, m, and its angular frequency, rad/s.
+/// Amplitude, m, of the sway of the body while it is held in the hand, and angular frequency of this sway, rad/s.
 const SWAY: (f64, f64) = (0.003, 4.0);
 
 impl Hand {
@@ -39,7 +40,7 @@ impl Hand {
         self.part * self.half
     }
 
-    /// State at a time (s) from the start of the motion, up to the release.
+    /// State of the body at a time (s) from the start of the hand's motion, up to the release.
     pub fn at(&self, time: f64) -> Physical<f64> {
         let since = (time - self.held).clamp(0.0, self.push());
         let rate = std::f64::consts::PI / self.half;

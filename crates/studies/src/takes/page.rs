@@ -8,7 +8,7 @@ use crate::oracle_flights::TRUTH;
 use crate::page::{Page, render};
 use crate::statistics::median;
 
-/// Maximum error of a detected release or end that counts as right, samples.
+/// Maximum error of a detected release or end of a flight that counts as right, samples.
 const CUT: i64 = 3;
 /// Maximum error of a marker position in an estimated marker template that counts as right, m.
 const MILLIMETRE: f64 = 0.001;

@@ -127,7 +127,7 @@ pub fn sessions(
 }
 
 /// Simulates and imports the sessions of `seeds` without fitting them. Returns the errors of the detected releases and
-/// ends of all flights, and the number of false throws.
+/// ends of all flights, and the number of detected throws that overlap no true flight.
 ///
 /// # Errors
 /// A message if a take cannot be read.
@@ -272,7 +272,7 @@ fn imported(file: &[u8]) -> Result<(Take, Throws), String> {
     Ok((take, found))
 }
 
-/// Appends the flights in the given ranges of samples, with the markers in the order of `labels`.
+/// Appends to `flights` the parts of a take in the given ranges of samples, with the markers in the order of `labels`.
 fn add_flights(
     take: &Take,
     labels: &[String],

@@ -88,8 +88,8 @@ pub(super) fn filmed(seed: u64) -> Filmed {
     }
 }
 
-/// Appends one throw to a take: motion in the hand, flight, catch by a net or ground contact, and the time without the
-/// body before the next throw.
+/// Appends one throw to a take: motion in the hand, flight, catch by a net or ground contact, and the time until the
+/// next throw in which no body is visible.
 fn add_throw(
     take: &mut FilmedTake,
     markers: &[[f64; 3]],

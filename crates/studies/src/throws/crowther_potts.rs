@@ -12,7 +12,7 @@ use crate::error::StudyError;
 const SPEED: f64 = 20.0;
 const ADVANCE: f64 = 0.5;
 
-/// Results of the launches with one set of coefficients.
+/// Results of the simulated disc launches with one set of aerodynamic coefficients.
 #[derive(Clone, Debug, Serialize)]
 pub struct Launches {
     /// Description of the set of coefficients.
@@ -22,7 +22,7 @@ pub struct Launches {
     pub along: (f64, f64),
     /// Same as `along` for a horizontal launch direction: the pitch is the angle of attack.
     pub level: (f64, f64),
-    /// Landings of horizontal launches as a function of the tilt of the disc (hyzer angle).
+    /// Results of horizontal launches as a function of the tilt of the disc (hyzer angle).
     pub tilts: Tilts,
     /// Advance ratio, and mean curvature of the path over the ground, 1/m.
     pub curvature: Vec<(f64, f64)>,
@@ -31,10 +31,11 @@ pub struct Launches {
 /// Horizontal launches with an angle of attack of 10°, as a function of the tilt (hyzer).
 #[derive(Clone, Debug, Serialize)]
 pub struct Tilts {
-    /// Tilt of the flight with the minimum lateral displacement, deg, and that flight's maximum lateral displacement,
-    /// m.
+    /// Tilt (hyzer angle), deg, of the flight whose maximum lateral displacement is the smallest, and that
+    /// displacement, m.
     pub straightest: (f64, f64),
-    /// Tilt of the flight that lands on the line of launch, deg; `None` if there is none.
+    /// Tilt (hyzer angle), deg, with which the disc lands on the line of launch, interpolated between the simulated
+    /// flights; `None` if no two successive flights land on opposite sides of the line.
     pub on_line: Option<f64>,
     /// Landing points: hyzer, deg, and position x and y, m.
     pub landings: Vec<(f64, f64, f64)>,
@@ -78,7 +79,7 @@ pub fn rolls() -> Result<Vec<(f64, Tilts)>, StudyError> {
     each.into_iter().collect()
 }
 
-/// Simulates the launches with each set of coefficients.
+/// Simulates the disc launches with each set of aerodynamic coefficients.
 ///
 /// # Errors
 /// [`StudyError`] if the model cannot be loaded.

@@ -100,7 +100,7 @@ fn beside(name: &str, folder: &Path) -> String {
     }
 }
 
-/// The names in the list `effects` of a plan, with paths resolved. Items that are no text are skipped here and
+/// The names in the list `effects` of a plan, with paths resolved. Items that are not strings are skipped here and
 /// reported later.
 fn effects(document: &DeTable<'_>, folder: &Path) -> Vec<String> {
     let items = document.get("effects").and_then(|e| e.get_ref().as_array());

@@ -22,7 +22,8 @@ impl Order {
     }
 }
 
-/// Byte slice with the byte order for decoding it. Bytes past its end read as 0, so callers check lengths first.
+/// Byte slice and the byte order in which its numbers are decoded. Bytes past the end of the slice read as 0, so
+/// callers check lengths first.
 #[derive(Clone, Copy)]
 pub(super) struct Bytes<'a> {
     pub bytes: &'a [u8],

@@ -30,7 +30,7 @@ pub(super) struct Layout {
 }
 
 /// Determines the number of the first frame, the number of frames and the size of a frame in bytes; `first` and `last`
-/// are the frame numbers in the header. Contradictions in the file that leave one sensible reading are added to
+/// are the frame numbers in the header. Contradictions in the file with only one sensible interpretation are added to
 /// `deviations`.
 pub(super) fn frames(
     parameters: &Parameters<'_>,

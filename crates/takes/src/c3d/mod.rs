@@ -2,7 +2,7 @@
 //!
 //! The format is read without an external crate, since only a small part is needed and files may be malformed: every
 //! count is checked against the file length before memory is allocated. Analogue samples are skipped. If a file
-//! contradicts itself and only one reading is sensible, that reading is used and listed as a [`Deviation`].
+//! contradicts itself and has only one sensible interpretation, this one is used and listed as a [`Deviation`].
 
 mod bytes;
 mod floor;
@@ -33,12 +33,12 @@ pub struct Wrong {
     pub expected: String,
 }
 
-/// A contradiction in a C3D file for which one sensible reading was chosen.
+/// A contradiction in a C3D file that has only one sensible interpretation, which is used.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Deviation {
     /// The contradiction: its byte offset, what was found and what was expected.
     pub wrong: Wrong,
-    /// Description of the reading that was chosen.
+    /// Description of the interpretation that is used.
     pub read_as: String,
 }
 
@@ -50,7 +50,8 @@ fn wrong<T>(byte: usize, found: impl Display, expected: impl Display) -> Result<
     })
 }
 
-/// A C3D file whose header, parameters and length are consistent, apart from the listed deviations.
+/// A C3D file whose header, parameters and length are consistent, apart from contradictions listed in
+/// [`deviations`](Recording::deviations()).
 pub struct Recording<'a> {
     data: &'a [u8],
     data_start: usize,
@@ -83,7 +84,7 @@ impl<'a> Recording<'a> {
     /// Reads the header and the parameters, and checks their counts against the length of the file.
     ///
     /// # Errors
-    /// [`Wrong`] if the file is malformed, or contradicts itself in a way that allows several readings.
+    /// [`Wrong`] if the file is malformed, or contradicts itself in a way that has several sensible interpretations.
     pub fn open(bytes: &'a [u8]) -> Result<Self, Wrong> {
         if bytes.len() < 2 * BLOCK || bytes[1] != 0x50 {
             return wrong(1, "no C3D header", "a C3D file, whose second byte is 0x50");
@@ -169,7 +170,7 @@ impl<'a> Recording<'a> {
         &self.labels
     }
 
-    /// Contradictions in the file that were resolved by choosing one reading.
+    /// Contradictions in the file that were resolved because only one interpretation is sensible.
     pub fn deviations(&self) -> &[Deviation] {
         &self.deviations
     }
@@ -269,9 +270,9 @@ impl<'a> Recording<'a> {
     }
 }
 
-/// Handles a parameter that extends past the parameter section, an error described by `cut`: returns a deviation, after
-/// which only the parameters before it are used. Returns `cut` as an error if a required parameter is missing or the
-/// parameter extends past the end of the file, whose size is `length` bytes.
+/// Handles a parameter that extends past the parameter section; `cut` is the error that describes it. Returns a
+/// [`Deviation`] by which only the parameters before it are used, or `cut` if a required parameter is then missing or
+/// the parameter extends past the end of the file, whose size is `length` bytes.
 fn after_the_cut(
     cut: Wrong,
     parameters: &Parameters<'_>,

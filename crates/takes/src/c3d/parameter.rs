@@ -19,7 +19,8 @@ pub(super) struct Shape<'a> {
     dimensions: &'a [u8],
     /// Byte offset of the parameter's type in the file.
     place: usize,
-    /// Offset of the data in the section, bytes; `size` is the length of the data, bytes.
+    /// Byte offset of the parameter's data in the parameter section; the field `size` is the length of these data,
+    /// bytes.
     at: usize,
     size: usize,
 }
@@ -54,7 +55,7 @@ impl<'a> Shape<'a> {
         })
     }
 
-    /// Offset of the end of the data in the section, bytes.
+    /// Byte offset in the parameter section of the end of the parameter's data.
     pub fn end(&self) -> usize {
         self.at.saturating_add(self.size)
     }
@@ -77,8 +78,8 @@ impl<'a> Shape<'a> {
     }
 }
 
-/// Returns the bytes `at..at + length` of the section, or an error if the section is shorter; `start` is the offset of
-/// the section in the file.
+/// Returns the bytes `at..at + length` of the parameter section, or an error if the section is shorter; `start` is the
+/// byte offset of the section in the file.
 pub(super) fn part(section: &[u8], start: usize, at: usize, length: usize) -> Result<&[u8], Wrong> {
     let end = at.checked_add(length);
     match end.and_then(|end| section.get(at..end)) {

@@ -13,9 +13,9 @@ const MOST: usize = 20_000;
 pub(super) struct Parameters<'a> {
     groups: BTreeMap<String, u8>,
     parameters: BTreeMap<(u8, String), Parameter<'a>>,
-    /// Byte offset of the section in the file.
+    /// Byte offset of the parameter section in the file.
     start: usize,
-    /// Byte offset in the file of the end of a parameter that extends past the section; 0 if there is none.
+    /// Byte offset in the file of the end of a parameter that extends past the parameter section; 0 if there is none.
     end_of_cut: usize,
 }
 
@@ -82,7 +82,7 @@ impl<'a> Parameters<'a> {
         Ok((found, None))
     }
 
-    /// Byte offset in the file of the end of the parameter that extends past the section; 0 if there is none.
+    /// Byte offset in the file of the end of the parameter that extends past the parameter section; 0 if there is none.
     pub fn end_of_cut(&self) -> usize {
         self.end_of_cut
     }
@@ -106,7 +106,7 @@ impl<'a> Parameters<'a> {
         self.parameters.get(&(group, name.to_owned()))
     }
 
-    /// Byte offset of a parameter in the file, or of the whole section if the parameter is absent.
+    /// Byte offset in the file of a parameter, or of the parameter section if the parameter is absent.
     pub fn place(&self, group: &str, name: &str) -> usize {
         let parameter = self.get(group, name);
         parameter.map_or(self.start, |parameter| parameter.place)
@@ -222,7 +222,7 @@ impl<'a> Parameters<'a> {
     }
 }
 
-/// Decodes a text and strips surrounding blanks and zero bytes.
+/// Decodes a text and strips blanks and zero bytes at both ends.
 fn text(bytes: &[u8]) -> String {
     let text = String::from_utf8_lossy(bytes);
     text.trim_matches([' ', '\0', '\t', '\r', '\n']).to_owned()

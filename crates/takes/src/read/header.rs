@@ -115,7 +115,7 @@ pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<
     layout.samples(&mut sheet, |_| false)
 }
 
-/// Index and name of the first column in the header that DLTdv8 does not write; `None` if there is none.
+/// Index and name of the first column whose name is not one that DLTdv8 writes; `None` if there is none.
 fn foreign(sheet: &Sheet<'_>) -> Option<(usize, String)> {
     let cells = sheet.cells();
     let found = cells.iter().position(|name| !is_digitised(name))?;

@@ -14,7 +14,7 @@ use crate::words::{listed, shown};
 
 /// Number of columns before the first track: frame and time.
 const FIXED: usize = 2;
-/// Maximum number of lines between the properties and the line of axes.
+/// Maximum number of header lines after the file's properties, including the line that names the axis of each column.
 const MOST_LINES: usize = 12;
 
 /// Header lines above the columns, with one text per column.
@@ -110,7 +110,7 @@ fn properties(sheet: &mut Sheet<'_>) -> Result<BTreeMap<String, String>, Fault> 
         .collect())
 }
 
-/// Reads the header lines above the columns, up to and including the line of axes.
+/// Reads the header lines above the columns, up to and including the line that names the axis of each column.
 fn heads(sheet: &mut Sheet<'_>) -> Result<Heads, Fault> {
     const EXPECTED: &str = "the line of the axes, from Frame on";
     let mut heads = Heads::default();

@@ -98,7 +98,7 @@ fn find_section(sheet: &mut Sheet<'_>, notes: &mut Vec<String>) -> Result<(), Fa
     Err(Fault::new(place, found, format!("the section {SECTION}")))
 }
 
-/// Labels and column indices of the points. A subject name that all labels share is removed from them.
+/// Labels and column indices of the points. A subject name with which all labels begin is removed from the labels.
 fn points(
     sheet: &Sheet<'_>,
     labels: &[String],

@@ -41,7 +41,7 @@ pub(super) struct Centre {
     pub foot: Vector3<f64>,
     /// Covariance of `foot`, m².
     pub foot_covariance: Matrix3<f64>,
-    /// Derivative of `foot` by the height of the centre of mass along the axis (dimensionless).
+    /// Derivative of `foot` with respect to the height of the centre of mass along the axis (dimensionless).
     pub slope: Vector3<f64>,
     /// Estimated height of the centre of mass along the axis, relative to the mean of the markers, and its standard
     /// error, m; `None` if the axis wobbles too little for an estimate.
@@ -61,7 +61,8 @@ struct Motion {
     turns: f64,
 }
 
-/// Noise of a pose per unit variance of a measured coordinate.
+/// Properties of the markers used for a pose from which the covariance of the pose follows, per unit variance of a
+/// measured coordinate.
 struct PoseNoise {
     /// Number of markers used for the pose.
     count: f64,
@@ -107,8 +108,8 @@ struct Sums {
     weight: f64,
     /// Degrees of freedom of the residuals of the poses, from which the measurement noise is estimated.
     freedom: f64,
-    /// Contribution to `right` of the assumed magnitude of the unknown displacement by aerodynamic forces; yields an
-    /// error estimate.
+    /// Contribution to the field `right` of the assumed magnitude of the unknown displacement by aerodynamic forces;
+    /// the error of the centre of mass due to this displacement is computed from it.
     unknown: Vector3<f64>,
 }
 
@@ -159,7 +160,8 @@ pub(super) fn centre(shape: &Shape, flights: &[FreeFlight<'_>]) -> Result<Centre
     })
 }
 
-/// Unit vector of the spin axis; `None` if the body does not spin about one axis.
+/// Unit vector of the spin axis, derived from the sums over the flights; `None` if the body does not spin about one
+/// axis.
 fn axis_of(sums: &Sums) -> Option<Vector3<f64>> {
     let eigen = SymmetricEigen::new(sums.raw - sums.noise);
     let mut order = [0, 1, 2];
@@ -169,9 +171,9 @@ fn axis_of(sums: &Sums) -> Option<Vector3<f64>> {
     turns.then(|| eigen.eigenvectors.column(order[0]).into_owned())
 }
 
-/// For the body point at a height (m) along the axis whose trajectory is smoothest: its projection onto the plane
-/// normal to the axis, the derivative of this projection by the height, and the inverse of the matrix of the normal
-/// equations in this plane.
+/// For the body point whose trajectory is smoothest among those at a given height (m) along the axis: its projection
+/// onto the plane normal to the axis, the derivative of this projection with respect to the height, and the inverse of
+/// the matrix of the normal equations in this plane.
 fn at_height_with_inverse(
     sums: &Sums,
     axis: &Vector3<f64>,

@@ -6,7 +6,7 @@ use super::centre::Centre;
 use super::shape::Shape;
 use super::{CentreHeight, EstimatedMarker, EstimatedTemplate};
 
-/// Maximum standard error of an estimated height of the centre of mass, m; a less certain estimate is not used.
+/// Maximum standard error, m, at which an estimated height of the centre of mass is used for the template.
 const WORST_HEIGHT: f64 = 0.01;
 /// Minimum distance from the third axis, m, of the marker that the first axis points to.
 const OFF_AXIS: f64 = 0.005;

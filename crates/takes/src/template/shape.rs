@@ -7,17 +7,19 @@ use nalgebra::{DMatrix, Matrix3, Vector3};
 use super::{FreeFlight, LEAST_SAMPLES, TemplateError};
 use crate::throws::fitted;
 
-/// Maximum number of iterations of the shape, and number of the first iterations, which also decide which marker
-/// positions are outliers.
+/// Maximum number of iterations in the estimate of the shape, and number of the first iterations, in which it is also
+/// decided which marker positions are outliers.
 const PASSES: (usize, usize) = (60, 8);
-/// Greatest change of a marker position in one iteration, m, below which the shape has converged.
+/// Maximum change of any marker position in one iteration, m, at which the estimate of the shape counts as converged.
 const CONVERGED: f64 = 1e-9;
 /// Factors `a` and `b` of the maximum sum of squared residuals of a sample, σ² (f + a √(2f) + b), where f is the number
 /// of degrees of freedom and σ the standard deviation of a coordinate.
 const MISFIT: (f64, f64) = (4.0, 8.0);
-/// Minimum standard deviation of a coordinate, m, so that exact samples are not outliers.
+/// Lower bound of the estimated standard deviation of a measured coordinate, m; without it, samples without noise would
+/// count as outliers.
 const FINEST: f64 = 1e-7;
-/// Ratio of the second singular value of the points to the first, at or below which they count as lying on a line.
+/// Ratio of the second to the first singular value of a set of points, at or below which the points count as lying on a
+/// line.
 const FLAT: f64 = 0.05;
 
 /// Marker positions on the body (the shape), and the poses of the body in all samples.

@@ -11,7 +11,7 @@ pub(super) struct Smooth {
     /// Matrix that converts the coefficients of a polynomial in the columns of `basis` to those in the Legendre
     /// polynomials.
     coefficients: DMatrix<f64>,
-    /// First and second derivatives of the Legendre polynomials by time at the samples, 1/s and 1/s².
+    /// First and second derivatives of the Legendre polynomials with respect to time at the samples, 1/s and 1/s².
     derivatives: [DMatrix<f64>; 2],
     /// Values of the Legendre polynomials at the samples.
     values: DMatrix<f64>,
@@ -55,14 +55,16 @@ impl Smooth {
         })
     }
 
-    /// Residuals of weighted signals (one column each) after subtraction of their fitted polynomials.
+    /// Residuals of signals (one column each) after subtraction of the polynomials fitted to them; the residual of each
+    /// sample is multiplied by the square root of its weight.
     pub fn rest(&self, signals: &DMatrix<f64>) -> DMatrix<f64> {
         let weighted = self.weighted(signals);
         let fitted = &self.basis * (self.basis.transpose() * &weighted);
         weighted - fitted
     }
 
-    /// Polynomials fitted to signals (one column each): values, first and second derivatives by time at the samples.
+    /// Polynomials fitted to signals (one column each): their values and their first and second derivatives with
+    /// respect to time, at the samples.
     pub fn fitted(&self, signals: &DMatrix<f64>) -> [DMatrix<f64>; 3] {
         let of_basis = self.basis.transpose() * self.weighted(signals);
         let coefficients = &self.coefficients * of_basis;
@@ -70,7 +72,8 @@ impl Smooth {
         [&self.values, first, second].map(|each| each * &coefficients)
     }
 
-    /// Fraction of the variance of white noise at sample `i` that remains in the residual.
+    /// Fraction of the variance of white noise at sample `i` that remains in the residual after a polynomial has been
+    /// fitted.
     pub fn left(&self, i: usize) -> f64 {
         1.0 - self.basis.row(i).norm_squared()
     }

@@ -75,8 +75,8 @@ pub(super) fn is_break(
 }
 
 /// Jump of the velocity at the fitted change of motion, m/s, and its standard error on one axis, m/s; `None` if the
-/// fitted velocity does not jump. The velocity is the derivative by the time counted outwards from the flight, which is
-/// reversed at the beginning of a flight.
+/// fitted velocity does not jump. The velocity is the derivative with respect to the time counted outwards from the
+/// flight; at the beginning of a flight this time runs backwards.
 fn velocity_jump(motion: &Fit) -> Option<([f64; 3], f64)> {
     (motion.hinge.first() == Some(&1)).then(|| {
         let jump = [0, 1, 2].map(|axis| motion.coefficients[(CUBIC, axis)]);
@@ -84,14 +84,16 @@ fn velocity_jump(motion: &Fit) -> Option<([f64; 3], f64)> {
     })
 }
 
-/// Whether a falling body is pushed upwards at a height (above the lowest level, m) at which it may touch the ground.
+/// Whether a falling body is pushed upwards by the `jump` of its velocity (m/s) at a `height` (above the lowest level
+/// of the trajectory, m) at which it may touch the ground.
 fn is_touch(height: f64, motion: &Fit, jump: [f64; 3]) -> bool {
     let falls = motion.coefficients[(1, 2)] < 0.0;
     falls && jump[2] > 0.5 * norm(jump) && height < REACH
 }
 
-/// Whether the ground supports a falling body at index `last` of the track, near its lowest level. This detects slight
-/// touches in succession, each of which deviates too little from its prediction to end the flight.
+/// Whether the ground supports a falling body at the track index `last`; true only near the height `ground`, m, of the
+/// trajectory's lowest level. This detects slight touches in succession, each of which deviates too little from the
+/// prediction to end the flight.
 pub(super) fn touches(track: &Track, path: &[[f64; 3]], last: usize, ground: f64) -> bool {
     if path[last][2] > ground + LOW {
         return false;
@@ -116,8 +118,8 @@ pub(super) fn lowest(path: &[[f64; 3]]) -> f64 {
     *heights.select_nth_unstable_by(place, f64::total_cmp).1
 }
 
-/// Whether the lowest level is that of the ground, because the body comes down to it more than once. A single low point
-/// may be where a flight turns upwards.
+/// Whether the height `lowest` of the lowest level of the trajectory, m, is that of the ground, because the body comes
+/// down to it more than once. A single low point may be where a flight turns upwards.
 pub(super) fn is_ground(times: &[f64], path: &[[f64; 3]], lowest: f64) -> bool {
     let low = times.iter().zip(path);
     let low = low.filter(|(_, at)| at[2] < lowest + REACH);
@@ -130,8 +132,9 @@ pub(super) fn is_ground(times: &[f64], path: &[[f64; 3]], lowest: f64) -> bool {
     visits.count() > 1
 }
 
-/// Derivative by time, of the given order, of a fitted motion outside the flight, `beyond` seconds from the change of
-/// motion; and the standard error of the derivative on one axis. The unit is m/s for order 1 and m/s² for order 2.
+/// Derivative with respect to time, of the given `order`, of the fitted motion outside the flight at the time `beyond`,
+/// in seconds from the change of motion; and the standard error of this derivative on one axis. The unit of both is m/s
+/// for order 1 and m/s² for order 2.
 fn derivative(motion: &Fit, early: bool, beyond: f64, order: i32) -> ([f64; 3], f64) {
     let sign: f64 = if early { -1.0 } else { 1.0 };
     let term = |power: i32, time: f64| -> f64 {

@@ -36,7 +36,8 @@ pub(super) fn rigid_points(take: &Take) -> Vec<usize> {
     best
 }
 
-/// Whether a point is ever faster than [`FAST`], measured by its displacement over 5 sampling intervals.
+/// Whether the speed of a point ever exceeds [`FAST`]; the speed is computed from the displacement over 5 sampling
+/// intervals.
 fn moves(take: &Take, point: usize) -> bool {
     let positions = &take.points[point].positions;
     let apart = 5.min(positions.len().saturating_sub(1)).max(1);

@@ -67,8 +67,8 @@ pub(super) struct Fit {
     pub time: f64,
     /// Bayesian information criterion of the fit; smaller is better.
     pub criterion: f64,
-    /// Coefficients, one column per axis: rows 0 to 3 for the powers 0 to 3 of the time since `time`, then one row per
-    /// exponent in `hinge`.
+    /// Coefficients, one column per axis: rows 0 to 3 for the powers 0 to 3 of the time since the field `time`, then
+    /// one row per exponent in the field `hinge`.
     pub coefficients: DMatrix<f64>,
     /// Covariance matrix of the coefficients of one axis; it is the same for each axis.
     pub covariance: DMatrix<f64>,

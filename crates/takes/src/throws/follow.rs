@@ -10,8 +10,8 @@ use super::windows::half;
 const STRANGE: f64 = 4.5;
 /// Number of consecutive samples that must all deviate from their prediction before the flight is examined for its end.
 const CONSECUTIVE: usize = 2;
-/// Rate of change of the acceleration in free flight, m/s³, for which the comparison of a sample with its prediction
-/// allows.
+/// Rate of change of the acceleration in free flight, m/s³, that is tolerated when a sample is compared with its
+/// prediction from a quadratic.
 const JERK: f64 = 60.0;
 /// Lower bound of the estimated standard deviation of a measured position, m.
 const FINEST: f64 = 5e-5;
@@ -24,9 +24,10 @@ pub(super) enum Stop {
     /// The body is not seen between the samples `from` and `to`, and the samples after the gap do not continue the
     /// flight.
     Gap { from: usize, to: usize },
-    /// The samples next to the one at `last`, in the direction of following, deviate from their prediction.
+    /// The samples after the one at the track index `last`, in the direction of following, deviate from their
+    /// prediction.
     Deviation { last: usize },
-    /// The ground supports the body near the sample at `last`.
+    /// The ground supports the body near the sample at the track index `last`.
     Touch { last: usize },
 }
 

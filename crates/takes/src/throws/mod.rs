@@ -58,7 +58,7 @@ pub enum Cause {
     /// The velocity or the acceleration changes in a way that fits none of the causes `Hand`, `Ground`, `Stopped` and
     /// `Struck`.
     Disturbed,
-    /// The body is not seen for this time, s.
+    /// The body is not seen; the value is the time between the two samples before and after, s.
     Gap(f64),
     /// The recording begins or ends.
     Recording,
@@ -102,7 +102,7 @@ pub struct Throws {
     pub throws: Vec<Throw>,
     /// Labels of the points that move as one body, or of the tracked body.
     pub labels: Vec<String>,
-    /// Notes on what the search left out, such as free motion that is no throw, with the reason.
+    /// Notes on candidates that do not count as throws, such as free motion of too short a duration, with the reason.
     pub notes: Vec<String>,
 }
 

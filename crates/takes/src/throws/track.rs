@@ -27,8 +27,9 @@ pub(super) struct Track {
 }
 
 impl Track {
-    /// Follows the named points or body; if `labels` is empty, the first tracked body or the largest cluster of points
-    /// that move as one. Returns `None` and adds a note if the points or the body are seen in fewer than two samples.
+    /// Follows the points or the body named in `labels`; if `labels` is empty, the first tracked body or, without one,
+    /// the largest cluster of points that move as one. Returns `None` and adds a note if the points or the body are
+    /// seen in fewer than two samples.
     pub fn new(take: &Take, labels: &[&str], notes: &mut Vec<String>) -> Option<Self> {
         let is_named = |label: &str| labels.is_empty() || labels.contains(&label);
         let named: Vec<usize> = (0..take.points.len())
@@ -152,7 +153,8 @@ fn centred(points: Vec<Vector3<f64>>) -> Vec<Vector3<f64>> {
     points.into_iter().map(|point| point - mean).collect()
 }
 
-/// Second singular value of the matrix of points, m; 0 for points on a line.
+/// Extent of a set of points across its longest direction, m: second singular value of the matrix of points; 0 for
+/// points on a line.
 fn extent(points: &[Vector3<f64>]) -> f64 {
     let moments: Matrix3<f64> = points.iter().map(|p| p * p.transpose()).sum();
     let mut values: Vec<f64> = moments.symmetric_eigenvalues().iter().copied().collect();

@@ -41,12 +41,13 @@ pub(super) struct Window {
     pub offset: [f64; 3],
     /// Standard deviation of the residuals on one axis, m.
     pub residual: f64,
-    /// Standard error of the acceleration per unit standard deviation of a position, 1/s².
+    /// Standard error of the fitted acceleration per unit standard deviation of a measured position, 1/s².
     pub spread: f64,
 }
 
 impl Window {
-    /// Whether the motion in the window is free flight; `noise` is the standard deviation of a position, m.
+    /// Whether the motion of the body around the central sample is free flight; `noise` is the standard deviation of a
+    /// measured position, m.
     pub fn is_free(&self, noise: f64) -> bool {
         let [x, y, z] = self.acceleration;
         let air = [x, y, z + GRAVITY];
@@ -57,8 +58,8 @@ impl Window {
     }
 }
 
-/// Whether air can cause the acceleration `air` (without gravity, m/s²) at a velocity (m/s); `slack` is the uncertainty
-/// of the acceleration, m/s².
+/// Whether the air can cause the acceleration `air` (without gravity, m/s²) of a body in free flight at a velocity
+/// (m/s); `slack` is the uncertainty of the acceleration, m/s².
 pub(super) fn allowed(velocity: [f64; 3], air: [f64; 3], slack: f64) -> bool {
     let speed = norm(velocity);
     let push = dot(air, velocity) / speed.max(1e-9);
@@ -71,7 +72,8 @@ pub(super) fn half(track: &Track) -> usize {
     ((HALF / track.step).round() as usize).max(LEAST)
 }
 
-/// Windows around all samples of the track; `None` where a window has too few samples or spans a gap.
+/// Local quadratic fit around each sample of the track; `None` where there are too few samples for a fit or the samples
+/// span a gap.
 pub(super) fn windows(track: &Track) -> Vec<Option<Window>> {
     let half = half(track);
     (0..track.times.len())
@@ -130,8 +132,8 @@ fn window(track: &Track, i: usize, half: usize) -> Option<Window> {
     })
 }
 
-/// Estimates the standard deviation of a measured position, m, as the lower tercile of the windows' residuals: the
-/// residuals of windows in free flight or at rest are the smallest.
+/// Estimates the standard deviation of a measured position, m, as the lower tercile of the residuals of the local fits:
+/// fits in free flight or at rest have the smallest residuals.
 pub(super) fn noise(windows: &[Option<Window>]) -> f64 {
     let mut residuals: Vec<f64> = windows.iter().flatten().map(|w| w.residual).collect();
     residuals.sort_by(f64::total_cmp);
@@ -139,8 +141,8 @@ pub(super) fn noise(windows: &[Option<Window>]) -> f64 {
     quiet.max(FINEST)
 }
 
-/// Position of the smoothly moving body point relative to the centroid of the followed points, in their body-fixed
-/// axes, m: median of [`Window::offset`] over the windows in `run`.
+/// Position of the smoothly moving body point relative to the centroid of the followed points, in the body-fixed axes
+/// of these points, m: median of [`Window::offset`] over the local fits around the samples in `run`.
 pub(super) fn offset(windows: &[Option<Window>], run: &Range<usize>) -> [f64; 3] {
     [0, 1, 2].map(|axis| {
         let each = windows[run.clone()].iter().flatten();

@@ -2,7 +2,7 @@
 //!
 //! A certificate contains no time and no absolute paths, so the same verification gives the same bytes. It covers the
 //! texts of the models and effects, the schedule and the Rust code that the compiler generates from them, the results
-//! of the tape at seeded points, the version of the program, and its built-in effects. [`Certificate::changes`]
+//! of the tape at pseudo-random points, the version of the program, and its built-in effects. [`Certificate::changes`]
 //! compares only these; [`Certificate::changes_again`] repeats the checks too.
 
 mod change;
@@ -33,9 +33,9 @@ pub const SCHEMA: &str = "hyzer.certificate/1";
 pub struct Certificate {
     /// Name and version of the format; always [`SCHEMA`].
     pub schema: String,
-    /// Version of the program that made the checks.
+    /// Version of the program that carried out the checks.
     pub program: Program,
-    /// Options with which the checks were made.
+    /// Options with which the checks were carried out.
     pub options: CertifiedOptions,
     /// Combined outcome of all models and comparisons.
     pub outcome: Outcome,
@@ -45,7 +45,7 @@ pub struct Certificate {
     pub same_motion: Vec<CertifiedCheck>,
 }
 
-/// Version of the program that made the checks, and of its built-in effects.
+/// Version of the program that carried out the checks, and of its built-in effects.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Program {
@@ -77,11 +77,11 @@ pub struct CertifiedModel {
     pub from: Origin,
     /// Files or names of the effects that were added, in order.
     pub with: Vec<Origin>,
-    /// Hashes of the model's texts and code.
+    /// Hashes of the model's texts and of the code generated from them.
     pub covers: Fingerprint,
     /// Combined outcome of the model's checks.
     pub outcome: Outcome,
-    /// Results of the checks, in the order in which they were made.
+    /// Results of the checks, in the order in which they were carried out.
     pub checks: Vec<CertifiedCheck>,
 }
 
@@ -101,7 +101,7 @@ pub struct CertifiedCheck {
     pub allowed: f64,
     /// Unit of `worst` and `allowed`.
     pub measure: Measure,
-    /// Point or item with the maximum error, or why the check was not made.
+    /// Point or item with the maximum error, or the reason why the check was not carried out.
     pub detail: String,
     /// Limitation of the check (what it does not cover for this model); `None` if there is none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -211,7 +211,8 @@ impl Certificate {
     }
 }
 
-/// Combined outcome of models and of the comparisons between them: the worst of all.
+/// Combined outcome of models and of the comparisons between them: the worst outcome, in the order verified, not
+/// verified, refuted.
 fn outcome(models: &[CertifiedModel], same_motion: &[CertifiedCheck]) -> Outcome {
     let of_models = models.iter().map(|model| model.outcome);
     let of_pairs = same_motion.iter().map(|pair| match pair.verdict {

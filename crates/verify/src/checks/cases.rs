@@ -9,7 +9,7 @@ use oracle::{Point, Tree, Value};
 pub const CASES: &str = "check cases of the model";
 
 /// Compares every stated expectation with the computed value: derivatives from the equations under test, auxiliary
-/// variables from the vector tree.
+/// variables from the model's vector expressions.
 pub fn check(subject: &Subject<'_>) -> Row {
     let model = subject.model;
     if model.checks.is_empty() {

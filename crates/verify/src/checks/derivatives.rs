@@ -14,7 +14,8 @@ use model_spec::model::{FrameKind, Model};
 use oracle::scalar::{ComplexStep, Dual, ErrorBound, Lockstep, NumDual, Real};
 use oracle::{Point, Reference, Tree, derivatives_of};
 
-/// Names of the checks, one row of the report each.
+/// Names of the checks of the Jacobians against three methods of differentiation and against the reference
+/// implementation. Each check has one row of the report.
 pub const CHECKS: [&str; 4] = [
     "derivatives: num-dual",
     "derivatives: complex step",
@@ -79,7 +80,7 @@ struct Comparison<'a> {
 }
 
 impl Comparison<'_> {
-    /// Compares with the vector tree at a point; `None` if the tree cannot be evaluated.
+    /// Compares with the model's vector expressions at a point; `None` if these cannot be evaluated.
     fn with_tree(&mut self, equations: &dyn Differentiable, point: &Point<f64>) -> Option<()> {
         let model = self.subject.model;
         let got = equations.derivatives(point);
@@ -117,8 +118,8 @@ impl Comparison<'_> {
         Some(())
     }
 
-    /// Compares with the reference implementation at a point where the model's extra coefficients have their null
-    /// values. Does nothing if the model has no reference.
+    /// Compares with the reference implementation at a point where the coefficients that the reference law does not
+    /// contain have their null values. Does nothing if the model has no reference.
     fn with_reference(&mut self, equations: &dyn Differentiable, point: &Point<f64>) {
         let Some(reference) = &self.subject.reference else {
             return;
@@ -258,8 +259,8 @@ fn error(expected: f64, magnitude: f64, got: ErrorBound) -> f64 {
 }
 
 /// Magnitude to which the error of a Jacobian entry is compared if the entry has no terms in the model's vector
-/// expressions. Compiled code in components of another frame may have terms there that cancel up to rounding. Their
-/// magnitude is estimated as that of the row's value, divided by max(|variable|, 1).
+/// expressions. Compiled code that computes in another frame may have terms in this entry that cancel up to rounding.
+/// Their magnitude is estimated as that of the row's value, divided by max(|variable|, 1).
 fn cancelled(value: ErrorBound, variable: f64) -> f64 {
     value.magnitude / variable.max(1.0)
 }
@@ -275,7 +276,8 @@ fn size(point: &Point<f64>, variable: usize) -> f64 {
     all.map(|v| v.abs()).nth(variable).unwrap_or(0.0)
 }
 
-/// State derivatives, followed by the observation, from the vector tree; `None` if the tree cannot be evaluated.
+/// State derivatives, followed by the observation, from the model's vector expressions; `None` if these cannot be
+/// evaluated.
 fn tree_column<T: Real>(model: &Model, point: &Point<T>) -> Option<Vec<T>> {
     let tree = Tree::new(model, point);
     let mut out = derivatives_of(&tree).ok()?;
@@ -285,8 +287,9 @@ fn tree_column<T: Real>(model: &Model, point: &Point<T>) -> Option<Vec<T>> {
     Some(out)
 }
 
-/// Derivatives of the states with respect to the time of the measuring clock, followed by the components of the
-/// observation, from the reference implementation. `clock_rate`: seconds of flight per second of that clock.
+/// Derivatives of the states with respect to recorded time (the time stamps of the measurements), followed by the
+/// components of the observation, from the reference implementation. `clock_rate`: seconds of flight per second of
+/// recorded time.
 fn reference_column(
     reference: &Reference,
     model: &Model,

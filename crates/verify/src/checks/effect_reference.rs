@@ -35,7 +35,8 @@ pub fn check(with: &[Model], options: &Options) -> Row {
     Row::judged(EFFECT_REFERENCE, catalogued.len(), &worst, TOLERANCE)
 }
 
-/// Maximum error of a model with effects relative to its reference implementation; `None` if the model claims no law.
+/// Maximum relative difference between a model with effects and its reference implementation; `None` if the model
+/// claims no reference law.
 ///
 /// # Errors
 /// [`BindError`] if the model cannot be bound to the reference, see [`ExtendedReference::bind`].

@@ -21,7 +21,8 @@ pub const EXACT: &str = "rigid body, exact";
 
 /// Number of random points. Different functions agree at one point with probability at most degree / 2^61.
 pub const POINTS: usize = 8;
-/// Upper bound of the total degree of the compared rational functions.
+/// Upper bound of the total degree of the compared rational functions. It gives the probability with which different
+/// functions agree at a random point of the prime field.
 const DEGREE: f64 = 1e3;
 
 /// Compares the compiled derivatives of the model's rigid body with those of the oracle, in exact arithmetic, with all

@@ -20,20 +20,23 @@ use num_traits::One;
 use oracle::scalar::{Dual, Prime};
 use oracle::{Point, Tree, derivatives_of};
 
-/// Name of this check in reports: f, J, Jp and the observation in exact arithmetic.
+/// Name of this check in reports: state derivatives f, Jacobians J (states) and Jp (parameters) and the observation in
+/// exact arithmetic.
 pub const FUNCTIONS: &str = "f, J and Jp, exact";
 
 /// Maximum number of random trial points of the prime field. A trial point is usable only if the argument of every
 /// square root is a square in the field.
 const MAX_TRIALS: usize = 4096;
 
-/// Upper bound of the total degree of the compared functions, in variables and symbols.
+/// Upper bound of the total degree of the compared functions, in variables and symbols. It gives the probability with
+/// which different functions agree at a random point of the prime field.
 const DEGREE: f64 = 1e4;
-/// Number of trial points, at which the roots of the declared law exist in the prime field but those of the compiled
-/// code do not, from which the code counts as containing a different root.
+/// Number of trial points at which the roots exist in the prime field for the model's vector expressions but not for
+/// the compiled code. From this number of such points, the code is assumed to contain a different root.
 const LACKING: usize = 64;
 
-/// Compares f, J, Jp and the observation of a compiled model with the vector tree, and returns the row of the report.
+/// Compares the state derivatives f, the Jacobians J (states) and Jp (parameters) and the observation of a compiled
+/// model with the model's vector expressions, and returns the row of the report.
 pub fn check(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     let mut random = Random::new(options.seed, FUNCTIONS);
     let mut faults: Vec<String> = Vec::new();
@@ -73,8 +76,8 @@ pub fn check(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     Row::counted(FUNCTIONS, good, &faults, &says)
 }
 
-/// Row of the report for functions that the prime field cannot decide, for the reason `why`. The row is refuted if code
-/// and law differ in 256-bit arithmetic, otherwise skipped with that reason.
+/// Row of the report for functions that the prime field cannot decide, for the reason `why`. The row is refuted if the
+/// compiled code and the model's vector expressions differ in 256-bit arithmetic, otherwise skipped with that reason.
 fn in_long_arithmetic(model: &Model, compiled: &Compiled, options: &Options, why: &str) -> Row {
     let mut random = Random::new(options.seed, "f, J and Jp in 256 bits");
     match long_functions::differences(model, compiled, &mut random) {
@@ -87,13 +90,14 @@ fn in_long_arithmetic(model: &Model, compiled: &Compiled, options: &Options, why
     }
 }
 
-/// Result of comparing compiled code with the declared law at one point of the prime field.
+/// Result of comparing compiled code with the model's vector expressions (the law) at one point of the prime field.
 enum Compared {
     /// Descriptions of the entries that differ; empty if all agree.
     At(Vec<String>),
-    /// A value of the law does not exist in the field.
+    /// A value of the model's vector expressions (the law) does not exist in the field.
     NoLaw,
-    /// A value of the code does not exist in the field, although all values of the law do.
+    /// A value of the compiled code does not exist in the field, although all values of the model's vector expressions
+    /// do.
     NoCode,
 }
 
@@ -188,8 +192,9 @@ fn law(
     )
 }
 
-/// Reason why different values in the prime field do not prove that code and law differ: the code contains branches or
-/// rounded constants, for which the field has no algebraic relations. `None` if such a difference is a proof.
+/// Reason why different values in the prime field do not prove that the compiled code and the model's vector
+/// expressions differ: the code contains branches or rounded constants, for which the field has no algebraic relations.
+/// `None` if such a difference is a proof.
 fn undecided(compiled: &Compiled) -> Option<&'static str> {
     let statements = compiled
         .functions()

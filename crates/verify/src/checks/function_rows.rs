@@ -1,4 +1,4 @@
-//! Rows and directions for the comparison of compiled functions with the vector tree.
+//! Rows and directions for the comparison of compiled functions with the model's vector expressions.
 
 use codegen::program::Function;
 use model_spec::model::{FrameKind, Model};

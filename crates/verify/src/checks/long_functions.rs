@@ -16,7 +16,7 @@ use oracle::{Point, Tree, derivatives_of};
 /// Number of points at which the functions are compared. One point would not be enough, because functions with branches
 /// should take each branch at some point.
 const POINTS: usize = 8;
-/// Maximum number of draws of points at which rounding decides no branch.
+/// Maximum number of random draws to find a point at which rounding decides no branch.
 const DRAWS: usize = 30;
 /// Maximum difference between compiled code and model, relative to the magnitude of the terms. It is about a thousand
 /// times the error of a constant that the code rounds to f64.
@@ -116,8 +116,8 @@ fn evaluated<'a>(compiled: &'a Compiled, point: &Point<f64>) -> Option<Vec<Evalu
     each.collect()
 }
 
-/// Whether a value `found` by the compiled code differs from the value `expected` by the declared law by more than
-/// constants rounded to f64 explain. `terms` are the magnitudes of the terms of the code and of the law.
+/// Whether a value `found` by the compiled code differs from the value `expected` from the model's vector expressions
+/// by more than constants rounded to f64 explain. `terms`: bounds of the terms of the code and of the expressions.
 fn differs(found: Big, expected: Big, terms: [ErrorBound; 2]) -> bool {
     let difference = (found - expected).re().abs();
     let size = terms

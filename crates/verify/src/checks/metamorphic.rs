@@ -293,8 +293,8 @@ fn is_symmetric(model: &Model, point: &Point<f64>) -> bool {
     })
 }
 
-/// Axis of revolution of the body (1, 2 or 3): the axis of the rotation from the inertia's frame to the body frame.
-/// `None` if the inertia is declared in the body frame.
+/// Axis of revolution of the body (1, 2 or 3): the axis of the rotation from the frame in which the inertia is declared
+/// to the body frame. `None` if the inertia is declared in the body frame.
 fn axis_of_revolution(model: &Model) -> Option<u8> {
     let rotation = model.body.as_ref()?.rotation.as_ref()?;
     match model.frames[rotation.body_frame].kind {

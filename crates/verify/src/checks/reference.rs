@@ -1,4 +1,5 @@
-//! Compares derivatives and observation with the reference implementation and with the vector tree of the model.
+//! Compares derivatives and observation with the reference implementation and with the model's vector expressions (its
+//! vector tree).
 
 use crate::random::Random;
 use crate::row::{Row, Worst};
@@ -9,9 +10,9 @@ use oracle::scalar::ErrorBound;
 use oracle::{Reference, Tree, derivatives_of};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Name in reports of the check against the reference implementation.
+/// Name in reports of the check of the state derivatives and the observation against the reference implementation.
 pub const REFERENCE: &str = "reference";
-/// Name in reports of the check against the vector tree.
+/// Name in reports of the check against the model's vector expressions (the vector tree), evaluated by the oracle.
 pub const TREE: &str = "vector tree";
 
 /// Compares state derivatives and observation with those of the reference law that the model claims. Coefficients of

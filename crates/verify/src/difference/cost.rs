@@ -117,12 +117,13 @@ fn entries(compiled: &Compiled) -> BTreeSet<Entry> {
     of("j", true).chain(of("jp", false)).collect()
 }
 
-/// Computing time of one evaluation of the derivatives on the tape.
+/// Computing time of one evaluation of the state derivatives by the bytecode interpreter.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Time {
     /// Median time per evaluation for each model, ns.
     pub nanoseconds: Pair<f64>,
-    /// Median of the ratios new/old of consecutive measurements.
+    /// Median over the measurements of the ratio of the new model's time to the old model's time, both measured in
+    /// succession.
     pub ratio: f64,
 }
 
@@ -185,7 +186,7 @@ impl Derivatives {
         }
     }
 
-    /// Mean time of one evaluation, ns.
+    /// Mean computing time of one evaluation of the state derivatives over all points, ns.
     fn measure(&mut self) -> f64 {
         let start = Instant::now();
         for (point, p, prepared) in &self.points {

@@ -9,17 +9,18 @@ use ode::Method;
 use oracle::{Chart, Point};
 use serde::Serialize;
 
-/// Number of random releases from which flights are compared, if there is no named release for the model.
+/// Number of random releases (initial states) from which flights are compared if the model has no built-in release.
 const RELEASES: usize = 3;
-/// Weight of the random point in a release that is interpolated between the defaults and a random point.
+/// Weight of the random point in a random release: the release is interpolated between the default point (weight 1 −
+/// `SPREAD`) and a random point.
 const SPREAD: f64 = 0.2;
 /// Relative tolerance with which the flights are integrated.
 const TOLERANCE: f64 = 1e-10;
 
-/// Difference between the flights of two models from the same release.
+/// Difference between the flights of two models that start from the same release (initial state).
 #[derive(Clone, Debug, Serialize)]
 pub struct FlightShift {
-    /// Name of the release, or `random 1` and so on.
+    /// Name of the release (initial state of the flights): that of a built-in release, or `random 1` and so on.
     pub release: String,
     /// Duration of the flights, s.
     pub seconds: f64,
@@ -35,7 +36,8 @@ pub struct FlightShift {
     pub failed: Option<String>,
 }
 
-/// Simulates the releases of the old model with both models for `seconds`, and returns the differences.
+/// Simulates flights of `seconds` with both models from releases (initial states and constants) that suit the old
+/// model, and returns the differences between the two models' flights.
 pub fn shifts(
     old: &Everything<'_>,
     new: &Everything<'_>,
@@ -67,9 +69,9 @@ pub fn shifts(
         .collect()
 }
 
-/// Built-in releases that fit the old model: name, point, and the indices of the parameters that the release sets. If
-/// `own` is true, only releases written for this model. Otherwise also releases of other models, if the old model has
-/// all names that they use.
+/// Built-in releases (initial states and constants of flights) that fit the old model: name, point, and the indices of
+/// the parameters that the release sets. If `own` is true, only releases written for this model. Otherwise also
+/// releases of other models, if the old model has all names that they use.
 fn named(old: &Everything<'_>, own: bool) -> Vec<(String, Point<f64>, Vec<usize>)> {
     let model = old.model;
     let read = |&(name, text): &(&str, &str)| {

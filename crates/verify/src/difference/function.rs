@@ -72,7 +72,7 @@ pub fn compare(
 }
 
 /// For each pair of outputs (old, new), whether both have the same value at random points of the prime field; `None` if
-/// the values exist in the field at too few points. `stated`: see [`compare`].
+/// the values exist in the field at too few points. For `stated`, see [`compare`].
 fn exactly(
     old: &Everything<'_>,
     new: &Everything<'_>,
@@ -107,7 +107,8 @@ fn exactly(
         .collect()
 }
 
-/// Draws a random field point for each of the two models. Paired symbols have equal values.
+/// Draws a random field point for each of the two models. Paired states and parameters have equal values; if `stated`,
+/// unpaired parameters have the default values of their model.
 fn spots(
     old: &Model,
     new: &Model,
@@ -132,8 +133,8 @@ fn spots(
     (here, there)
 }
 
-/// Returns the point with the parameters for whose index `keep` is false set to their values in `defaults`. States and
-/// the other parameters are not changed.
+/// Returns the point with some parameters set to their values in `defaults`: those for whose index `keep` returns
+/// false. States and the other parameters are not changed.
 fn unpaired_at<T: Field>(
     point: &Point<T>,
     defaults: &Point<T>,
@@ -147,7 +148,7 @@ fn unpaired_at<T: Field>(
     only.carry(point, defaults)
 }
 
-/// Maximum relative difference of each pair at random floating-point points.
+/// Maximum relative difference of the two outputs of each pair (old, new) at random floating-point points.
 fn in_numbers(
     old: &Everything<'_>,
     new: &Everything<'_>,

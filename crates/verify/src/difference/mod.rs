@@ -73,7 +73,7 @@ pub struct RowChange {
     /// Maximum difference between the two functions at random points, relative to the sum of the magnitudes of the
     /// terms.
     pub error: f64,
-    /// Whether the functions are the same when each parameter that only one of the models has is set to the value
+    /// Whether the two functions are the same when each parameter that only one of the models has is set to the value
     /// stated in that model.
     pub same_at_stated_values: bool,
     /// Changed statements that cause the difference, each described with the terms that were added and removed.
@@ -103,7 +103,7 @@ pub struct Difference {
     pub cost: Option<Cost>,
     /// Computing time of the derivatives; `None` if not requested.
     pub time: Option<Time>,
-    /// Shifts of simulated flights; empty if not requested.
+    /// Differences between simulated flights of the two models; empty if not requested.
     pub flights: Vec<FlightShift>,
 }
 

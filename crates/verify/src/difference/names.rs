@@ -87,7 +87,8 @@ pub fn renamed_text(text: &str, names: &Names) -> String {
 }
 
 /// Terms in which two expressions differ, with signs, in the names of the old model: those only in `old`, and those
-/// only in `new`. If the expressions differ in a single factor or argument, the terms of that part.
+/// only in `new`. If the expressions differ only inside one factor or argument that is a sum, the differing terms of
+/// this sum.
 pub fn differing_terms(old: &Expr, new: &Expr, names: &Names) -> (Vec<String>, Vec<String>) {
     let (before, after) = (terms(old), terms(new));
     let olds: Vec<String> = before.iter().map(Term::to_string).collect();

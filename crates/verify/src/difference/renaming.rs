@@ -7,7 +7,7 @@ use super::statements::{self, Key};
 use super::values::Everything;
 use model_spec::model::Model;
 
-/// Whether an input has its components in the same frame in both models.
+/// Whether an input, named `was` in the old and `is` in the new model, has its components in the same frame in both.
 pub fn same_frame(old: &Model, new: &Model, names: &Names, was: &str, is: &str) -> bool {
     let frame = |model: &Model, name: &str| {
         let input = model.inputs.iter().find(|input| input.name == name)?;

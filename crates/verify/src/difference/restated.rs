@@ -8,7 +8,7 @@ use serde::Serialize;
 /// A changed unit, value or bound of a constant, an input or a state.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Restated {
-    /// Name in the new model.
+    /// Name of the constant, input or state in the new model.
     pub name: String,
     /// Attribute that changed: `unit`, `value` or `bounds`.
     pub what: &'static str,

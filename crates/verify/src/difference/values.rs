@@ -17,7 +17,8 @@ pub struct Everything<'a> {
     /// Model whose values are evaluated.
     pub model: &'a Model,
     /// Program whose outputs are all values of the model: state derivatives, observation, validity limits, auxiliary
-    /// variables, then loads and vectors re-expressed in the inertial frame.
+    /// variables, then copies, expressed in the inertial frame, of the vector auxiliary variables of other frames and
+    /// of all loads.
     pub code: EveryValue,
     /// Indices of the outputs of each auxiliary variable and load, with its class and name.
     pub named: Vec<Named>,
@@ -28,7 +29,7 @@ pub struct Everything<'a> {
 pub struct Named {
     /// Class of the statement: `let`, `force` or `moment`.
     pub class: &'static str,
-    /// Name in the model.
+    /// Name of the auxiliary variable or load.
     pub name: String,
     /// Indices of the program's outputs: one for a scalar, three for a vector in the inertial frame.
     pub outputs: Range<usize>,
@@ -90,12 +91,13 @@ impl<'a> Everything<'a> {
             .collect()
     }
 
-    /// All values at a point, as floating-point numbers.
+    /// All outputs of the program `code` at a point, as floating-point numbers.
     pub fn numbers(&self, point: &Point<f64>) -> Vec<f64> {
         evaluated(&self.tape, point)
     }
 
-    /// All values at a point of the prime field; `None` for a value that does not exist in the field.
+    /// All outputs of the program `code` at a point of the prime field; `None` for a value that does not exist in the
+    /// field.
     pub fn exact(&self, spot: &Spot) -> Vec<Option<Prime>> {
         Machine::new(&spot.point, &spot.circles, true).run(&self.code.program)
     }

@@ -18,8 +18,8 @@ const EQUAL: &str = "derivatives and observation equal at 4 random points of the
 
 /// Number of random field points at which two programs are compared.
 const POINTS: usize = 4;
-/// Maximum number of trial points. A point is usable if the argument of every square root is a square in the field,
-/// which has probability 1/2 per root.
+/// Maximum number of random trial points of the prime field in the comparison with a mutant. A trial point is usable if
+/// the argument of every square root is a square in the field, which has probability 1/2 per root.
 const MAX_TRIALS: usize = 4096;
 
 /// The original model, prepared for comparison with mutants.

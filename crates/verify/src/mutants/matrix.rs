@@ -6,7 +6,7 @@ use crate::row::Row;
 use crate::table::plain_table;
 use serde::Serialize;
 
-/// Mutation matrix of a model.
+/// Numbers of mutants that the checks kill, by mutation operator and check, and the mutants that no check kills.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct MutationMatrix {
     /// Names of the checks, in ascending order of cost.
@@ -107,8 +107,8 @@ impl MutationMatrix {
         Row::counted("mutants", mutants, &self.survivors, "").saying(says)
     }
 
-    /// Formats the matrix as text. A cell `first/all` contains the number of mutants killed first by the check, and the
-    /// number killed by it.
+    /// Formats the matrix as text. A cell `first/all` contains the number of mutants for which the check is the first
+    /// to kill them, and the number of all mutants that the check kills.
     pub fn table(&self) -> String {
         let mut header = vec!["mutation operator", "mutants", "killed"];
         header.extend(&self.checks);

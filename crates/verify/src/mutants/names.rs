@@ -40,7 +40,8 @@ impl Names {
     }
 
     /// Plausible replacements of a name in statement `item`: for a constant, two constants of the same unit and one of
-    /// another unit; for an auxiliary variable, nearby ones that are declared before the statement.
+    /// another unit; for an auxiliary variable, those declared at most two auxiliary variables away and before the
+    /// statement.
     pub fn exchanges(&self, name: &str, item: usize) -> Vec<String> {
         let mut out = Vec::new();
         if let Some(at) = self.constants.iter().position(|(n, _)| n == name) {

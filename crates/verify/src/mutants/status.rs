@@ -11,12 +11,11 @@ use model_spec::check;
 use model_spec::diagnostic::{Diagnostic, Kind};
 use model_spec::model::{Model, Source};
 
-/// Name, in the list of checks that can kill a mutant, of the language checker's check of units.
+/// Name, in [`CHECKS`], of the language checker's check of units.
 pub const UNITS: &str = "units";
-/// Name, in the list of checks that can kill a mutant, of the language checker's check of frames.
+/// Name, in [`CHECKS`], of the language checker's check of frames.
 pub const FRAMES: &str = "frames";
-/// Name, in the list of checks that can kill a mutant, of all checks of the language checker except those of units and
-/// frames.
+/// Name, in [`CHECKS`], of the language checker's checks other than those of units and frames.
 pub const GRAMMAR: &str = "names and shapes";
 
 /// Names of the checks that are run on mutants, in ascending order of cost. The last one applies only to models that
@@ -81,7 +80,7 @@ fn killer(fault: &Diagnostic) -> usize {
 }
 
 /// Indices in [`CHECKS`] of the numerical checks that refute a mutant. The mutant's equations are evaluated from its
-/// vector expressions, not compiled; whether compiled code agrees with these is another check.
+/// vector expressions, not compiled; a separate check compares compiled code with vector expressions.
 fn refusals(model: &Model, original: &Original<'_>, options: &Options) -> Vec<usize> {
     let Ok(equations) = Interpreted::new(model) else {
         return vec![2];

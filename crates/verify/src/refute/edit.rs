@@ -8,7 +8,8 @@ use model_spec::model::{Expr, ExprKind, Function, Model, Source};
 pub struct Edit {
     /// Description of the mistake that the correction assumes: a clause without a full stop.
     pub says: String,
-    /// Rank of likelihood, most likely first: 0 extra factor, 1 sign, 2 bracket, 3 function, 4 missing factor.
+    /// Rank of likelihood, most likely first: 0 extra factor, 1 wrong sign, 2 divisor applied to too many terms of a
+    /// sum, 3 sine for cosine or vice versa, 4 missing factor.
     pub rank: u8,
     /// The complete corrected expression.
     pub to: Expr,
@@ -34,8 +35,8 @@ impl<'a> Editor<'a> {
         Self { model, factors }
     }
 
-    /// Generates all single corrections of `e` and its subexpressions; `term` is the text of the enclosing term of the
-    /// sum.
+    /// Generates all single corrections of `e` and its subexpressions. `term` is the source text of the term of the sum
+    /// that contains `e`; descriptions of the corrections quote it.
     pub fn edits(&self, e: &Expr, term: &str) -> Vec<Edit> {
         let mut out = Vec::new();
         self.here(e, term, &mut out);

@@ -25,8 +25,8 @@ pub struct Refutation {
     pub state: String,
     /// Source text of the right-hand side of the stated equation.
     pub equation: String,
-    /// Maximum difference between the stated equation and the reference over the random points, relative to the sum of
-    /// the magnitudes of the terms.
+    /// Maximum difference, over the random points, between the stated equation and the reference, relative to the sum
+    /// of the magnitudes of the equation's terms.
     pub error: f64,
     /// Descriptions of the corrections that together make the equation agree; empty if none was found.
     pub corrections: Vec<String>,
@@ -57,7 +57,8 @@ impl Refutation {
 
 const POINTS: usize = 8;
 
-/// Diagnoses all stated equations, and returns those that disagree with the reference.
+/// Compares all stated equations with the reference, and returns those that disagree, with corrections that make them
+/// agree.
 pub fn refutations(subject: &Subject<'_>, options: &Options) -> Vec<Refutation> {
     let model = subject.model;
     let Some(points) = points(subject, options) else {
@@ -119,8 +120,8 @@ fn implied(model: &Model, point: &Point<ErrorBound>) -> Option<Vec<Option<ErrorB
     implied.solves_the_others.then_some(implied.rates)
 }
 
-/// Auxiliary variables that hold the derivative of a state for use in other equations: index of the variable, and the
-/// rate of that state from `truth`, the reference rates.
+/// Auxiliary variables that contain the derivative of a state for use in other equations: index of the variable, and
+/// the rate of that state from `truth`, the reference rates.
 fn used_derivatives(
     model: &Model,
     truth: &[Option<ErrorBound>],

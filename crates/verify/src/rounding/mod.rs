@@ -269,7 +269,8 @@ fn exact(compiled: &Compiled, point: &Point<f64>) -> Option<Vec<Exact>> {
     })
 }
 
-/// Error of a result in ulp of the magnitude of its terms. The first argument is (rounded value, remainder, magnitude).
+/// Error of the computed result `got`, in ulp of the magnitude of the result's terms. The first argument describes the
+/// exact result: (exact value rounded to f64, exact − rounded, sum of the magnitudes of the terms).
 fn error((rounded, rest, magnitude): (f64, f64, f64), got: f64) -> f64 {
     // The subtraction is exact for close values (Sterbenz); for others its rounding does not matter.
     let error = (got - rounded - rest).abs();

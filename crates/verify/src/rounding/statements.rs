@@ -36,7 +36,7 @@ pub struct Loss {
     pub source: String,
     /// Line in the source, from 1.
     pub line: usize,
-    /// Text of that line of the source.
+    /// Source text of the line with the statement.
     pub text: String,
     /// Number of bits lost at the worst point, out of the 53 bits of an f64.
     pub bits: f64,

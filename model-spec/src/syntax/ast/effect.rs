@@ -40,21 +40,23 @@ pub enum EffectPart {
     Generalises(Vec<Name>),
     /// `source "…";`: literature reference, with the source span of the statement.
     Citation(String, Span),
-    /// `increases "…";`: sentence that describes the effect if its first coefficient exceeds the null value, with the
-    /// statement's source span.
+    /// `increases "…";`: sentence that describes the effect if its first coefficient exceeds its null value (the value
+    /// at which the effect is absent), with the source span of the statement.
     Increases(String, Span),
-    /// `decreases "…";`: sentence that describes the effect if its first coefficient is below the null value, with the
-    /// statement's source span.
+    /// `decreases "…";`: sentence that describes the effect if its first coefficient is below its null value (the value
+    /// at which the effect is absent), with the source span of the statement.
     Decreases(String, Span),
     /// `site NAME;`: the component of the model that the effect changes.
     Site(Name),
     /// `variables NAME, NAME;`: variables that the effect depends on, with the statement's source span.
     Variables(Vec<Name>, Span),
-    /// `negligible NAME value;`: smallest effect size of interest of a coefficient or state.
+    /// `negligible NAME value;`: smallest departure of a coefficient or initial state from its null value that matters
+    /// in practice (smallest effect size of interest).
     Negligible(Name, Quantity),
     /// `replace …;`: statement that replaces the model's statement of equal kind and name.
     Replace(Box<Item>),
-    /// `replace inertia … in FRAME;`: inertia tensor that replaces the model's, with the statement's source span.
+    /// `replace inertia … in FRAME;`: inertia tensor that replaces that of the model's body, with the source span of
+    /// the statement.
     ReplaceInertia(Box<Inertia>, Span),
     /// A declaration, such as a coefficient or a load, that the effect adds to the model.
     Add(Box<Item>),

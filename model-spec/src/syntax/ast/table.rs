@@ -36,8 +36,8 @@ pub struct Table {
     pub unit: Option<UnitExpr>,
     /// Argument and value at each knot. A quantity without a unit has the unit declared for the argument or the value.
     pub knots: Vec<(Quantity, Quantity)>,
-    /// Interpolation between the knots.
+    /// Method of interpolation between the knots.
     pub interpolation: Interpolation,
-    /// Continuation below the first and above the last knot.
+    /// Method of extrapolation below the first and above the last knot.
     pub continuation: Continuation,
 }

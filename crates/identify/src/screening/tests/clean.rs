@@ -22,7 +22,7 @@ fn clean_flights_have_no_fault() {
     assert_eq!(found(&model, &dataset), []);
 }
 
-/// Tests many clean flights of many kinds; run with --ignored in release.
+/// Tests many flights of many kinds without mistakes in the data; run with `--ignored` in a release build.
 #[test]
 #[ignore = "takes long"]
 fn two_thousand_clean_flights_have_no_fault() {
@@ -89,7 +89,7 @@ fn throws_that_are_upside_down_are_no_mirror_images() {
     assert_eq!(found(&model, &made.dataset), []);
 }
 
-/// Tests clean flights of models that are not built in.
+/// Tests flights without mistakes in the data, simulated with models that are not built in.
 #[test]
 fn flights_of_other_models_have_no_fault() {
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../studies/models");

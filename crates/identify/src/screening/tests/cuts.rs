@@ -99,7 +99,7 @@ fn flights_are_cut_at_bounces_only() {
     assert_eq!([wrong, missed], [0, 0]);
 }
 
-/// Tests truncation in many flights; run with --ignored in release.
+/// Tests on many flights that each is truncated at the bounce, and only there; run with `--ignored` in a release build.
 #[test]
 #[ignore = "takes long"]
 fn two_thousand_flights_are_cut_at_bounces_only() {

@@ -60,8 +60,8 @@ impl<T: Lanes, R: LaneRhs> Flying<'_, T, R> {
         terms
     }
 
-    /// Locates the events in the steps of the lanes marked in `asks`, and ends the flights that land or cross a limit
-    /// of validity.
+    /// Locates landings, apexes and crossings of limits of validity in the steps of the lanes marked in `asks`, and
+    /// ends the flights that land or cross a limit.
     #[inline(always)]
     pub(super) fn stop<Q: FlightQueue + ?Sized>(
         &mut self,

@@ -53,8 +53,8 @@ pub(super) fn flights(report: &Report) -> Option<Drawn> {
     }))
 }
 
-/// Draws two dots for each flight, its RMS residual without and with the extension, ranked by the value without;
-/// `noise` in mm.
+/// Draws two dots for each flight: its RMS residuals without and with the extension. Flights are ordered by the
+/// residual without the extension; `noise` is in mm.
 fn ranked(title: &str, fitted: &[&FlightGain], noise: f64) -> Drawn {
     let sizes = fitted
         .iter()

@@ -11,7 +11,8 @@ use crate::fit::Drawn;
 /// Maximum number of candidates drawn.
 const MOST: usize = 60;
 
-/// Draws one bar for each candidate, the most significant first; `None` if there are no candidates.
+/// Draws the equivalent z of each candidate's score test as a bar, the most significant first; `None` if there are no
+/// candidates.
 pub(super) fn sigmas(report: &Report) -> Option<Drawn> {
     let mut all: Vec<&CandidateTest> = report.candidates.iter().collect();
     // Candidates without a finite z-equivalent come last.

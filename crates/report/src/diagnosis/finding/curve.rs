@@ -14,8 +14,8 @@ use crate::figures::axis::range;
 
 /// Number of intervals into which the range of the abscissa is divided.
 const INTERVALS: usize = 32;
-/// Minimum number of samples in an interval for a point of the curve, and maximum number of samples evaluated in an
-/// interval.
+/// Minimum number of samples in an interval of the abscissa for the curve to have a point there, and maximum number of
+/// samples of an interval at which the quantity is evaluated.
 const SAMPLES: (usize, usize) = (4, 7);
 /// Maximum number of samples, over all flights, from which the curve is computed.
 const MOST_SAMPLES: usize = 20_000;
@@ -44,7 +44,7 @@ pub(in super::super) struct Curve {
     pub(in super::super) points: Vec<Point>,
 }
 
-/// Point of a curve: medians of the samples within one interval of the abscissa.
+/// Point of a curve: medians of the values at samples within one interval of the abscissa.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in super::super) struct Point {
     /// Value of the variable on the abscissa, in degrees for angles, otherwise SI.
@@ -55,7 +55,7 @@ pub(in super::super) struct Point {
     pub(in super::super) after: f64,
     /// Standard error of the value with the extension, SI.
     pub(in super::super) error: f64,
-    /// Number of samples in the interval, including those that were not evaluated.
+    /// Number of samples in the interval of the abscissa, including those at which the quantity was not evaluated.
     pub(in super::super) samples: usize,
 }
 
@@ -212,7 +212,8 @@ fn unit_of(model: &Model, over: Abscissa) -> String {
     }
 }
 
-/// Points of the intervals with enough samples; `samples` are sorted by the abscissa.
+/// Computes one point of the curve for each interval of the abscissa with enough samples; `samples` are sorted by the
+/// abscissa.
 fn points(samples: &[Sample<'_>], models: &Models<'_>) -> Vec<Point> {
     let Some(last) = samples.len().checked_sub(1) else {
         return Vec::new();

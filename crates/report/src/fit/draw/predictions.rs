@@ -16,8 +16,8 @@ const MOST_DOTS: usize = 400;
 /// Half width of a 95 % confidence interval, in standard errors.
 const WIDTH_95: f64 = 1.96;
 
-/// Draws the prediction errors of each held-out flight by `fit`, whose predictions are in `evidence`. Errors by
-/// another model, with predictions in `before`, are drawn in grey.
+/// Draws one figure for each held-out flight: the errors of the predictions in `evidence`, which were made by the model
+/// of `fit`. Errors of the predictions in `before`, which were made by another model, are drawn in grey.
 pub(crate) fn predictions(
     fit: &Fit,
     evidence: &[FlightEvidence],

@@ -20,7 +20,7 @@ const ROTATED_PERMUTATIONS: usize = 20;
 /// Agreement between the lift directions of flights and their stated spins, with a permutation test.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Agreement {
-    /// Number of flights in the test.
+    /// Number of flights to which the permutation test is applied.
     pub flights: usize,
     /// Mean over the flights of the cosine of the angle between the lift and ω × v, for the stated spin ω.
     pub cosine: f64,

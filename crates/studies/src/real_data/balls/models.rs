@@ -41,7 +41,7 @@ pub(super) fn with_effects(model: &Model, effects: &[&str]) -> Result<Model, Stu
     Ok(tree.check()?)
 }
 
-/// Fits the flights by the ball model with the given effects.
+/// Fits the ball model with the given effects to the flights.
 pub(super) fn fitted(
     model: &Model,
     flights: &Dataset,
@@ -51,8 +51,8 @@ pub(super) fn fitted(
     Ok(fit(&model, flights, &FitOptions::default())?.report)
 }
 
-/// Diagnoses the flights by the ball model with effects of the catalogue. The outer error means that the model cannot
-/// be built; the inner error is the message of a failed diagnosis, for the page.
+/// Diagnoses the flights with the ball model and the effects of the catalogue. The outer error means that the model
+/// cannot be built; the inner error is the message of a failed diagnosis, for the page.
 pub(super) fn diagnosed(
     model: &Model,
     flights: &Dataset,

@@ -31,16 +31,18 @@ struct Section {
     time_error: Option<f64>,
     stretches: String,
     agreement: Vec<AgreementRow>,
-    /// Maximum angle between lift and ω × v over the flights of the agreeing stretches (see [`AGREEING`]), degrees.
+    /// Maximum angle between lift and ω × v over the flights of the recording's parts in which every lift agrees with
+    /// the stated spin (see [`AGREEING`]), degrees.
     greatest_angle: f64,
-    /// Number of flights outside the agreeing stretches whose cosine between lift and ω × v is above 0.9;
-    /// `opposite_side` is the number of those with a cosine below −0.9.
+    /// Number of flights outside the file ranges [`AGREEING`] (in which every lift agrees with the stated spin) whose
+    /// cosine between lift and ω × v is above 0.9; `opposite_side` is the number of those with a cosine below −0.9.
     same_side: usize,
     opposite_side: usize,
     lift_by_spin: Vec<LiftRow>,
     magnus: Estimate,
-    /// Mean lift coefficient / mean advance ratio over the flights of the agreeing stretches with an advance ratio
-    /// below 0.3; `slope_high` is the same for advance ratios of at least 0.7.
+    /// Mean lift coefficient / mean advance ratio over the flights in the file ranges [`AGREEING`] (in which every lift
+    /// agrees with the stated spin) with an advance ratio below 0.3; `slope_high` is the same for advance ratios of at
+    /// least 0.7.
     slope_low: f64,
     slope_high: f64,
     added: Vec<AddedRow>,

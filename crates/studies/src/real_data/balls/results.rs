@@ -37,7 +37,7 @@ const ADDED_EFFECTS: [&str; 6] = [
 /// Fits with one effect added to the models with lift due to spin.
 pub(super) struct Added {
     pub(super) effect: &'static str,
-    /// Fit with `magnus` and the added effect.
+    /// Fit with the effect `magnus` (lift proportional to the advance ratio) and the added effect.
     pub(super) to_magnus: FitReport,
     /// Fit with `magnus`, the lift proportional to the squared advance ratio, and the added effect.
     pub(super) to_square: FitReport,
@@ -55,13 +55,16 @@ pub(in super::super) struct Balls {
     /// Agreement of lift and spin for all flights, for the agreeing stretches (parts of the recording in which every
     /// lift agrees with the stated spin), and for the remaining flights.
     pub(in super::super) agreement: [Agreement; 3],
-    /// Fits of the agreeing stretches with gravity and drag, then also with `magnus` (lift proportional to the advance
-    /// ratio), then also with a lift proportional to the squared advance ratio.
+    /// Fits of the flights in which the lift agrees with the stated spin: with gravity and drag, then also with
+    /// `magnus` (lift proportional to the advance ratio), then also with a lift proportional to the squared advance
+    /// ratio.
     pub(in super::super) lift_by_spin: [FitReport; 3],
-    /// Fits of the agreeing stretches with each of [`ADDED_EFFECTS`] added to the models with lift due to spin.
+    /// Fits of the flights in which the lift agrees with the stated spin, with each of [`ADDED_EFFECTS`] added to the
+    /// models with lift due to spin.
     pub(super) added: Vec<Added>,
-    /// Diagnoses of three cases: all flights, the flights of the agreeing stretches, and these flights with the effect
-    /// `magnus` in the model. An error is the message of a failed diagnosis.
+    /// Diagnoses of three cases: all flights; the flights of the recording's parts in which every lift agrees with the
+    /// stated spin; and these latter flights with the effect `magnus` in the model. An error is the message of a failed
+    /// diagnosis.
     pub(super) diagnoses: [Result<Diagnosis, String>; 3],
 }
 

@@ -48,7 +48,7 @@ pub struct Ratio {
     pub clustered: Option<f64>,
 }
 
-/// Summary of one throw.
+/// Summary of the fits to one throw.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Throw {
     pub name: String,

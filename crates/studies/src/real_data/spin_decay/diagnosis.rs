@@ -47,7 +47,7 @@ pub(super) struct Diagnosed {
     pub(super) samples: usize,
 }
 
-/// One hypothesis of the diagnosis.
+/// One row of the page's table of causes: a hypothesis of the diagnosis.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(super) struct CauseRow {
     pub(super) effects: String,

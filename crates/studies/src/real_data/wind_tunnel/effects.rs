@@ -43,7 +43,7 @@ const MOMENT_EVEN: Form = form(
     &[ALPHA, ONE, CUBE, SQUARE],
 );
 
-/// Forms in the order of the page's table.
+/// Functional forms of the aerodynamic curves, in the order of the page's table.
 const FORMS: [&Form; 9] = [
     &LIFT,
     &LIFT_STALL,
@@ -92,8 +92,9 @@ struct FormRow {
 struct Departure {
     name: &'static str,
     limit: f64,
-    /// Smallest angle of attack ≥ 0, degrees, at which the curve deviates by more than `limit`; `below` is the one ≤ 0
-    /// that is closest to 0. `None` if the curve does not deviate on that side.
+    /// Smallest angle of attack ≥ 0, degrees, at which the curve deviates from the table by more than the coefficient
+    /// difference `limit`; `below` is the angle ≤ 0 closest to 0 at which it does. `None` if the curve does not deviate
+    /// on that side.
     above: Option<f64>,
     below: Option<f64>,
 }

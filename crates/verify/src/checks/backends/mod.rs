@@ -19,7 +19,7 @@ pub const BACKENDS: &str = "backends";
 /// Name of the comparison of backends with and without fused multiply-add.
 pub const FMA: &str = "FMA and non-FMA";
 
-/// Name of the check whether the program contains current generated code of the model.
+/// Name of the check that the program contains generated code of the model's current text.
 pub const GENERATED: &str = "generated code";
 
 /// Maximum difference caused by fused multiply-add, relative to the largest result of the function. The value allows
