@@ -146,8 +146,8 @@ check \"is wrong\" {
 
     #[test]
     fn a_case_sets_the_marker() {
-        let text = "model seen; frame N; state a = 1 m; der(a) = 2 m/s; marker mark in N;
-            let place = (a, 0 m, 0 m) in N; let seen = place + mark; let seen_y = seen.2;
+        let text = "model seen; frame N; state a = 1 m; der(a) = 2 [m/s]; marker mark in N;
+            let place = (a, 0 [m], 0 [m]) in N; let seen = place + mark; let seen_y = seen.2;
             observe mark = seen;
             check \"of a marker aside\" { set mark = (0, 20, 0) cm; expect seen_y = 0.2 m within 1e-12; }
             check \"of the origin\" { expect seen_y = 0 m within 0; }";

@@ -1,6 +1,7 @@
 //! What effects may add to a model: inputs that they share, states of each flight, a clock,
 //! what they depend on.
 
+use model_spec::EffectTree;
 use model_spec::load::{self, LoadError, from_text};
 use model_spec::model::{EffectUnknown, Model};
 use model_spec::summary;
@@ -290,4 +291,14 @@ fn the_angular_velocity_stays_where_it_was_seen() {
         error.to_string().contains("there is no frame `D`"),
         "{error}"
     );
+}
+
+#[test]
+fn a_check_in_the_file_of_an_effect_is_refused() {
+    let effect = "effect lead { site gravity; variables none; source \"a scale\";
+        coefficient k = 0 in -1 .. 1; negligible k 0.01; }";
+    let case = "check \"is not run\" { expect speed = 1 m/s within 0 m/s; }";
+    assert!(EffectTree::parse("lead.hyz", effect).is_ok());
+    let error = EffectTree::parse("lead.hyz", &format!("{effect}\n{case}")).expect_err("a fault");
+    assert!(error.to_string().contains("is not run"), "{error}");
 }
