@@ -13,7 +13,7 @@ pub enum Error {
     /// A model or an effect cannot be loaded: a missing file, an unknown name, or faults in a text.
     #[error(transparent)]
     Load(#[from] LoadError),
-    /// A release file has faults.
+    /// A release file (launch conditions) has faults.
     #[error(transparent)]
     Release(#[from] ReleaseError),
     /// A trajectory cannot be computed.
@@ -50,7 +50,7 @@ pub enum Error {
     },
 }
 
-/// As displayed: a `main` that returns the error prints it by `Debug`.
+/// Writes the same text as `Display`, because Rust uses `Debug` to print an error that `main` returns.
 impl std::fmt::Debug for Error {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         std::fmt::Display::fmt(self, f)

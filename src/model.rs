@@ -156,7 +156,7 @@ impl Model {
         Ok((model, release))
     }
 
-    /// Simulates a release with relative and absolute tolerances of 1e-9.
+    /// Simulates the flight from the launch conditions `release`, with relative and absolute tolerances of 1e-9.
     ///
     /// # Errors
     /// As [`fly_with`](Model::fly_with).
@@ -164,7 +164,7 @@ impl Model {
         self.fly_with(release, &IntegrationOptions::with_tolerance(1e-9))
     }
 
-    /// Simulates a release with the given tolerances.
+    /// Simulates the flight from the launch conditions `release` with the given tolerances.
     ///
     /// # Errors
     /// [`Error::UnknownName`] if the release sets a parameter or coefficient that the model does not have;

@@ -11,13 +11,14 @@ use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// Phase of computation, in which a signal ends the program.
+/// Value of [`PHASE`] while the program computes; a signal then ends the program at once.
 const WORKING: u8 = 0;
-/// Phase in which results are written; a signal ends the program when they are written.
+/// Value of [`PHASE`] while the program writes result files; a signal then ends the program when they are written.
 const WRITING: u8 = 1;
-/// Phase after a signal during the computation: the program is ending.
+/// Value of [`PHASE`] after a signal that arrived during the computation: the program is about to exit.
 const STOPPED: u8 = 2;
-/// Phase after a signal while results are written: the program ends when they are written.
+/// Value of [`PHASE`] after a signal that arrived while result files were written: the program exits when they are
+/// written.
 const STOPPED_WRITING: u8 = 3;
 
 static PHASE: AtomicU8 = AtomicU8::new(WORKING);
@@ -79,8 +80,8 @@ pub fn writing<T>(write: impl FnOnce() -> T) -> T {
     written
 }
 
-/// Changes the phase from `from` to `to`. Does not return if a signal has already begun to end the program, so that
-/// nothing is written after its message.
+/// Changes [`PHASE`] from `from` to `to`. Does not return if a signal has already begun to end the program, so that
+/// nothing is written after the message of the signal handler.
 fn enter(from: u8, to: u8) {
     let entered = PHASE.compare_exchange(from, to, Ordering::SeqCst, Ordering::SeqCst);
     while entered == Err(STOPPED) {
@@ -88,7 +89,8 @@ fn enter(from: u8, to: u8) {
     }
 }
 
-/// Ends the program, with a message if standard error accepts it.
+/// Prints the message to standard error and exits with the status [`INTERRUPTED`]; exits without the message if
+/// printing blocks for longer than [`MESSAGE_LIMIT`].
 fn end(message: &str) {
     // Standard error may be a full pipe that nobody reads, so that printing blocks.
     thread::spawn(|| {

@@ -6,7 +6,8 @@ use crate::lower::lower;
 use crate::tape::{Inputs, Tape};
 use model_spec::model::{CheckCase, Expectation, Model, Observable, Target};
 
-/// Expected value of one quantity of a check case, and the value computed from the model.
+/// Expected and computed value of one quantity of a check case. A check case of a model file lists states and
+/// parameters, and the values that the model must give for them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
     /// Name of the checked quantity in the notation of the check case: `alpha`, `der(u)`.
@@ -27,8 +28,8 @@ impl Comparison {
     }
 }
 
-/// Evaluates the check cases of a model. Returns for each case, in the order of the model file, its title and the
-/// expected and computed results.
+/// Evaluates the check cases (points of evaluation with expected values) of a model file. Returns for each case, in the
+/// order of the file, its title and the expected and computed values.
 pub fn check_cases(model: &Model) -> Vec<(String, Vec<Comparison>)> {
     let observables: Vec<Observable> = model
         .checks
@@ -87,7 +88,8 @@ fn compared(model: &Model, expected: &Expectation, found: f64) -> Comparison {
     }
 }
 
-/// States and parameters of a check case: the defaults of the model, overridden by the settings of the case.
+/// States, parameters and marker coordinates of a check case: the defaults of the model, except where the case sets
+/// another value.
 fn arguments(model: &Model, case: &CheckCase) -> (Vec<f64>, Vec<f64>, [f64; 3]) {
     let layout = crate::layout::Layout::new(model);
     let (mut states, mut parameters) = (layout.default_states(), layout.default_parameters());

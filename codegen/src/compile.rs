@@ -31,7 +31,7 @@ pub enum Effort {
     /// Tries several elimination orders for each Jacobian and uses the one with the lowest cost; for generated code.
     Full,
     /// Uses one elimination order, and obtains `f_jac` from `f_jac_par` by omission of the parameter Jacobian; for
-    /// tapes compiled at run time.
+    /// bytecode that is compiled at run time.
     Quick,
 }
 
@@ -52,20 +52,22 @@ pub struct Compiled {
     pub prepare: Function,
     /// Names of the invariants that `prepare` computes.
     pub prepared: Vec<String>,
-    /// Function of the time derivatives of the states, section `dx`.
+    /// Function that computes the time derivatives of the states (output section `dx`).
     pub f: Function,
-    /// Function of the time derivatives `dx` and their state Jacobian `j`.
+    /// Function that computes the time derivatives `dx` of the states and their state Jacobian `j`.
     pub f_jac: Function,
-    /// Function of the time derivatives `dx`, their state Jacobian `j` and their parameter Jacobian `jp`.
+    /// Function that computes the time derivatives `dx` of the states, their state Jacobian `j` and their parameter
+    /// Jacobian `jp`.
     pub f_jac_par: Function,
-    /// Function of the measurement equation: position `y` of a marker in the inertial frame, m. It has no outputs if
-    /// the model has no measurement equation.
+    /// Function that computes the measurement equation: the position `y`, m, of a marker (observed point of the body)
+    /// in the inertial frame. It has no outputs if the model has no measurement equation.
     pub observe: Function,
-    /// Function of the marker position `y` and its Jacobians `dy_dx`, `dy_dp`, `dy_dmarker`.
+    /// Function that computes the marker position `y` and its Jacobians `dy_dx`, `dy_dp`, `dy_dmarker`.
     pub observe_jac: Function,
-    /// Function of the values of all auxiliary variables of the model.
+    /// Function that computes the values of all auxiliary variables of the model.
     pub quantities: Function,
-    /// Function of the left-hand sides of the model's limits of validity, each of which must exceed its bound.
+    /// Function that computes the left-hand sides of the model's limits of validity. The model is valid while each
+    /// left-hand side exceeds its bound.
     pub limits: Function,
 }
 
@@ -84,7 +86,7 @@ impl Compiled {
         ]
     }
 
-    /// Function of the model with a given name; `None` if there is none.
+    /// Returns the model function with the name `name`, such as `f_jac`; `None` if there is no such function.
     pub fn function(&self, name: &str) -> Option<&Function> {
         self.functions()
             .into_iter()
@@ -151,7 +153,8 @@ pub fn compile_at(
 }
 
 /// Compiles a program whose outputs are the time derivatives of the states, followed by the observed marker position.
-/// It has no Jacobians and no hoisting, and compiles in a tenth of the time of [`compile`].
+/// The program has no Jacobians, and no expressions are moved to a separate function `prepare`; compilation takes a
+/// tenth of the time of [`compile`].
 pub fn compile_values(model: &Model) -> (Layout, Program) {
     let Lowered {
         mut graph,
@@ -168,7 +171,8 @@ pub fn compile_values(model: &Model) -> (Layout, Program) {
     (layout, program)
 }
 
-/// Compiles a program whose outputs are the values of the nodes `wanted`, without hoisting.
+/// Compiles a program whose outputs are the values of the nodes `wanted`. No expressions are moved to a separate
+/// function `prepare`.
 pub(crate) fn scheduled_values(
     graph: &mut ExprGraph,
     layout: &Layout,

@@ -143,7 +143,8 @@ impl MathFunction {
         }
     }
 
-    /// The function with this [`name`](Self::name), if it does not depend on the model.
+    /// Returns the function with this [`name`](Self::name); `None` for an unknown name and for tables, which belong to
+    /// a model.
     pub fn named(name: &str) -> Option<MathFunction> {
         Self::ALL
             .into_iter()
@@ -173,7 +174,7 @@ impl MathFunction {
     }
 
     /// Rust method call on a [`lanes::Real`] that computes the function, without the receiver, such as `exp()`. For a
-    /// table it is only the name of the method, since the knots and cubics are not known here.
+    /// table it is the method name without the arguments.
     pub fn rust_method(self) -> &'static str {
         match self {
             MathFunction::Sin => "sin_cos().0",

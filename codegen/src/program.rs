@@ -7,7 +7,7 @@ use crate::table::Tables;
 /// Source of an operand: an input, a constant or the result of an earlier statement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Operand {
-    /// Time since release, s.
+    /// Time since release (the start of the flight), s.
     Time,
     /// State variable, by its index in the state vector.
     State(u32),
@@ -15,7 +15,7 @@ pub enum Operand {
     Parameter(u32),
     /// Invariant (value that depends on parameters alone), by its index among the results of the function `prepare`.
     Prepared(u32),
-    /// Body-fixed coordinate of the marker, m, by its index (0 to 2).
+    /// Body-fixed coordinate, m, of the marker (observed point of the body), by its index (0 to 2).
     Marker(u32),
     /// Constant with this value.
     Constant(f64),

@@ -169,8 +169,9 @@ struct Case {
     magnitude: f64,
 }
 
-/// Builds the random expression of the given steps with its value and derivatives at the point `at`. `None` if a step
-/// is not smooth there, or if a value or derivative is not below [`MAX_MAGNITUDE`] in magnitude.
+/// Builds a random expression from `steps` (each an operation with the indices of its operands among the earlier
+/// values), with its value and derivatives at the point `at`. `None` if an operation is not smooth at that point, or if
+/// a value or derivative is not below [`MAX_MAGNITUDE`] in magnitude.
 fn case(steps: &[(Step, Index, Index)], at: [f64; VARIABLES]) -> Option<Case> {
     static TABLES: LazyLock<Tables> = LazyLock::new(|| {
         let model = model_spec::load::from_text("table.hyz", TABLE, &[]).expect("a model");

@@ -15,8 +15,8 @@ model_spec::index_type!(
     pub struct TableId;
 );
 
-/// A table or one of its derivatives, as a function of one argument; encoded in two bytes, to keep the instructions of
-/// a tape small.
+/// A table or one of its derivatives, as a function of one argument; encoded in two bytes, to keep the bytecode
+/// instructions that refer to it small.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct TableFunction(u16);
 
@@ -62,7 +62,8 @@ pub struct CubicTable {
     pub argument: String,
     /// Units of the argument and of the value, as text in SI units.
     pub unit_texts: [String; 2],
-    /// Hash of the curve ([`model::Table::fingerprint`]); 0 for a table that was read from generated code.
+    /// Hash of the curve that the table defines ([`model::Table::fingerprint`]); 0 for a table that was read from
+    /// generated code.
     pub fingerprint: u64,
     derivatives: [PiecewiseCubic; TableFunction::LAST as usize + 1],
 }

@@ -28,7 +28,8 @@ enum Opcode {
     Atan2,
     IfZero,
     Call(MathFunction),
-    /// Writes the sine of `a` to the target register and the cosine of `a` to register `b`.
+    /// Writes the sine of the value in register `a` to the target register, and the cosine of that value to register
+    /// `b`.
     SinCos,
 }
 
@@ -89,7 +90,7 @@ enum Width {
 /// Inputs of a program, for one flight or one flight per lane.
 #[derive(Clone, Copy, Debug)]
 pub struct Inputs<'a, T> {
-    /// Time since release, s.
+    /// Time since release (the start of the flight), s.
     pub t: T,
     /// State vector, in the order of `Layout::states`.
     pub x: &'a [T],
@@ -97,7 +98,7 @@ pub struct Inputs<'a, T> {
     pub p: &'a [T],
     /// Results of the function `prepare` for these parameters.
     pub prepared: &'a [T],
-    /// Body-fixed coordinates of the marker, m.
+    /// Body-fixed coordinates, m, of the marker (observed point of the body).
     pub marker: &'a [T],
 }
 

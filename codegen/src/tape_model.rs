@@ -5,7 +5,7 @@ use crate::program::{Function, Section};
 use crate::tape::{Inputs, Tape};
 use lanes::{ScalarKernel, ScalarLane, dispatch_scalar};
 
-/// Tape of one model function, with the division of its results into output arrays.
+/// One model function as a [`Tape`] (register bytecode), with the division of its results into output arrays.
 #[derive(Clone, Debug)]
 pub struct TapeFunction {
     /// Bytecode of the function.
@@ -35,14 +35,15 @@ impl TapeFunction {
     }
 }
 
-/// Reusable buffers for registers and results. Tapes of any model and function can use the same buffers.
+/// Reusable buffers for the registers and results of bytecode evaluations. All functions of all models can use the same
+/// buffers.
 #[derive(Clone, Debug, Default)]
 pub struct Scratch {
     registers: Vec<f64>,
     out: Vec<f64>,
 }
 
-/// Functions of a model, compiled to tapes.
+/// Functions of a model, compiled to register bytecode ([`Tape`]).
 #[derive(Clone, Debug)]
 pub struct TapeModel {
     /// Name of the model.
@@ -61,20 +62,21 @@ pub struct TapeModel {
     pub f_jac: TapeFunction,
     /// Function that computes `dx`, its state Jacobian `j` and its parameter Jacobian `jp`.
     pub f_jac_par: TapeFunction,
-    /// Function that computes the position `y` of a marker in the inertial frame.
+    /// Function that computes the position `y`, m, of a marker (observed point of the body) in the inertial frame.
     pub observe: TapeFunction,
     /// Function that computes `y` and its Jacobians `dy_dx`, `dy_dp`, `dy_dmarker`.
     pub observe_jac: TapeFunction,
     /// Function that computes the auxiliary variables of the model.
     pub quantities: TapeFunction,
-    /// Function that computes the left-hand sides of the limits of validity.
+    /// Function that computes the left-hand sides of the limits of validity. The model is valid while each left-hand
+    /// side exceeds its bound.
     pub limits: TapeFunction,
 }
 
 /// Arguments of an evaluation of a model function.
 #[derive(Clone, Copy, Debug)]
 pub struct At<'a> {
-    /// Time since release, s.
+    /// Time since release (the start of the flight), s.
     pub t: f64,
     /// State vector, in the order of `Layout::states`.
     pub x: &'a [f64],
@@ -85,7 +87,7 @@ pub struct At<'a> {
 }
 
 impl TapeModel {
-    /// Compiles all functions of a model to tapes.
+    /// Compiles all functions of a model to register bytecode.
     pub fn new(compiled: &Compiled) -> TapeModel {
         TapeModel {
             name: compiled.name.clone(),
@@ -229,7 +231,7 @@ fn run(
     }
 }
 
-/// Scalar kernel that evaluates one tape.
+/// Scalar kernel that evaluates one [`Tape`].
 struct Run<'a> {
     tape: &'a Tape,
     at: At<'a>,

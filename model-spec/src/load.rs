@@ -96,8 +96,8 @@ pub fn inspect_text(name: &str, text: &str, with: &[&str]) -> Result<Loaded, Loa
     })
 }
 
-/// Adds the errors of an effect's text, held by `error`, to the errors `earlier` of the model, so that all are reported
-/// at once. An `error` other than [`LoadError::Faults`] is returned unchanged.
+/// Combines the errors `earlier` of the model in `tree` with the errors of an effect's text in `error`, so that all are
+/// reported at once. An `error` other than [`LoadError::Faults`] is returned unchanged.
 fn after(tree: ModelTree, mut earlier: Vec<Diagnostic>, error: LoadError) -> LoadError {
     let LoadError::Faults {
         mut diagnostics,

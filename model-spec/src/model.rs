@@ -20,7 +20,7 @@ pub use effect::{AppliedEffect, EffectUnknown, OfferedEffect};
 pub use function::Function;
 pub use table::{Continuation, Interpolation, Table};
 
-/// A checked model of a flying body: its states, parameters, frames, loads and equations.
+/// A checked model of a flying body: its states, parameters, frames, forces, moments and equations.
 #[derive(Clone, Debug)]
 pub struct Model {
     /// Name of the model, by which commands and datasets refer to it.
@@ -42,7 +42,8 @@ pub struct Model {
     pub states: Vec<State>,
     /// Frames of reference, parents before children; frame 0 is inertial with its third axis up.
     pub frames: Vec<Frame>,
-    /// The body whose equations of motion are derived from its loads; `None` if the model states every equation.
+    /// The body whose equations of motion are derived from the stated forces and moments; `None` if the model states
+    /// every differential equation.
     pub body: Option<Body>,
     /// Functions given by tables, in order of declaration.
     pub tables: Vec<Table>,
@@ -101,8 +102,8 @@ pub struct Parameter {
     pub span: Span,
 }
 
-/// A vector whose value is specified for each flight. Its components are the parameters `<name>_x`, `<name>_y`,
-/// `<name>_z`.
+/// A vector, such as the wind, whose value is specified for each flight. Its components are the parameters `<name>_x`,
+/// `<name>_y`, `<name>_z`.
 #[derive(Clone, Debug)]
 pub struct Input {
     /// Name of the input vector.
@@ -209,7 +210,8 @@ pub struct Rotation {
     pub inertia: [[Expr; 3]; 3],
     /// If a quaternion describes the attitude: indices into [`Model::states`] of the components of the angular
     /// velocity, and index into [`Model::frames`] of the frame of these components. `None` if three rotation angles
-    /// describe the attitude, since the time derivatives of the angles are then the states.
+    /// describe the attitude; the states then include the time derivatives of the angles in place of the angular
+    /// velocity.
     pub angular_velocity: Option<([usize; 3], usize)>,
 }
 
@@ -391,14 +393,14 @@ pub enum ExprKind {
     Number {
         /// Value of the literal, SI.
         value: f64,
-        /// Exact SI value of the literal as (numerator, denominator); `None` if the value is irrational or exceeds
-        /// `i64`.
+        /// Exact SI value of the literal as (numerator, denominator); `None` if the value is irrational, or if
+        /// numerator or denominator exceeds `i64`.
         exact: Option<(i64, i64)>,
     },
     /// The number π.
     Pi,
-    /// Recorded time since release, s. In a model with a [`Clock`], recorded time may run at another rate than true
-    /// time.
+    /// Recorded time since the start of the flight, s. In a model with a [`Clock`], recorded time may run at another
+    /// rate than true time.
     Time,
     /// A known constant, by index into [`Model::params`].
     Param(usize),
@@ -427,7 +429,7 @@ pub enum ExprKind {
     AngularAcceleration,
     /// Coordinates of the marker in the frame [`Marker::frame`], m.
     Marker,
-    /// A vector made of three scalar components, in the frame of the expression's shape.
+    /// A vector made of three scalar components, which refer to the frame in [`Expr::shape`].
     Components(Box<[Expr; 3]>),
     /// Negation `-a`.
     Neg(Box<Expr>),
@@ -452,9 +454,9 @@ pub enum ExprKind {
     /// Unit vector along the vector of the first field. At the zero vector, its value is the second field, or the zero
     /// vector if that is `None`.
     Direction(Box<Expr>, Option<Box<Expr>>),
-    /// Component 1, 2 or 3 of a vector, in the frame of the vector's shape.
+    /// Component 1, 2 or 3 of a vector, in the frame in the vector's [`Expr::shape`].
     Component(Box<Expr>, u8),
-    /// A vector with its components transformed to the frame of the expression's shape.
+    /// A vector whose components are transformed to the frame in [`Expr::shape`].
     Reexpress(Box<Expr>),
     /// A function of one scalar, with its argument.
     Call(Function, Box<Expr>),

@@ -46,7 +46,7 @@ use crate::syntax::ast::{
     ParameterClass, Quantity, UnitExpr,
 };
 
-/// Citation of the effects generated from terms, and documentation of their coefficients.
+/// Literature reference of every effect generated from a term, and documentation of the coefficient of that effect.
 const FOUND: &str = "found in measured flights";
 
 index_type!(
@@ -64,12 +64,12 @@ index_type!(
     pub struct ProductId;
 );
 
-/// Candidates for terms that a model lacks: every product of variables, added to every channel (such as drag).
+/// Candidates for terms that a model lacks: any of `products`, added to any of `channels` (such as the drag).
 #[derive(Clone, Debug)]
 pub struct TermLibrary {
-    /// Effect that defines the variables and adds to each channel a term proportional to a new coefficient.
+    /// Change to a model that defines the variables and adds to each channel a term with a new coefficient as factor.
     pub loads: EffectTree,
-    /// Load components, or derivatives of states, to which a term can be added.
+    /// Quantities to which a term can be added: components of forces and moments, or derivatives of states.
     pub channels: IndexVec<ChannelId, Channel>,
     /// Variables that describe the state of a flight, whose powers are the factors of the products.
     pub variables: IndexVec<VariableId, Variable>,
@@ -77,12 +77,12 @@ pub struct TermLibrary {
     pub products: IndexVec<ProductId, Vec<Factor>>,
 }
 
-/// Channel: a component of a load (such as drag), or the derivative of a state, to which a term can be added.
+/// Component of a force or moment (such as drag), or derivative of a state, to which a term can be added.
 #[derive(Clone, Debug)]
 pub struct Channel {
-    /// Name of the channel's coefficient in [`TermLibrary::loads`].
+    /// Name of the coefficient by which the effect [`TermLibrary::loads`] adds a term to the channel.
     pub coefficient: String,
-    /// Name of the channel as it appears in names of terms.
+    /// Name of the channel in names of terms, such as `drag` in `drag-by-alpha-squared`.
     pub name: String,
     /// Component of the model that the channel's terms change: one of [`SITES`](crate::SITES).
     pub site: String,
@@ -95,9 +95,9 @@ pub struct Channel {
 pub struct Variable {
     /// Name of the auxiliary variable or state that holds the value, in the model or in [`TermLibrary::loads`].
     pub quantity: String,
-    /// Name of the variable as it appears in names of terms.
+    /// Name of the variable in names of terms, such as `alpha` in `drag-by-alpha-squared`.
     pub name: String,
-    /// Class of variable, stated by effects that depend on this variable: one of [`VARIABLES`](crate::VARIABLES).
+    /// Class of the variable, such as `speed`: one of [`VARIABLES`](crate::VARIABLES).
     pub depends_on: String,
     /// Definition of the variable as source text in model notation.
     pub formula: String,
@@ -114,7 +114,7 @@ pub struct Factor {
     pub power: i32,
 }
 
-/// Candidate for a term that a model lacks: a product of variables that is added, times a coefficient, to a channel.
+/// Candidate for a term that a model lacks: a product of variables, added with a coefficient to a [`Channel`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Term {
     /// Channel to which the term is added.
@@ -184,9 +184,9 @@ impl TermLibrary {
         &BUILT_IN
     }
 
-    /// Returns a term library for a model, and the model extended by [`TermLibrary::loads`]. The library is the first
-    /// built-in one that is compatible with the model, or else one generated from the model's quantities. `None` if the
-    /// model has neither a body nor a stated equation to which a term can be added.
+    /// Returns the first built-in term library that is compatible with the model, or else one generated from the
+    /// quantities of the model, and the model with the effect [`TermLibrary::loads`] of that library applied. `None` if
+    /// the model has neither a body nor a stated equation to which a term can be added.
     pub fn for_model(model: &Model) -> Option<(Arc<TermLibrary>, ModelTree)> {
         let (tree, binding) = (ModelTree::of(model), Binding::new(model));
         let with_loads = |library: &TermLibrary| {

@@ -20,7 +20,8 @@ pub enum Base {
     Radian,
 }
 
-/// A unit of measure, stored as twice the exponents of the base units, so that square roots have integer entries.
+/// A unit of measure, stored as twice the exponents of the base units, so that the half-integer exponents of square
+/// roots are integers too.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Unit {
     /// Twice the exponent of each [`Base`] unit, in the order of the enum.

@@ -108,7 +108,8 @@ fn flights(fit: &Fit) -> usize {
         .count()
 }
 
-/// Fingerprint of everything on which the estimates depend.
+/// Hash of everything on which the estimates of a bootstrap depend: program version, model, options and dataset. It
+/// identifies the results of an interrupted run.
 fn work(options: &Bootstrap, dataset: &Dataset, model: &Model) -> String {
     let Bootstrap {
         inputs,

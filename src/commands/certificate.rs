@@ -14,9 +14,9 @@ use crate::{Answer, output};
 /// File extension of the certificate next to a model's file.
 const ENDING: &str = "certificate.json";
 
-/// Prints whether a certificate is still valid; returns `Answer::No` if something that the certificate covers has
-/// changed. If `again`, the certified checks are repeated; `same` selects the models that must describe the same
-/// motion.
+/// Prints whether a certificate is still valid; returns `Answer::No` if a certified item, such as the text of a model,
+/// differs from its state when the certificate was written. If `again`, the certified checks are repeated; `same`
+/// selects the models that must describe the same motion.
 pub fn check(
     path: &Path,
     again: bool,
@@ -70,7 +70,8 @@ impl Found {
         Ok(Self(Some((path, read))))
     }
 
-    /// Statement about the certificate for a report on `model`: no certificate, still valid, or changed.
+    /// Statement for a report on `model`: that there is no certificate (a record of the checks by `hyzer verify`), that
+    /// the certificate is still valid, or that something it covers has changed.
     pub fn note(&self, model: &Model) -> CertificateNote {
         let Some((path, read)) = &self.0 else {
             return CertificateNote::none();

@@ -25,8 +25,8 @@ use super::number;
 use crate::cli::Simulate;
 use crate::{Answer, output};
 
-/// Runs `hyzer simulate`: simulates the release, prints a summary, and writes the result files if an output folder is
-/// given.
+/// Runs `hyzer simulate`: simulates the flight from the launch conditions (release), prints a summary, and writes the
+/// result files if an output folder is given.
 pub fn run(options: &Simulate) -> anyhow::Result<Answer> {
     if options.list {
         for (name, text) in BUILT_IN {

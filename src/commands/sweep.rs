@@ -12,7 +12,7 @@ use crate::cli::Sweep;
 use crate::progress::{self, Progress};
 use crate::{Answer, output};
 
-/// Name and text of the built-in plan.
+/// Name and TOML text of the built-in sweep plan.
 const BUILT_IN: (&str, &str) = ("backhands", include_str!("sweep/backhands.toml"));
 
 /// Runs `hyzer sweep`: simulates the flights of the plan and prints the summary. If only a share of the flights is

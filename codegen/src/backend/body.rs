@@ -75,8 +75,8 @@ impl<'a> Body<'a> {
         &self.function.program.statements[statement].op
     }
 
-    /// Returns the model source line of an auxiliary variable as `file:line  text`, truncated to `MAX_CHARS`; `origin`
-    /// is the index of the variable in `Lowered::provenance`.
+    /// Returns the model source line of an auxiliary variable as `file:line  text`, truncated to 94 characters;
+    /// `origin` is the index of the variable in `Lowered::provenance`.
     pub fn source_line(&self, origin: usize) -> String {
         const MAX_CHARS: usize = 94;
         let origin = &self.compiled.lowered.provenance[origin];

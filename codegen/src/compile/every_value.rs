@@ -12,7 +12,7 @@ use model_spec::model::Model;
 pub struct EveryValue {
     /// Names and order of the states and parameters.
     pub layout: Layout,
-    /// Program that computes the outputs, without hoisting.
+    /// Program that computes all outputs; no expressions are moved to a separate function `prepare`.
     pub program: Program,
     /// Number of outputs that are components of the observed marker position: 3, or 0 if the model has no measurement
     /// equation.

@@ -328,7 +328,8 @@ impl Cut {
         self.graph.sum(terms, Number::ZERO)
     }
 
-    /// Indices of the derivative symbols on which the nodes `roots` depend; definitions precede their users.
+    /// Indices of the local symbols that represent derivatives and on which the nodes `roots` depend, in order of
+    /// creation, so that a symbol precedes the symbols whose definitions use it.
     fn mentioned(&self, roots: &[NodeId]) -> Vec<u32> {
         let mut needed: Vec<u32> = Vec::new();
         let mut waiting = roots.to_vec();

@@ -26,8 +26,8 @@ model_spec::index_type!(
 /// Leaf of an expression: a variable or constant whose value is not computed by the graph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Symbol {
-    /// Recorded time since release, s: the time of the time stamps of the measurements. In a model with a `clock`
-    /// statement it may run at another rate than true time; in other models it equals true time.
+    /// Time since release (the start of the flight), s, as given by the time stamps of the measurements. In a model
+    /// with a `clock` statement, it may run at another rate than true time; in other models it equals true time.
     Time,
     /// The constant π.
     Pi,
@@ -35,7 +35,7 @@ pub enum Symbol {
     State(u32),
     /// Parameter, coefficient or input component, by its index among the layout's parameters.
     Parameter(u32),
-    /// Body-fixed coordinate of the marker, m, by its index (0 to 2).
+    /// Body-fixed coordinate, m, of the marker (observed point of the body), by its index (0 to 2).
     Marker(u32),
     /// Named intermediate value with its own definition, by index; see [`ExprGraph::local`].
     Local(u32),

@@ -104,8 +104,8 @@ fn is_word(base: &str) -> bool {
     base.chars().count() > 1 && !GREEK.contains(&base)
 }
 
-/// LaTeX of one element of a subscript, between commas. If `coefficient`, a capital letter followed by `a` is written
-/// with the angle of attack: `La` becomes `L\alpha`.
+/// LaTeX of one of the comma-separated elements of a subscript. If `coefficient` (the base symbol is the `C` of an
+/// aerodynamic coefficient), an `a` after a capital letter stands for the angle of attack: `La` becomes `L\alpha`.
 fn below(part: &str, coefficient: bool) -> String {
     if GREEK.contains(&part) {
         return format!(r"\{part}");

@@ -8,7 +8,7 @@ use crate::program::{Binary, Op, Operand, Unary};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// Writes the operations of a function body as expressions of a number type.
+/// Writes the operations of a function body as Rust expressions, on `f64` or on a type that implements `lanes::Real`.
 #[derive(Clone, Copy)]
 pub(super) struct Writer<'a> {
     pub body: &'a Body<'a>,

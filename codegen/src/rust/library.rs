@@ -147,7 +147,8 @@ impl Signature {
         quote!(fn(#(#inputs,)* #(#outputs),*))
     }
 
-    /// Tokens of the `f64` function that is compiled for the processor's target features.
+    /// Tokens of a generated function on `f64` slices that runs the model function with the instruction set that the
+    /// processor supports, selected at run time.
     fn dispatched(&self) -> TokenStream {
         let name = format_ident!("{}", self.name);
         let call = format_ident!("{}Call", type_ident(self.name));

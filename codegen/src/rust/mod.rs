@@ -27,11 +27,13 @@ use crate::compile::Compiled;
 use model_spec::model::Model;
 use scalar::Scalar;
 
-/// Backend that writes one module per model over `f64`, without dependencies or `unsafe`.
+/// Backend that generates, for each model, one module of functions on `f64`. The generated code has no dependencies and
+/// no `unsafe`.
 #[derive(Clone, Copy, Debug)]
 pub struct PlainRust;
 
-/// Backend that writes one module per model, generic over [`lanes::Real`]: for `f64` or SIMD vectors.
+/// Backend that generates, for each model, one module of functions that are generic over [`lanes::Real`], so that they
+/// run on `f64` or on SIMD vectors.
 #[derive(Clone, Copy, Debug)]
 pub struct LanesRust;
 

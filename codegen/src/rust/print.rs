@@ -10,11 +10,11 @@ use quote::quote;
 /// Maximum line width in printed arrays and trailing comments, characters.
 const WIDTH: usize = 100;
 
-/// Comment text that marks a blank line.
+/// Text of the marker comment that [`finish`] replaces by a blank line.
 const BLANK: &str = "@blank";
-/// Prefix of a comment text that is printed at the end of the following statement.
+/// Prefix of a marker comment whose text [`finish`] moves to the end of the following statement.
 const TRAILING: &str = "@trailing ";
-/// Comment text that marks an array to be printed with several elements per line.
+/// Text of the marker comment before an array that [`finish`] prints with several elements per line.
 const FILL: &str = "@fill";
 
 /// Tokens of a comment line before an item or a statement.

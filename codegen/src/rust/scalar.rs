@@ -128,7 +128,8 @@ impl Scalar {
         self.call("if_zero", condition, &[then, otherwise])
     }
 
-    /// Expression of a function call, given the name of the corresponding `lanes::Real` method.
+    /// Expression of a call of the `lanes::Real` method `name` on `first`, with the arguments `rest`; for `f64`, a call
+    /// of the helper function that replaces the method, if there is one.
     pub fn call(self, name: &str, first: Expr, rest: &[Expr]) -> Expr {
         let helper = match self {
             Scalar::F64 => helpers::for_method(name),

@@ -7,9 +7,9 @@ use crate::program::Function;
 /// Name, arguments and documentation of a generated function.
 pub(super) struct Signature {
     pub name: &'static str,
-    /// Title in the function's file header.
+    /// Short description of the function, for the header comment of its generated file.
     pub title: &'static str,
-    /// First line of the function's documentation.
+    /// First line of the doc comment of the generated function.
     pub summary: &'static str,
     pub inputs: &'static [Input],
     /// Output arrays: (name of the program section, name of the argument).

@@ -18,8 +18,8 @@ use std::f64::consts::PI;
 
 /// Schedules the definitions reachable from the roots as a program.
 ///
-/// `results` are names for the roots, possibly none. If `hoisted` is given, expressions that depend only on parameters
-/// become results of `prepare` and are read as operands.
+/// `results` contains names of the roots in order, and may be empty. If `hoisted` is given, expressions that
+/// depend only on parameters become results of `prepare` and are read as operands.
 pub fn schedule(
     ssa: &Ssa,
     graph: &mut ExprGraph,
@@ -138,7 +138,8 @@ impl Schedule<'_> {
         assert_eq!(self.program.outputs.len(), self.ssa.roots.len());
     }
 
-    /// Returns the operand of a hoisted invariant; `None` if hoisting is off.
+    /// Returns an operand with the value, computed by `prepare`, of a definition that depends on parameters only;
+    /// `None` if such values are not computed by `prepare` (hoisting is off).
     fn hoist(&mut self, signed: Signed) -> Option<Operand> {
         let hoisted = self.hoisted.as_deref_mut()?;
         let operand = hoisted.operand(self.ssa, self.graph, &mut self.hoisted_nodes, signed);

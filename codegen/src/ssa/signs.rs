@@ -45,10 +45,10 @@ pub fn settle(ssa: &mut Ssa) {
 enum Place {
     /// Signs of all terms of a sum.
     Terms(DefId),
-    /// Sign of the value of a product or reciprocal. The definition stores no sign, so that the sign moves to the
-    /// references in the definitions that use the value.
+    /// Sign of the value of a product or reciprocal. Such a definition stores no sign; instead, the sign of each
+    /// reference to it in other definitions is changed.
     Through(DefId),
-    /// Sign of an operand of a definition, by the index of the operand: a term of a sum or an argument of a function.
+    /// Sign of the operand with this index in a definition: a term of a sum or an argument of a function.
     Operand(DefId, usize),
     /// Sign of the requested result (root) with this index.
     Root(usize),

@@ -6,8 +6,8 @@ use crate::functions::MathFunction;
 use crate::program::{Op, Operand, Program, Unary};
 use std::collections::HashMap;
 
-/// Value of the last use for program outputs, which stay live after the last instruction: a number above every
-/// instruction index.
+/// Index of the last use that is assigned to program outputs, which stay live after the last instruction: greater than
+/// every instruction index.
 const END: usize = usize::MAX;
 
 /// Compiles a program to bytecode, and returns it with the number of registers.

@@ -19,7 +19,8 @@ use ode::{
 /// A model whose flights are integrated in SIMD lanes, one flight per lane.
 pub struct LaneModel {
     model: Model,
-    /// Whether flights are integrated with generated code of the model rather than with a tape.
+    /// Whether flights are integrated with Rust code generated from the model rather than with a tape (register
+    /// bytecode).
     is_generated: bool,
     /// The model compiled to a tape (register bytecode); compiled on the first use of the tape.
     tape: OnceLock<TapeModel>,
@@ -28,8 +29,8 @@ pub struct LaneModel {
 }
 
 impl LaneModel {
-    /// Prepares `model` for integration in SIMD lanes. Generated code is used if its source hash equals that of
-    /// `model`; otherwise `model` is compiled to a tape.
+    /// Prepares `model` for integration in SIMD lanes. If the crate `generated` contains Rust code with the same source
+    /// hash as `model`, this code is used; otherwise `model` is compiled to a tape (register bytecode).
     pub fn new(model: &Model) -> LaneModel {
         let generated = generated::model(&model.name);
         LaneModel {
@@ -38,7 +39,8 @@ impl LaneModel {
         }
     }
 
-    /// Prepares `model` for integration in SIMD lanes by a tape, even if generated code for the model exists.
+    /// Prepares `model` for integration in SIMD lanes by a tape (register bytecode), even if generated Rust code for
+    /// the model exists.
     pub fn interpreted(model: &Model) -> LaneModel {
         LaneModel {
             model: model.clone(),
@@ -48,9 +50,9 @@ impl LaneModel {
         }
     }
 
-    /// Whether flights are integrated with generated code rather than with a tape. Generated code exists only for the
-    /// widest instruction sets ([`ode::fly_on_widest`]); with any other instruction set, the tape is evaluated, with
-    /// the same results.
+    /// Whether flights are integrated with Rust code generated from the model rather than with a tape (register
+    /// bytecode). Generated code exists only for the widest instruction sets ([`ode::fly_on_widest`]); with any other
+    /// instruction set, the tape is evaluated, with the same results.
     pub fn is_generated(&self) -> bool {
         self.is_generated
     }
@@ -117,8 +119,8 @@ impl Visitor for GeneratedTask<'_> {
     }
 }
 
-/// Right-hand side of the equations of motion and validity limits of a model, as generated code `E`, evaluated in SIMD
-/// lanes.
+/// Right-hand side of the equations of motion and validity limits of a model, evaluated in SIMD lanes by the generated
+/// Rust code of the type `E`.
 struct GeneratedRhs<'a, E> {
     bounds: &'a [f64],
     equations: PhantomData<E>,
@@ -152,8 +154,8 @@ impl<E: Equations> LaneRhs for GeneratedRhs<'_, E> {
     }
 }
 
-/// Right-hand side of the equations of motion and validity limits of a model, compiled to a tape, evaluated in SIMD
-/// lanes.
+/// Right-hand side of the equations of motion and validity limits of a model, evaluated in SIMD lanes by a tape
+/// (register bytecode).
 struct TapeRhs<'a> {
     tape: &'a TapeModel,
     bounds: &'a [f64],
@@ -210,7 +212,7 @@ fn evaluate<T: Lanes>(
     });
 }
 
-/// Arguments of one evaluation of a tape in SIMD lanes.
+/// Arguments of one evaluation of a tape (register bytecode) in SIMD lanes.
 struct Evaluation<'a, T> {
     function: &'a TapeFunction,
     at: LanePoint<'a, T>,

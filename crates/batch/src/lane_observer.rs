@@ -6,13 +6,15 @@ use codegen::tape_model::TapeModel;
 use lanes::{Kernel, Lanes, dispatch};
 use model_spec::model::Model;
 
-/// The measurement equation of a model, as a tape that is evaluated in SIMD lanes.
+/// The measurement equation of a model, compiled to a tape (register bytecode) that is evaluated in SIMD lanes, one
+/// state vector per lane.
 pub struct LaneObserver {
     tape: TapeModel,
 }
 
 impl LaneObserver {
-    /// Compiles the measurement equation of `model`, which must not depend on time or on a marker.
+    /// Compiles the measurement equation of `model`. It must not depend on time or on a marker, because
+    /// [`LaneObserver::observe`] evaluates it with time and marker coordinates set to 0.
     pub fn new(model: &Model) -> LaneObserver {
         let compiled = compile_for(model, &Selection::Only(Vec::new()));
         LaneObserver {

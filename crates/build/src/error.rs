@@ -41,7 +41,8 @@ pub enum BuildError {
     },
 }
 
-/// As displayed: a `main` that returns the error prints it by `Debug`.
+/// `Debug` prints the same text as `Display`, because a build script whose `main` returns the error prints it by
+/// `Debug`.
 impl std::fmt::Debug for BuildError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         std::fmt::Display::fmt(self, f)

@@ -204,10 +204,12 @@ struct Task<'t> {
     bounds: &'t Bounds,
 }
 
-/// Starting throw: its point in the unit box, and (violation, objective) for each side of the obstacle.
+/// Starting throw: its coordinates in the unit box (the free quantities, each scaled from its bounds to 0 to 1), and
+/// (constraint violation, objective) for each side of the obstacle.
 type Tried = (DVector<f64>, Vec<(f64, f64)>);
 
-/// Result of the exploration: the starting throws that could be flown to the ground (`points`), and their number.
+/// Result of simulating the starting throws: those that could be flown to the ground, `points`, and their number,
+/// `flown`.
 struct Explored {
     points: Vec<Tried>,
     flown: usize,
@@ -301,8 +303,9 @@ impl Task<'_> {
         self.goal.target().is_some() || side.is_some()
     }
 
-    /// Moves a starting throw, with little change, until it meets the constraints or violates them as little as the
-    /// bounds allow. `accuracy` is an index into [`TOLERANCES`]. `None` if one of the evaluated throws cannot be flown.
+    /// Changes a starting throw, by Gauss–Newton steps, until it meets the constraints or violates them as little as
+    /// the bounds allow. `accuracy` is an index into [`TOLERANCES`]. `None` if one of the evaluated throws cannot be
+    /// flown.
     fn met(&self, side: Option<Side>, from: &DVector<f64>, accuracy: usize) -> Option<Arrival> {
         let near = RefCell::new(None);
         if !self.is_constrained(side) {

@@ -79,7 +79,7 @@ impl Goal {
         }
     }
 
-    /// Point of the goal, m; `None` for a goal without a point.
+    /// Target point of the goal, m; `None` for a goal without a point.
     pub fn target(&self) -> Option<Vector3<f64>> {
         match *self {
             Goal::Hit(point) | Goal::Curve(point) | Goal::Flare(point) | Goal::Spread(point) => {
@@ -187,8 +187,8 @@ impl Goal {
 }
 
 /// Minimum lateral distance, m, of the path from the surface of the obstacle on the given side, negative if the path
-/// enters the obstacle or passes it on the other side; with derivatives. They are taken at the fixed time of the
-/// nearest approach, because the derivative of the distance with respect to time is 0 there.
+/// enters the obstacle or passes it on the other side; with derivatives. The derivatives are taken at the fixed time of
+/// the nearest approach, because the derivative of the distance with respect to time is 0 there.
 fn clearance(path: &Path<'_>, obstacle: &Obstacle, side: Side) -> (f64, Vec<f64>) {
     let place = Vector3::new(obstacle.place.x, obstacle.place.y, 0.0);
     let passes = path.nearest_times(place, true).into_iter().map(|t| {

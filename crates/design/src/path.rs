@@ -9,8 +9,8 @@ use ode::{SensitivityLayout, Trajectory};
 use crate::point::Point;
 use crate::throw_flight::ThrowFlights;
 
-/// Ratio of the duration of a flight to the shortest time interval in which a nearest approach of the path to a point
-/// is searched; the intervals are at most about twice as long.
+/// Ratio of the duration of a flight to the minimum length of the time intervals in which a nearest approach of the
+/// path to a point is searched. The intervals are at most about twice as long as this minimum.
 const FINEST: f64 = 128.0;
 /// Maximum number of steps of the secant method that determines the time of a nearest approach to a point.
 const MAX_STEPS: usize = 40;

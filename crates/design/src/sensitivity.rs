@@ -24,7 +24,7 @@ pub struct Sensitivity {
     pub one_unit: [Option<OneUnit>; 2],
 }
 
-/// Effect of changing a quantity by one unit.
+/// Effect of changing a quantity of the throw by one unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OneUnit {
     /// Change of the landing position, m.

@@ -9,7 +9,7 @@ use crate::context::{Context, EncompassingModel};
 use crate::error::DiagnosisError;
 use crate::parallel::join;
 
-/// Fit of the model under test, with the encompassing model.
+/// Fit of the model under test, and the encompassing model, which includes all candidate effects.
 pub(crate) struct BaseFit {
     /// Computing time of the stages up to this fit.
     pub clock: Clock,
@@ -23,7 +23,7 @@ pub(crate) struct BaseFit {
 }
 
 impl BaseFit {
-    /// Fits the model under test and composes the encompassing model.
+    /// Fits the model under test and composes the encompassing model, which includes all candidate effects.
     ///
     /// # Errors
     /// [`DiagnosisError`] if the flights cannot be fitted, the encompassing model cannot be composed, or the caller
@@ -63,7 +63,7 @@ impl BaseFit {
     }
 }
 
-/// Whether a missing effect may explain the data faults of all flights: true if none is a wrong label, unit or axis.
+/// Whether the data faults may be the consequence of a missing effect: true if no fault is a wrong label, unit or axis.
 fn may_be_an_effect(faults: &[DataFault]) -> bool {
     faults.iter().all(|fault| fault.fault == FaultKind::Other)
 }

@@ -104,7 +104,8 @@ struct Discordant {
     p_value: f64,
 }
 
-/// Repeats a diagnosis without the discordant flights; `None` if the concordant flights are not explained either.
+/// Repeats a diagnosis without the discordant flights, which contradict the explanation of the others; `None` if the
+/// repeated diagnosis finds no explanation either.
 fn without_discordant<R: Send>(
     context: Context<'_>,
     discordant: &Discordant,
@@ -150,7 +151,7 @@ struct Analysis<'a> {
     /// from smooth motion.
     residuals: Option<LackOfFit>,
     model: ScoreTestModel,
-    /// Iterate of the fit of the model under test, in the unknowns of the score-test model.
+    /// Parameter values and initial states of the fit of the model under test, as unknowns of the score-test model.
     base: Iterate,
     search: Search<'a>,
     stepwise: Option<StepwiseModel>,
@@ -184,7 +185,8 @@ fn search_testable<'a>(
 }
 
 impl<'a> Analysis<'a> {
-    /// Tests all candidates at the fit of the model under test, and searches for explanations.
+    /// Creates the state of a diagnosis: tests all candidates at the fit of the model under test, and searches for
+    /// explanations.
     fn new(context: Context<'a>, base: BaseFit) -> Result<Self, DiagnosisError> {
         let options = context.options;
         let BaseFit {
@@ -259,7 +261,7 @@ impl<'a> Analysis<'a> {
         stepwise.is_some_and(|stepwise| stepwise.is_adequate)
     }
 
-    /// Validates the explanations, extends the model, and completes the report.
+    /// Validates the explanations, extends the model by the best one, and completes the report.
     fn finish<R: Send>(
         mut self,
         on_extension: &(impl Fn(&ExtendedModel) -> R + Sync),

@@ -41,8 +41,8 @@ pub(crate) struct Measured<R> {
 pub(crate) type Offered<R> = ((ExtendedModel, Fit), R);
 
 /// Fits the extended model if it is not yet fitted, measures its out-of-sample gain, and calls `on_extension`. If
-/// `is_consensus`, flights that contradict the extension are predicted without it. `noise_floor` is the noise of one
-/// coordinate, m.
+/// `is_consensus` (the effects were found by the agreement of most flights), flights that contradict the extension are
+/// predicted without it. `noise_floor` is the noise of one coordinate, m.
 ///
 /// # Errors
 /// [`DiagnosisError::Fit`] if the extended model cannot be fitted, or the caller cancelled.
@@ -108,7 +108,7 @@ pub(crate) fn measure<R: Send>(
 }
 
 impl<R> Measured<R> {
-    /// Whether the extended model makes the same predictions as the model under test.
+    /// Whether the extended model makes practically the same predictions as the model under test.
     pub fn changes_nothing(&self) -> bool {
         let gain = self.gain.as_ref();
         gain.is_some_and(PredictiveGain::changes_nothing)

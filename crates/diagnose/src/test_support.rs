@@ -11,7 +11,7 @@ pub(crate) struct Fixture {
     pub fit: Fit,
     /// Score-test model built from the model under test and the flights of `fit`.
     pub model: ScoreTestModel,
-    /// Iterate of the fit, in the unknowns of the score-test model.
+    /// Fitted parameter values and initial states, as unknowns of the score-test model `model`.
     pub iterate: Iterate,
 }
 

@@ -214,7 +214,7 @@ impl CompiledModel {
     }
 }
 
-/// Vector expression whose first component in the inertial frame is the scalar, and whose other components are 0.
+/// Vector expression whose first component in the inertial frame is `scalar`, and whose other components are 0.
 fn vector_of(scalar: Expr) -> Expr {
     let zero = || Expr {
         kind: ExprKind::Number {

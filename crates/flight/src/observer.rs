@@ -91,7 +91,8 @@ impl ModelObserver<'_> {
         q
     }
 
-    /// Whether the state is within the model's domain of validity: every limit exceeds its bound.
+    /// Whether the state is within the model's domain of validity: every quantity that the model limits exceeds its
+    /// lower bound.
     pub fn is_within_limits(&mut self, t: f64, x: &[f64]) -> bool {
         let at = self.model.at(t, x);
         let limits = &self.model.model.limits;

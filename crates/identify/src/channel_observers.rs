@@ -31,7 +31,7 @@ impl<'a> ChannelConditions<'a> {
         }
     }
 
-    /// Returns evaluators of the measurement equations.
+    /// Returns evaluators of the measurement equations of all channels.
     pub fn observers(&self) -> ChannelObservers<'_> {
         ChannelObservers {
             problem: self.problem,

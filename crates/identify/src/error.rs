@@ -7,8 +7,7 @@ use crate::wording::count;
 /// Reason why one flight cannot be fitted or predicted.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum FlightError {
-    /// Relative difference up to which times are considered equal, so that the weights of an [`Interpolation`] are
-    /// reused for evenly spaced samples.
+    /// No value is measured in any sample of the flight.
     #[error("no marker is measured in any of its samples")]
     NoMeasurement,
     /// The flight has fewer measured coordinates than its initial state has unknowns.
@@ -53,7 +52,7 @@ pub enum FlightError {
         "only {found} of its samples show three markers that are not collinear, and an initial guess needs {needed}"
     )]
     TooFewPoses {
-        /// Number of samples that determine a pose.
+        /// Number of samples of the flight that determine a pose.
         found: usize,
         /// Minimum number of samples with a pose for an initial guess.
         needed: usize,
@@ -61,7 +60,7 @@ pub enum FlightError {
     /// Too few samples determine the position of the point mass, so that there is no initial guess.
     #[error("only {found} of its samples show a position, and an initial guess needs {needed}")]
     TooFewPositions {
-        /// Number of samples that determine a position.
+        /// Number of samples of the flight that determine a position.
         found: usize,
         /// Minimum number of samples with a position for an initial guess.
         needed: usize,
@@ -81,13 +80,15 @@ pub enum FlightError {
     /// The normal equations of the initial state are singular.
     #[error("its samples do not determine its initial state")]
     SingularInitialState,
-    /// All samples of a held-out flight belong to the conditioning segment.
+    /// All samples of a held-out flight belong to its conditioning segment (the first samples, to which the initial
+    /// state is fitted), so that none remains to be predicted.
     #[error("too short: no samples remain to be predicted after its first {samples}")]
     NothingToPredict {
-        /// Number of samples in the conditioning segment.
+        /// Number of samples in the conditioning segment, to which the initial state is fitted.
         samples: usize,
     },
-    /// No marker is measured after the conditioning segment of a held-out flight.
+    /// No marker is measured after the conditioning segment of a held-out flight (the first samples, to which the
+    /// initial state is fitted).
     #[error("no marker is measured in the samples that are to be predicted")]
     NothingMeasuredToPredict,
     /// The residuals of the flight are far larger than those of the other flights, from every initial state tried.

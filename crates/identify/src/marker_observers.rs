@@ -34,7 +34,7 @@ impl<'a> MarkerConditions<'a> {
         Self(each.map(bound).collect())
     }
 
-    /// Returns evaluators of the measurement equations.
+    /// Returns evaluators of the measurement equations of the markers.
     pub fn observers(&self) -> MarkerObservers<'_> {
         MarkerObservers(self.0.iter().map(BoundModel::observer).collect())
     }

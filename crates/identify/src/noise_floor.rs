@@ -41,12 +41,12 @@ const MAX_VARIANCE_RATIO: f64 = 25.0;
 struct TrackPoint {
     time: f64,
     position: Vector3<f64>,
-    /// Number of markers from which the position was computed.
+    /// Number of measured markers from which the position was computed.
     markers: f64,
 }
 
-/// Standard deviation of the noise of one marker coordinate along each axis, m, estimated from the samples of one
-/// flight alone; `None` if the flight has too few samples.
+/// Standard deviation of the noise of one marker coordinate along each axis, m, estimated without a model from the
+/// scatter of one flight's samples about smooth curves; `None` if the flight has too few samples.
 pub fn noise_floor(problem: &FitProblem, observations: &Observations) -> Option<[f64; 3]> {
     let samples = 0..observations.times.len();
     let poses: Vec<Option<Pose>> = match problem.has_attitude {
@@ -137,8 +137,8 @@ struct Interpolation {
     weights: [f64; 2 * SIDE],
 }
 
-/// Relative difference up to which times are considered equal, so that the weights are reused for evenly spaced
-/// samples.
+/// Relative difference up to which times are considered equal, so that the weights of an [`Interpolation`] are reused
+/// for evenly spaced samples.
 const SAME_TIME: f64 = 1e-6;
 
 impl Interpolation {

@@ -36,7 +36,8 @@ pub struct Observations {
     /// Number of points from which the pose is determined, as in [`FitProblem::markers`].
     pub markers: usize,
     /// Measured positions, as `stand_ins[sample * markers + point]`, m, of the points from which the pose is
-    /// determined, if they include points that represent a pose sensor; empty if all points are markers.
+    /// determined, if they include body-fixed points whose positions follow from the pose that a sensor measures; empty
+    /// if all points are markers.
     pub stand_ins: Vec<Option<[f64; 3]>>,
     /// Parameters of the flight in the order of the compiled model's parameter vector, SI. Global parameters have their
     /// initial values here.
@@ -183,8 +184,8 @@ impl Observations {
         first
     }
 
-    /// Observations of a range of samples, as a separate flight. Its initial state is not known unless the range starts
-    /// at the first sample. Times remain relative to the first sample of the whole flight.
+    /// Observations of a range of samples, as a separate flight. Known values of the initial state apply only if the
+    /// range starts at the first sample. Times remain relative to the first sample of the whole flight.
     pub(crate) fn arc(&self, problem: &FitProblem, samples: Range<usize>) -> Observations {
         let is_first = samples.start == 0;
         let mut arc = self.longer(self, samples);
@@ -260,8 +261,8 @@ fn row<'f>(
     }))
 }
 
-/// Measured positions of the points from which the pose is determined, in one sample: the markers, then the points that
-/// represent pose sensors.
+/// Measured positions of the points from which the pose is determined, in one sample: the markers, then, for each pose
+/// sensor, body-fixed points whose positions follow from the measured pose.
 fn stand_ins(
     problem: &FitProblem,
     flight: &Flight,

@@ -52,9 +52,10 @@ pub struct Prior {
 
 /// Receiver of progress reports of a fit. Methods may be called from any thread.
 pub trait Progress: std::fmt::Debug + Sync {
-    /// Called when a stage starts that processes `flights` flights. A stage may process every flight several times.
+    /// Called when a stage of the fit starts, with its name and the number of flights that it processes. A stage may
+    /// process every flight several times.
     fn stage_started(&self, stage: &str, flights: usize);
-    /// Called when the stage has processed one flight.
+    /// Called when the present stage of the fit has processed one flight.
     fn flight_done(&self);
 }
 

@@ -165,8 +165,8 @@ fn at_zero(points: &[(f64, f64)], space: &mut Vec<f64>) -> f64 {
     median(space)
 }
 
-/// Robust standard deviation of the local residuals of each group of channels, along each axis, m. `group_of` gives the
-/// group of each channel.
+/// Robust standard deviation of the local residuals (differences of residuals from the line through their neighbours)
+/// of each group of channels, along each axis, m. `group_of` gives the group of each channel.
 pub fn group_scales(local_residuals: &Residuals, group_of: &[usize]) -> Vec<[f64; 3]> {
     let groups = group_count(group_of);
     let of_group = |group: usize| {
@@ -181,7 +181,8 @@ pub fn group_scales(local_residuals: &Residuals, group_of: &[usize]) -> Vec<[f64
     }
 }
 
-/// Robust standard deviation along each axis of the local residuals of all channels together, m.
+/// Robust standard deviation along each axis of the local residuals (differences of residuals from the line through
+/// their neighbours) of all channels together, m.
 pub fn robust_scale(local_residuals: &Residuals) -> [f64; 3] {
     let mut sizes = Vec::with_capacity(local_residuals.iter().map(Vec::len).sum());
     [0, 1, 2].map(|axis| {
@@ -192,8 +193,9 @@ pub fn robust_scale(local_residuals: &Residuals) -> [f64; 3] {
     })
 }
 
-/// Standard deviations by which local residuals are judged as outliers, by flight, noise group and axis: the robust
-/// standard deviation of the flight itself (in `own`), or the median over all flights if that is greater.
+/// Standard deviations with which local residuals (differences of residuals from the line through their neighbours) are
+/// compared to find outliers, m, by flight, noise group of channels, and axis: the robust standard deviation of the
+/// flight itself (in `own`), or the median over all flights if that is greater.
 pub fn judged_scales(own: &[Vec<[f64; 3]>]) -> Vec<Vec<[f64; 3]>> {
     let groups = own.first().map_or(0, Vec::len);
     let median_of = |group: usize| {
@@ -211,8 +213,9 @@ pub fn judged_scales(own: &[Vec<[f64; 3]>]) -> Vec<Vec<[f64; 3]>> {
     own.iter().map(of_flight).collect()
 }
 
-/// Values that are outliers for the standard deviations `scales`, m, of the noise groups: their indices `sample *
-/// channels + channel` as in `Observations::outlier`, and their local residuals, m.
+/// Values that are outliers for the standard deviations `scales`, m, of the local residuals (differences of residuals
+/// from the line through their neighbours) by noise group: their indices `sample * channels + channel` as in
+/// `Observations::outlier`, and their local residuals, m.
 pub fn outlier_candidates(
     local_residuals: &Residuals,
     scales: &[[f64; 3]],
@@ -233,13 +236,15 @@ pub fn outlier_candidates(
     outlier_candidates
 }
 
-/// Whether a value with this local residual (m) is an outlier, for the standard deviations `scale` (m) along the axes.
+/// Whether a value is an outlier, given its local residual (difference of its residual from the line through the
+/// neighbouring residuals), m, and the standard deviations `scale` (m) of local residuals along the axes.
 pub fn is_outlier(local_residual: &[f64; 3], scale: [f64; 3]) -> bool {
     (0..3).any(|axis| local_residual[axis].abs() > OUTLIER_LIMIT * scale[axis])
 }
 
-/// Outlier flags for the standard deviations `scales`, m, of the noise groups, indexed by `sample * channels + channel`
-/// as in `Observations::outlier`.
+/// Outlier flags, indexed by `sample * channels + channel` as in `Observations::outlier`, for the local residuals
+/// (differences of residuals from the line through their neighbours) and their standard deviations `scales`, m, by
+/// noise group.
 pub fn outlier_mask(
     local_residuals: &Residuals,
     scales: &[[f64; 3]],

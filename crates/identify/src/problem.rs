@@ -22,7 +22,8 @@ pub use global_parameters::GlobalParameter;
 /// Standard deviation of one coordinate, m, assumed initially if the samples do not determine it.
 const DEFAULT_SIGMA0: f64 = 1e-3;
 
-/// Ratio of residuals to measurement noise above which a fit is considered a misfit.
+/// Ratio of the residuals to the measurement noise, above which the model is considered wrong or the minimum a local
+/// one.
 const MISFIT_RATIO: f64 = 3.0;
 
 /// A model with the data and options of a fit: measured channels, known parameters and global parameters to be
@@ -34,9 +35,10 @@ pub struct FitProblem {
     /// The compiled model, with its equations of motion and the measurement equation of a point.
     pub body: Arc<CompiledModel>,
     /// Positions of the points from which the pose is determined, in the frame in which markers are fixed, m: the
-    /// markers and, if these do not determine the attitude, points that represent the pose sensors.
+    /// markers and, if these do not determine the attitude, body-fixed points whose positions follow from the pose that
+    /// a sensor measures.
     pub markers: Vec<[f64; 3]>,
-    /// Measurement channels, each with its residuals: the markers, then the channels of the sensors.
+    /// Measurement channels: the markers, then the channels of the sensors. Each channel has its own residuals.
     pub channels: Vec<Channel>,
     /// For each kind of instrument among the sensors, the compiled model whose measurement equation is the quantity
     /// that it measures.
@@ -165,7 +167,8 @@ impl FitProblem {
         channels.all(|channel| matches!(channel.kind, ChannelKind::Marker(_)))
     }
 
-    /// Whether the pose is determined from markers only, not from points that represent a pose sensor.
+    /// Whether the pose is determined from markers only, without body-fixed points whose positions follow from the pose
+    /// that a pose sensor measures.
     pub(crate) fn is_shown_by_markers(&self) -> bool {
         let markers = self.channels.iter();
         let markers = markers.filter(|channel| matches!(channel.kind, ChannelKind::Marker(_)));
@@ -263,7 +266,8 @@ impl FitProblem {
         }
     }
 
-    /// Returns an error if only some components of a quaternion are known, as its norm would then differ from 1.
+    /// Returns an error if only some components of a quaternion are known, because these and the default values of
+    /// the others together would in general not have norm 1.
     fn check_quaternions(&self, known: &[(StateId, f64)]) -> Result<(), FlightError> {
         let is_known = |state: &usize| known.iter().any(|(id, _)| id.index() == *state);
         let names = &self.body.layout().states;

@@ -31,13 +31,14 @@ const LEVER: (&str, [&str; 3]) = (
 /// body.
 const UNKNOWN: f64 = 0.1;
 
-/// A model and a dataset without unknown positions, origin or vertical: effects of the model describe these instead.
+/// A model and a dataset without unknown sensor positions, origin or vertical direction: effects of the model with
+/// estimated coefficients describe these instead.
 pub struct Resolved<'d> {
     /// The model, with a quantity for each kind of instrument of the dataset and with an effect for each unknown of the
     /// dataset.
     pub model: Model,
-    /// The dataset, with its positions, origin and vertical marked as known, because the effects in the model describe
-    /// them.
+    /// The dataset, with its sensor positions, origin and vertical direction marked as known, because effects in the
+    /// model describe them.
     pub dataset: Cow<'d, Dataset>,
     /// Priors of the fit options and of the unknowns of the dataset.
     pub priors: Vec<Prior>,
@@ -85,8 +86,8 @@ impl Resolved<'_> {
     }
 }
 
-/// Adds to the model an effect for each unknown of the dataset: positions of sensors, origin, direction of the
-/// vertical.
+/// Adds to the model an effect for each unknown of the dataset: sensor positions, origin of the markers' positions on
+/// the body, direction of the vertical.
 ///
 /// # Errors
 /// [`FitError::Sensor`] if a sensor or an uncertain origin does not fit the model; the errors of [`fit`](fn@fit) if no

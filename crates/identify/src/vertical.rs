@@ -2,20 +2,21 @@
 
 use model_spec::model::Model;
 
-/// Name of the effect that rotates the measured axes so that the vertical direction can be estimated.
+/// Name of the effect that rotates the axes in which positions are measured, so that the vertical direction can be
+/// estimated.
 pub const EFFECT: &str = "unknown_vertical";
 
 /// Names of the coefficients of [`EFFECT`], which are rotation angles, rad: about the x axis, then about the rotated y
 /// axis.
 pub const ANGLES: [&str; 2] = ["vertical_x", "vertical_y"];
 
-/// Whether the model has the effect that rotates the measured axes.
+/// Whether the model includes the effect that rotates the axes in which positions are measured.
 pub(crate) fn is_in(model: &Model) -> bool {
     model.effects.iter().any(|own| own.name == EFFECT)
 }
 
-/// Rotation angles about x and then y, rad, for which the direction `up`, given in the measured axes, is the vertical.
-/// The vector need not be normalised.
+/// Angles by which the measured axes are rotated about x and then y, rad, so that the vector `up`, given in the
+/// measured axes, points upward along the vertical. The vector need not be normalised.
 pub(crate) fn angles([x, y, z]: [f64; 3]) -> [f64; 2] {
     let length = (x * x + y * y + z * z).sqrt();
     // In measured axes the vertical is (-sin b cos a, sin a, cos b cos a).

@@ -80,7 +80,8 @@ pub(crate) trait Primitive:
     }
 }
 
-/// Computes `f(a, b, result)` in each lane: scalar fallback for arguments outside the range of the polynomials.
+/// Returns `f(a, b, result)`, computed lane by lane. Serves as a slow path of elementary functions if some lane's
+/// argument is outside the range of the polynomials; `result` is the result of the polynomials.
 #[cold]
 #[inline(never)]
 pub(crate) fn map_lanes<T: Primitive>(a: T, b: T, result: T, f: fn(f64, f64, f64) -> f64) -> T {

@@ -33,7 +33,7 @@ impl ElementaryFunction {
     }
 }
 
-/// A real number, or one real number per lane: the scalar type of generated code and of the tape.
+/// A real number, or one real number per lane: the scalar type of generated code and of the bytecode interpreter.
 ///
 /// Contraction is explicit: only [`mul_add`](Real::mul_add), [`mul_sub`](Real::mul_sub) and
 /// [`neg_mul_add`](Real::neg_mul_add) may be fused, and the compiler contracts no other operation. AVX-512, AVX2 and

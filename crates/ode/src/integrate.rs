@@ -149,7 +149,8 @@ pub fn integrate_at<D: OdeRhs>(
 /// Integrates to the last of `times` and calls `callback` with the index of each output time and the state at that
 /// time.
 ///
-/// Only the state components in `ranges` are computed. If the integration fails, discard the results of earlier calls.
+/// Only the state components in `ranges` are computed; other components of the state that `callback` receives
+/// are not valid. If the integration fails, `callback` may already have been called for some of the output times.
 ///
 /// # Errors
 /// [`IntegrationError`] if the integration fails; its `cause` is the return code.

@@ -14,8 +14,8 @@ use crate::step_control::{PiGains, PiMemory, initial_step};
 /// Minimum step size as a fraction of the largest absolute time of the integration.
 pub(crate) const MIN_RELATIVE_STEP: f64 = 1e-14;
 
-/// Relative slack of the final step: a step that ends within this fraction of the remaining time before the final time
-/// is extended to the final time, which avoids a tiny last step.
+/// Relative slack of the final step: a step whose size is within this fraction of the time remaining until the final
+/// time is extended to the final time, which avoids a tiny last step.
 pub(crate) const FINAL_STEP_SLACK: f64 = 1e-10;
 
 /// Final time and state of an integration.
@@ -251,8 +251,9 @@ impl<'s, 'e, D: OdeRhs, O: StepObserver, S: Stepper<D::State>> Solver<'s, 'e, D,
         error
     }
 
-    /// Passes an accepted step to the events and the observer. Returns (time, event index) of a terminal event and
-    /// leaves the state at that event in `scratch`; `None` if the integration continues.
+    /// Records the events in an accepted step, and passes the dense output of the step to the observer if needed.
+    /// Returns the (time, event index) of a terminal event, with the state at that event in `scratch`; `None` if the
+    /// integration continues.
     #[inline]
     fn handle_step(&mut self, end: StepEnd) -> Result<Option<(f64, usize)>, IntegrationError> {
         let (t, h) = (self.t, end.h);

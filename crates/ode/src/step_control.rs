@@ -6,8 +6,8 @@ use crate::rhs::OdeRhs;
 /// Safety factor on the predicted step size, so that the next step rarely fails the error test.
 const SAFETY: f64 = 0.9;
 
-/// Lower bound on the error norm that the controller stores for an accepted step, so that a nearly exact step does not
-/// inflate the next ones.
+/// Lower bound on the error norm of an accepted step that the controller stores for the next update of the step size.
+/// Without this bound, a nearly zero error norm would make the updated step size too small.
 const MIN_REMEMBERED_ERROR: f64 = 1e-4;
 
 /// Constants of a proportional-integral step-size controller (Hairer & Wanner, IV.2), which computes the next step size
@@ -63,8 +63,8 @@ impl PiGains {
         (factor, memory)
     }
 
-    /// Returns the ratio of the retried step size to the rejected one, and forbids growth of the step after the retry.
-    /// `error` is the error norm of the rejected step, above 1 or not finite.
+    /// Returns the ratio of the retried step size to the rejected one, and limits the step after the retry to the size
+    /// of the retried step. `error` is the error norm of the rejected step, above 1 or not finite.
     #[cold]
     pub(crate) fn after_rejected(&self, memory: &mut PiMemory, error: f64) -> f64 {
         memory.max_factor = 1.0;

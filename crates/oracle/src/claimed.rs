@@ -11,8 +11,8 @@ use crate::tree::Tree;
 use model_spec::model::{ClaimedAttitude, ClaimedRotation};
 use nalgebra::{Matrix3, Vector3};
 
-/// Quantities at a point, in inertial components, of the body that a model claims to describe. The claim states mass,
-/// motion and loads of a body whose laws of motion the model's equations should satisfy.
+/// Mass, motion and loads, at one point, of the body that a model with stated equations claims to describe; vectors are
+/// in inertial components. The model's equations should satisfy the laws of motion of this body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ClaimedBody<T> {
     /// Mass, kg.
@@ -73,9 +73,10 @@ impl BalanceLaw {
 pub struct Balance<T> {
     /// Law of motion whose sides are given.
     pub law: BalanceLaw,
-    /// Left-hand side: rate of change of the position, an axis, the momentum or the angular momentum, in SI units.
+    /// Left-hand side of the law of motion: rate of change of the position, an axis, the momentum or the angular
+    /// momentum, in SI units.
     pub change: Vector3<T>,
-    /// Right-hand side: cause of the change, such as the force, in SI units.
+    /// Right-hand side of the law of motion: the cause of the change, such as the force, in SI units.
     pub cause: Vector3<T>,
 }
 

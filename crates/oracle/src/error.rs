@@ -2,7 +2,8 @@
 
 use thiserror::Error;
 
-/// Reason why a reference implementation cannot be bound to the names of a model.
+/// Reason why the reference implementation of a law of motion or of an effect cannot be applied to a model, whose names
+/// it uses.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum BindError {
     /// No reference implementation has the name given after `reference`.

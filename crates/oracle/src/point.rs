@@ -13,7 +13,7 @@ pub struct Point<T> {
     pub params: Vec<T>,
     /// Values of [`Model::coefficients`].
     pub coefficients: Vec<T>,
-    /// Components of [`Model::inputs`], each in its own frame.
+    /// Values of [`Model::inputs`], each by its components in the frame in which the model declares it.
     pub inputs: Vec<Vector3<T>>,
     /// Values of [`Model::states`].
     pub states: Vec<T>,

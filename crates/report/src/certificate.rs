@@ -2,21 +2,23 @@
 
 use serde::Serialize;
 
-/// Verification status of a report's model, according to a certificate.
+/// Verification status of the model of a report, according to the certificate file of the verification.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct CertificateNote {
     /// File name of the certificate; `None` if the model has no certificate.
     pub file: Option<String>,
-    /// Whether the certificate is valid for the model: it covers the model, and nothing that it covers has changed.
+    /// Whether the certificate is valid: it covers the model, and none of the inputs that it records (such as model
+    /// source, options and versions) has changed since it was written.
     pub stands: bool,
     /// Outcome that the certificate records for the model: `verified`, `not verified` or `refuted`; `None` if the
     /// certificate does not cover the model.
     pub outcome: Option<String>,
-    /// Names of the inputs that have changed since the certificate was written.
+    /// Names of the inputs recorded in the certificate, such as model source, options or versions, that have changed
+    /// since it was written.
     pub changes: Vec<String>,
 }
 
-/// Maximum number of changed inputs that [`CertificateNote::sentence`] lists.
+/// Maximum number of changed inputs of the verification that [`CertificateNote::sentence`] lists.
 const LISTED: usize = 3;
 
 impl CertificateNote {
@@ -35,7 +37,8 @@ impl CertificateNote {
         }
     }
 
-    /// Note for a certificate that is not valid because of the given changes.
+    /// Note for a certificate that is not valid because the recorded inputs in `changes` have changed since it was
+    /// written.
     pub fn changed(file: String, outcome: Option<String>, changes: Vec<String>) -> Self {
         Self {
             file: Some(file),

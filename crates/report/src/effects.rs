@@ -8,7 +8,7 @@ use model_spec::load::{LoadError, MODELS, load};
 use model_spec::model::{AppliedEffect, Model};
 use model_spec::with_unit;
 
-/// Effect of the catalogue, with the models to which it applies.
+/// An effect, built in or declared in a model file, with the models to which it applies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Listed {
     /// Name of the effect, with underscores.
@@ -44,8 +44,8 @@ pub struct Part {
     pub unit: String,
     /// Null value, formatted: the value at which the effect is absent.
     pub null_value: String,
-    /// Smallest effect size of interest, formatted: smaller departures from the null value are negligible. `None` if
-    /// not declared.
+    /// Smallest effect size of interest, formatted: a smaller difference from the null value is negligible. `None` if
+    /// the effect declares none.
     pub negligible: Option<String>,
     /// Whether there is one value for each flight instead of one for all flights.
     pub of_each_flight: bool,
@@ -178,8 +178,8 @@ fn sentence(doc: &str) -> String {
     words[..end.map_or(words.len(), |end| end + 1)].join(" ")
 }
 
-/// Renders the catalogue page in Markdown. If `model` is given, the introduction names it. `not_offered` are listed
-/// with their reasons at the end.
+/// Renders the list of effects as a Markdown page. If `model` is given, the introduction names it. `not_offered` are
+/// listed with their reasons at the end.
 pub fn page(effects: &[Listed], model: Option<&str>, not_offered: &[NotOffered]) -> String {
     let mut page = String::from("# The effects\n\n");
     match model {

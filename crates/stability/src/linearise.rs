@@ -76,7 +76,7 @@ impl Body {
 
 /// A rigid body bound to parameter values.
 pub struct BoundBody<'b> {
-    /// The rigid body without parameter values.
+    /// The rigid body, not bound to parameter values.
     pub body: &'b Body,
     bound: BoundModel<'b>,
     /// Parameter values, in the order of the model's layout ([`CompiledModel::layout`]).
@@ -189,8 +189,8 @@ impl BoundBody<'_> {
         })
     }
 
-    /// Acceleration (m/s²) and angular acceleration (rad/s²) in inertial axes at a state; `None` if they are not
-    /// finite.
+    /// Acceleration of the mass centre (m/s²) and angular acceleration of the body (rad/s²) in inertial axes at a state
+    /// of the model; `None` if a component is not finite.
     pub fn accelerations(&self, state: &[f64]) -> Option<(Vector3<f64>, Vector3<f64>)> {
         let mut f: Box<[f64]> = vec![0.0; state.len()].into();
         self.bound.rhs().derivative(0.0, &state.into(), &mut f);

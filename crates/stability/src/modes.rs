@@ -88,8 +88,9 @@ pub struct Modes {
     pub modes: Vec<Mode>,
     /// Names of the coordinates on which no rate of change depends; they are removed from the linearised system.
     pub ignorable: Vec<&'static str>,
-    /// Whether the rotation about the body's axis is ignorable, as for a body of revolution. Otherwise the linearised
-    /// motion of a spinning body changes within every turn, and eigenvalues at an instant have little meaning.
+    /// Whether no rate of change depends on the rotation angle about the body's axis, as for a body of revolution.
+    /// Otherwise the linearised motion of a spinning body changes within every turn, and eigenvalues at an instant have
+    /// little meaning.
     pub is_symmetric: bool,
 }
 

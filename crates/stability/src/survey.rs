@@ -11,9 +11,9 @@ use crate::modes::{Modes, modes};
 /// Modes and stability criteria of a body at one instant of a flight.
 #[derive(Clone, Debug)]
 pub struct Instant {
-    /// Time in the flight, s; 0 for a release.
+    /// Time since release, s.
     pub time: f64,
-    /// Motion of the body at this instant, in the form of a throw.
+    /// Motion of the body at this instant, expressed by the quantities of a throw, such as speed, angles and spin.
     pub throw: Throw,
     /// Modes of the motion linearised about the state of the body at this instant.
     pub modes: Modes,

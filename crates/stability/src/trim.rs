@@ -17,7 +17,7 @@ use crate::linearise::{BoundBody, Linearised, StabilityError};
 pub struct Trim {
     /// State of the model in the steady flight, with the mass centre above the origin at the default height of a throw.
     pub state: Vec<f64>,
-    /// Motion of the body in the steady flight, in the form of a throw.
+    /// Motion of the body in the steady flight, expressed by the quantities of a throw, such as speed, angles and spin.
     pub throw: Throw,
     /// Rate of change of the heading, positive to the left, rad/s; 0 in straight flight.
     pub turn: f64,

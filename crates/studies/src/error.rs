@@ -34,18 +34,18 @@ pub enum StudyError {
         /// Description of the missing part.
         expected: String,
     },
-    /// A built-in model, effect or release lacks an expected name.
+    /// A built-in model, effect or collection does not contain an expected name.
     #[error("the built-in {of} has no {name}")]
     Name {
-        /// Model or collection that lacks the name.
+        /// Model or collection in which the name was looked up.
         of: &'static str,
-        /// Name that was looked up.
+        /// Name that was not found in `of`.
         name: String,
     },
     /// A model or an effect cannot be loaded.
     #[error(transparent)]
     Model(#[from] model_spec::load::LoadError),
-    /// A release file of the paper cannot be parsed.
+    /// A built-in file with the launch conditions (release) of one of the paper's flights cannot be parsed.
     #[error(transparent)]
     Release(#[from] flight::release::ReleaseError),
     /// A dataset cannot be read.
@@ -60,7 +60,7 @@ pub enum StudyError {
     /// A throw cannot be simulated.
     #[error(transparent)]
     Throw(#[from] design::ThrowFlightError),
-    /// The search for a throw cannot be set up or fails.
+    /// The search for launch conditions with a desired flight cannot be set up or fails.
     #[error(transparent)]
     Design(#[from] design::DesignError),
     /// The template of a page cannot be rendered with the results.

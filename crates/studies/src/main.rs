@@ -161,15 +161,15 @@ fn spoiled_datasets(options: &cli::Runs) -> anyhow::Result<Page> {
     Ok(spoiled_page(&runs, cuts)?)
 }
 
-/// Section on truncation at ground contact: fits `datasets` datasets of flights that touch nothing, and a quarter as
-/// many of flights that bounce.
+/// Section on truncation at ground contact: fits `datasets` datasets of flights without ground contact, and a quarter
+/// as many datasets of flights that bounce.
 fn cut_section(datasets: u64, threads: usize) -> CutSection {
     let free = free_flights(datasets as usize, threads, &report_progress);
     let bounces = bounces(datasets.div_ceil(4) as usize, threads, &report_progress);
     CutSection::new(&free, &bounces)
 }
 
-/// Runs the plan of the discovery study. Prints a line for each run if `--details` is given.
+/// Executes the runs of all rows of the discovery study. Prints a line for each run if `--details` is given.
 fn discovery(options: cli::Discovery) -> anyhow::Result<(Page, Option<PathBuf>)> {
     let cli::Discovery {
         runs: options,

@@ -15,10 +15,10 @@ pub enum SweepError {
     /// The plan has faults; the message lists all of them.
     #[error(transparent)]
     Plan(#[from] ReleaseError),
-    /// The model cannot have the throw that `[throw]` of the plan states.
+    /// No state of the model has the motion that the table `[throw]` of the plan specifies.
     #[error(transparent)]
     Throw(#[from] ThrowError),
-    /// The plan flies until the ground, but the model has no height state `z`.
+    /// The plan requires flights that end at the ground, but the model has no height state `z`.
     #[error(
         "the model {model} has no state z, whose fall to 0 is the landing; expected a plan with duration = … (s)"
     )]
@@ -26,7 +26,7 @@ pub enum SweepError {
         /// Name of the model.
         model: String,
     },
-    /// The output folder cannot hold the results of this sweep.
+    /// The output folder cannot be used, for example because it holds the results of another computation.
     #[error(transparent)]
     Folder(#[from] FolderError),
     /// A Parquet or CSV table of flights cannot be read or written.

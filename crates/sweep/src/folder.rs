@@ -22,7 +22,8 @@ const SUMMARY: &str = "summary.json";
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum FolderError {
-    /// The folder holds parts or results of another computation: the fingerprints differ.
+    /// The folder holds parts or results of another computation: the fingerprint in the folder (a hash of all inputs)
+    /// differs from that of this computation.
     #[error(
         "{} holds parts or results of other inputs, another model or machine; expected a new or empty folder, or the same inputs to go on",
         path.display()

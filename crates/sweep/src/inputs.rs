@@ -47,8 +47,8 @@ impl InputModel {
         })
     }
 
-    /// Parameters of the plan's release, in the order of the model's layout; the axes of the plan overwrite some of
-    /// them per flight.
+    /// Parameters of the plan's release (launch conditions), in the order of the model's layout; each flight replaces
+    /// those that the plan varies.
     pub(crate) fn parameters(&self) -> &[f64] {
         &self.p
     }

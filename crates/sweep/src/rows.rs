@@ -48,7 +48,7 @@ pub struct Column {
 /// Table of the flights of one part of a sweep, a block of consecutive flights.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rows {
-    /// Number of the first flight; the flights of the part are consecutive.
+    /// Number of the first flight in the table; the flights of a table have consecutive numbers.
     pub first: u64,
     /// Numeric columns: the inputs that vary, then the results.
     pub columns: Vec<Column>,
@@ -123,7 +123,8 @@ impl FlightQueue for Part<'_, '_> {
 }
 
 impl Flier<'_> {
-    /// Integrates the flights of part number `part` and returns their table.
+    /// Simulates the flights of part number `part` of the sweep, a block of consecutive flights, and returns their
+    /// table.
     pub(crate) fn fly(&self, part: u64) -> Rows {
         let plan = self.plan;
         let first = part * plan.part_len();

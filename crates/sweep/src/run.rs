@@ -135,7 +135,7 @@ pub fn run(
     finish(&folder, plan, options, json).map(Some)
 }
 
-/// Removes the files of the parts, writes the CSV if requested, and returns the summary.
+/// Finishes a completed sweep: removes the files of the parts, writes the CSV if requested, and returns `summary`.
 fn finish(
     folder: &PartsFolder,
     plan: &Plan,

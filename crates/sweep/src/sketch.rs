@@ -1,10 +1,10 @@
 //! Quantiles of a stream of values from counts in logarithmic bins (Masson, Rim & Lee, "DDSketch", PVLDB 12, 2019).
 //! Counts add up, so the result does not depend on the order of the values or on how they are divided into parts.
 
-/// Maximum relative error of a quantile.
+/// Maximum relative error of a quantile that is estimated from a [`Sketch`].
 pub(crate) const ACCURACY: f64 = 1e-4;
-/// Smallest magnitude that the bins resolve; smaller nonzero magnitudes are counted in the bin nearest to zero of their
-/// sign.
+/// Smallest magnitude that the bins resolve. Smaller nonzero magnitudes are counted in the bin of their sign that is
+/// nearest to zero.
 const LEAST: f64 = 1e-9;
 /// Maximum bin number, which counts all magnitudes of about 1e12 and above; together with [`LEAST`] it limits the
 /// number of bins and thus the memory.

@@ -10,7 +10,7 @@ use crate::unit::LengthUnit;
 const FARTHEST: f64 = 1e4;
 /// Maximum of the number of samples times the number of points and bodies; bounds the memory used.
 const MOST: usize = 1 << 23;
-/// Maximum number of points and bodies of a take.
+/// Maximum number of points and bodies in a recording.
 pub(crate) const MOST_LABELS: usize = 4096;
 /// Maximum deviation of a quaternion's norm from 1, and of the scalar products of a matrix's columns from those of a
 /// rotation matrix.
@@ -51,7 +51,7 @@ pub(crate) struct Layout {
 }
 
 impl Layout {
-    /// Reads the rows of the sheet from the current one to the end of the file, or to the first row for which `ends`
+    /// Reads the rows of the table from the current one to the end of the file, or to the first row for which `ends`
     /// returns true.
     pub fn samples(
         self,
@@ -130,8 +130,8 @@ impl Layout {
         Ok(take)
     }
 
-    /// Whether the current row has all its cells. Returns false and adds a note for a truncated last row; any other
-    /// wrong number of cells is an error.
+    /// Whether the current row has at least as many cells as the table has columns. Returns false and adds a note if
+    /// the last row of the file is truncated; any other wrong number of cells is an error.
     fn is_whole(&self, sheet: &Sheet<'_>, notes: &mut Vec<String>) -> Result<bool, Fault> {
         let (found, filled) = (sheet.width(), sheet.filled());
         if found < self.width {
@@ -305,7 +305,7 @@ fn of_matrix(m: &[f64; 9]) -> [f64; 4] {
     q.map(|x| x / norm)
 }
 
-/// Makes the labels of a take unique: a second `a` becomes `a#2`, and a note is added.
+/// Makes the labels of the points and bodies of a recording unique: a second `a` becomes `a#2`, and a note is added.
 pub(crate) fn unique(take: &mut Take) {
     let mut seen = std::collections::BTreeSet::new();
     let points = take.points.iter_mut().map(|point| &mut point.label);

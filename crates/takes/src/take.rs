@@ -15,7 +15,8 @@ pub struct Take {
     pub points: Vec<Point>,
     /// Tracked rigid bodies, each with its poses.
     pub bodies: Vec<Body>,
-    /// Unit of the coordinates in the file, stated by the file or an option; the coordinates of the take are in m.
+    /// Unit of the coordinates in the file, stated by the file or an option; the coordinates in this structure are in
+    /// m.
     pub length: LengthUnit,
     /// Axis that points up; `None` if the file does not state it.
     pub up: Option<Axis>,
@@ -28,7 +29,7 @@ pub struct Take {
 /// A tracked point and its trajectory.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
-    /// Label of the point in the file, made unique within the take.
+    /// Label of the point in the file, made unique among all labels of the recording.
     pub label: String,
     /// Position at each sample, m; `None` where the point was not seen.
     pub positions: Vec<Option<[f64; 3]>>,
@@ -37,7 +38,7 @@ pub struct Point {
 /// A tracked rigid body and its poses over time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
-    /// Label of the body in the file, made unique within the take.
+    /// Label of the body in the file, made unique among all labels of the recording.
     pub label: String,
     /// Pose at each sample; `None` where the body was not seen.
     pub poses: Vec<Option<Pose>>,
@@ -46,7 +47,7 @@ pub struct Body {
 /// Position and attitude of a rigid body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
-    /// Position of the body's origin along the axes of the take, m.
+    /// Position of the origin of the body-fixed axes along the axes of the recording, m.
     pub position: [f64; 3],
     /// Unit quaternion w, x, y, z of the rotation from the body's axes to those of the room.
     pub quaternion: [f64; 4],

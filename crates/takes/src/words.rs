@@ -1,11 +1,11 @@
 //! Formatting of external text for error messages: escaped and truncated, long lists shortened.
 
-/// Maximum length of an external text in a message, characters; longer texts are truncated.
+/// Maximum length of a text from an input file in a message, characters; longer texts are truncated.
 const LONGEST: usize = 40;
 /// Maximum number of names listed in a message.
 const MOST: usize = 12;
 
-/// Quotes and escapes an external text for a message, and truncates it to a bounded length.
+/// Quotes and escapes a text from an input file for a message, and truncates it to a bounded length.
 pub fn shown(text: &str) -> String {
     if text.chars().count() <= LONGEST {
         return format!("{text:?}");

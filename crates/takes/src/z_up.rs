@@ -5,9 +5,9 @@ use crate::quaternion::product;
 use crate::take::{Pose, Take};
 
 impl Take {
-    /// Converts the take to right-handed axes with z up; `up` is the axis of the file that points up. If the axes of
-    /// the file are `left_handed`, the second horizontal axis is mirrored, and so is the second axis of each body's own
-    /// frame.
+    /// Converts the recording to right-handed axes with z up; `up` is the axis of the file that points up. If the axes
+    /// of the file are `left_handed`, the second horizontal axis is mirrored, and so is the second axis of the
+    /// body-fixed axes of each body.
     pub fn with_z_up(mut self, up: Axis, left_handed: bool) -> Self {
         let changed = |position: [f64; 3]| up.upright(left_handed, position);
         for position in self

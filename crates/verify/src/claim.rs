@@ -7,13 +7,12 @@ use nalgebra::Vector3;
 use oracle::scalar::{Dual, ErrorBound, Field};
 use oracle::{ClaimedBody, Point, Tree, derivatives_of, moving};
 
-/// Dual numbers along the motion: a value and its derivative with respect to the time of flight, each with a bound of
-/// the rounding error.
+/// A value and its derivative with respect to the time of flight, each with a bound of the rounding error.
 pub type Bounded = Dual<ErrorBound>;
 
-/// Claimed body at a point, with the derivatives of its quantities along the motion that the equations under test give;
-/// `None` if the model claims no body or its equations cannot be evaluated. The error bounds of the rates come from the
-/// terms of the model's vector expressions.
+/// Quantities of the claimed body at a point, with their time derivatives according to the equations under test. `None`
+/// if the model claims no body or its equations cannot be evaluated. The error bounds of the derivatives are computed
+/// from the terms of the model's vector expressions.
 pub fn along(subject: &Subject<'_>, point: &Point<f64>) -> Option<ClaimedBody<Bounded>> {
     subject.model.claim.as_ref()?;
     let lifted = point.lift::<ErrorBound>();
@@ -50,7 +49,7 @@ pub fn see(
     }
 }
 
-/// Absolute value of a difference, relative to the sum of the magnitudes of the terms; infinite if the result is NaN.
+/// Absolute value of a difference, relative to the sum of the magnitudes of its terms; infinite if the quotient is NaN.
 pub fn relative(difference: ErrorBound) -> f64 {
     if difference.value == 0.0 {
         return 0.0;

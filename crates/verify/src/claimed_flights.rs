@@ -120,8 +120,8 @@ fn body(subject: &Subject<'_>, point: &Point<f64>) -> Option<ClaimedBody<f64>> {
     ClaimedBody::of(&Tree::new(subject.model, point))
 }
 
-/// Whether the loads at the start (`before`) and at the end (`after`) of a flight are a constant force without a
-/// moment, so that the work of the force is F·Δr.
+/// Whether the load at the start (`before`) and at the end (`after`) of a flight is the same force F without a moment.
+/// The work of the force is then F·Δr.
 fn acts_alike(before: &ClaimedBody<f64>, after: &ClaimedBody<f64>) -> bool {
     let moment = |body: &ClaimedBody<f64>| body.turning.map_or(0.0, |t| t.moment.norm());
     let size = before.force.norm() + after.force.norm();
@@ -155,9 +155,8 @@ fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     })
 }
 
-/// Integrates the longest of four flights of at most [`DURATION`] that stays within the validity limits of the model.
-/// Returns the final point and the ten time integrals of [`fly_with_sums`]; `None` if even the shortest flight leaves
-/// the limits.
+/// Integrates flights of 1, 0.3, 0.1 and 0.03 times [`DURATION`] until one ends within the validity limits of the
+/// model. Returns its final point and the ten time integrals of [`fly_with_sums`]; `None` if none of the four does.
 fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Option<(Point<f64>, Vec<f64>)> {
     if !is_valid(subject.model, from) {
         return None;

@@ -20,7 +20,8 @@ pub struct Engine {
     observe_layout: Entries,
 }
 
-/// Positions (row, column), in the dense Jacobian, of the entries of a function's sparse Jacobians.
+/// Positions (row, column), in the dense Jacobian, of the entries of the sparse Jacobians that a compiled function
+/// computes.
 #[derive(Clone, Debug, Default)]
 pub struct Entries {
     rows: usize,
@@ -29,8 +30,8 @@ pub struct Entries {
 }
 
 impl Entries {
-    /// Entries of a function whose outputs are the section `value`, followed by the Jacobian blocks `sections`: (name,
-    /// number of columns).
+    /// Positions of the Jacobian entries of a function. The outputs of the function are the section `value`, followed
+    /// by the sparse Jacobians `sections` (name, number of columns of the dense matrix).
     pub fn of(function: &Function, value: &str, sections: &[(&str, usize)]) -> Self {
         let rows = function.range(value).len();
         let mut places = Vec::new();

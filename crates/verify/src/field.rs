@@ -16,8 +16,8 @@ use std::f64::consts::PI;
 /// An angle and its (sine, cosine), as elements of the prime field.
 pub type Angle = (Prime, (Prime, Prime));
 
-/// Maximum integer multiple for which sine and cosine are derived by addition formulas, from an angle whose sine and
-/// cosine exist in the field.
+/// Maximum n for which sine and cosine of n·α are derived by the addition formulas from an angle α with given sine and
+/// cosine.
 const MULTIPLES: usize = 4;
 
 /// Evaluator of programs at a point of the prime field.
@@ -28,13 +28,15 @@ pub struct Machine<'a> {
     /// Results of the program `prepare`, which computes values that depend on parameters only; `None` for a result that
     /// has no value in the field.
     pub prepared: Vec<Option<Prime>>,
-    /// Whether functions that are not rational, such as exp, have symbols as values. If false, they have no value.
+    /// Whether the value of a function that is not rational, such as exp, is a pseudo-random element that depends on
+    /// function and argument. If false, such a function has no value.
     symbols: bool,
 }
 
 impl<'a> Machine<'a> {
-    /// Creates an evaluator at a point; `circles` contains (sine, cosine) of each state. `symbols`: whether functions
-    /// that are not rational, such as exp, have symbols as values; otherwise they have no value.
+    /// Creates an evaluator at a point; `circles` contains (sine, cosine) of each state. `symbols`: whether the value
+    /// of a function that is not rational, such as exp, is a pseudo-random element that depends on function and
+    /// argument; if false, such a function has no value.
     pub fn new(point: &'a Point<Prime>, circles: &'a [(Prime, Prime)], symbols: bool) -> Self {
         let inputs = point.inputs.iter().flat_map(|v| [v.x, v.y, v.z]);
         let parameters = point
@@ -162,8 +164,8 @@ pub fn on_circle(t: Prime) -> (Prime, Prime) {
     )
 }
 
-/// Value in the prime field of a function for which the field has no algebraic relations: a symbol that depends on
-/// function and argument, with the parity of the function.
+/// Value at `a` of a function without algebraic relations in the prime field, such as exp: a pseudo-random element that
+/// depends on function and argument, and is even or odd if the function is.
 pub fn call(function: MathFunction, a: Prime) -> Prime {
     let of_function = MathFunction::ALL.iter().position(|&f| f == function);
     let tag = of_function.map_or(u64::MAX, |k| k as u64);
@@ -174,14 +176,15 @@ pub fn call(function: MathFunction, a: Prime) -> Prime {
     }
 }
 
-/// Value, at `a`, of a table function or of its derivative of the given order: a symbol that depends on the hash
-/// `fingerprint` of the curve.
+/// Value, at `a`, of an interpolated table or of its derivative of the given order: a pseudo-random element of the
+/// prime field that depends on `fingerprint` (hash of the table's curve), `order` and `a`.
 pub fn table(fingerprint: u64, order: u8, a: Prime) -> Prime {
     symbol(0x100 + u64::from(order), &[Prime::new(fingerprint), a])
 }
 
-/// Value of a numeric literal in the prime field: the rational number that rounds to the literal, else a rational
-/// multiple of the symbol for π, else a symbol that depends on the literal's bits.
+/// Element of the prime field for a numeric literal: the rational number that rounds to the literal, else a rational
+/// multiple of the pseudo-random element that represents π, else a pseudo-random element that depends on the literal's
+/// bits.
 pub fn literal(c: f64) -> Prime {
     let number = |c: f64| symbol(3, &[Prime::new(c.to_bits())]);
     constant(c)
@@ -189,12 +192,14 @@ pub fn literal(c: f64) -> Prime {
         .unwrap_or_else(|| number(c))
 }
 
-/// Whether a literal is represented as a rational number or a rational multiple of π, rather than by a separate symbol.
+/// Whether [`literal`] represents a literal as a rational number or a rational multiple of π, rather than by a
+/// pseudo-random element of the prime field.
 pub fn is_exact(c: f64) -> bool {
     constant(c).or_else(|| multiple_of_pi(c)).is_some()
 }
 
-/// Rational number with a denominator up to 360 whose product with π rounds to `c`; `None` if there is none.
+/// Element of the prime field for the rational number n/d, d at most 360, whose product with π is `c` up to rounding;
+/// `None` if there is no such number.
 fn multiple_of_pi(c: f64) -> Option<Prime> {
     (1..=360).find_map(|d| {
         let n = (c / PI * f64::from(d)).round();
@@ -205,7 +210,8 @@ fn multiple_of_pi(c: f64) -> Option<Prime> {
     })
 }
 
-/// Rational number that rounds to `c`, with a denominator up to 1000 or a power of ten; `None` if there is none.
+/// Element of the prime field for the rational number n/d that rounds to `c`, where d is at most 1000 or a power of ten
+/// up to 1e15; `None` if there is no such number.
 fn constant(c: f64) -> Option<Prime> {
     let decimals = (4..=15).map(|k| 10_i64.pow(k));
     (1..=1000).chain(decimals).find_map(|d| {
@@ -214,7 +220,8 @@ fn constant(c: f64) -> Option<Prime> {
     })
 }
 
-/// Square root of `a` that is itself a square; `None` if `a` is not a square.
+/// Square root of `a` in the prime field. Of the two roots ±r, the one that is itself a square is returned; `None` if
+/// `a` has no root.
 pub fn root(a: Prime) -> Option<Prime> {
     let root = power(a, PRIME.div_ceil(4));
     (root * root == a).then_some(root)
@@ -232,8 +239,9 @@ fn power(a: Prime, mut exponent: u64) -> Prime {
     product
 }
 
-/// Symbol for atan2(y, x), with its (sine, cosine). It is odd in y and independent of scale. `None` if x² + y² is not a
-/// square.
+/// Angle atan2(y, x) as a pseudo-random element of the prime field that depends on its sine and cosine, and this (sine,
+/// cosine). The angle is odd in y and does not change if x and y are scaled together. `None` if x² + y² has no square
+/// root in the field.
 pub fn angle(y: Prime, x: Prime) -> Option<Angle> {
     let length = root(x * x + y * y)?.inverse();
     let (sine, cosine) = (y * length, x * length);
@@ -264,15 +272,16 @@ fn odd(function: u64, a: Prime) -> Prime {
     symbol(function, &[a]) * sign
 }
 
-/// Symbolic (sine, cosine) of an angle that is not a small multiple of an angle whose sine and cosine exist in the
-/// field. The sine is odd.
+/// Pseudo-random point (sine, cosine) of the unit circle that depends on the angle `a`, for an angle unrelated to those
+/// whose sine and cosine are already given. The sine is odd in `a`.
 pub fn circle(a: Prime) -> (Prime, Prime) {
     let (a, sign) = least(a);
     let (sine, cosine) = on_circle(symbol(5, &[a]));
     (sine * sign, cosine)
 }
 
-/// The element of {a, −a} with the smaller representative, and the sign that maps it back to a.
+/// The element of {a, −a} with the smaller integer representative, and the factor (1 or −1) whose product with this
+/// element is `a`.
 fn least(a: Prime) -> (Prime, Prime) {
     if (-a).value() < a.value() {
         (-a, -Prime::one())

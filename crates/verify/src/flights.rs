@@ -21,10 +21,11 @@ pub const MOMENTA: &str = "flight: reference in momenta";
 /// Name in reports of the comparison of the flights of two models.
 const FLIGHTS: &str = "flights";
 
-/// Maximum relative difference of two final states; the integration tolerance is 1e-11.
+/// Maximum allowed relative difference in the flight checks, such as that of two final states. The relative tolerance
+/// of the integration is 1e-11.
 pub(crate) const TOLERANCE: f64 = 1e-8;
-/// Reason to skip a model in which recorded time (the time stamps of the measurements) does not advance by 1 s per
-/// second of flight.
+/// Detail of a skipped check, for a model in which recorded time (the time stamps of the measurements) does not advance
+/// by 1 s per second of flight.
 pub(crate) const OWN_CLOCK: &str = "its clock does not keep to the seconds of the flight";
 /// Number of simulated flights per flight check.
 pub(crate) const RELEASES: usize = 3;
@@ -140,9 +141,8 @@ pub fn same_flights(a: &Subject<'_>, b: &Subject<'_>, options: &Options) -> Row 
     Row::judged(FLIGHTS, RELEASES, &worst, TOLERANCE)
 }
 
-/// Whether the loads at the start and at the end of a flight are the same force without a moment. Even without air, a
-/// law written by the model's author may contain other loads, such as the tension of a cord; energy is then not
-/// necessarily conserved.
+/// Whether the load at the start and at the end of a flight is the same force without a moment. The check of energy
+/// requires this. Without air, a model may still contain other loads, such as the tension of a cord.
 fn acts_alike(subject: &Subject<'_>, start: &Point<f64>, end: &Point<f64>) -> bool {
     let (Some((force, moment, _)), Some((later, other, _))) =
         (loads(subject, start), loads(subject, end))
@@ -200,9 +200,9 @@ fn any_release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>>
     Some(point)
 }
 
-/// Removes the air from a point: the parameter `rho` (air density) and all coefficients are set to 0, or to the value
-/// within their bounds that is closest to 0. Coefficients that the reference law does not contain get their null
-/// values.
+/// Changes a point so that no air acts: the parameter `rho` (air density) and all coefficients are set to 0, or to the
+/// value within their bounds that is closest to 0. Coefficients that the reference law does not contain are set to the
+/// values at which they have no effect.
 pub(crate) fn airless(subject: &Subject<'_>, point: &mut Point<f64>) {
     for (constant, value) in subject.model.params.iter().zip(&mut point.params) {
         if constant.name == "rho" {
@@ -285,8 +285,8 @@ fn fly_by_momenta(reference: &Reference, point: &Point<f64>) -> Result<Physical<
     integrate(&mut moving, &start, DURATION).map(|end| read(&end))
 }
 
-/// Integrates over a duration (s) with the tolerance of all flight checks, and returns the final state. The error is
-/// the integrator's message.
+/// Integrates the differential equations `d` from the state `start` over a duration (s), with the tolerance of all
+/// flight checks, and returns the final state. The error is the integrator's message.
 pub(crate) fn integrate<D: ode::OdeRhs<State = Vec<f64>>>(
     d: &mut D,
     start: &Vec<f64>,
@@ -316,7 +316,7 @@ fn compare(worst: &mut Worst, a: &Physical<f64>, b: &Physical<f64>) {
     }
 }
 
-/// Position (m) and conserved quantities of a body: energy (J) and angular momentum (kg·m²/s).
+/// Position (m), kinetic energy (J) and angular momentum (kg·m²/s) of a body.
 struct Held {
     position: Vector3<f64>,
     energy: f64,

@@ -54,7 +54,8 @@ pub struct Options {
     pub cases: usize,
     /// Whether to run mutation testing.
     pub mutants: bool,
-    /// Whether to check the model with effects switched on.
+    /// Whether to check effects (optional model extensions): that they change nothing at their null values, and that
+    /// they agree with their reference implementations.
     pub effects: bool,
 }
 
@@ -76,8 +77,8 @@ const BACKEND_POINTS: usize = 37;
 /// Maximum allowed error, relative to the sum of the magnitudes of the terms of a value.
 pub const TOLERANCE: f64 = 1e-12;
 
-/// Runs every check of a loaded model. Diagnostics of the language checker are reported as faults; the numerical checks
-/// run only if the text yields a model.
+/// Runs every check of a loaded model. Diagnostics of the language checker are reported as faults. The numerical checks
+/// run only if the language checker produced a model.
 pub fn run(loaded: &Loaded, options: &Options) -> Report {
     let mut report = Report {
         model: loaded
@@ -112,8 +113,8 @@ pub fn run(loaded: &Loaded, options: &Options) -> Report {
     report
 }
 
-/// Rows of the two checks of effects: the model with effects at their null values against the model without effects,
-/// and effects against their reference implementations.
+/// Rows of the two checks of effects (optional model extensions). The first compares the model with effects at their
+/// null values with the model without effects, the second compares effects with their reference implementations.
 fn of_effects(loaded: &Loaded, options: &Options) -> [Row; 2] {
     match checks::effects::variants(loaded) {
         Some((with, without)) => [
@@ -147,8 +148,8 @@ pub fn rounding(model: &Model, options: &Options) -> Rounding {
     rounding::measure(&subject, &compiled, options, Effort::DETAILS)
 }
 
-/// Runs the numerical checks on a compiled program against a model, which may differ from the model that the program
-/// was compiled from. Unlike [`run`], it does not check the model's text and effects, and makes no mutants.
+/// Compares a compiled program with a model by all numerical checks. The program may have been compiled from another
+/// model. Unlike [`run`], the function does not check the model's text and effects, and runs no mutation testing.
 pub fn rows_of_code(model: &Model, compiled: &Compiled, options: &Options) -> Vec<Row> {
     let engine = Engine::new(compiled);
     every_check(&Subject::new(model, &engine), compiled, &engine, options)

@@ -11,22 +11,24 @@ use oracle::{Chart, ClaimedBody, Physical, PhysicalRate, Point, Tree, moving};
 const STEPS: usize = 60;
 /// Maximum number of halvings of a Gauss-Newton step.
 const HALVINGS: usize = 30;
-/// Maximum residual with which solving for the states counts as successful, relative to the magnitudes of the physical
-/// quantities.
+/// Maximum residual at which the iteration for the states counts as converged. The residuals of position, velocity and
+/// angular velocity are divided by 1 + norm of the quantity.
 const FOUND: f64 = 1e-12;
 
-/// How the states of a model determine the physical quantities of the body (position, velocity, attitude, angular
-/// velocity).
+/// How the states of a model determine the physical quantities of its rigid body or point mass (position, velocity,
+/// attitude, angular velocity).
 pub enum Meaning<'a> {
     /// Each state is a component of a physical quantity.
     Chart(&'a Chart),
-    /// Expressions of the model's claim give the physical quantities; the states are found from them by solving.
+    /// The model states its equations and claims (declares) which expressions are the position, velocity, attitude and
+    /// angular velocity of a body. States for given physical quantities are found by solving these expressions
+    /// numerically.
     Claim(&'a Model),
 }
 
 impl<'a> Meaning<'a> {
-    /// Meaning of the states of a subject; `None` if the model has neither a [`Chart`] (direct conversion between
-    /// states and physical quantities) nor a claim.
+    /// Determines how the states of a model are converted; `None` if the model has neither a [`Chart`] (direct
+    /// conversion between states and physical quantities) nor a claimed body.
     pub fn of(subject: &'a Subject<'_>) -> Option<Self> {
         match &subject.chart {
             Some(chart) => Some(Self::Chart(chart)),
@@ -84,8 +86,8 @@ impl<'a> Meaning<'a> {
         }
     }
 
-    /// States that represent a physical state; `None` if no such states were found. Parameters, inputs and the time are
-    /// those of the point `at`, whose states are the initial values of the search if the states must be solved for.
+    /// States that represent a physical state; `None` if no such states were found. Parameters, inputs and time have
+    /// the values of the point `at`. If the states are found iteratively, the iteration starts from the states of `at`.
     pub fn states(&self, physical: &Physical<f64>, at: &Point<f64>) -> Option<Vec<f64>> {
         match self {
             Self::Chart(chart) => chart.states(physical),
@@ -133,8 +135,9 @@ fn rate_of(body: &ClaimedBody<Dual<f64>>) -> PhysicalRate {
     }
 }
 
-/// Solves for the states whose claimed quantities equal those of a physical state, by damped Gauss-Newton steps from
-/// the states of the point `at`. `None` if they do not converge.
+/// Solves for the states at which position, velocity, attitude and angular velocity of the claimed body equal those of
+/// a physical state, by damped Gauss-Newton steps from the states of the point `at`. `None` if the iteration does not
+/// converge.
 fn solved(model: &Model, physical: &Physical<f64>, at: &Point<f64>) -> Option<Vec<f64>> {
     let turning = ClaimedBody::of(&Tree::new(model, at))?.turning;
     let axes: Vec<u8> = turning.map_or_else(Vec::new, |t| t.turning_axes());

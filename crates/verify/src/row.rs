@@ -6,9 +6,9 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
-    /// Every error is within the tolerance.
+    /// Every error is within the tolerance, and the check found no fault.
     Holds,
-    /// An error exceeds the tolerance.
+    /// An error exceeds the tolerance, or the check found a fault.
     Refuted,
     /// The check does not apply to this model; the row's detail gives the reason.
     Skipped,
@@ -21,13 +21,14 @@ pub enum Verdict {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Measure {
-    /// Relative to the sum of the magnitudes of the terms that make up the value.
+    /// Absolute error divided by the sum of the magnitudes of the terms that are added to give the value.
     Relative,
-    /// Units in the last place of the value.
+    /// Spacing of f64 numbers (unit in the last place) at the value.
     Ulp,
-    /// Units in the last place of the sum of the magnitudes of the terms that make up the value.
+    /// Spacing of f64 numbers (unit in the last place) at the sum of the magnitudes of the terms that are added to give
+    /// the value.
     Magnitude,
-    /// Number of faults.
+    /// Number of faults found, for a check that has no numerical error.
     Count,
 }
 
@@ -141,7 +142,8 @@ pub struct Worst {
 }
 
 impl Worst {
-    /// Updates the maximum with an error. `place` is called only for a new maximum.
+    /// Replaces the maximum if `error` is larger. `place` describes where the error occurred and is called only in this
+    /// case.
     pub fn see(&mut self, error: f64, place: impl FnOnce() -> String) {
         let error = if error.is_nan() { f64::INFINITY } else { error };
         if error > self.error {

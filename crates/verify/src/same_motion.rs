@@ -29,7 +29,8 @@ pub struct SameMotion {
 }
 
 impl SameMotion {
-    /// Whether all accelerations agree and no comparison of flights was refuted.
+    /// Whether, for every pair of models, the comparison of accelerations holds and that of the flights was not
+    /// refuted.
     pub fn holds(&self) -> bool {
         self.pairs.iter().all(|p| {
             p.accelerations.verdict == Verdict::Holds && p.flights.verdict != Verdict::Refuted

@@ -9,7 +9,8 @@ use oracle::{Point, Tree};
 /// Maximum number of draws of a point within the validity limits. If none succeeds, the last point is moved towards the
 /// default point until it is within the limits.
 const DRAWS: usize = 1000;
-/// Maximum number of halvings of the distance between a drawn point outside the validity limits and the default point.
+/// Exclusive upper bound of the number of halvings of the distance between a drawn point outside the validity limits
+/// and the default point.
 const HALVINGS: i32 = 20;
 
 /// Draws a point within the validity limits. States have magnitudes typical of flights, one in four up to 1000 times
@@ -99,7 +100,7 @@ fn anywhere(model: &Model, random: &mut Random) -> Point<f64> {
     point
 }
 
-/// Typical magnitude in flights of a quantity with the given unit, in SI units.
+/// Typical magnitude, in flights, of a quantity with the given unit; the magnitude is in SI units.
 pub fn typical(unit: Unit) -> f64 {
     let [metre, second, radian] =
         [Base::Metre, Base::Second, Base::Radian].map(|base| unit.doubled[base as usize]);

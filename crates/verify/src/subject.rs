@@ -14,7 +14,7 @@ pub trait Equations: Sync {
     fn observation(&self, point: &Point<f64>) -> Option<Vector3<f64>>;
 }
 
-/// A model, its equations of motion, and its reference law.
+/// A model to be checked, its equations of motion, and its reference law.
 pub struct Subject<'a> {
     /// The checked model.
     pub model: &'a Model,
@@ -136,14 +136,14 @@ impl<'a> Subject<'a> {
         extras.filter(|i| !of_effects.contains(i)).collect()
     }
 
-    /// Whether the physical meaning of the states is given only by the claimed body: the model has a claim, but no
+    /// Whether only the claimed body relates the states to physical quantities: the model claims a body, but no
     /// [`Chart`] (direct conversion between states and physical quantities) exists.
     pub fn is_known_by_claim(&self) -> bool {
         self.chart.is_none() && self.model.claim.is_some()
     }
 
-    /// Returns the point with the coefficients of effects at their null values, and the states of effects and other
-    /// states beyond those of the body at their defaults.
+    /// Returns the point with the coefficients of effects at their null values. All states that are not states of the
+    /// body, such as those of effects, are set to their default values.
     pub fn without_effects(&self, mut point: Point<f64>) -> Point<f64> {
         for coefficient in self.model.effects.iter().flat_map(|e| &e.coefficients) {
             point.coefficients[coefficient.index] = coefficient.null_value;
@@ -154,9 +154,9 @@ impl<'a> Subject<'a> {
         point
     }
 
-    /// Row for a check that requires a reference law, for a model that claims none. The check is skipped if the model
-    /// has a body (its equations are derived from Newton's and Euler's laws) or claims a body (other checks apply). It
-    /// is unverified if the model states equations without a claim.
+    /// Row of the report for a check that requires a reference law, for a model that claims none. If the model declares
+    /// a body, from which its equations are derived, or claims a body for its stated equations, the check is skipped
+    /// because other checks apply. Otherwise the verdict is "unverified".
     pub fn without_reference(&self, check: &'static str) -> Row {
         if self.model.body.is_some() {
             return Row::skipped(check, "the model claims no reference");
@@ -173,13 +173,14 @@ impl<'a> Subject<'a> {
         )
     }
 
-    /// Row of a check that requires the physical meaning of the states, for a model in which it is unknown.
+    /// Row with the verdict "unverified", for a check that needs the conversion between states and physical quantities
+    /// and a model for which this conversion is unknown.
     pub fn without_meaning(&self, check: &'static str) -> Row {
         Row::unverified(check, "which state stands for what is not known")
     }
 
-    /// Returns the point with the coefficients that the reference law does not contain at their null values, and the
-    /// states of effects and other states beyond those of the body at their defaults.
+    /// Returns the point with the coefficients that the reference law does not contain at their null values. All states
+    /// that are not states of the body, such as those of effects, are set to their default values.
     pub fn without_extras(&self, mut point: Point<f64>) -> Point<f64> {
         for (index, value) in self.extras() {
             point.coefficients[index] = value;
@@ -219,7 +220,8 @@ impl Equations for Interpreted<'_> {
 pub trait Differentiable: Equations {
     /// State derivatives and observation, with their dense Jacobian with respect to all variables.
     fn derivatives(&self, point: &Point<f64>) -> Derivatives;
-    /// State derivatives with their dense Jacobian with respect to the states only, computed by the function `f_jac`.
+    /// State derivatives with their dense Jacobian with respect to the states only, computed by the compiled function
+    /// `f_jac`.
     fn by_state(&self, point: &Point<f64>) -> Derivatives;
 }
 

@@ -119,7 +119,8 @@ impl Real for Symbolic {
         Self(field::literal(value))
     }
 
-    /// Arbitrary value that is not a singular point and is inside the domain of every function.
+    /// Constant that replaces the real value in comparisons, because an element of the prime field has none. It is
+    /// inside the domain of every function and not a singular point.
     fn re(self) -> f64 {
         0.5
     }

@@ -19,13 +19,14 @@ type ModulePath = Vec<String>;
 #[derive(Default)]
 struct Module {
     file: PathBuf,
-    /// Paths that occur in the code or in private `use` declarations.
+    /// Paths of the items that the code of the file mentions or that its non-public `use` declarations import.
     named: BTreeSet<Vec<String>>,
-    /// Maps each name that a `use` declares in this module to the path of the imported item.
+    /// For each `use` declaration of the file, maps the name that it introduces (`b` in `use a::b`) to the path of the
+    /// imported item.
     exports: BTreeMap<String, Vec<String>>,
     /// Modules whose public names are imported by a glob.
     globs: Vec<Vec<String>>,
-    /// Names of the items that the file defines.
+    /// Names of the items that the file defines, such as types and functions.
     defined: BTreeSet<String>,
 }
 

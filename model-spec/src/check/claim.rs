@@ -11,8 +11,8 @@ use crate::syntax::ast::{self, BodyClass, ClaimPart, ClaimPartKind, ItemKind};
 use crate::unit::Unit;
 
 impl<'a> Checker<'a> {
-    /// Checks the claim of the file and adds it to the model. A file may have at most one claim, and only without a
-    /// body.
+    /// Checks the `claim` block of the file, which declares the physical meaning of the stated equations, and adds it
+    /// to the model. Reports a second claim, and a claim in a model that declares a body.
     pub fn claim(&mut self) {
         let file = self.file;
         let mut claims = file.items.iter().filter_map(|item| match &item.kind {
@@ -35,8 +35,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Whether a claim has all statements that its kind of body requires, each once and without `der(…)`; reports each
-    /// violation.
+    /// Whether a claim has every statement that is required for its class of body (rigid or point mass), each once and
+    /// without `der(…)`; reports each violation.
     fn claimed_parts(&mut self, claim: &'a ast::Claim) -> bool {
         let before = self.diagnostics.len();
         let mut seen: Vec<(&str, Span)> = Vec::new();
@@ -88,8 +88,9 @@ impl<'a> Checker<'a> {
         self.diagnostics.len() == before
     }
 
-    /// Reports a use of `der(…)` in a statement of a claim. Such a claim would hold for any equations, because the
-    /// value of `der(…)` is computed from the equations.
+    /// Reports a use of `der(…)` in a statement of a claim (declaration of the physical meaning of the stated
+    /// equations). Such a claim would hold for any equations, because the value of `der(…)` is computed from the
+    /// equations.
     fn without_derivatives(&mut self, part: &'a ClaimPart) {
         let mut found: Option<(&str, Span)> = None;
         for e in part.kind.expressions() {
@@ -112,8 +113,8 @@ impl<'a> Checker<'a> {
         self.report(fault.help("state the quantity by the states and parameters"));
     }
 
-    /// Whether the expression `e` of a claim uses an auxiliary variable that depends on `der(…)`; if so, reports an
-    /// error.
+    /// Whether `e`, an expression of a claim, uses an auxiliary variable that depends on `der(…)`; if so, reports an
+    /// error, because the claim would then hold for any equations.
     fn is_circular(&mut self, e: &Expr) -> bool {
         let of_equations: Vec<usize> = { self.derivatives.values() }
             .filter_map(|&definition| match self.definitions.get(definition) {

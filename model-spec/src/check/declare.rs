@@ -88,10 +88,10 @@ impl<'a> Checker<'a> {
         );
     }
 
-    /// Unit of the declared quantity `name`, and the same unit as a [`Term`] for unit inference. Without a stated unit,
-    /// it is dimensionless, or an unknown if this run of the checker also infers the units of declarations without one.
-    /// If the stated unit is `[?]` or invalid, the term is a new unknown and the `bool` is `true`; otherwise the `bool`
-    /// is `false`.
+    /// Unit of the declared quantity `name`, as a [`Measure`] and as a [`Term`] for unit inference. If no unit is
+    /// stated, the quantity is dimensionless, but the term is an unknown if this run of the checker infers missing
+    /// units. If the stated unit is `[?]` or invalid, the term is a new unknown and the `bool` is `true`; otherwise the
+    /// `bool` is `false`.
     fn declared_unit(&mut self, name: &Name, unit: Option<&UnitExpr>) -> (Measure, Term, bool) {
         let Some(unit) = unit else {
             let term = self.unitless.term(name.span);

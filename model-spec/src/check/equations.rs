@@ -84,8 +84,9 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Index into [`Checker::definitions`] of the definition of `der(STATE)`; `None` if the state has no equation,
-    /// which the check of the equations reports, or if no expression uses its derivative.
+    /// Index into [`Checker::definitions`] of the definition of `der(STATE)`, where `state` is the index of the state.
+    /// `None` if no expression uses this derivative, or if the state has no equation (an error that
+    /// [`Checker::equations`] reports).
     pub fn derivative_definition(&self, state: usize) -> Option<usize> {
         self.derivatives.get(&state).copied()
     }

@@ -27,8 +27,8 @@ impl Measure {
         }
     }
 
-    /// SI value of a literal in this unit, and its exact value (numerator, denominator); the latter is `None` if it is
-    /// not rational or exceeds `i64`.
+    /// SI value of a literal in this unit, and its exact value as (numerator, denominator). The exact value is `None`
+    /// if it is irrational, or if numerator or denominator exceeds `i64`.
     pub fn of(&self, number: &Number) -> (f64, Option<(i64, i64)>) {
         let decimal = number.text.parse::<f64>().unwrap_or(0.0);
         let exact = self.exact.and_then(|(above, below)| {

@@ -209,9 +209,9 @@ impl Sizes {
         }
     }
 
-    /// Size of an operand of a sum or product that has `each` components (1 for a scalar, 3 for a vector). If the
-    /// operand is an auxiliary variable, its terms or factors are counted again, because the compiler copies the
-    /// definition of the variable into the sum or product.
+    /// Size of an operand `e` of a sum or product; `each` is the number of components of the operand (1 for a scalar, 3
+    /// for a vector). If `e` is an auxiliary variable, the terms or factors of its definition are added to the number
+    /// of operations again, because the compiler copies the definition into the sum or product.
     fn merged(&mut self, e: &Expr, each: u64) -> Size {
         let size = self.of(e);
         if matches!(e.kind, ExprKind::AuxVariable(_)) {

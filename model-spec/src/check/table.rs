@@ -14,8 +14,8 @@ const MIN_KNOTS: usize = 3;
 const MAX_KNOTS: usize = 500;
 /// Maximum number of tables of a model; a further table is reported as an error.
 const MAX_TABLES: usize = 100;
-/// Minimum distance of the arguments of two adjacent knots, as a fraction of the distance from the first to the last
-/// argument.
+/// Minimum difference between the arguments of adjacent knots, as a fraction of the range from the first to the last
+/// argument; knots closer than this are reported as an error.
 const MIN_WIDTH: f64 = 1e-9;
 /// Decimal exponent that limits the numbers of a table: absolute values are at most 10^60, and intervals between knots
 /// are wider than 10^-60, SI.

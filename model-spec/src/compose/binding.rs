@@ -39,10 +39,11 @@ pub enum Unmet {
         /// Description of the missing quantity, frame or body, such as ``a vector `wind` in m/s``.
         what: String,
     },
-    /// A quantity of the model differs in kind or unit from the one that the effect needs.
+    /// A quantity of the model differs in kind (scalar or vector) or unit from the quantity of the same name that the
+    /// effect needs.
     #[error("it needs {what}; here `{name}` is {found}")]
     Differs {
-        /// Name of the quantity.
+        /// Name of the quantity, equal in the model and in the effect.
         name: String,
         /// Description of the needed quantity, such as ``a vector `wind` in m/s``.
         what: String,
@@ -391,7 +392,7 @@ fn kind(is_vector: bool) -> &'static str {
     if is_vector { "vector" } else { "number" }
 }
 
-/// Text that describes a needed quantity: kind, name and unit.
+/// Text that describes a quantity that an effect needs: kind (scalar or vector), name and unit.
 fn described(need: &Need) -> String {
     let unit = need.unit.as_ref().map(|unit| format!(" in {unit}"));
     let (kind, name) = (kind(need.is_vector), &need.name.text);

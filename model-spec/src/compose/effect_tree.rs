@@ -13,7 +13,8 @@ use crate::source::Span;
 use crate::syntax::ast::{Effect, EffectPart, ItemKind, Need};
 use crate::syntax::{self, Parsed};
 
-/// An effect that can be applied to any [`ModelTree`](super::ModelTree).
+/// An effect (a named change to a model) as a syntax tree with its source text, ready to be applied to a
+/// [`ModelTree`](super::ModelTree).
 #[derive(Clone, Debug)]
 pub struct EffectTree {
     tree: Effect,
@@ -22,7 +23,7 @@ pub struct EffectTree {
 }
 
 impl EffectTree {
-    /// Wraps the syntax tree of an effect declared in a model's file.
+    /// Creates the effect from the syntax tree of an effect declared in a model file; it has no separate source text.
     pub(super) fn of_model(tree: Effect) -> EffectTree {
         EffectTree { tree, source: None }
     }
@@ -161,7 +162,8 @@ impl EffectTree {
         &self.tree
     }
 
-    /// Source text of a span of the tree; empty for an effect declared in a model's file.
+    /// Source text of a span of the tree; empty if the effect is declared in a model file, because it then has no
+    /// separate source text.
     pub(crate) fn text(&self, span: Span) -> &str {
         let source = self.source.as_ref();
         source

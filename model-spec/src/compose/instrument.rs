@@ -1,6 +1,6 @@
 //! Instruments mounted on a body, and the default definitions of the quantities that they measure.
 
-/// An instrument on the body. An auxiliary variable of the model predicts the measured value.
+/// An instrument mounted on the body. The value that it measures is predicted by an auxiliary variable of the model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Instrument {
     /// Measures the angular velocity of the body, rad/s, with components in the frame of the model's marker.
@@ -8,8 +8,8 @@ pub enum Instrument {
     /// Measures the specific force at the position of the model's marker, m/s², with components in the frame of the
     /// marker.
     Accelerometer,
-    /// Measures a speed, m/s: the speed of the centre of mass over ground, unless the model declares an auxiliary
-    /// variable `speed` with another definition.
+    /// Measures a speed, m/s: the value of the auxiliary variable `speed` if the model declares one, otherwise the
+    /// speed of the centre of mass relative to the ground.
     Speed,
 }
 
@@ -17,7 +17,8 @@ impl Instrument {
     /// All instruments.
     pub const ALL: [Self; 3] = [Self::Gyroscope, Self::Accelerometer, Self::Speed];
 
-    /// Name of the instrument's auxiliary variable in a model, and of the kind of measurement in a dataset.
+    /// Name of the auxiliary variable by which a model predicts the measured value; datasets use the same name for
+    /// measurements of this instrument.
     pub fn name(self) -> &'static str {
         match self {
             Self::Gyroscope => "gyroscope",

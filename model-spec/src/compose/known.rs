@@ -11,17 +11,19 @@ use crate::model::Model;
 /// Where a known effect is defined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Origin {
-    /// The effect is declared in the model's file.
+    /// The effect is declared in the file of the model itself.
     Own,
     /// A built-in effect that is written for a certain family of models, such as flying discs.
     Specific,
     /// A built-in effect that is written for models of any kind.
     General,
-    /// The effect is generated for a stated equation of the model.
+    /// The effect is not written in any file: it is generated from a stated equation of the model, and adds a term to
+    /// the derivative that this equation states.
     Equation,
 }
 
-/// Reason why a diagnosis does not propose an effect as missing from a model.
+/// Reason why a diagnosis (the search for effects that a model lacks, given measured flights) does not consider an
+/// effect.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Refused {
     /// The model does not meet a requirement of the effect.
@@ -30,7 +32,7 @@ pub enum Refused {
     /// The effect is already applied to the model.
     #[error("it is switched on")]
     Applied,
-    /// The effect is the general form of a more specific effect that is applicable to the model; the diagnosis proposes
+    /// The effect is the general form of a more specific effect that is applicable to the model; a diagnosis considers
     /// only the specific effect.
     #[error("`{by}` says it of this model")]
     Covered {
@@ -39,16 +41,15 @@ pub enum Refused {
     },
 }
 
-/// An effect that can be applied to a model by name, and whether a diagnosis may propose the effect as missing from the
-/// model.
+/// An effect that can be found by name for a model, and whether a diagnosis (the search for effects that the model
+/// lacks, given measured flights) considers the effect.
 #[derive(Clone, Debug)]
 pub struct KnownEffect {
     /// Syntax tree of the effect.
     pub effect: EffectTree,
     /// Where the effect is defined: in the model's file, in the built-in library, or by generation from an equation.
     pub origin: Origin,
-    /// Reason why a diagnosis does not propose the effect as missing from the model; `None` if it may propose the
-    /// effect.
+    /// Reason why a diagnosis of the model does not consider the effect as missing; `None` if it does.
     pub refused: Option<Refused>,
 }
 

@@ -8,10 +8,12 @@ use crate::diagnostic::{Diagnostic, Kind, Source};
 use crate::effect;
 use crate::syntax::ast::{File, ItemKind};
 
-/// Maximum number of declared effects that are checked; each requires a check of the whole model.
+/// Maximum number of effects declared in a model file that are checked, since each requires a check of the whole model;
+/// further effects are not checked.
 const MAX_CHECKED_OFFERS: usize = 50;
 
-/// Errors of the effects declared in a model's file. Each effect is applied alone to the model, which is then checked.
+/// Returns the errors of the effects that a model file declares. To find them, each effect alone is applied to a copy
+/// of the model, and this copy is checked.
 pub(super) fn faults(file: &File, sources: &[Source]) -> Vec<Diagnostic> {
     let model = file.items.iter().find_map(|item| match &item.kind {
         ItemKind::Model(name) => Some(name.text.as_str()),

@@ -23,15 +23,15 @@ pub enum ValueError {
     /// The model has no parameter, coefficient or component of an input of this name.
     #[error("the model has no parameter, coefficient or component of an input `{name}`")]
     UnknownName {
-        /// Name passed by the caller.
+        /// Name, as passed to [`ModelTree::with_values`], that the model does not declare.
         name: String,
     },
-    /// A value is infinite or not a number.
+    /// A given value is infinite or not a number.
     #[error("the value of `{name}` is {value}, expected a finite number")]
     NotFinite {
-        /// Name passed by the caller with the value.
+        /// Name of the quantity whose new value is invalid, as passed to [`ModelTree::with_values`].
         name: String,
-        /// Value passed by the caller.
+        /// The invalid value, as passed to [`ModelTree::with_values`]: infinite or NaN.
         value: f64,
     },
 }

@@ -10,13 +10,14 @@ use crate::syntax::ast::{Applied, Effect, EffectPart, File, Input, Item, ItemKin
 pub(crate) use replace::PREVIOUS;
 pub(crate) use standard::{FRAMES, INERTIA, MASS};
 
-/// Sites: the components of a model that an effect can change (`site NAME;`).
+/// Sites: names of the components of a model that an effect can state as changed by it (`site NAME;`).
 pub const SITES: [&str; 15] = [
     "lift", "drag", "side", "roll", "pitch", "spin", "wind", "gravity", "vertical", "scale",
     "clock", "marker", "inertia", "noise", "unknown",
 ];
 
-/// Variables that an effect can depend on (`variables NAME, …;`).
+/// Kinds of variables on which an effect can state that its magnitude depends (`variables NAME, …;`); `none` states
+/// that it depends on none.
 pub const VARIABLES: [&str; 9] = [
     "alpha", "spin", "speed", "rates", "height", "time", "position", "attitude", "none",
 ];

@@ -7,7 +7,7 @@ use crate::source::Span;
 /// change the equations; `hyzer verify` checks whether the equations agree with the claim.
 #[derive(Clone, Debug)]
 pub struct Claim {
-    /// Name of the claimed body.
+    /// Name of the body that the stated equations are claimed to describe.
     pub name: String,
     /// Mass, kg; depends only on parameters and coefficients.
     pub mass: Expr,
@@ -23,7 +23,7 @@ pub struct Claim {
     pub span: Span,
 }
 
-/// Claimed rotational motion of a rigid body.
+/// Rotational motion of a rigid body as stated in a [`Claim`].
 #[derive(Clone, Debug)]
 pub struct ClaimedRotation {
     /// Body-fixed frame, or axis of revolution, that states the orientation of the body.
@@ -38,13 +38,13 @@ pub struct ClaimedRotation {
     pub moment: Expr,
 }
 
-/// How the orientation of a claimed body is stated: by a body-fixed frame, or by the axis of revolution alone.
+/// How a [`Claim`] states the orientation of the body: by a body-fixed frame, or by the axis of revolution alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ClaimedAttitude {
     /// The body-fixed frame, by index into [`Model::frames`](super::Model::frames).
     Frame(usize),
-    /// The axis of revolution of the body: index into [`Model::frames`](super::Model::frames) of a frame, and number of
-    /// the axis (1 to 3) of that frame. The frame does not spin with the body.
+    /// The axis of revolution of the body, given as an axis of a frame that does not spin with the body: index into
+    /// [`Model::frames`](super::Model::frames) of that frame, and number of the axis (1 to 3).
     Axis(usize, u8),
 }
 

@@ -13,7 +13,8 @@ pub struct AppliedEffect {
     pub doc: String,
     /// Component of the model that the effect changes: one of [`SITES`](crate::SITES).
     pub site: String,
-    /// Variables that the effect depends on, from [`VARIABLES`](crate::VARIABLES); empty if none are stated.
+    /// Kinds of variables on which the magnitude of the effect depends, from [`VARIABLES`](crate::VARIABLES); empty if
+    /// none are stated.
     pub variables: Vec<String>,
     /// Literature reference of the effect (`source` statement); empty if there is none.
     pub citation: String,
@@ -26,14 +27,14 @@ pub struct AppliedEffect {
     /// Coefficients that the effect adds; [`EffectUnknown::index`] refers to [`Model::coefficients`].
     pub coefficients: Vec<EffectUnknown>,
     /// States that the effect adds; [`EffectUnknown::index`] refers to [`Model::states`]. The initial value of such a
-    /// state is a local parameter, with one value per flight.
+    /// state is estimated separately for each flight.
     pub states: Vec<EffectUnknown>,
 }
 
 impl AppliedEffect {
-    /// Sentence that describes the effect for `departure`, the first coefficient minus its null value:
-    /// [`AppliedEffect::increases`] if positive, [`AppliedEffect::decreases`] if negative. The documentation of the
-    /// effect if `departure` is 0 or that sentence is empty.
+    /// Sentence that describes the effect for `departure`, the value of the first coefficient minus its null value:
+    /// [`AppliedEffect::increases`] if `departure` is positive, [`AppliedEffect::decreases`] if it is negative. Returns
+    /// the documentation of the effect if `departure` is 0 or the selected sentence is empty.
     pub fn sentence(&self, departure: f64) -> &str {
         let stated = if departure > 0.0 {
             &self.increases
@@ -57,15 +58,15 @@ pub struct OfferedEffect {
     pub span: Span,
 }
 
-/// An unknown quantity that an effect adds: a coefficient, or the initial value of a state. At its null value the
-/// effect is absent.
+/// An unknown quantity that an effect adds to a model: a coefficient, or the initial value of a state. The effect is
+/// absent if the quantity has its null value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EffectUnknown {
     /// Index into [`Model::coefficients`] for a coefficient, or into [`Model::states`] for a state.
     pub index: usize,
     /// Value at which the effect is absent, SI; equal to the default value.
     pub null_value: f64,
-    /// Smallest departure from the null value that matters in practice (smallest effect size of interest), SI; `None`
-    /// if not stated.
+    /// Smallest difference from [`EffectUnknown::null_value`] that matters in practice (smallest effect size of
+    /// interest), SI; `None` if not stated.
     pub smallest_of_interest: Option<f64>,
 }

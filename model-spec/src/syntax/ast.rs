@@ -34,7 +34,8 @@ pub struct Applied {
     pub doc: String,
     /// Name of the component of the model that the effect changes, such as `drag`.
     pub site: String,
-    /// Variables that the effect depends on, such as `alpha`.
+    /// Kinds of variables on which the magnitude of the effect depends, from [`VARIABLES`](crate::VARIABLES), such as
+    /// `alpha`.
     pub variables: Vec<String>,
     /// Literature reference of the effect; empty if none is stated.
     pub citation: String,
@@ -44,8 +45,8 @@ pub struct Applied {
     /// Sentence that describes the effect if its first coefficient is below its null value (the value at which the
     /// effect is absent); empty if none is stated.
     pub decreases: String,
-    /// Smallest effect sizes of interest, as stated by `negligible`: name of a coefficient or state, and smallest
-    /// departure from its null value that matters in practice.
+    /// Smallest effect sizes of interest, as stated by `negligible`: name of a coefficient or state of the effect, and
+    /// the smallest difference from its null value (the value at which the effect is absent) that matters in practice.
     pub negligible: Vec<(Name, Quantity)>,
     /// Quantities of the model that the effect needs, without quantities that a fallback expression replaces.
     pub needs: Vec<Need>,
@@ -100,7 +101,7 @@ pub enum ItemKind {
     Limit(Limit),
     /// Check case: `check "title" { … }`
     Check(Check),
-    /// Claim about stated equations: `claim body NAME { … }` or `claim point NAME { … }`
+    /// Declaration of the physical meaning of the stated equations: `claim body NAME { … }` or `claim point NAME { … }`
     Claim(Claim),
     /// Declaration of an effect: `effect NAME { … }`
     Effect(Effect),
@@ -188,7 +189,7 @@ pub struct Parameter {
     pub bounds: Option<(Quantity, Quantity)>,
 }
 
-/// Declaration of an input: a vector whose value is specified for each flight.
+/// Declaration of an input: a vector, such as the wind, whose value is specified for each flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Input {
     /// Name of the input vector.

@@ -45,13 +45,15 @@ impl Effect {
 }
 
 impl Item {
-    /// Calls `change` on every source span of the statement, which must be of a kind that an effect can contain.
+    /// Calls `change` on every source span of the statement. In a statement of a kind that effects cannot contain, such
+    /// as a frame or a body, the spans inside the statement are not visited.
     pub(crate) fn change_spans(&mut self, change: Change<'_>) {
         statement(self, change);
     }
 }
 
-/// Calls `change` on every source span of a statement, which must be of a kind that an effect can contain.
+/// Calls `change` on every source span of a statement. In a statement of a kind that effects cannot contain, such as a
+/// frame or a body, the spans inside the statement are not visited.
 fn statement(item: &mut Item, change: Change<'_>) {
     change(&mut item.span);
     match &mut item.kind {

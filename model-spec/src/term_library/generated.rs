@@ -23,8 +23,8 @@ const MAX_NAMED: usize = 3;
 /// Maximum number of states of a model without a body that become variables of the generated term library.
 const MAX_STATES: usize = 6;
 
-/// Maximum number of stated differential equations that become channels of the generated term library; further
-/// equations are skipped.
+/// Maximum number of stated differential equations to whose derivatives the generated term library can add terms;
+/// further equations are skipped.
 const MAX_EQUATIONS: usize = 8;
 
 /// `needs` statement of every generated effect that uses `air_velocity`, the velocity of the body relative to the air.
@@ -43,8 +43,8 @@ struct Variable {
     rank: u8,
 }
 
-/// Generates a term library for a model; `None` if the model has neither a body nor a stated equation that becomes a
-/// channel.
+/// Generates a term library for a model. `None` if there is nothing to which a term can be added: the model has no
+/// body, and no stated equation is suitable.
 pub(super) fn library(model: &Model) -> Option<LibraryFile> {
     let (mut loads, channels) = match &model.body {
         Some(body) => channels_of_body(model, body),
@@ -283,7 +283,7 @@ fn scaled(name: &str, unit: Unit) -> String {
 }
 
 /// Class of variable to which a quantity belongs, guessed from the name and unit of the quantity: one of
-/// [`VARIABLES`](crate::VARIABLES).
+/// [`VARIABLES`](crate::VARIABLES), such as `spin` or `height`.
 fn depends_on(name: &str, unit: Unit) -> &'static str {
     match () {
         () if name.contains("alpha") => "alpha",

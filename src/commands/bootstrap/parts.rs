@@ -14,7 +14,8 @@ pub(super) const LEN: u64 = 16;
 /// Name of the column that states whether a refit converged.
 const CONVERGED: &str = "converged";
 
-/// One refit: its number and the estimated global parameters, SI; `None` if it did not converge.
+/// One refit (a fit to flights drawn with replacement): its number and the estimates of the parameters that all flights
+/// share, SI; the estimates are `None` if the refit did not converge.
 pub(super) type Refit = (u64, Option<Vec<f64>>);
 
 /// Number of parts, of [`LEN`] refits each, into which `refits` refits are divided.

@@ -12,7 +12,7 @@ const POINTS: usize = 200;
 /// Maximum number of sampled landings that are drawn.
 const MOST_DOTS: usize = 1500;
 
-/// The report page of a design.
+/// Report page of a throw design, the result of `hyzer design`.
 pub fn sheet(
     title: &str,
     found: &Design,

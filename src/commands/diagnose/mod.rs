@@ -234,7 +234,7 @@ fn results(
     Ok(files)
 }
 
-/// Files of the effects that the diagnosis generated, each named after its effect.
+/// Files with the text of the effects that the diagnosis generated itself, each named after its effect.
 fn written_effects(extension: &ExtendedModel) -> Vec<ResultFile> {
     let each = extension.written.iter().filter_map(|effect| {
         let declares = |name: &&String| effect.contains(&format!("effect {name} "));

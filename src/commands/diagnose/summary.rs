@@ -9,7 +9,7 @@ use report::diagnosis::{lack_of_fit_sentence, paired_gain_sentence};
 
 use crate::commands::fit::cautions;
 
-/// Maximum number of listed candidate effects.
+/// Maximum number of candidate effects in the terminal summary.
 const LISTED: usize = 10;
 
 /// Text of the terminal summary of a diagnosis.

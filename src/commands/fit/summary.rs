@@ -10,7 +10,7 @@ use model_spec::model::Model;
 
 use super::tables::role;
 
-/// Maximum number of listed flights; if there are more, those with the largest residuals are listed.
+/// Maximum number of flights in the terminal summary; if there are more, those with the largest residuals are listed.
 const LISTED: usize = 20;
 
 /// Text of the terminal summary of a fit.
@@ -195,7 +195,8 @@ pub fn digits(std_error: f64) -> i32 {
     }
 }
 
-/// Formats a number with the given number of decimals, in exponent notation below 1e-3.
+/// Formats a number with the given number of decimals; nonzero magnitudes below 1e-3 in exponent notation, to the same
+/// decimal place.
 pub fn written(value: f64, digits: i32) -> String {
     if value != 0.0 && value.abs() < 1e-3 {
         let size = value.abs().log10().floor() as i32;

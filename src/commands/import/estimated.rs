@@ -16,7 +16,8 @@ use crate::cli::Import;
 /// Maximum magnitude of the value of `--centre-height`, m; larger values suggest millimetres.
 const FARTHEST: f64 = 2.0;
 
-/// An estimated template, a text of the decisions made, and a comment for each marker.
+/// A template (the marker positions on the body) estimated from recordings, a text on how it was estimated, and a
+/// comment for each marker.
 pub struct Estimated {
     pub template: Template,
     pub decisions: String,

@@ -20,25 +20,26 @@ use self::template::{Followed, Template};
 use crate::cli::Import;
 use crate::{Answer, output, progress};
 
-/// File in the dataset's folder that lists the decisions of the import.
+/// File in the dataset's folder that lists the choices made in the import, such as units, axes and the samples of each
+/// flight.
 const DECISIONS: &str = "import.txt";
-/// Report page with the decisions and the figures of each flight.
+/// Report page of the import, with the choices made (units, axes, samples) and the figures of each flight.
 const PAGE: &str = "import.html";
 
-/// Flights, decisions and figures gathered from the recordings.
+/// Flights, choices made in the import (such as units and axes) and figures, gathered from all recordings.
 #[derive(Default)]
 struct Found {
     flights: Vec<Flight>,
-    /// Text of the decisions made in the import: axes, tracked points, and the first and last sample of each flight.
+    /// Text of the choices made in the import: axes, tracked points, and the first and last sample of each flight.
     decisions: String,
     /// Name of the body if the flights are recorded as its poses; `None` if they are recorded as marker positions.
     pose: Option<String>,
-    /// Decisions and plotted curves of each recording, for the report page.
+    /// Choices made in the import and plotted curves of each recording, for the report page.
     takes: Vec<ImportedTake>,
 }
 
-/// Runs `hyzer import`: reads the recordings, cuts them to the free flights of the throws, writes the dataset, and
-/// prints the decisions made.
+/// Runs `hyzer import`: reads the recordings, extracts the free flight of each throw, writes the dataset, and prints
+/// the choices made, such as units and axes.
 pub fn run(options: &Import) -> anyhow::Result<Answer> {
     output::new_folder(&options.out)?;
     let mut labels = labels(&options.label)?;
@@ -173,7 +174,8 @@ fn labels(texts: &[String]) -> anyhow::Result<BTreeMap<String, String>> {
     Ok(labels)
 }
 
-/// Adds the flights of the throws in the recording `take`, the decisions made and the figures to `all`.
+/// Adds to `all` the flights of the throws in the recording `take`, the choices made in their import (such as units and
+/// axes), and their figures.
 fn add(
     take: &Take,
     file: &Path,

@@ -6,7 +6,7 @@ use takes::{Cut, Motion, Take, Throw};
 
 use super::template::Followed;
 
-/// Minimum time that is shown before and after a flight, s.
+/// Minimum duration of the recording before and after a flight that its figures show, s.
 const AROUND: f64 = 0.5;
 /// Maximum number of pairs of markers whose distances are shown.
 const MOST_PAIRS: usize = 45;
@@ -117,7 +117,7 @@ impl Shown<'_> {
     }
 }
 
-/// Height (m) over time (s) for the whole recording; empty if the motion is unknown.
+/// Height of the body, m, over time, s, for the whole recording; empty if the motion of the body is unknown.
 pub fn heights(motion: Option<&Motion>) -> Vec<(f64, f64)> {
     motion.map_or_else(Vec::new, |motion| {
         motion

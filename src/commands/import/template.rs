@@ -12,7 +12,7 @@ use takes::{Pose, Take, rotated};
 /// Maximum size of a template file, bytes.
 const LARGEST: u64 = 4 << 20;
 
-/// The parts of a `dataset.toml` that are valid for any recording of the same body.
+/// The contents of a `dataset.toml` that are valid for any recording of the same body: model, parameters and markers.
 pub struct Template {
     /// Name or path of the model; `None` if not stated.
     pub model: Option<String>,
@@ -22,7 +22,8 @@ pub struct Template {
     pub markers: Vec<Marker>,
 }
 
-/// Points or body of a recording from which the positions of the template's markers are obtained.
+/// Recorded points, or the recorded rigid body, from which the positions of a template's markers (the declared markers
+/// of the thrown body) are obtained.
 pub enum Followed {
     /// The index of a point of the recording for each marker, in the order of the template.
     Points(Vec<usize>),

@@ -7,13 +7,14 @@ use model_spec::model::Model;
 
 use crate::cli::{Simulate, ThrowOptions};
 
-/// Whether the options state a throw without the help of a release: by a speed or by a launch monitor's file.
+/// Whether the options alone define a throw, by a speed or by a launch monitor's file, so that no release (launch
+/// conditions) is needed.
 pub fn are_enough(options: &ThrowOptions) -> bool {
     options.speed.is_some() || options.techdisc.is_some()
 }
 
-/// Loads the model that the options name, and makes a release of it with default values that ends at the ground; a
-/// throw is applied to this release afterwards.
+/// Loads the model that the options name, and creates a release (launch conditions) with the model's default values and
+/// without wind, whose simulation ends at the ground. The caller sets the motion of a throw in this release.
 pub fn bare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     let Some(name) = &options.model else {
         bail!(

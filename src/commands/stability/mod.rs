@@ -34,8 +34,8 @@ pub struct Found {
     pub flight: Vec<Instant>,
     /// Steady (trimmed) flight with the same spin as at release, and its modes; `None` if no steady flight is found.
     pub trim: Option<(::stability::Trim, ::stability::Modes)>,
-    /// Modes and stability criteria for the throw at release with other speeds and spins, one entry per point of a
-    /// grid.
+    /// Modes and stability criteria at release if the speed and spin of the throw are replaced by those of a grid, one
+    /// entry per grid point.
     pub map: Vec<Instant>,
 }
 

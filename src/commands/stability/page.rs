@@ -8,7 +8,7 @@ use report::{Section, Sheet, SheetFigure, Table};
 use super::Found;
 use super::words::{nutation, of_criteria, slowest};
 
-/// Maximum number of lines in a panel, equal to the number of distinct line colours.
+/// Maximum number of lines in one panel of a figure, equal to the number of distinct line colours.
 const LINES: usize = 4;
 
 /// The report page of a stability analysis.

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use super::Found;
 
-/// Text of the modes and criteria for the terminal.
+/// Text of the modes and stability criteria in `found`, for the terminal.
 pub fn table(model: &str, found: &Found) -> String {
     let mut text = format!("{model}: modes at release\n");
     text += &modes(&found.release.modes);

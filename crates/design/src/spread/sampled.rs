@@ -17,7 +17,7 @@ const STATIONS: usize = 40;
 /// Probabilities of the quantiles in each [`Band`].
 pub const QUANTILES: [f64; 3] = [0.05, 0.5, 0.95];
 
-/// Landings and paths of throws drawn from the scatter.
+/// Landings and paths of sampled flights, whose throws are drawn at random from the scatter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sampled {
     /// Mean and covariance of the landing positions.
@@ -32,16 +32,17 @@ pub struct Sampled {
     pub bands: Vec<Band>,
 }
 
-/// Quantiles of the paths at the points where they first reach a given distance.
+/// Quantiles, over the sampled flights, of the lateral offset and height of the paths where they first reach a given
+/// distance from the release.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Band {
     /// Horizontal distance from the release, m, measured along the line from the release to the mean landing of the
     /// linear spread.
     pub distance: f64,
-    /// Number of flights that reach this distance.
+    /// Number of sampled flights that reach `distance`.
     pub flights: usize,
-    /// Quantiles of the lateral offset of the paths from this line, left positive, m, at each probability of
-    /// [`QUANTILES`].
+    /// Quantiles of the lateral offset of the paths from the line from the release to the mean landing of the linear
+    /// spread, left positive, m, at each probability of [`QUANTILES`].
     pub left: [f64; 3],
     /// Quantiles of the height, m, at each probability of [`QUANTILES`].
     pub height: [f64; 3],

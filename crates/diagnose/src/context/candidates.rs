@@ -3,7 +3,8 @@
 use model_spec::layout::{Layout, ParamId, StateId};
 use model_spec::model::{AppliedEffect, Model};
 
-/// An effect that the model may lack, with its coefficients and states in the encompassing model.
+/// An effect that the model may lack, with its coefficients and states in the encompassing model (the model with all
+/// candidate effects).
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Candidate {
     /// Name of the effect with hyphens, as shown in reports.
@@ -28,14 +29,14 @@ pub(crate) struct Candidate {
 pub(crate) struct CandidateParameter<Id> {
     /// Name of the coefficient or state.
     pub name: String,
-    /// Index of the parameter or state in the encompassing model.
+    /// Index of the parameter or state in the encompassing model, which includes all candidate effects.
     pub id: Id,
     /// Unit of the coefficient or state, as text.
     pub unit: String,
     /// Null value, SI: the value at which the effect vanishes.
     pub null_value: f64,
-    /// Smallest effect size of interest, SI: smaller departures from the null value are negligible. `None` if not
-    /// declared.
+    /// Smallest effect size of interest, SI: a smaller difference from the null value is negligible. `None` if the
+    /// effect declares none.
     pub smallest_of_interest: Option<f64>,
     /// Minimum and maximum value, SI; `None` if unbounded.
     pub bounds: Option<(f64, f64)>,
@@ -87,8 +88,8 @@ impl Candidate {
         }
     }
 
-    /// Sentence that describes the effect if its first coefficient is `departure` above its null value (below if
-    /// negative).
+    /// Sentence that describes the effect if its first coefficient minus its null value is `departure`. The sentence
+    /// depends only on the sign; if `departure` is 0, it is the general description of the effect.
     pub fn sentence(&self, departure: f64) -> &str {
         match departure {
             d if d > 0.0 => &self.senses[0],

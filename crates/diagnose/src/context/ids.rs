@@ -3,12 +3,12 @@
 use model_spec::index_type;
 
 index_type!(
-    /// Index of a candidate effect.
+    /// Index of a candidate effect: an effect that the model may lack.
     pub(crate) struct CandidateId;
 );
 
 index_type!(
-    /// Index of a library term: a product of variables on one load channel.
+    /// Index of a library term: a product of variables that is added to one load (a force or moment component).
     pub(crate) struct TermId;
 );
 

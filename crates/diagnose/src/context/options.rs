@@ -29,7 +29,7 @@ pub struct DiagnosisOptions<'a> {
     pub alpha_detect: f64,
     /// Probability that the correct explanation is rejected, familywise over all tests; default 0.002.
     pub alpha_reject: f64,
-    /// Ranges of feasible releases, among which the next throw is chosen.
+    /// Ranges of feasible launch conditions, within which the next throw is chosen.
     pub throws: ThrowRanges,
 }
 
@@ -46,10 +46,10 @@ impl Default for DiagnosisOptions<'_> {
     }
 }
 
-/// Ranges (minimum, maximum) of releases that a thrower can achieve, and how the simulated throws are sampled.
+/// Ranges (minimum, maximum) of launch conditions that a thrower can achieve, and how the simulated throws are sampled.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ThrowRanges {
-    /// Speed of release, m/s.
+    /// Speed of the body at release, m/s.
     pub speed: (f64, f64),
     /// Launch angle: angle of the velocity above the horizontal, rad.
     pub launch: (f64, f64),
@@ -104,8 +104,8 @@ pub enum OptionsError {
         /// Invalid value of the option.
         value: f64,
     },
-    /// A range of releases is empty or not finite, or a count, duration or sampling rate is not positive or too
-    /// large.
+    /// A range of launch conditions is empty or not finite, or a count, duration or sampling rate is not positive or
+    /// too large.
     #[error("the throws have no usable {name}")]
     ThrowRange {
         /// Name of the invalid field of [`ThrowRanges`].

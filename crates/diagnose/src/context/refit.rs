@@ -27,7 +27,7 @@ const MISFIT_RATIO: f64 = 3.0;
 
 /// Result of fitting the model under test with some candidates included.
 pub(crate) struct Refitted {
-    /// Fitted values of all unknowns of the encompassing problem.
+    /// Fitted values of all unknowns; candidates that were not fitted have their null values.
     pub iterate: Iterate,
     /// Weighted sum of squares of the residuals at the fitted values.
     pub squares: f64,
@@ -83,7 +83,7 @@ impl ScoreTestModel {
     }
 }
 
-/// Least-squares problem of the model under test with some candidates estimated as well.
+/// Least-squares problem whose unknowns are those of the model under test and those of some candidate effects.
 struct Refit<'a> {
     problem: FitProblem,
     flights: Vec<Observations>,

@@ -18,7 +18,8 @@ use super::library_terms::LibraryTerms;
 use super::limits::Limits;
 use super::{Context, Partition};
 
-/// The encompassing model with the estimation problem and the observations of the fitted flights.
+/// Model with all candidate effects (encompassing model), its estimation problem, and the observations of the fitted
+/// flights.
 pub(crate) struct ScoreTestModel {
     encompassing: EncompassingModel,
     /// The estimation problem with every candidate at its null value. Its global parameters are those of the model
@@ -122,7 +123,8 @@ impl ScoreTestModel {
         Some(global.name.as_str())
     }
 
-    /// Nuisance columns: those of the model under test and of the candidates in `conditioned_on`, in ascending order.
+    /// Columns of the nuisance parameters, in ascending order: those of the model under test and of the candidates in
+    /// `conditioned_on`, which are included in the null hypothesis.
     pub fn nuisance_columns(&self, conditioned_on: &[CandidateId]) -> Vec<ColumnId> {
         let mut columns = self.base.clone();
         columns.extend(conditioned_on.iter().flat_map(|&id| &self.columns[id]));
@@ -138,7 +140,8 @@ impl ScoreTestModel {
         each.sum()
     }
 
-    /// Indices of the states of all candidates except those in `conditioned_on`.
+    /// Indices of the states that are fixed at their null values: the states of all candidates except those in
+    /// `conditioned_on`.
     pub fn null_states(&self, conditioned_on: &[CandidateId]) -> Vec<StateId> {
         self.candidates()
             .filter(|(id, _)| !conditioned_on.contains(id))
@@ -229,8 +232,8 @@ impl ScoreTestModel {
     }
 }
 
-/// Estimation problem of the encompassing model with the options of the fit. The load coefficients of the term
-/// library are fixed at 0.
+/// Estimation problem of the encompassing model (the model with all candidate effects), with the options of the fit.
+/// The load coefficients of the term library are fixed at 0.
 fn encompassing_problem(
     encompassing: &EncompassingModel,
     context: Context<'_>,
@@ -255,8 +258,8 @@ fn encompassing_problem(
     Ok(problem)
 }
 
-/// Parameter indices and constant values of the candidates outside `on`, at their null values, and of the library's
-/// loads, at 0.
+/// Indices and constant values of the parameters that are not estimated: candidates outside `on`, at their null values,
+/// and load coefficients of the term library, at 0.
 fn fixed_parameters(encompassing: &EncompassingModel, on: &[CandidateId]) -> Vec<(usize, f64)> {
     let layout = Layout::new(&encompassing.model);
     let null = encompassing.candidates.iter_enumerated();
@@ -270,8 +273,8 @@ fn fixed_parameters(encompassing: &EncompassingModel, on: &[CandidateId]) -> Vec
     fixed
 }
 
-/// Values of the encompassing problem's global parameters at a fit; parameters that the fit lacks have their null
-/// values.
+/// Values of the global parameters of `problem`, which includes all candidate effects, at a fit; parameters that the
+/// fit lacks have their null values.
 fn fitted_globals(problem: &FitProblem, fit: &Fit) -> DVector<f64> {
     let before = &fit.problem().globals;
     let values = problem.globals.iter().map(|global| {

@@ -25,7 +25,7 @@ pub(crate) enum TrajectoryCache {
 /// cache.
 #[derive(Clone, Copy)]
 pub(crate) struct LinearizationPoint<'p> {
-    /// The estimation problem.
+    /// Estimation problem whose residuals are linearized.
     pub problem: &'p FitProblem,
     /// Values of all unknowns of the estimation problem: global parameters and initial states of the flights.
     pub iterate: &'p Iterate,

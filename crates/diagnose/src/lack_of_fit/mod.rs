@@ -63,8 +63,8 @@ pub struct LackOfFit {
     /// Root mean square of the residuals in excess of the noise, m: √(mean square of the residuals − noise variance),
     /// or 0 if the difference is negative.
     pub beyond_noise_m: f64,
-    /// Excess χ²: sum of squares that splines remove from the residuals, over the noise variance, minus its
-    /// expectation for pure noise.
+    /// Excess χ²: sum of squares that splines remove from the residuals, divided by the noise variance, minus the
+    /// expectation of this ratio for pure noise.
     #[serde(skip)]
     pub(crate) excess_chi2: f64,
     /// Estimated noise model: the noise floor of the residuals.

@@ -35,8 +35,8 @@ struct Projection {
     /// projected columns with the residuals.
     left: DMatrix<f64>,
     left_gradient: DVector<f64>,
-    /// Sum of squares of the residuals. Splines are not projected out of this sum, of `local` (Gram matrix of the local
-    /// columns), or of `gradient` (products of the local columns with the residuals).
+    /// Sum of squares of the residuals, before the splines are projected out. Also before this projection: `local`
+    /// (Gram matrix of the local columns) and `gradient` (products of the local columns with the residuals).
     total: f64,
     local: DMatrix<f64>,
     gradient: DVector<f64>,
@@ -44,9 +44,9 @@ struct Projection {
 }
 
 impl FlightMisfit {
-    /// Tests the residuals of a flight against the noise floor; `None` if the flight has too few samples. `least_ratio`
-    /// is the minimum that is assumed for the ratio of the flight's noise to the noise floor, because integration
-    /// errors also contribute to the residuals.
+    /// Tests the residuals of a flight against the noise floor; `None` if the flight has too few samples. The ratio of
+    /// the flight's noise to the noise floor is assumed to be at least `least_ratio`, because integration errors also
+    /// contribute to the residuals.
     pub fn new(
         flight: &FlightSeries,
         slow: &SplineBasis,

@@ -19,8 +19,8 @@ const MIN_SCORE: f64 = 4.0;
 /// estimated along with the other parameters, before the noise is estimated.
 const MAX_LN_P_OF_STATES: f64 = -14.0;
 
-/// Damping added to JᵀJ, the normal matrix of a flight's local parameters, when these parameters are eliminated;
-/// relative to the diagonal of JᵀJ.
+/// Damping added to JᵀJ, the normal matrix of a flight's local parameters (its initial state), when these parameters
+/// are eliminated; relative to the diagonal of JᵀJ.
 const DAMPING: f64 = 1e-12;
 
 impl ScoreTestModel {
@@ -77,8 +77,8 @@ impl ScoreTestModel {
         with
     }
 
-    /// Step of a flight's local parameters for a given step of the global parameters, by back-substitution. The step
-    /// is 0 for states of candidates outside `with`.
+    /// Step of a flight's local parameters (its initial state) for a given step of the global parameters, by
+    /// back-substitution. The step is 0 for the states of candidates that are not in `with`.
     fn local_step(
         &self,
         flight: usize,
@@ -101,7 +101,7 @@ impl ScoreTestModel {
         Ok(step)
     }
 
-    /// Residuals of a flight after a step of its global and local parameters, to first order, m.
+    /// Residuals of a flight after a step of its global and local parameters, linearized about the present values, m.
     fn residuals_after_step(
         &self,
         at: LinearizationPoint<'_>,

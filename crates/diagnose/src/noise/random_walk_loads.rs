@@ -38,14 +38,14 @@ pub struct LoadHistory {
     pub file: String,
     /// Times of the knots, s after the first sample.
     pub t: Vec<f64>,
-    /// Estimated load coefficient at each knot; near 0 at times at which the model lacks no such load.
+    /// Estimated load coefficient at each knot; near 0 at times at which the loads of the model are complete.
     pub value: Vec<f64>,
     /// Standard errors of `value`, one for each knot.
     pub std_error: Vec<f64>,
 }
 
-/// Estimated load histories: one list for each channel of the term library, in the library's order, with one history
-/// for each flight. Empty without a library.
+/// Estimated time histories of missing loads: one list for each load channel of the term library, in the order of the
+/// library, with one history for each flight. Empty if no library is compatible with the model.
 pub(crate) fn random_walk_loads(
     model: &ScoreTestModel,
     at: &Iterate,

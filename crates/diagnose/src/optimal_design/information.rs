@@ -6,12 +6,12 @@ use nalgebra::{DMatrix, DVector};
 use crate::context::{ColumnId, ScoreTestModel, select};
 use crate::selection::Hypothesis;
 
-/// Damping added to JᵀJ, the normal matrix of a flight's local parameters, when these parameters are eliminated;
-/// relative to the diagonal of JᵀJ.
+/// Damping added to JᵀJ, the normal matrix of a flight's local parameters (its initial state), when these parameters
+/// are eliminated; relative to the diagonal of JᵀJ.
 const DAMPING: f64 = 1e-12;
 
-/// Information matrix of the global columns from the given normal equations, with the local parameters eliminated;
-/// `None` if a flight does not determine its local parameters.
+/// Information matrix of the global columns from the given normal equations, with the local parameters (initial states)
+/// eliminated; `None` if a flight does not determine its local parameters.
 pub(super) fn information(model: &ScoreTestModel, blocks: &[NormalBlock]) -> Option<DMatrix<f64>> {
     let size = model.global_columns();
     let mut sum = DMatrix::zeros(size, size);
@@ -22,7 +22,7 @@ pub(super) fn information(model: &ScoreTestModel, blocks: &[NormalBlock]) -> Opt
     Some(sum)
 }
 
-/// A fitted hypothesis, given by the departures of its coefficients from the null values.
+/// A fitted hypothesis, given by the differences of its coefficients from their null values.
 pub(super) struct Alternative {
     columns: Vec<ColumnId>,
     /// Fitted minus null value of the coefficient of each column.

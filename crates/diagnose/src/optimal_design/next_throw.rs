@@ -18,26 +18,26 @@ use crate::selection::Search;
 /// Number of simulated throws among which the best is chosen.
 const THROWS: usize = 96;
 
-/// Seed of the random releases.
+/// Seed of the random launch conditions of the simulated throws.
 const SEED: u64 = 1;
 
 /// Minimum separation, in standard deviations, at which two hypotheses count as distinguished.
 const SUFFICIENT_SEPARATION: f64 = 3.0;
 
-/// Minimum ratio of the separation after a throw to the present separation, for a throw whose separation is below
-/// [`SUFFICIENT_SEPARATION`] to be proposed.
+/// Minimum ratio of the separation of the two closest hypotheses after a throw to their present separation (at least
+/// 1), for a throw whose separation is below [`SUFFICIENT_SEPARATION`] to be proposed.
 const MIN_IMPROVEMENT: f64 = 1.3;
 
 /// Name of the vector input from which a model that describes the body as a point mass reads the angular velocity,
 /// rad/s.
 const ANGULAR_VELOCITY: &str = "omega";
 
-/// Release of the proposed next throw, which would best distinguish the accepted hypotheses.
+/// Launch conditions of the proposed next throw, which would best distinguish the accepted hypotheses.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct NextThrow {
     /// Sentence that describes the throw, or states that no throw helps.
     pub says: String,
-    /// Speed of release, m/s.
+    /// Speed of the body at release, m/s.
     pub speed: f64,
     /// Launch angle: angle of the velocity above the horizontal, rad.
     #[serde(rename = "climb")]
@@ -96,8 +96,9 @@ pub(crate) fn next_throw(
     Ok(best.map(|(after, release)| NextThrow::new(release, after, now)))
 }
 
-/// Normal equations of a simulated flight with the given release, observed like the measured flight `like` and
-/// linearized at the unknowns `at`; `None` if the model cannot start with this release or cannot be integrated.
+/// Normal equations of a simulated flight from the launch conditions `release`, observed like the measured flight
+/// `like` and linearized at the unknowns `at`; `None` if the model cannot start from these conditions or cannot be
+/// integrated.
 fn simulated(
     problem: &FitProblem,
     (like, release): (&Observations, &Release),

@@ -6,10 +6,10 @@ use rand::{Rng, RngExt};
 
 use crate::context::ThrowRanges;
 
-/// Release of a simulated throw: speed, angles and spin.
+/// Launch conditions of a simulated throw: speed, angles and spin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Release {
-    /// Speed of release, m/s.
+    /// Speed of the body at release, m/s.
     pub speed: f64,
     /// Launch angle: angle of the velocity above the horizontal, rad.
     pub launch: f64,
@@ -24,7 +24,7 @@ pub(super) struct Release {
 }
 
 impl Release {
-    /// Draws a random release, uniformly distributed within the ranges.
+    /// Draws random launch conditions, uniformly distributed within the ranges.
     pub fn draw(ranges: &ThrowRanges, random: &mut impl Rng) -> Self {
         let mut uniform = |(low, high): (f64, f64)| low + (high - low) * random.random::<f64>();
         let headings = ranges.headings as f64;

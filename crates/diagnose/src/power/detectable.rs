@@ -9,7 +9,7 @@ use crate::score_test::{ScoreTests, ln_p_to_z};
 /// count as confounded with the initial states.
 const MAX_LOCAL_TOLERANCE: f64 = 1e-9;
 
-/// Standard normal quantile of the power 0.9.
+/// Standard normal quantile of the probability 0.9, the power of the test at which an effect counts as detectable.
 const Z_OF_POWER: f64 = 1.281_551_565_544_6;
 
 /// Minimum length of a candidate column's projection on a nuisance parameter, relative to the longest projection, for
@@ -41,7 +41,7 @@ pub struct MinDetectableEffect {
     pub name: String,
     /// Name of the effect's coefficient.
     pub coefficient: String,
-    /// Smallest detectable departure from the null value, SI.
+    /// Smallest detectable difference of the coefficient from its null value, SI.
     pub value: f64,
     /// Unit of the coefficient, as text.
     pub unit: String,
@@ -85,7 +85,7 @@ pub(crate) fn detectable(
     (hidden, detectable)
 }
 
-/// Minimum detectable departure of a coefficient from its null value, SI; `None` if it is not finite or not small
+/// Minimum detectable difference of a coefficient from its null value, SI; `None` if it is not finite or not small
 /// compared with the coefficient's bounds.
 fn detectable_size<Id>(
     tests: &ScoreTests,
@@ -101,8 +101,8 @@ fn detectable_size<Id>(
     (size.is_finite() && size < MAX_FRACTION_OF_BOUNDS * width).then_some(size)
 }
 
-/// Names of the parameters on which the columns of a candidate project, largest share first; `initial states` alone
-/// if these explain a column entirely.
+/// Names of the model parameters with the largest projections of the candidate's columns, in descending order; only
+/// `initial states` if the initial states reproduce a column entirely.
 fn confounded_with(model: &ScoreTestModel, tests: &ScoreTests, id: CandidateId) -> Vec<String> {
     let own = model.columns_of(id);
     let mut shares: Vec<(&str, f64)> = Vec::new();

@@ -5,7 +5,7 @@ use crate::selection::{StepwiseModel, StepwiseTerm};
 use crate::text::{millimetres, three_figures};
 use crate::validation::{PredictiveGain, Validated};
 
-/// Minimum bias of a coefficient, in standard errors, for the coefficient to be named in the summary.
+/// Minimum bias of a coefficient caused by the missing effect, in standard errors, for the summary to name it.
 const MIN_BIAS: f64 = 3.0;
 
 /// Maximum number of flights named in a sentence.
@@ -233,7 +233,8 @@ pub(crate) fn refused(validated: &Validated) -> String {
     )
 }
 
-/// Sentences that locate a lack of fit that no candidate effect explains, by load channel and library terms.
+/// Sentences that name the load channels and library terms in which a lack of fit lies that no candidate effect
+/// explains.
 pub(crate) fn unattributed(model: &StepwiseModel, channels: &[LoadChannel]) -> String {
     let selected: Vec<&StepwiseTerm> = model.terms.iter().filter(|term| term.selected).collect();
     let most = channels

@@ -81,8 +81,8 @@ pub(crate) fn build_report(
     report
 }
 
-/// Derives the verdict from the accepted explanations `causes`. `is_significant` states whether the model under test
-/// has a significant candidate effect or lack of fit.
+/// Derives the outcome of the diagnosis (verdict) from the accepted explanations `causes`. `is_significant` states
+/// whether the model under test has a significant candidate effect or lack of fit.
 fn verdict(is_significant: bool, causes: &[Cause]) -> Verdict {
     let is_negligible = |cause: &Cause| cause.effects.iter().all(|effect| effect.negligible);
     match causes {
@@ -321,8 +321,8 @@ fn load_channels(
     channels.collect()
 }
 
-/// Adds the fit of the extended model. If the report has no cause yet, the effects generated from library terms
-/// become a cause; `chi2_decrease` is their decrease of χ².
+/// Adds the fit of the extended model. If the report contains no explanation (`causes`) yet, the effects generated from
+/// library terms are added as an explanation; `chi2_decrease` is their decrease of χ².
 pub(crate) fn add_extension(
     report: &mut Report,
     (extension, chi2_decrease): (&ExtendedModel, f64),
@@ -437,8 +437,8 @@ mod tests {
     use crate::selection::Search;
     use crate::test_support::mystery;
 
-    /// Report of a fit that did not converge; the first of its flights has no samples. The array states whether a model
-    /// error is detected with the usual detection threshold and with the threshold −∞.
+    /// Report of a fit that did not converge and in which the first flight has no samples. The two values of the array
+    /// state whether a model error is detected: with the usual detection threshold, and with the threshold −∞.
     fn report_of_faulty_fit() -> (Report, [bool; 2]) {
         let mut dataset = mystery(4);
         dataset.flights[0]

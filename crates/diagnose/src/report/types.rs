@@ -174,8 +174,8 @@ pub struct Estimate {
     pub std_error: f64,
     /// SI unit of the value, as text.
     pub unit: String,
-    /// Smallest effect size of interest, SI: smaller departures from the null value are negligible. `None` if not
-    /// declared.
+    /// Smallest effect size of interest, SI: a smaller difference from the null value is negligible. `None` if the
+    /// effect declares none.
     #[serde(rename = "negligible")]
     pub smallest_of_interest: Option<f64>,
 }
@@ -279,9 +279,9 @@ pub struct FlightGain {
 /// Lack of fit that no candidate effect explains, with the loads and library terms that would reduce it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Unattributed {
-    /// Sentences that state where the lack of fit is located.
+    /// Sentences that state in which load channels the lack of fit lies.
     pub says: String,
-    /// Estimated missing load of each load channel.
+    /// Estimated missing load of each load channel (force or moment component).
     pub channels: Vec<LoadChannel>,
     /// Tested terms of the term library, most significant first.
     pub terms: Vec<StepwiseTerm>,
@@ -305,7 +305,7 @@ pub struct Consensus {
     pub discordant: Vec<String>,
 }
 
-/// Missing load of one load channel, as estimated from the residuals.
+/// Missing load in one load channel (a force or moment component), as estimated from the residuals.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LoadChannel {
     /// Site of the load: lift, drag, side, roll, pitch or spin.

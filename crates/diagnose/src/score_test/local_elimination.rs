@@ -7,12 +7,13 @@ use nalgebra::{DMatrix, DVector};
 use crate::context::{CandidateId, DirectionId, ScoreTestModel, select, select_vector};
 use crate::error::DiagnosisError;
 
-/// Normal equations of the global columns, with the local parameters eliminated.
+/// Normal equations of the global parameters (common to all flights), with the local parameters (initial states)
+/// eliminated.
 #[derive(Clone, Debug)]
 pub(crate) struct GlobalEquations {
-    /// Gauss–Newton Hessian of half the weighted sum of squares.
+    /// Gauss–Newton Hessian of half the weighted sum of squares with respect to the global parameters.
     pub matrix: DMatrix<f64>,
-    /// Gradient of half the weighted sum of squares.
+    /// Gradient of half the weighted sum of squares with respect to the global parameters.
     pub gradient: DVector<f64>,
 }
 
@@ -150,7 +151,8 @@ impl PerFlightCandidate {
     }
 }
 
-/// Schur complement of one flight's normal equations, with all local parameters eliminated.
+/// Schur complement of one flight's normal equations, with all local parameters (the initial state of the flight)
+/// eliminated.
 ///
 /// # Errors
 /// [`DiagnosisError::UndeterminedInitialState`] if the samples of the flight do not determine its initial state.

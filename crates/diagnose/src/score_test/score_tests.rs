@@ -40,7 +40,8 @@ pub(crate) struct ScoreTests {
     pub nuisance_projection: DMatrix<f64>,
     /// Information matrix of the nuisance parameters.
     pub nuisance_information: DMatrix<f64>,
-    /// Squared norms of each tested column, before and after the local parameters are eliminated.
+    /// Squared norms of each tested column of the Jacobian, before and after elimination of the local parameters
+    /// (initial states of the flights).
     pub norms: Vec<ColumnNorms>,
     pub(super) nuisance_step: DVector<f64>,
     /// For each test with at least one degree of freedom: matrix that maps the effective scores of all tested columns

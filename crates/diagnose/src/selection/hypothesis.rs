@@ -10,9 +10,9 @@ use crate::score_test::ScoreTests;
 /// Maximum number of effects of a hypothesis that is accepted without improving out-of-sample predictions.
 const MAX_EFFECTS_UNVALIDATED: usize = 2;
 
-/// One or several candidate effects, fitted together with the model under test.
+/// Assumption that the model lacks one or several candidate effects, fitted together with the model under test.
 pub(crate) struct Hypothesis {
-    /// The candidate effects of the hypothesis.
+    /// The candidate effects that the hypothesis adds to the model under test.
     pub effects: Vec<CandidateId>,
     /// Estimation problem in which the candidates of this hypothesis are estimated.
     pub problem: FitProblem,

@@ -8,7 +8,8 @@ use crate::context::{CandidateId, Context, LinearizationPoint, ScoreTestModel, T
 use crate::error::{DiagnosisError, if_possible};
 use crate::score_test::{ScoreTest, ScoreTests};
 
-/// A hypothesis is fitted only if its expected sum of squares, χ², exceeds the smallest expected one by less than this.
+/// Maximum amount by which the expected sum of squares, χ², of a hypothesis may exceed the smallest expected one for
+/// the hypothesis to be fitted.
 const CHI2_MARGIN: f64 = 30.0;
 
 /// Addition to [`CHI2_MARGIN`] that allows for linearization error, as a fraction of the largest expected decrease of
@@ -45,7 +46,7 @@ pub(crate) struct Search<'a> {
     pub thresholds: Thresholds,
     /// Model confidence set: hypotheses that are not rejected, best fit first.
     pub accepted: Vec<Hypothesis>,
-    /// Hypotheses of the last search round in which no hypothesis was adequate, best fit first.
+    /// Hypotheses fitted in the last search round in which none was adequate, best fit first.
     pub rejected: Vec<Hypothesis>,
 }
 
@@ -380,8 +381,8 @@ fn strongest_singles(tests: &ScoreTests) -> Vec<Vec<CandidateId>> {
     near.take(MAX_REFITS).map(|(id, _)| vec![id]).collect()
 }
 
-/// Rejected hypotheses extended by one effect, smallest expected sum of squares first, each with the index of the
-/// extended hypothesis in `rejected`.
+/// Rejected hypotheses extended by one effect: the `count` extensions with the smallest expected sums of squares, in
+/// ascending order. Each extension is stored with the index in `rejected` of the hypothesis that it extends.
 fn strongest_additions(rejected: &[Hypothesis], count: usize) -> Vec<(Vec<CandidateId>, usize)> {
     let mut all: Vec<(Vec<CandidateId>, usize, f64)> = Vec::new();
     for (parent, hypothesis) in rejected.iter().enumerate().take(MAX_PARENTS) {

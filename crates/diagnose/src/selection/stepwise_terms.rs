@@ -26,7 +26,7 @@ const MAX_REPORTED: usize = 12;
 /// Result for one library term in a report.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StepwiseTerm {
-    /// Display name of the effect generated from the term.
+    /// Display name of the effect that is generated from the term.
     pub name: String,
     /// Site of the term: the load to which it is added.
     pub site: String,
@@ -45,25 +45,26 @@ pub struct StepwiseTerm {
 
 /// The model under test with library terms selected one by one.
 pub(crate) struct StepwiseModel {
-    /// Identifiers of the candidate effects that are included in the model in addition to the terms.
+    /// Identifiers of the candidate effects that are included in the model in addition to the library terms.
     pub effects: Vec<String>,
     /// Number of unknowns that the candidate effects add, over all flights.
     effect_unknowns: usize,
     /// The selected terms, in the order of their selection.
     selected: Vec<TermId>,
-    /// Reported terms: those with the largest statistics, and the selected ones.
+    /// Library terms listed in the report: those with the largest statistics, and the selected ones.
     pub terms: Vec<StepwiseTerm>,
-    /// Tests of all terms before any term is selected.
+    /// Score tests of all library terms before the first one is selected.
     first: IndexVec<TermId, StepwiseTerm>,
     /// The extended models with the first term, the first two terms, and so on, with their fits.
     pub fitted: Vec<FittedTerms>,
-    /// Weighted sum of squares of the model with the selected terms, under the noise model of the search.
+    /// Weighted sum of squares of the residuals of the model with the selected terms; the weights follow from the noise
+    /// that the search estimated.
     pub squares: f64,
-    /// Whether no candidate and no further term is significant with the selected terms included.
+    /// Whether no candidate and no other term is significant once the selected terms are included in the model.
     pub is_adequate: bool,
-    /// Whether any term is significant before a term is selected.
+    /// Whether any library term is significant before the first one is selected.
     pub has_significant_term: bool,
-    /// The next term to select, and its statistic; `None` if no further term is to be tried.
+    /// The term to be selected next, and its score statistic; `None` if no further term is to be selected.
     next: Option<(TermId, f64)>,
 }
 
@@ -73,7 +74,7 @@ pub(crate) struct FittedTerms {
     pub extension: ExtendedModel,
     /// Fit of the extended model.
     pub fit: Fit,
-    /// Weighted sum of squares of the fit, under the noise model of the search.
+    /// Weighted sum of squares of the residuals of `fit`; the weights follow from the noise that the search estimated.
     pub squares: f64,
 }
 
@@ -246,7 +247,8 @@ impl StepwiseModel {
         }
     }
 
-    /// Sum of squares expected after selecting the next term; `None` if there is no next term.
+    /// Sum of squares expected after selecting the next term, from linearization; `None` if no further term is to be
+    /// selected.
     pub fn expected_squares(&self) -> Option<f64> {
         self.next.map(|(_, statistic)| self.squares - statistic)
     }

@@ -19,8 +19,7 @@ pub struct PredictiveGain {
     pub standard_error_m: f64,
     /// Standard deviation of the noise of one coordinate, m: the smallest possible prediction error.
     pub noise_floor_m: f64,
-    /// Number of flights predicted by both models, the one without and the one with the extension; flights in
-    /// `set_apart` are not counted.
+    /// Number of flights predicted both without and with the extension; flights in `set_apart` are not counted.
     pub flights: usize,
     /// Number of predicted flights to which the extension is not applied, because it contradicts their first samples.
     #[serde(default)]
@@ -44,7 +43,7 @@ pub struct PredictiveGain {
     /// equally likely.
     #[serde(default)]
     pub p_sign: f64,
-    /// File names of the flights that are set apart because neither model predicts them.
+    /// File names of the flights that are excluded from the statistics because neither model predicts them.
     #[serde(default)]
     pub set_apart: Vec<String>,
 }
@@ -73,8 +72,8 @@ impl PredictiveGain {
     }
 }
 
-/// Difference of RMS errors, as a fraction of the noise standard deviation, below which two models count as making the
-/// same predictions.
+/// Maximum difference of two RMS errors, as a fraction of the noise standard deviation, at which two models count as
+/// making the same predictions.
 const SAME_ERROR: f64 = 1e-3;
 
 /// A flight is set apart (excluded from the statistics, because neither model predicts it) if the smaller of its two
@@ -213,7 +212,7 @@ fn without_set_apart(
     flights.into_iter().partition(is_apart)
 }
 
-/// Probability of at least `improved` heads in `count` tosses of a fair coin.
+/// One-sided p-value of the sign test: probability of at least `improved` heads in `count` tosses of a fair coin.
 fn sign_test(improved: usize, count: usize) -> f64 {
     let mut probability = 0.0;
     let mut ln_binomial = 0.0;

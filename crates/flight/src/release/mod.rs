@@ -31,7 +31,8 @@ pub struct Release {
     pub initial: Vec<(String, f64)>,
     /// Constant wind: velocity of the air in the inertial frame, m/s.
     pub wind: [f64; 3],
-    /// Wind by height and gusts, if stated; such a release is flown with the model that [`WindField::compose`] returns.
+    /// Wind by height and gusts, if the release states them; the flight must then be simulated with the model that
+    /// [`WindField::compose`] returns.
     pub wind_field: Option<WindField>,
     /// Values (SI) of the model's vector inputs other than the wind, by name; the inputs are known for each flight.
     pub known: Vec<(String, [f64; 3])>,
@@ -88,12 +89,12 @@ impl Release {
     }
 }
 
-/// Names defined by a model that its release files may use.
+/// Names that a model defines and that the release files for this model may use.
 #[derive(Clone, Debug, Default)]
 pub struct Vocabulary {
     /// Parameters (known constants) of the body and its environment.
     pub parameters: Vec<Name>,
-    /// Aerodynamic and other coefficients.
+    /// Coefficients of the model, such as aerodynamic coefficients, with their bounds.
     pub coefficients: Vec<Name>,
     /// Names of the states, in the model's order.
     pub states: Vec<String>,
@@ -118,8 +119,8 @@ pub struct Name {
 }
 
 impl Vocabulary {
-    /// Vocabulary of the model after the wind `field` has been added to it; the error message states why the model
-    /// cannot fly in that wind.
+    /// Names that the model defines after the wind `field` has been added to it; the error message states why this wind
+    /// cannot be added to the model.
     fn in_wind(&self, field: &WindField) -> Result<Vocabulary, String> {
         let model = self.model.as_ref();
         let model =

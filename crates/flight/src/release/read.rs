@@ -86,8 +86,8 @@ pub fn read(
 }
 
 /// Like [`read`], but accepts winds by height and gusts, and also the top-level keys `own_keys`, whose values are
-/// ignored here. Also returns the vocabulary of the model with the wind added to it; the release must be flown with the
-/// model in [`Vocabulary::model`].
+/// ignored here. Also returns the names defined by the model after the wind has been added to it; the flight must be
+/// simulated with the model in [`Vocabulary::model`].
 ///
 /// # Errors
 /// [`ReleaseError`] with all faults of the file.
@@ -268,7 +268,8 @@ impl<'t> Reader<'t> {
         Some((release, vocabulary))
     }
 
-    /// Records a fault for each entry of `[parameters]` whose value the wind determines.
+    /// Records a fault for each entry of the table `[parameters]` that states a parameter of the wind, whose value the
+    /// table `[wind]` determines.
     fn stated_twice(&mut self, document: &DeTable<'t>, field: &WindField) {
         let of_wind = field.parameters();
         for (name, span, _) in self.table(document, "parameters") {

@@ -66,7 +66,7 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// Name and value of every state of the model in the state in which its body has the motion of `throw`.
+/// Names and values of all states of the model for which its body has the motion of `throw`.
 fn initial(
     throw: &Throw,
     vocabulary: &Vocabulary,

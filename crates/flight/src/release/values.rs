@@ -43,7 +43,8 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Records a fault for a value of the wrong type; `expected` describes the valid values.
+    /// Records a fault for the value of the key `name`, which has the wrong type; `expected` describes the valid
+    /// values.
     pub fn wrong_type(&mut self, value: &Value<'t>, name: &str, expected: &str) {
         let found = match value.get_ref() {
             DeValue::String(text) if text.len() <= 40 => format!("the text {text:?}"),

@@ -67,9 +67,9 @@ pub enum ThrowError {
     /// A field of the throw has a value outside its range.
     #[error("{name} is {value}; expected {expected}")]
     Range {
-        /// Name of the field.
+        /// Name of the field of the throw.
         name: &'static str,
-        /// Value that was found.
+        /// Value of the field, outside the allowed range.
         value: f64,
         /// Description of the valid values.
         expected: String,
@@ -80,7 +80,7 @@ pub enum ThrowError {
          height alone"
     )]
     NoAttitude {
-        /// Name of the stated field.
+        /// Name of the field that is stated although the body has no attitude.
         name: &'static str,
         /// Name of the model.
         model: String,
@@ -111,7 +111,7 @@ pub enum ThrowError {
 }
 
 impl ThrowError {
-    /// Name of the field that causes the error; `None` if the error is not caused by a single field.
+    /// Name of the field of the throw that causes the error; `None` if the error is not caused by a single field.
     pub fn field(&self) -> Option<&'static str> {
         match self {
             ThrowError::Range { name, .. } | ThrowError::NoAttitude { name, .. } => Some(name),
@@ -169,7 +169,8 @@ impl Throw {
         }
     }
 
-    /// Checks that every field is in its range in [`FIELDS`], that the speed is above 0, and that a wobble has a spin.
+    /// Checks that every field is in its range in [`FIELDS`], that the speed is above 0, and that a throw with a wobble
+    /// also has a spin.
     ///
     /// # Errors
     /// [`ThrowError::Range`] for the first field outside its range; [`ThrowError::NoSpin`] for a wobble without spin.
@@ -237,7 +238,8 @@ impl ThrownModel {
         self.motion.has_attitude()
     }
 
-    /// Parameter vector of a release, in the order of the model's [`Layout`](codegen::Layout).
+    /// Parameter vector of the model for a release, in the order of the model's [`Layout`](codegen::Layout): the values
+    /// that the release states, and default values of all other parameters.
     pub fn release_parameters(&self, release: &Release) -> Vec<f64> {
         self.motion.release_parameters(release)
     }
@@ -378,7 +380,7 @@ impl ThrownModel {
         [position.x, position.y]
     }
 
-    /// Converts a state to the throw whose motion it has.
+    /// Converts a state to the throw with the same motion.
     pub fn throw(&self, state: &[f64], parameters: &[f64]) -> Throw {
         let bound = self.motion.bind(parameters);
         let Motion {

@@ -92,7 +92,8 @@ impl MotionModel {
         self.has_attitude
     }
 
-    /// Parameter vector of a release, in the order of the model's [`Layout`](codegen::Layout).
+    /// Parameter vector of the model for a release, in the order of the model's [`Layout`](codegen::Layout): the values
+    /// that the release states, and default values of all other parameters.
     pub fn release_parameters(&self, release: &Release) -> Vec<f64> {
         self.compiled.release_parameters(release)
     }
@@ -200,8 +201,8 @@ impl BoundMotion<'_> {
         all.iter().flat_map(|v| [v.x, v.y, v.z]).collect()
     }
 
-    /// Vectors that describe the motion at a state, in the order of [`VECTORS`]. The compiled model has them as its
-    /// last auxiliary variables.
+    /// Vectors that describe the motion at a state, in the order that the comment of [`VECTORS`] lists. The compiled
+    /// model has them as its last auxiliary variables.
     fn vectors(&self, state: &[f64]) -> Vec<Vector3<f64>> {
         let count = if self.model.has_attitude {
             VECTORS

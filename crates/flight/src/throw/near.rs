@@ -34,7 +34,7 @@ pub struct NearThrows<'m> {
     workspace: Workspace,
 }
 
-/// Vectors that describe the motion at a state, in the order of [`VECTORS`].
+/// Vectors that describe the motion at a state, in the order that the comment of [`VECTORS`] lists.
 #[derive(Clone, Copy)]
 struct Vectors([Vector3<f64>; VECTORS]);
 
@@ -85,8 +85,8 @@ impl<'m> NearThrows<'m> {
         Ok(())
     }
 
-    /// Finds the state by Newton's method and writes it to `state`; `None` if the method does not apply to the model or
-    /// does not converge to the motion.
+    /// Finds the state with the motion of `throw` above the point `ground` (x, y), m, by Newton's method and writes it
+    /// to `state`; `None` if the method does not apply to the model or does not converge to the motion.
     fn find(&mut self, throw: &Throw, ground: [f64; 2], state: &mut [f64]) -> Option<()> {
         let motion = &self.thrown.motion;
         let turns = motion.has_attitude();

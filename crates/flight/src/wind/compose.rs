@@ -12,7 +12,7 @@ use super::dryden::{COMPONENTS, gust_spectrum, phase_name};
 use super::nodes::{add_let, add_parameter, binary, call, inertial_vector, name, number, sum};
 use super::{GustStrength, Gusts, Profile, WindField, table};
 
-/// Height of 20 ft, m.
+/// Height of 20 ft, m, at which the mean wind determines the intensity of low-altitude gusts.
 const TWENTY_FEET: f64 = 6.096;
 
 impl WindField {

@@ -66,7 +66,7 @@ pub struct ReferenceWind {
 pub struct Gusts {
     /// Seed of the random phases.
     pub seed: u64,
-    /// Index of the flight that has these gusts; each index has its own phases.
+    /// Index of the flight with these gusts; each index yields different random phases.
     pub flight: u64,
     /// Horizontal direction of flight along which the gusts vary, from +x to the left, deg.
     pub heading: f64,

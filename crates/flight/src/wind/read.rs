@@ -13,7 +13,8 @@ const MAX_ROWS: usize = 500;
 const MAX_SPEED: f64 = 200.0;
 /// Default height of gusts, m: 10 ft, the minimum height of the low-altitude gust model.
 const GUST_HEIGHT: f64 = 3.048;
-/// Keys of the table `[wind]`; those after `table` describe a mean wind that follows a formula of the height.
+/// Valid keys of the table `[wind]` of a release file; those after `table` describe a mean wind that follows a formula
+/// of the height.
 const KEYS: [&str; 9] = [
     "constant",
     "gusts",
@@ -25,7 +26,7 @@ const KEYS: [&str; 9] = [
     "roughness",
     "exponent",
 ];
-/// Keys of `[wind.gusts]`.
+/// Valid keys of the table `[wind.gusts]` of a release file.
 const GUST_KEYS: [&str; 8] = [
     "model",
     "seed",
@@ -40,8 +41,8 @@ const GUST_KEYS: [&str; 8] = [
 /// Wind of a release: the constant wind in the inertial frame, m/s, and the wind by height and gusts, if stated.
 pub type StatedWind = ([f64; 3], Option<WindField>);
 
-/// Reads the wind from the table `[wind]` of a TOML file; other tables are ignored, so that one release can be flown in
-/// the wind of another.
+/// Reads the wind from the table `[wind]` of a TOML file; other tables are ignored, so that the flight of one release
+/// can be simulated in the wind of another.
 ///
 /// # Errors
 /// [`ReleaseError`] with all faults of the table, also if the file cannot be read or has no such table.

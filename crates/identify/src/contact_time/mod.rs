@@ -44,12 +44,13 @@ const MIN_GROWTH: f64 = 4.0;
 /// value, the 90 % quantile of χ² with one degree of freedom. A contact time that is too late leaves disturbed samples
 /// in the data, which is worse than the loss of undisturbed samples by one that is too early.
 const UNDECIDED: f64 = 2.71;
-/// Confirmation of a contact by later samples: number of further samples with which the jump is tested again; and
-/// minimum factor by which the decrease of the sum of squares must then grow if it has just grown abruptly (see
-/// `OUTLIER`). The decrease that an outlier causes does not grow with further samples.
+/// Confirmation of a contact by later samples: number of additional samples with which the jump is tested again, and
+/// minimum factor by which they must increase the gain (decrease of the sum of squares) after an abrupt increase (see
+/// `OUTLIER`). Additional samples do not increase the gain that an outlier causes.
 const CONFIRMING: (usize, f64) = (2, 1.2);
-/// Growth, by one additional sample, of the decrease of the sum of squares by a velocity jump, above which that sample
-/// contains an outlier unless the following samples confirm a contact (see `CONFIRMING`).
+/// Gain: decrease of the sum of squares by a velocity jump. If one additional sample increases the gain by more than
+/// this value, that sample is considered to contain an outlier, unless the following samples confirm a contact (see
+/// `CONFIRMING`).
 const OUTLIER: f64 = 26.0;
 /// Maximum number of marker positions that are excluded as outliers from the free flight before the first tried jump,
 /// and maximum number of attempts to exclude further ones at later samples.

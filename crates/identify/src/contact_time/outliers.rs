@@ -8,12 +8,12 @@ use crate::observations::Observations;
 
 /// Squared whitened residual of a marker position above which it is an outlier; noise exceeds it with probability 10⁻⁵.
 const LIMIT: f64 = 26.0;
-/// Maximum difference between the measured distance of two markers and their distance on the body, in units of the
-/// noise standard deviation of a coordinate.
+/// Maximum difference between the measured and the predicted distance of two markers, in units of the noise standard
+/// deviation of a coordinate. A marker with larger differences to most other markers is an outlier.
 const DISTANCE: f64 = 6.0;
 
 /// Marks as outliers the marker positions whose measured distances from most other markers in the same sample differ
-/// from the distances on the body.
+/// from the predicted distances.
 pub fn leave_out_displaced(
     observations: &mut Observations,
     trajectory: &Trajectory,

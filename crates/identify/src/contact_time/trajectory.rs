@@ -132,8 +132,8 @@ impl Trajectory {
     }
 }
 
-/// Derivatives of the coordinates of all markers with respect to the initial state, divided by the standard deviations
-/// `sigma` (m) along the axes.
+/// Jacobian of the predicted marker positions with respect to the initial state: one row per coordinate of each marker,
+/// divided by the standard deviation `sigma` (m) along its axis.
 pub fn over_noise(markers: &[Predicted], sigma: [f64; 3]) -> DMatrix<f64> {
     let dimension = markers[0].derivatives[0].len();
     DMatrix::from_fn(3 * markers.len(), dimension, |row, column| {

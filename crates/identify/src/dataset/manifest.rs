@@ -39,7 +39,7 @@ pub(super) struct Manifest {
     pub flights: Vec<Entry>,
 }
 
-/// One `[[flights]]` entry of the manifest.
+/// One `[[flights]]` entry of `dataset.toml`.
 #[derive(Debug, PartialEq)]
 pub(super) struct Entry {
     pub file: String,

@@ -158,7 +158,7 @@ pub fn load(folder: &Path) -> Result<Dataset, InputError> {
     })
 }
 
-/// Combines the manifest with the samples of each flight, which the function `samples` reads.
+/// Combines the checked contents of `dataset.toml` with the samples of each flight, which the function `samples` reads.
 fn assemble(
     manifest: manifest::Manifest,
     mut samples: impl FnMut(

@@ -9,12 +9,12 @@ use crate::statistics::median;
 
 /// Maximum absolute coordinate of a measured marker position, m.
 const FARTHEST: f64 = 1e4;
-/// Maximum duration of a flight, s; equal to that of a simulated release.
+/// Maximum duration of a measured flight, s; equal to the limit for simulated flights.
 const LONGEST: f64 = flight::release::Release::MAX_DURATION;
 /// Maximum median speed of a marker over half of a flight, m/s; larger values suggest millimetres.
 const FASTEST: f64 = 1e3;
-/// Maximum ratio of the measured to the declared distance of two markers. If a distance exceeds both this ratio and
-/// `WIDEST`, m, the coordinates are not in metres.
+/// Maximum plausible ratio of the measured to the declared distance of two markers. If the ratio exceeds this value and
+/// the measured distance exceeds `WIDEST`, m, the coordinates are rejected as not being in metres.
 const STRETCHED: f64 = 30.0;
 const WIDEST: f64 = 1.0;
 /// Maximum number of samples times markers in one flight, which bounds the memory used.
@@ -23,12 +23,13 @@ const MOST: usize = 1 << 23;
 /// Texts of an error: what was found, and what was expected.
 type Wrong = (String, String);
 
-/// Maximum number of samples of a flight with this number of markers and sensor channels.
+/// Maximum number of samples of a flight; `markers` is the total number of its markers and sensor channels.
 pub(super) fn most(markers: usize) -> usize {
     MOST / markers.max(1)
 }
 
-/// Checks a sample time, s, against the first and the previous sample times of the flight.
+/// Returns an error if `time`, the time of a sample, s, is not after that of the previous sample, `before`, or is more
+/// than [`LONGEST`] after that of the first sample, `first`. Both are `None` for the first sample.
 pub(super) fn time(first: Option<&f64>, before: Option<&f64>, time: f64) -> Result<(), Wrong> {
     let (Some(&first), Some(&before)) = (first, before) else {
         return Ok(());
@@ -44,7 +45,8 @@ pub(super) fn time(first: Option<&f64>, before: Option<&f64>, time: f64) -> Resu
     Ok(())
 }
 
-/// Checks one coordinate of a marker, m; `name` is the column's name in the message.
+/// Returns an error if `value`, a coordinate of a marker position, m, exceeds [`FARTHEST`] in magnitude; `name` is the
+/// column's name in the error.
 pub(super) fn coordinate(name: &dyn Display, value: f64) -> Result<(), Wrong> {
     if value.abs() <= FARTHEST {
         return Ok(());

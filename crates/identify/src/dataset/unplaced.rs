@@ -153,7 +153,7 @@ fn place_poses(markers: &[Marker], sensors: &mut [Sensor], flights: &[Flight]) {
     }
 }
 
-/// Median of each coordinate; `None` if `places` is empty.
+/// Component-wise median of the positions `places`; `None` if there are none.
 fn middle(places: Vec<Vector3<f64>>) -> Option<[f64; 3]> {
     (!places.is_empty()).then(|| {
         [0, 1, 2].map(|axis| median(&mut places.iter().map(|at| at[axis]).collect::<Vec<f64>>()))

@@ -110,7 +110,8 @@ fn holds(folder: &Path, files: &[(String, String)]) -> io::Result<Holds> {
     })
 }
 
-/// Writes the files into a temporary folder next to the target, then renames it to the target.
+/// Writes `files` (pairs of name and text) into a temporary folder next to `folder`, then renames the temporary folder
+/// to `folder`.
 fn place(folder: &Path, files: &[(String, String)]) -> io::Result<()> {
     let name = folder
         .file_name()
@@ -281,7 +282,7 @@ pub fn table_text(flight: &Flight, markers: &[Marker], sensors: &[Sensor]) -> St
     text
 }
 
-/// The text of a manifest with a comment line inserted above the position of each marker.
+/// The text of `dataset.toml` with a comment line inserted above the position of each marker.
 fn commented(text: &str, comments: &[String]) -> String {
     let mut comments = comments.iter();
     let mut made = String::new();

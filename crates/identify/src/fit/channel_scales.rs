@@ -8,7 +8,8 @@ use crate::path_noise::path_noise;
 use crate::problem::FitProblem;
 use crate::statistics::{median, robust_sigma};
 
-/// Minimum noise of a channel relative to the median magnitude of its values, for the rounding of values in tables.
+/// Minimum noise of a channel relative to the median magnitude of its values. It prevents values that are rounded in
+/// tables from appearing noiseless.
 const MIN_RELATIVE_NOISE: f64 = 1e-6;
 
 /// Sets the scale of each channel other than markers so that its scaled noise equals `problem.sigma0`, the noise of a

@@ -178,7 +178,7 @@ fn fitted_without(
     Ok(Some((others, residuals)))
 }
 
-/// Data with which contacts are searched: problem, global parameters and noise of the reference fit, and options.
+/// Data for the search for contacts: problem, global parameters and noise of the reference fit, and options.
 struct Search<'a> {
     problem: &'a FitProblem,
     global: &'a DVector<f64>,
@@ -218,8 +218,8 @@ impl Search<'_> {
         is_contact.then_some(moved)
     }
 
-    /// Restores the whole length of a flight that was truncated at a supposed contact, if the model predicts the whole
-    /// flight; `None` otherwise.
+    /// Restores the whole length of a flight that was truncated at a supposed contact, if the model predicts all of its
+    /// samples; `None` otherwise.
     fn whole(&self, whole: Observations, local: &DVector<f64>) -> Option<Moved> {
         let samples = whole.times.len();
         let local = self.fitted(&whole, samples, local)?;
@@ -232,7 +232,7 @@ impl Search<'_> {
     }
 
     /// Truncates a flight, which was excluded because no fit predicts its whole length, at its contact. `None` if no
-    /// contact is found or if the residuals before the contact are larger than those of the other flights.
+    /// contact is found or if the residuals before the contact are larger than those of the fitted flights.
     fn like_the_others(&self, flight: &Flight) -> Option<Moved> {
         let whole = Observations::new(self.problem, flight).ok()?;
         let guesses = refined_guesses(self.problem, &whole, self.global, self.options).ok()?;
@@ -245,7 +245,8 @@ impl Search<'_> {
         self.is_like_the_others(&moved).then_some(moved)
     }
 
-    /// Whether the residuals of a flight up to its new last sample are similar to those of the other flights.
+    /// Whether the residual scale (robust standard deviation of the residuals) of a flight up to its new last sample is
+    /// at most `LIKE_RATIO` times the usual one.
     fn is_like_the_others(&self, moved: &Moved) -> bool {
         let (observations, unknowns) = (&moved.observations, (self.global, &moved.local));
         let samples = observations.times.len();
@@ -253,8 +254,8 @@ impl Search<'_> {
         scale.is_some_and(|scale| scale <= LIKE_RATIO * self.usual)
     }
 
-    /// Finds the first contact between the samples `from` and `to`, and the initial state fitted to the flight before
-    /// it.
+    /// Finds the first contact between the samples `from` and `to`, and the initial state fitted to the samples before
+    /// the contact.
     fn contact(
         &self,
         whole: &Observations,

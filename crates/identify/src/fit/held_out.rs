@@ -33,8 +33,9 @@ pub struct HeldOut {
     pub fitted: Option<FittedFlight>,
 }
 
-/// Fits the initial states of held-out flights to their conditioning segments, and predicts the rest. `contacts` are the
-/// results of the search for contacts in the flights of the dataset; empty if there was none.
+/// Fits the initial states of held-out flights to their conditioning segments (the first samples of each flight), and
+/// predicts the later samples. `contacts` are the results of the search for contacts in the flights of the dataset;
+/// empty if there was none.
 ///
 /// # Errors
 /// [`FitError::Interrupted`] if the work is cancelled.
@@ -125,8 +126,8 @@ fn predict(
     Ok(HeldOut { report, fitted })
 }
 
-/// Root mean square residual of one coordinate from sample `first` to the last one, outliers excluded, m; `None` if
-/// there are no residuals.
+/// Root mean square residual of one coordinate over the samples from `first` to the end of the flight, outliers
+/// excluded, m; `None` if there are no residuals.
 fn rms_from(
     problem: &FitProblem,
     observations: &Observations,
@@ -147,8 +148,8 @@ fn rms_from(
     (count > 0).then(|| (squares / count as f64).sqrt())
 }
 
-/// Marks outliers by their local-linear residuals, so that a smooth prediction error is not mistaken for outliers.
-/// Returns an error if the trajectory cannot be computed.
+/// Marks as outliers the values whose residuals deviate from the line through the neighbouring residuals, so that a
+/// smooth prediction error is not mistaken for outliers. Returns an error if the trajectory cannot be computed.
 fn mark_outliers(
     problem: &FitProblem,
     observations: &mut Observations,

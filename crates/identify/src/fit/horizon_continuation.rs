@@ -16,15 +16,16 @@ use crate::problem::FitProblem;
 /// First time horizon, s: duration of the initial part of each flight that is fitted first.
 const FIRST_HORIZON: f64 = 0.4;
 
-/// Ratio of the length of each horizon to that of the previous one.
+/// Ratio of the length of each time horizon (the initial part of each flight that is fitted) to that of the previous
+/// one.
 const HORIZON_GROWTH: f64 = 2.5;
 
-/// Minimum ratio of the duration of the longest flight to a horizon for this horizon to be fitted; if the ratio is
-/// smaller, whole flights are fitted instead.
+/// Minimum ratio of the duration of the longest flight to a time horizon (the initial part of each flight that is
+/// fitted) for this horizon to be fitted; if the ratio is smaller, whole flights are fitted instead.
 const MIN_REMAINING_GROWTH: f64 = 1.2;
 
-/// Number of least-squares steps over a horizon, above which it is suspected that the measurement distorts the samples,
-/// for example by late recording, so that the initial guesses are poor.
+/// Number of least-squares steps of a fit to the initial part of the flights, above which it is suspected that the
+/// measurement distorts the samples, for example by late recording, so that the initial guesses are poor.
 const MANY_STEPS: usize = 15;
 
 /// Maximum number of restarts from samples corrected for their distortion by the measurement, such as late recording.
@@ -32,7 +33,8 @@ const MANY_STEPS: usize = 15;
 const MAX_STARTS: usize = 3;
 
 /// Residual scale (robust standard deviation of the residuals), in units of the initial noise estimate `sigma0`, below
-/// which the fit over a short horizon is sufficient and the horizon is extended.
+/// which the fit of the present time horizon (the initial part of each flight) is sufficient, so that a longer one is
+/// fitted next.
 const HORIZON_SCALE: f64 = 5.0;
 
 /// Maximum median over the flights of their residual scales (robust standard deviations of the residuals), in units of
@@ -82,8 +84,8 @@ pub fn continue_horizon(
 }
 
 /// Fits the samples of all flights up to the time `horizon`, s. If the fit takes many steps, the measurement probably
-/// distorts the samples: the fit is then repeated from initial states estimated from corrected samples, and the better
-/// one of the two fits is used.
+/// distorts the samples, for example by late recording: the fit is then repeated from initial states estimated from
+/// corrected samples, and the better one of the two fits is used.
 fn fit_undistorted(
     problem: &FitProblem,
     state: &mut State,

@@ -80,8 +80,8 @@ struct FittedFlight {
     state: DVector<f64>,
 }
 
-/// Fits a model to the flights of a dataset without unknown positions, origin or vertical, as [`fit`](fn@crate::fit)
-/// does.
+/// Fits a model to the flights of a dataset as [`fit`](fn@crate::fit) does, but requires that the sensor positions, the
+/// origin and the vertical direction are known.
 ///
 /// # Errors
 /// The errors of [`fit`](fn@crate::fit).

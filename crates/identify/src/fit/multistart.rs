@@ -130,7 +130,8 @@ pub fn fly_to_the_end(
     best
 }
 
-/// Fits the initial state of one flight over a horizon that doubles up to its whole length; `None` if a fit fails.
+/// Fits the initial state of one flight to an initial part of the flight whose duration doubles up to the whole length;
+/// `None` if a fit fails.
 fn continue_horizon(
     problem: &FitProblem,
     global: &DVector<f64>,

@@ -254,7 +254,7 @@ impl<'a> Outcome<'a> {
         }
     }
 
-    /// Creates the report of a fitted flight, given its index in the state.
+    /// Creates the report of a fitted flight, given its index among the fitted flights.
     pub fn flight(&self, index: usize) -> FlightReport {
         let observations = &self.state.flights[index];
         let flight = &self.flights[index];

@@ -11,7 +11,7 @@ use crate::predict::states;
 use crate::problem::FitProblem;
 use crate::report::{FlightEvidence, ResidualPool, SensorEvidence};
 
-/// Residual statistics and excitation ranges of one flight.
+/// Residual statistics of one flight, and the minimum and maximum of each state and auxiliary variable.
 pub struct PostFit {
     /// Root mean square residual of one coordinate, m, outliers excluded.
     pub rms: f64,
@@ -21,7 +21,7 @@ pub struct PostFit {
     pub pool: ResidualPool,
     /// Sums over the residuals of each channel, in the order of the channels.
     pub channels: Vec<ChannelSum>,
-    /// Minimum and maximum of each of the model's quantities, followed by those of its states.
+    /// Minimum and maximum over the flight of each of the model's auxiliary variables, followed by those of its states.
     pub ranges: Vec<(f64, f64)>,
 }
 
@@ -56,7 +56,8 @@ fn channel_sums(problem: &FitProblem, observations: &Observations, path: &Path) 
     sums.collect()
 }
 
-/// Approximate number of samples of a flight at which the model's quantities are evaluated for their ranges.
+/// Approximate number of samples of a flight at which the model's auxiliary variables are evaluated to find their
+/// minimum and maximum.
 const EVALUATED_SAMPLES: usize = 12;
 
 /// Range (minimum, maximum) that contains no value: the initial value for the union of ranges by `joined`.
@@ -67,7 +68,8 @@ pub fn joined(one: (f64, f64), other: (f64, f64)) -> (f64, f64) {
     (one.0.min(other.0), one.1.max(other.1))
 }
 
-/// Computes residual statistics and excitation ranges of a flight from its trajectory `path`.
+/// Computes the residual statistics of a flight, and the minimum and maximum of its states and auxiliary variables,
+/// from its trajectory `path`.
 pub fn post_fit(
     problem: &FitProblem,
     observations: &Observations,

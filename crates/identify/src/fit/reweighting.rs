@@ -164,8 +164,8 @@ impl Reweighted {
     }
 }
 
-/// Marks outliers and estimates the noise of the other values. Returns the noise, and whether more outlier flags
-/// changed than convergence allows.
+/// Marks outliers, and estimates the noise of the other values. Returns the noise, and whether more outlier flags
+/// changed than is allowed at convergence.
 pub fn estimate_noise(
     problem: &FitProblem,
     state: &mut State,

@@ -65,7 +65,7 @@ impl State {
         self.steps += solution.iterations;
     }
 
-    /// Adds a flight with its initial state, to be used over its whole length.
+    /// Adds a flight with its initial state, without a time limit.
     pub fn push(&mut self, id: FlightId, observations: Observations, local: DVector<f64>) {
         self.ids.push(id);
         self.flights.push(observations);
@@ -73,8 +73,8 @@ impl State {
         self.limits.push(f64::INFINITY);
     }
 
-    /// Number of samples of each flight up to `horizon`, s after its first sample, or up to its own limit if that is
-    /// earlier.
+    /// Number of samples of each flight up to `horizon`, s after its first sample, or up to the time limit of the
+    /// flight in `limits` if that is earlier.
     pub fn samples_until(&self, horizon: f64) -> Vec<usize> {
         let flights = self.flights.iter().zip(&self.limits);
         flights

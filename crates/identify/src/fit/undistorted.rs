@@ -40,8 +40,8 @@ pub fn initial_guesses(
     Ok(guesses)
 }
 
-/// Initial guess from samples that are corrected for their distortion by the measurement. The distortion is predicted
-/// from the parameters `global` and the initial state `local`. `None` if it is negligible.
+/// Initial guess from samples that are corrected for the distortion by the measurement, for example by late recording.
+/// The distortion is predicted from the parameters `global` and the initial state `local`. `None` if it is negligible.
 fn undistorted_guess(
     problem: &FitProblem,
     observations: &Observations,
@@ -103,10 +103,10 @@ pub fn start(problem: &FitProblem, state: &State, options: &FitOptions<'_>) -> O
     Some(started)
 }
 
-/// Subtracts from the samples the distortion by the measurement: the difference between the marker positions predicted
-/// with the parameters `global` and those predicted with the model's initial parameter values on the same trajectory.
-/// `None` if the difference is negligible, if the flight cannot be integrated, or if the pose is not determined by
-/// markers alone.
+/// Subtracts from the samples the distortion by the measurement, for example by late recording. The distortion is the
+/// difference between the marker positions predicted with the parameters `global` and those predicted with the model's
+/// initial parameter values on the same trajectory. `None` if it is negligible, if the flight cannot be integrated, or
+/// if the pose is not determined by markers alone.
 fn without_distortion(
     problem: &FitProblem,
     observations: &Observations,

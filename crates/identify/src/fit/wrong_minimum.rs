@@ -16,10 +16,9 @@ const ACCEPTED_RATIO: f64 = 0.98;
 /// Each restart uses a better estimate of the distortion.
 const MAX_STARTS: usize = 3;
 
-/// If the present fit may have ended in a wrong minimum, fits all flights again from samples corrected for their
-/// distortion by the measurement, as far as the present parameters predict such a distortion. `cache` contains the
-/// residuals at the present state. The state is replaced if the new fit is better. Returns the residuals at the final
-/// state.
+/// If the present fit may have ended in a wrong minimum, fits all flights again from samples corrected for distortions
+/// by the measurement (such as late recording) that the present parameters predict. `cache` contains the residuals at
+/// the present state. The state is replaced if the new fit is better. Returns the residuals at the final state.
 ///
 /// # Errors
 /// The errors of [`continue_horizon`].
@@ -58,8 +57,8 @@ pub fn is_suspect(problem: &FitProblem, state: &State, cache: &ResidualCache) ->
     is_driven_to_bound || !cache.failures().is_empty() || problem.is_misfit(cache.median_scale())
 }
 
-/// Whether the fit `found` predicts more flights than the fit `before`, or equally many flights with clearly smaller
-/// residuals.
+/// Whether fewer trajectories fail to integrate in the fit `found` than in the fit `before`, or equally many fail and
+/// the residuals are clearly smaller.
 pub fn is_better(found: &ResidualCache, before: &ResidualCache) -> bool {
     let (failed, failed_before) = (found.failures().len(), before.failures().len());
     failed < failed_before

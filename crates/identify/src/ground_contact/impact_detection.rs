@@ -10,10 +10,10 @@ use super::PathPoint;
 use crate::path_noise::path_noise;
 use crate::statistics::median;
 
-/// Maximum number of points that are used on each side of an interval between two successive points that is tested for
-/// an impact.
+/// Maximum number of points (measured positions) that are used on each side of an interval between two successive
+/// points that is tested for an impact.
 const SIDE: usize = 7;
-/// Minimum numbers of points before and after an interval that is tested for an impact.
+/// Minimum numbers of points (measured positions) before and after an interval that is tested for an impact.
 const LEAST_SIDES: (usize, usize) = (6, 3);
 /// Minimum number of points on one side of an interval, which is tested for an impact, for a parabola to be fitted to
 /// them. With fewer points after the interval, only position and velocity are fitted there, and the acceleration before
@@ -38,7 +38,7 @@ const MIN_VERTICAL_PART: (f64, f64) = (0.3, 0.3);
 /// Minimum ratio of the residual variance of a single polynomial (motion without an impact) to that of two parabolas
 /// (motion before and after an impact).
 const MIN_SQUARES_RATIO: f64 = 1.5;
-/// Maximum number of points around an interval tested for an impact that are excluded as outliers.
+/// Maximum number of points (measured positions) around an interval tested for an impact that are excluded as outliers.
 const MOST_OUTLIERS: usize = 2;
 /// Maximum number of intervals, distributed over the flight, at which velocity jumps are fitted; the jump of an impact
 /// is compared with their median (see `MIN_RATIO`).
@@ -119,8 +119,8 @@ struct Kink {
     jump: Vector3<f64>,
     /// Standard error of a component of the jump, m/s.
     error: f64,
-    /// Velocity change within the interval that is tested for an impact, if the acceleration is the larger of those
-    /// before and after the interval, m/s.
+    /// Velocity change that acceleration alone would cause within the interval that is tested for an impact, m/s. The
+    /// larger one of the accelerations before and after the interval is used.
     impulse: f64,
     /// Residual variance of the two parabolas, at least the noise variance, m². `smooth` is the residual variance of a
     /// single polynomial through all points, m².

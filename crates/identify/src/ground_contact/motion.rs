@@ -18,10 +18,11 @@ const WOBBLE: f64 = 0.002;
 /// Prior standard deviation of the cubic coefficient in the polynomial of the axis direction in (time / `SCALE`).
 const BEND: f64 = 0.02;
 /// Minimum variance by which gains (decreases of a sum of squares) are divided, as a fraction of the residual variance
-/// of the disturbed motion. It prevents outliers, which increase that variance, from causing large gains.
+/// of motion whose velocity changes within the tested interval. It prevents outliers, which increase that variance,
+/// from causing large gains.
 const LOCAL_PART: f64 = 0.25;
 
-/// Position of the body's origin and direction of its most steady axis in one sample.
+/// Position of the body's origin, and direction of the body axis whose direction changes least, in one sample.
 #[derive(Clone, Copy, Debug)]
 pub struct Point {
     /// Index of the sample.
@@ -30,18 +31,19 @@ pub struct Point {
     pub time: f64,
     /// Position of the body's origin in the inertial frame, m.
     pub position: Vector3<f64>,
-    /// Unit vector along the most steady body axis, in inertial components.
+    /// Unit vector, in inertial components, along the body axis whose direction changes least.
     pub axis: Vector3<f64>,
 }
 
-/// Wobble rate and noise properties of one flight, which are constant throughout the flight.
+/// Wobble rate and noise properties of one flight, which are assumed constant throughout the flight.
 #[derive(Clone, Copy, Debug)]
 pub struct Character {
-    /// Angular rate of the wobble of the axis, rad/s.
+    /// Angular rate of the wobble of the most steady body axis, rad/s.
     pub rate: f64,
-    /// Correlation of the measurement noise between successive samples.
+    /// Correlation of the measurement noise between successive samples, dimensionless.
     pub correlation: f64,
-    /// Standard deviations of the noise: of a component of the position, m, and of a component of the axis.
+    /// Standard deviations of the noise: of a component of the position, m, and of a component of the axis (a unit
+    /// vector).
     pub noise: [f64; 2],
 }
 
@@ -49,16 +51,18 @@ pub struct Character {
 /// disturbed within the interval, so that its velocity and wobble change.
 #[derive(Clone, Copy, Debug)]
 pub struct Comparison {
-    /// Index of the first point after the interval that is tested for a contact.
+    /// Index of the first point after the interval that is tested.
     pub index: usize,
-    /// Decreases of the sums of squared residuals of position and axis if the disturbance is allowed. Each is divided
-    /// by its noise variance, or by `LOCAL_PART` × its residual variance if that is greater.
+    /// Decreases of the sums of squared residuals of position and axis if the motion may change within the interval.
+    /// Each is divided by its noise variance, or by `LOCAL_PART` × its residual variance if that is greater.
     pub gains: [f64; 2],
-    /// Residual variances of the disturbed motion: of the position, m², and of the axis (a unit vector, dimensionless).
+    /// Residual variances of the motion that changes within the interval: of the position, m², and of the axis (a unit
+    /// vector, dimensionless).
     pub variances: [f64; 2],
-    /// Sum of the squared residuals of position and axis for the disturbed motion, each in units of its noise variance.
+    /// Sum of the squared residuals of position and axis for motion that changes within the interval, each in units of
+    /// its noise variance.
     pub remaining: f64,
-    /// Velocity just before the disturbance, m/s. `jump` is the change of the velocity at the disturbance, m/s.
+    /// Velocity just before the change of the motion, m/s. `jump` is the change of the velocity, m/s.
     pub velocity: Vector3<f64>,
     pub jump: Vector3<f64>,
 }
@@ -80,7 +84,8 @@ impl Character {
         }
     }
 
-    /// Regression row of free motion for the axis of a point, with times relative to `about`, s.
+    /// Regression row of free motion for the direction of the most steady body axis at a point, with times relative to
+    /// `about`, s.
     pub fn axis_row(&self, point: &Point, about: f64) -> Row<6> {
         let u = (point.time - about) / SCALE;
         let (sine, cosine) = (self.rate * (point.time - about)).sin_cos();
@@ -91,33 +96,35 @@ impl Character {
         }
     }
 
-    /// Prior precisions of the coefficients of `position_row`, as `Design::new` expects them.
+    /// Prior precisions of the coefficients of `position_row`, each as the ratio of the noise variance to the prior
+    /// variance.
     pub fn position_precisions(&self) -> [f64; 7] {
         let snap = self.precision(0, SNAP * SCALE.powi(4) / 24.0);
         let wobble = self.precision(0, WOBBLE);
         [0.0, 0.0, 0.0, 0.0, snap, wobble, wobble]
     }
 
-    /// Prior precisions of the coefficients of `axis_row`, as `Design::new` expects them.
+    /// Prior precisions of the coefficients of `axis_row`, each as the ratio of the noise variance to the prior
+    /// variance.
     pub fn axis_precisions(&self) -> [f64; 6] {
         [0.0, 0.0, 0.0, self.precision(1, BEND), 0.0, 0.0]
     }
 
     /// Variances by which the gains (decreases of the sum of squared residuals) of position, m², and axis are divided.
-    /// `variances` are the residual variances of the disturbed motion.
+    /// `variances` are the residual variances of the motion that changes within the tested interval.
     pub fn units(&self, variances: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|part| self.noise[part].powi(2).max(LOCAL_PART * variances[part]))
     }
 
-    /// Gains (see `Comparison::gains`) of the comparison `of`, which was computed with the noise in `other`, converted
-    /// to the noise in `self`.
+    /// Gains (see `Comparison::gains`) of `of`, the test of an interval with the noise in `other`, converted to the
+    /// noise in `self`.
     pub fn gains(&self, of: &Comparison, other: &Character) -> [f64; 2] {
         let (here, there) = (self.units(of.variances), other.units(of.variances));
         [0, 1].map(|part| of.gains[part] * there[part] / here[part])
     }
 
-    /// Regression rows of motion that is disturbed at the time `about`, s: velocity and acceleration change, and so do
-    /// the drift and the wobble of the axis. One row for the position of a point, and one for its axis.
+    /// Regression rows of motion that changes at the time `about`, s: velocity and acceleration change, and so do the
+    /// drift and the wobble of the axis. One row for the position of a point, and one for its axis.
     pub fn disturbed_rows(&self, point: &Point, about: f64) -> (Row<9>, Row<9>) {
         let since = (point.time - about).max(0.0);
         let (u, (sine, cosine)) = (since / SCALE, (self.rate * since).sin_cos());

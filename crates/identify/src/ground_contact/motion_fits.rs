@@ -8,21 +8,22 @@ use super::designs::Designs;
 use super::motion::{Character, Comparison, Point, SCALE};
 use super::regression::{Design, Regression};
 
-/// Maximum numbers of points that are used before and after an interval between two successive points that is tested
-/// for a contact.
+/// Maximum numbers of points (samples with a pose) that are used before and after an interval between two successive
+/// points that is tested for a contact.
 pub const SIDES: (usize, usize) = (20, 8);
 /// Maximum numbers of samples, with or without a pose, that the points used before and after an interval tested for a
 /// contact may span.
 const SPANS: (usize, usize) = (26, 16);
-/// Minimum numbers of points that are required before and after an interval tested for a contact.
+/// Minimum numbers of points (samples with a pose) that are required before and after an interval tested for a contact.
 const LEAST_SIDES: (usize, usize) = (8, 4);
-/// Maximum number of points around an interval tested for a contact that are excluded as outliers.
+/// Maximum number of points (samples with a pose) around an interval tested for a contact that are excluded as
+/// outliers.
 const MOST_OUTLIERS: usize = 2;
 /// Sum of the squared residuals of a point's position and axis, each divided by its noise variance, above which the
 /// point is an outlier.
 const OUTLIER: f64 = 40.0;
-/// Least-squares fits of free and of disturbed motion to ranges of points of one flight. Ranges with equally spaced
-/// times share one factorised design.
+/// Least-squares fits of free motion, and of motion with a velocity jump, to ranges of points of one flight. Ranges
+/// with equally spaced times share one factorised regression matrix.
 #[derive(Debug)]
 pub struct MotionFits {
     /// Wobble rate and noise that the regressions assume.
@@ -32,7 +33,7 @@ pub struct MotionFits {
 }
 
 impl MotionFits {
-    /// Creates the fits for a given wobble rate and noise, without any stored design.
+    /// Creates the fits for a given wobble rate and noise, with an empty store of factorised regression matrices.
     pub fn new(character: Character) -> Self {
         Self {
             character,
@@ -63,8 +64,8 @@ impl MotionFits {
         ))
     }
 
-    /// Fits motion that is disturbed at the time `about`, s, to the positions and to the axes of points; `None` if the
-    /// points do not determine it.
+    /// Fits motion whose velocity and wobble change at the time `about`, s, to the positions and to the axes of points;
+    /// `None` if the points do not determine it.
     fn disturbed(
         &mut self,
         points: &[&Point],
@@ -126,8 +127,9 @@ impl MotionFits {
         Some(self.robust(points, range, about)?.0)
     }
 
-    /// Tests the interval before point `index` for a contact: compares free motion with motion that is disturbed at the
-    /// time `at`, s; for `None`, in the middle of the interval. Returns `None` if there are too few points.
+    /// Tests the interval before point `index` for a contact: compares free motion with motion whose velocity and
+    /// wobble change at the time `at`, s; for `None`, in the middle of the interval. Returns `None` if there are too
+    /// few points.
     pub fn compare(
         &mut self,
         points: &[Point],

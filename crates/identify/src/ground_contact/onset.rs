@@ -72,7 +72,7 @@ fn first_point(points: &[Point], found: &Comparison, fits: &mut MotionFits) -> O
 }
 
 /// First sample after a contact between points `index − 1` and `index`, if the samples between these points have no
-/// pose. It is the sample for which motion that is disturbed just before it has the smallest residuals.
+/// pose. It is the sample for which motion that changes just before it has the smallest residuals.
 fn in_gap(points: &[Point], index: usize, fits: &mut MotionFits) -> Option<usize> {
     let (last, next) = (&points[index - 1], &points[index]);
     let samples = last.sample + 1..=next.sample;

@@ -13,15 +13,15 @@ use super::wobble::{noise_correlation, points_with_axis, wobble_rate};
 use crate::path_noise::path_noise;
 use crate::statistics::median;
 
-/// Minimum number of points before an interval that is tested for a contact. With fewer points, the model of free
-/// motion could follow any curve.
+/// Minimum number of points (samples with a pose) before an interval that is tested for a contact. With fewer points,
+/// the model of free motion could follow any curve.
 const LEAST_BEFORE: usize = 32;
-/// Minimum number of points after an interval that is tested for a contact; the motion after a contact is fitted to
-/// them. Intervals nearer to the end of the flight are not tested.
+/// Minimum number of points (samples with a pose) after an interval that is tested for a contact; the motion after a
+/// contact is fitted to them. Intervals nearer to the end of the flight are not tested.
 const LEAST_AFTER: usize = 4;
 /// Lower limits of the usual gains of position and axis. A gain is the decrease of the sum of squared residuals if a
-/// contact is assumed in an interval; the usual gain is typical of intervals of the flight without a contact. Its
-/// expected value increases with the number of coefficients that a contact adds.
+/// contact is assumed in an interval; the usual gain is typical of intervals of the flight without a contact. The
+/// limits differ because a contact adds different numbers of coefficients to position and axis.
 const LEAST_USUAL: [f64; 2] = [8.0, 12.0];
 /// Minimum number of earlier intervals for the usual gain (see `LEAST_USUAL`) to be the median of the gains of these
 /// intervals. With fewer, the usual gain is the lower quartile over the whole flight.
@@ -43,8 +43,8 @@ const MIN_OF_PATH: (f64, f64, f64) = (7.0, 0.8, 0.3);
 /// estimate. A flight in which no interval exceeds these lower thresholds has no contact.
 const ROUGH: f64 = 0.5;
 
-/// Spacing, in points, of the intervals that are tested in the first, cheap pass. A contact affects the tests of
-/// several neighbouring intervals.
+/// Spacing, in points, of the intervals that are tested in the first, cheap pass. Not every interval need be tested,
+/// because a contact affects the tests of several neighbouring intervals.
 const ROUGH_STEP: usize = 2;
 
 /// A contact of a body with the ground.

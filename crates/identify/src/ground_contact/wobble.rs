@@ -21,7 +21,7 @@ const SPIN_PART: usize = 3;
 const TURNS: (f64, f64, usize) = (0.25, 0.05, 56);
 /// Spacing of the trial values in the first, coarse search for the wobble rate, in multiples of the step of `TURNS`.
 const COARSE: usize = 3;
-/// Number of points of each segment to which a wobble of the trial rate is fitted.
+/// Number of points in each segment to which a wobble is fitted at every trial rate.
 const CHUNK: usize = 12;
 /// Unit of time in a polynomial over a segment, s: its variable is time divided by this value.
 const SCALE: f64 = 0.05;
@@ -33,8 +33,8 @@ const CORRELATIONS: (f64, i32) = (0.05, 18);
 /// Minimum number of third differences of the positions from which the noise correlation is estimated.
 const DIFFERENCES: usize = 30;
 
-/// Positions and directions of the most steady axis in each sample; `None` if the body has no steady axis or spins
-/// slowly.
+/// Position of the body and direction of its most steady axis (the body axis whose direction changes least) in each
+/// sample; `None` if the body has no such axis or spins slowly.
 pub fn points_with_axis(posed: &[Posed]) -> Option<Vec<Point>> {
     let pairs = posed.windows(2);
     let mut spins: Vec<f64> = pairs

@@ -84,8 +84,8 @@ pub fn initial_guesses(
     }
 }
 
-/// Initial guesses of a flight without measured positions: one for each of several motions that the instruments permit.
-/// The caller selects among them by fits to the samples.
+/// Initial guesses of a flight without measured positions: one for each of several motions that are compatible with the
+/// readings of the instruments. The caller selects among them by fits to the samples.
 fn instrument_guesses(
     problem: &FitProblem,
     observations: &Observations,

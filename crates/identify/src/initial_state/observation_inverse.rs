@@ -253,7 +253,8 @@ impl<'a> ProbeMotion<'a> {
         }
     }
 
-    /// Distance of the probe points from their target positions, m: root of the sum of squares over all points.
+    /// Distance of the body-fixed probe points from their target positions and velocities, m: root of the sum of
+    /// squares over all points. Velocities are multiplied by `VELOCITY_WEIGHT`.
     fn distance(&mut self, state: &DVector<f64>, target: &DVector<f64>) -> f64 {
         let mut squares = 0.0;
         for (probe, wanted) in self.probes.iter().zip(target.as_slice().chunks(3)) {

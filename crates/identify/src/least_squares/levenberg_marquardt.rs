@@ -29,7 +29,7 @@ pub struct Solution {
 }
 
 impl Solution {
-    /// Whether the iteration converged: the last step was negligible.
+    /// Whether the iteration converged, because the last step was negligible.
     pub fn converged(&self) -> bool {
         self.stop_reason == StopReason::Converged
     }

@@ -50,7 +50,7 @@ impl StoppingCriteria {
         max_steps: 30,
         worthwhile_squares: f64::INFINITY,
     };
-    /// Criteria for fits over a short horizon, which precede a fit over a longer one.
+    /// Criteria for fits of a short initial part of the flights, which precede the fit of a longer part.
     pub const HORIZON: StoppingCriteria = StoppingCriteria {
         ftol_rel: 1e-2,
         accept_unevaluated: f64::INFINITY,

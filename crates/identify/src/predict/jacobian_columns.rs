@@ -26,8 +26,8 @@ pub(super) struct JacobianColumns<'p> {
 }
 
 impl<'p> JacobianColumns<'p> {
-    /// Assigns a column to each direction and parameter of a flight, given the entries (derivative, state) of the
-    /// sparsity pattern of ∂f/∂x.
+    /// Assigns a column to each direction and parameter of a flight. `pattern` contains the (row, column) indices of
+    /// the nonzero entries of ∂f/∂x, where f is the derivative of the state x with respect to time.
     pub fn new(
         observations: &Observations,
         pattern: &[(usize, usize)],
@@ -99,8 +99,8 @@ impl<'p> JacobianColumns<'p> {
         [0; 3].map(|_| vec![0.0; width])
     }
 
-    /// Writes the derivatives of an observation with respect to the unknowns into `rows`, one per axis. `row_of`
-    /// returns the sensitivities of a state.
+    /// Writes the derivatives of an observation with respect to the unknowns into `rows`, one row per axis. `row_of`
+    /// returns the sensitivities of a state to the unknowns.
     pub fn derive<'s>(
         &self,
         derivatives: &ObservationJacobians<'_>,

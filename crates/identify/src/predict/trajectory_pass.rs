@@ -24,7 +24,7 @@ const MAX_TOLERANCE: f64 = 1e-3;
 /// has diverged. With sensitivities, this number of steps takes a few hundredths of a second.
 const STEPS: usize = 1_000;
 
-/// Additional number of integration steps per sample, after which a trajectory has diverged.
+/// Number of integration steps per sample that is added to [`STEPS`] to give the maximum number of steps.
 const STEPS_PER_SAMPLE: usize = 20;
 
 /// Integration options for a tolerance in m, which is clamped to the allowed range, and a number of samples.
@@ -46,7 +46,7 @@ pub(super) struct TrajectoryPass<'a> {
     pub samples: usize,
     /// Integration tolerance, m.
     pub tolerance: f64,
-    /// Whether values marked as outliers are visited.
+    /// Whether measured values that are marked as outliers are processed too; if `false`, they are skipped.
     pub with_outliers: bool,
 }
 

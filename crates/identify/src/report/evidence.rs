@@ -11,7 +11,7 @@ pub struct FlightEvidence {
     pub file: String,
     /// Whether the flight was fitted or held out.
     pub role: Role,
-    /// Names of the markers and pose sensors, whose positions are given.
+    /// Names of the markers and pose sensors to which the positions in `measured` and `predicted` belong.
     pub markers: Vec<String>,
     /// Times of the samples relative to the first one, s.
     pub times: Vec<f64>,

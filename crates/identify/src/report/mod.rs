@@ -58,7 +58,7 @@ pub struct FitReport {
     pub undetermined: Vec<NonIdentifiable>,
     /// Profile likelihoods that the options request.
     pub profiles: Vec<Profile>,
-    /// Residual diagnostics along each axis, by the names `x`, `y` and `z`.
+    /// Residual diagnostics along each axis of the inertial frame, by the names `x`, `y` and `z`.
     pub residuals: BTreeMap<String, AxisResiduals>,
     /// Number of steps of the iteration, and its status.
     pub iterations: Iterations,
@@ -125,9 +125,9 @@ pub struct NoiseReport {
     pub outlier_fraction: f64,
     /// Number of missing values.
     pub dropouts: usize,
-    /// Noise floor: root mean square over the axes of the standard deviations estimated by a smoother without a model,
-    /// m; for correlated noise, it is an underestimate. With too few samples for a smoother, it is estimated from the
-    /// rigidity of the markers. `None` if the samples do not determine it.
+    /// Noise floor: root mean square over the axes of the noise standard deviations that are estimated without a model,
+    /// from the scatter about smooth curves, m; for correlated noise, it is an underestimate. With too few samples, it
+    /// is estimated from the rigidity of the markers. `None` if the samples do not determine it.
     pub floor_m: Option<f64>,
 }
 
@@ -177,7 +177,7 @@ pub struct FlightReport {
     /// Number of samples in the table of the flight, not counting those after the truncation `cut`.
     pub samples: usize,
     /// Root mean square residual of one coordinate, m. For a held-out flight, it covers the samples after the
-    /// conditioning segment. `None` if the flight is excluded.
+    /// conditioning segment, the first samples, to which the initial state is fitted. `None` if the flight is excluded.
     pub rms_m: Option<f64>,
     /// Number of measured values of the flight that are excluded as outliers.
     pub outliers: usize,

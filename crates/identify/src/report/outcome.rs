@@ -10,7 +10,8 @@ use crate::least_squares::StopReason;
 pub enum FlightOutcome {
     /// The initial state of the flight was fitted together with the global parameters.
     Fitted,
-    /// The initial state was fitted to the conditioning segment, and the rest of the flight was predicted.
+    /// The initial state was fitted to the conditioning segment (the first samples of the flight), and the later
+    /// samples were predicted.
     HeldOut,
     /// The flight was not used in the fit.
     Excluded {

@@ -188,8 +188,8 @@ fn quantiles(bins: &[u32]) -> Vec<[f64; 2]> {
     each.collect()
 }
 
-/// Value below which there are `wanted` of the binned values. The search resumes at `from` (bin, count below the bin),
-/// since quantiles are requested in increasing order.
+/// Value below which `wanted` of the binned values lie. The search resumes at `from` (bin, number of values below the
+/// bin), since quantiles are requested in increasing order.
 fn binned_quantile(bins: &[u32], wanted: f64, from: &mut (usize, f64)) -> f64 {
     let width = 2.0 * HISTOGRAM_LIMIT / BINS as f64;
     for (index, &count) in bins.iter().enumerate().skip(from.0) {

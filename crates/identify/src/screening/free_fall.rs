@@ -75,7 +75,8 @@ pub struct FreeFall<'a> {
     problem: &'a FitProblem,
     dataset: &'a Dataset,
     gravity: Vector3<f64>,
-    /// Accelerations and loads in the time windows of each flight; empty for a flight without a track.
+    /// Measured accelerations and regressors of the aerodynamic loads in the time windows of each flight; empty for a
+    /// flight without a track.
     rows: Vec<Vec<Row>>,
     /// Median, over the samples of each flight, of the vertical component of the unit normal of the markers' plane;
     /// `None` for a point mass or without a track.
@@ -137,9 +138,9 @@ impl<'a> FreeFall<'a> {
         self.single(&fixed)
     }
 
-    /// Fault that all flights have in common: kind, description and instruction for correcting it. `fixed` and `free`
-    /// are the regressions with the constant acceleration fixed at gravity and with a fitted constant acceleration; The
-    /// result is `None` if the fitted constant acceleration is not clear evidence of a fault.
+    /// Fault that all flights have in common: kind, description and instruction for correcting it. `fixed` is the
+    /// regression with the constant acceleration fixed at gravity, `free` that with a fitted one; the result is `None`
+    /// if the fitted constant acceleration is not clear evidence of a fault.
     fn of_all(&self, fixed: &Regression, free: &Regression) -> Option<(FaultKind, String, String)> {
         let g = self.gravity.norm();
         let deviation = free.gravity - self.gravity;
@@ -232,8 +233,8 @@ impl<'a> FreeFall<'a> {
         })
     }
 
-    /// Faults of single flights that agree with gravity and with the aerodynamic loads fitted to all flights only after
-    /// a correction of their data.
+    /// Faults of single flights whose accelerations, without the aerodynamic loads fitted to all flights, agree with
+    /// gravity only after a correction of units, times or axes.
     fn single(&self, fixed: &Regression) -> Vec<DataFault> {
         let g = self.gravity.norm();
         let misfit = |rows: &[Row]| self.misfit(fixed, rows);
@@ -261,9 +262,9 @@ impl<'a> FreeFall<'a> {
         faults
     }
 
-    /// Fault of a flight whose markers, which lie in a plane, show the other side of the body up than in all other
-    /// flights, if the mirror image of the flight has a clearly smaller misfit. `before` is the misfit of the recorded
-    /// flight, m/s².
+    /// Fault of flight number `index` if the normal of its markers' plane points up and that of all other flights down,
+    /// or vice versa, and the mirror image of the flight has a clearly smaller misfit (deviation of the accelerations
+    /// from gravity). `before` is the misfit of the recorded flight, m/s².
     fn turned_over(&self, fixed: &Regression, index: usize, before: f64) -> Option<DataFault> {
         let own = self.upright[index]?;
         let others = self
@@ -369,10 +370,10 @@ impl<'a> FreeFall<'a> {
         None
     }
 
-    /// Unit of length, other than the metre, for which a flight has the smallest misfit if its positions are in this
-    /// unit: misfit, m/s², length of the unit, m, and name. The function `misfit` returns the misfit after
-    /// multiplication of the positions by a matrix. `None` if the distances between markers have already shown that
-    /// lengths are in metres.
+    /// Of all units of length other than the metre, the one for which the flight has the smallest misfit if its
+    /// positions are in this unit: (misfit, m/s²; length of the unit, m; name). The function `misfit` returns the
+    /// misfit after multiplication of the positions by a matrix. `None` if the distances between markers have already
+    /// shown that lengths are in metres.
     fn length(
         &self,
         misfit: &impl Fn(&Matrix3<f64>) -> Option<f64>,

@@ -6,12 +6,14 @@ use ode::{IntegrationOptions, integrate_at};
 
 use crate::problem::FitProblem;
 
-/// Duration of the fall from rest, s; so short that the speed stays too low for aerodynamic forces to matter.
+/// Half of the duration of the simulation from which an acceleration is computed, s; so short that the speed of a fall
+/// from rest stays too low for aerodynamic forces to matter.
 const FALL: f64 = 1e-2;
-/// Maximum relative difference of accelerations that count as equal.
+/// Maximum relative difference of accelerations from rest at which gravity counts as independent of position and
+/// attitude.
 const SAME: f64 = 1e-2;
-/// Sizes of the variations of the default state for which the accelerations are compared: angles vary by up to this
-/// size in rad, coordinates by up to 3 m times this size.
+/// Displacements from the default state at which the acceleration from rest is computed, to test that it does not
+/// depend on position or attitude: angles change by up to this value in rad, coordinates by up to 3 m times this value.
 const VARIATIONS: [f64; 3] = [0.0, 0.4, -0.9];
 
 /// Acceleration of the body's origin from rest in still air, m/s². `None` if the acceleration is zero or depends on

@@ -10,9 +10,9 @@ use crate::statistics::median;
 /// Lengths, in points of the track, of the intervals at the start and at the end of a flight that are examined for
 /// contact with a hand or the ground.
 const LENGTHS: [usize; 8] = [6, 9, 13, 20, 32, 52, 90, 160];
-/// Minimum forward component of the force per mass (without gravity) that counts as a push by a hand: in units of
-/// gravity, and of the magnitude of this force; both limits must be exceeded. Aerodynamic forces in moderate wind do
-/// not exceed both.
+/// Minimum component, along the velocity, of the force per mass other than gravity that counts as a push by a hand: the
+/// first number in units of gravity, the second in units of the magnitude of this force per mass. Both limits must be
+/// exceeded; aerodynamic forces in moderate wind do not exceed both.
 const PUSH: (f64, f64) = (1.0, 0.5);
 /// Margin, in units of the standard error, by which a measured force per mass must exceed its limit (in [`PUSH`],
 /// [`CATCH`] or [`REST_FORCE`]) to count as detected.
@@ -22,8 +22,9 @@ const SIGNIFICANT: f64 = 6.0;
 const REST: (f64, f64) = (0.5, 0.08);
 /// Minimum force per mass (without gravity) on a supported body at rest, in units of gravity.
 const REST_FORCE: f64 = 0.7;
-/// Minimum braking force per mass of a catch: in units of gravity, and of the force extrapolated, with the square of
-/// the speed, from the earlier part of the flight. Both limits must be exceeded.
+/// Minimum braking force per mass that counts as a catch: the first number in units of gravity, the second in units of
+/// the force per mass extrapolated, with the square of the speed, from the earlier part of the flight. Both limits must
+/// be exceeded.
 const CATCH: (f64, f64) = (3.0, 5.0);
 
 /// Fault of a flight that has samples not of free flight, at its start or its end; `None` if all samples are of free
@@ -83,12 +84,13 @@ impl<'a> Examined<'a> {
         parabola(&self.track.points[from..to], self.track.noise)
     }
 
-    /// Force per mass other than gravity during the fitted motion, m/s².
+    /// Force per mass other than gravity, m/s², from the acceleration of a parabola fitted to points of the track.
     fn force(&self, motion: &Parabola) -> Vector3<f64> {
         motion.acceleration - self.gravity
     }
 
-    /// Component of the force per mass along the velocity, m/s².
+    /// Component, along the velocity, of the force per mass other than gravity, m/s²; negative if the force brakes the
+    /// body.
     fn forward(&self, motion: &Parabola) -> f64 {
         let along = motion
             .velocity

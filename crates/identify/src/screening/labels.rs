@@ -7,7 +7,7 @@ use crate::dataset::{Flight, Marker};
 
 /// Maximum number of markers for which all permutations are tried; with more markers only exchanges of two are tried.
 const ALL_PERMUTATIONS: usize = 4;
-/// Assumed standard deviation of a marker's position in the template, m.
+/// Assumed standard deviation of the declared position of a marker, m.
 const TEMPLATE_ERROR: f64 = 1e-3;
 /// Factor applied to the noise estimated from differences of successive samples, because correlated noise makes this
 /// estimate too small.

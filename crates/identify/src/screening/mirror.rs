@@ -8,16 +8,17 @@ use crate::dataset::Flight;
 use crate::pose::pose;
 use crate::statistics::median;
 
-/// Maximum number of samples of a flight in which the markers are compared with the template and with its mirror image.
+/// Maximum number of samples of a flight in which the measured markers are compared with their declared positions and
+/// with the mirror image of these positions.
 const SAMPLES: usize = 20;
-/// Minimum ratio of the thickness of a set of marker positions to its extent at which the set can be distinguished from
-/// its mirror image.
+/// Minimum ratio of the smallest to the largest principal extent (root mean square about the centroid) of a set of
+/// marker positions at which the set can be distinguished from its mirror image.
 const THICKNESS: f64 = 0.05;
-/// Minimum ratio, at which a flight is reported as mirrored, of the mean squared distance of the measured markers from
-/// the fitted template to that from the fitted mirror image of the template.
+/// Minimum ratio of two mean squared distances at which a flight is reported as mirrored: that of the measured markers
+/// from the fitted template (the declared marker positions), to that from the fitted mirror image of the template.
 const RATIO: f64 = 10.0;
-/// Minimum root mean square distance of the measured markers from the fitted template, m, at which a flight is reported
-/// as mirrored.
+/// Minimum root mean square distance of the measured markers from their declared positions in the best-fitting pose, m,
+/// at which a flight is reported as mirrored.
 const LEAST_DISTANCE: f64 = 0.003;
 
 /// Instruction for correcting left-handed axes, for the user.
@@ -49,8 +50,8 @@ fn scatter(markers: &[[f64; 3]]) -> Matrix3<f64> {
         .sum()
 }
 
-/// Fault of a flight whose markers fit the mirror image of the template much better than the template; otherwise
-/// `None`.
+/// Fault of a flight whose measured markers fit the mirror image of the declared marker positions, `markers`, much
+/// better than the declared positions; otherwise `None`.
 pub fn check(markers: &[[f64; 3]], flight: &Flight) -> Option<DataFault> {
     let mirrored: Vec<[f64; 3]> = markers.iter().map(|&[x, y, z]| [-x, y, z]).collect();
     let complete = flight

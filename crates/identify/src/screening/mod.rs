@@ -32,25 +32,26 @@ use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::statistics::median;
 
-/// Minimum ratio of the noise of a track to the median noise of all flights at which a fault is reported, because the
-/// data are then not a flight. The limit [`NOISE_PART`] must be exceeded too.
+/// Minimum ratio of the noise of a track to the median noise of all flights at which a fault is reported: the data are
+/// then too noisy to be those of a flying body. The limit [`NOISE_PART`] must be exceeded too.
 const NOISE_RATIO: f64 = 30.0;
-/// Minimum ratio of the noise of a track to the extent of the track at which a fault is reported, because the data are
-/// then not a flight. The limit [`NOISE_RATIO`] must be exceeded too.
+/// Minimum ratio of the noise of a track to the extent of the track at which a fault is reported: the data are then too
+/// noisy to be those of a flying body. The limit [`NOISE_RATIO`] must be exceeded too.
 const NOISE_PART: f64 = 0.1;
 
-/// Result of screening a dataset.
+/// Result of screening a dataset for recording mistakes.
 #[derive(Debug, Default)]
 pub(crate) struct Screening {
     /// Faults of the flights, in the order of the dataset, at most one per flight.
     pub faults: Vec<DataFault>,
-    /// First ground contact of each flight, in the order of the dataset: `None` if the search was omitted because of a
-    /// fault, `Some(None)` for a flight without contact. Empty if the faults come from an earlier screening.
+    /// First ground contact of each flight, in the order of the dataset: `None` if a fault of the flight prevented the
+    /// search for a contact, `Some(None)` if the flight has no contact. Empty if the faults come from an earlier
+    /// screening.
     pub contacts: Vec<SoughtContact>,
 }
 
 impl Screening {
-    /// Result with the faults that an earlier screening found; `contacts` is empty.
+    /// Creates a result from the faults that an earlier screening found; `contacts` is empty.
     pub fn of_known_faults(faults: &[DataFault]) -> Self {
         Self {
             faults: faults.to_vec(),
@@ -59,7 +60,8 @@ impl Screening {
     }
 }
 
-/// Screens the flights of a dataset, both fitted and held out, on `threads` threads.
+/// Screens the flights of a dataset, both fitted and held out, for recording mistakes from which a fit cannot recover.
+/// Uses `threads` threads.
 pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) -> Screening {
     let mirror_is_decided = problem.has_attitude && mirror::is_decided_by(&problem.markers);
     let rigid = rigid::rigid_pairs(problem);

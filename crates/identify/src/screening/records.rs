@@ -5,7 +5,8 @@ use super::fault::{DataFault, FaultKind};
 use crate::dataset::Dataset;
 use crate::statistics::median;
 
-/// Minimum number of consecutive identical positions of a frozen track.
+/// Minimum number of consecutive identical positions of a marker at which its track counts as frozen: the body moves,
+/// but the recorded coordinates do not change.
 const FROZEN_SAMPLES: usize = 4;
 /// Minimum distance, m, that a marker typically moves in the duration of a run of identical positions, at which the run
 /// is reported as frozen; a slower marker may plausibly repeat its position.
@@ -26,8 +27,8 @@ pub fn check(dataset: &Dataset, flight: usize) -> Option<DataFault> {
         .or_else(|| (0..dataset.markers.len()).find_map(|marker| frozen(dataset, flight, marker)))
 }
 
-/// Fault of a flight whose samples equal those of an earlier flight. Only noisy flights are compared, because exact
-/// simulations without noise may repeat and measurements do not.
+/// Fault of a flight whose samples equal those of an earlier flight. Only flights with noise are compared: simulations
+/// without noise may be equal, but noise does not repeat.
 fn copy(dataset: &Dataset, flight: usize) -> Option<DataFault> {
     let this = &dataset.flights[flight];
     let count = this.positions.len();
@@ -44,8 +45,8 @@ fn copy(dataset: &Dataset, flight: usize) -> Option<DataFault> {
     })
 }
 
-/// Whether third differences of the first marker's track exceed 0.1 mm; those of a smooth path without noise are
-/// smaller at the sampling rates of cameras.
+/// Whether the median third difference of the first marker's coordinates exceeds 0.1 mm, as a result of noise; the
+/// third differences of a smooth path without noise are smaller at the sampling rates of cameras.
 fn is_noisy(dataset: &Dataset, flight: usize) -> bool {
     let rows = &dataset.flights[flight].positions;
     let third = |w: &[Vec<Option<[f64; 3]>>]| {

@@ -11,7 +11,7 @@ use super::MOST_POINTS;
 pub struct OutOfRange {
     /// Name of the setting.
     pub name: &'static str,
-    /// Value of the setting.
+    /// Value of the setting, which is outside the allowed range.
     pub found: f64,
     /// Minimum allowed value.
     pub least: f64,
@@ -42,7 +42,7 @@ impl OutOfRange {
 /// Reason why a flight cannot be simulated.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SimulationError {
-    /// The dataset would have more marker positions than the limit.
+    /// The dataset would contain more marker positions than the maximum `MOST_POINTS`.
     #[error(
         "at {samples} samples a flight there are {points} marker points, expected at most {MOST_POINTS}"
     )]
@@ -52,10 +52,10 @@ pub enum SimulationError {
         /// Number of marker positions in all flights.
         points: f64,
     },
-    /// The release is simulated down to the ground, but the model has no state `z`.
+    /// A flight is to be simulated until it reaches the ground, but the model has no state `z` (height).
     #[error("the model has no z")]
     NoHeight,
-    /// The flight does not reach the ground within the maximum duration.
+    /// The flight does not reach the ground within the maximum duration of a simulation.
     #[error("it is still up after {} s", Release::MAX_DURATION)]
     NoLanding,
     /// The trajectory cannot be integrated.
@@ -66,16 +66,16 @@ pub enum SimulationError {
 /// Reason why a synthetic dataset cannot be generated.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SynthesisError {
-    /// The plan, the model or the releases are invalid. Contains the message.
+    /// The settings, the model or the launch conditions (releases) are invalid. Contains the message.
     #[error("{0}")]
     Plan(String),
-    /// A setting of the noise or of the spread is outside its allowed range.
+    /// A setting of the measurement noise or of the variation of the initial states is outside its allowed range.
     #[error(transparent)]
     OutOfRange(#[from] OutOfRange),
     /// A flight cannot be simulated.
     #[error("flight {number}: {reason}")]
     Flight {
-        /// Number of the flight, counted from 1.
+        /// Number of the flight in the dataset, counted from 1.
         number: usize,
         /// Reason why the flight cannot be simulated.
         reason: SimulationError,

@@ -19,7 +19,7 @@ const TOLERANCE: f64 = 1e-10;
 /// Number of decimals to which sample times in seconds are rounded before the simulation, so that tables remain narrow.
 const TIME_DECIMALS: i32 = 6;
 
-/// Model, plan and markers shared by all flights of a synthetic dataset.
+/// Model, settings of the dataset and markers, which are shared by all flights of a synthetic dataset.
 pub(super) struct Maker<'a> {
     pub model: &'a Model,
     pub plan: &'a Plan,
@@ -29,7 +29,8 @@ pub(super) struct Maker<'a> {
 }
 
 impl Maker<'_> {
-    /// Simulates flight `index` from a release. Returns the flight with its noise, and the true initial state.
+    /// Simulates the flight of index `index` in the dataset from launch conditions (`release`) whose initial state is
+    /// varied at random. Returns the flight with measurement noise, and its true initial state.
     pub fn flight(
         &self,
         index: usize,
@@ -70,7 +71,7 @@ impl Maker<'_> {
         Ok((flight, state))
     }
 
-    /// Sample times of a flight, s after release.
+    /// Sample times of a flight, s after launch.
     fn times(
         &self,
         release: &Release,
@@ -92,7 +93,8 @@ impl Maker<'_> {
         Ok((0..count as usize).map(time).collect())
     }
 
-    /// Time at which the body reaches the ground, s; or `watched`, the end of the observed time, s, if that is earlier.
+    /// Time after launch at which the body reaches the ground, s; or `watched`, the end of the observed time, s, if
+    /// that is earlier.
     fn landing(
         &self,
         parameters: &[f64],
@@ -119,7 +121,7 @@ impl Maker<'_> {
         }
     }
 
-    /// True marker positions at the sample times, `[sample][marker]`, m.
+    /// Simulated marker positions without measurement errors at the sample times, as `[sample][marker]`, m.
     fn seen(
         &self,
         parameters: &[f64],

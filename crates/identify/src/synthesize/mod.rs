@@ -27,15 +27,15 @@ const MOST_POINTS: f64 = 2e7;
 /// Maximum sampling rate, Hz.
 const FASTEST: f64 = 1e6;
 
-/// Settings of a synthetic dataset.
+/// Settings with which a synthetic dataset is generated.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
-    /// Number of flights; the releases are used in rotation.
+    /// Number of flights. The given launch conditions ([`Release`]) are used in rotation.
     pub flights: usize,
     /// Number of held-out flights; they are the last ones of the dataset.
     pub held_out: usize,
-    /// Observed time of each flight, s; `None` for the duration of its release. A flight whose release stops at the
-    /// ground ends there at the latest.
+    /// Time for which each flight is observed, s; `None` for the duration in the launch conditions ([`Release`]) of the
+    /// flight. If these end the flight at the ground, it is observed at most until it reaches the ground.
     pub duration: Option<f64>,
     /// Sampling rate, Hz.
     pub rate: f64,
@@ -52,7 +52,7 @@ pub struct Plan {
 }
 
 impl Default for Plan {
-    /// Returns a plan of eight flights at 120 Hz, none held out, with positions rounded to 0.01 mm.
+    /// Returns the settings for eight flights at 120 Hz, none held out, with positions rounded to 0.01 mm.
     fn default() -> Self {
         Self {
             flights: 8,
@@ -75,21 +75,20 @@ fn refuse<T>(why: impl Into<String>) -> Result<T, SynthesisError> {
 /// A synthetic dataset with its true values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Made {
-    /// The dataset in the form of a measured one.
+    /// The simulated flights, as a dataset of the same form as a measured one.
     pub dataset: Dataset,
     /// True values from which the dataset was generated.
     pub truth: Truth,
 }
 
-/// Default marker positions on a disc, in body axes, m: three points that are not collinear, similar to the markers of
-/// the paper.
+/// Default marker positions on a disc, in body axes, m: three points that are not collinear, about 0.1 m from the axis.
 pub const MARKERS: [[f64; 3]; 3] = [
     [0.1, 0.0, 0.01],
     [-0.05, 0.0866, 0.01],
     [-0.04, -0.08, 0.01],
 ];
 
-/// Default markers of a model: [`MARKERS`] for a rigid body, and the centre for a point mass.
+/// Default markers of a model: [`MARKERS`] for a rigid body, and one marker at the centre for a point mass.
 pub fn default_markers(model: &Model) -> Vec<Marker> {
     let marker = |name: &str, position| Marker {
         name: name.into(),
@@ -105,8 +104,8 @@ pub fn default_markers(model: &Model) -> Vec<Marker> {
     }
 }
 
-/// Simulates flights of a model and observes its markers. The releases are used in rotation, and each flight starts
-/// from a random state around its release.
+/// Simulates flights of a model, and observes its markers. The launch conditions in `releases` are used in rotation,
+/// and each flight starts from a random state around the one that they give.
 ///
 /// # Errors
 /// [`SynthesisError::Plan`] or [`SynthesisError::OutOfRange`] if the plan is invalid; [`SynthesisError::Flight`] if a

@@ -38,9 +38,9 @@ impl Default for Corruption {
     }
 }
 
-/// Maximum standard deviation of noise and outliers, m.
+/// Maximum allowed standard deviation of the noise, and of the additional error of outliers, m.
 const LARGEST: f64 = 100.0;
-/// Maximum fraction of missing marker positions.
+/// Maximum allowed fraction of missing marker positions.
 const MOST_HIDDEN: f64 = 0.9;
 /// Minimum and maximum length of a run of missing positions, samples.
 const RUN: [usize; 2] = [3, 12];
@@ -85,7 +85,8 @@ fn stream(seed: u64, marker: usize, purpose: Purpose) -> ChaCha12Rng {
     random
 }
 
-/// Adds noise to `positions[sample][marker]`, m, and removes the dropouts. Missing positions (`None`) remain missing.
+/// Adds noise and outliers to `positions[sample][marker]`, m, and replaces dropouts by `None`. Missing positions
+/// (`None`) remain missing.
 pub fn corrupt(positions: &mut [Vec<Option<[f64; 3]>>], noise: &Corruption, seed: u64) {
     let markers = positions.iter().map(Vec::len).max().unwrap_or(0);
     for marker in 0..markers {

@@ -13,8 +13,8 @@ use super::error::OutOfRange;
 /// standard deviation `fraction` · max(|s|, scale), with a scale that depends on its unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
-    /// Standard deviation of a state, relative to max(|state|, scale); with 0, all flights have the initial state of
-    /// the release.
+    /// Standard deviation of a state, relative to max(|state|, scale); with 0, all flights from the same launch
+    /// conditions have the same initial state.
     pub fraction: f64,
     /// Scale for velocity states, m/s: `fraction` refers to this value if the magnitude of the state is smaller.
     pub speed: f64,

@@ -18,7 +18,7 @@ const MAX_RELATIVE_ERROR: f64 = 0.5;
 /// direction.
 const MIN_COMPONENT: f64 = 0.3;
 
-/// Minimum and maximum of each quantity and state over the flights, by name.
+/// Minimum and maximum of each auxiliary variable and state of the model over the flights, by name.
 pub type ExcitationRange = BTreeMap<String, (f64, f64)>;
 
 /// Non-identifiable directions of the global parameters, given their covariance, in the order of decreasing standard
@@ -100,8 +100,8 @@ fn why(
     }
 }
 
-/// Text with the excitation ranges of the quantities that occur in the same expressions as the named coefficients;
-/// `None` if there are none.
+/// Text with the minimum and maximum over the flights of the quantities that occur in the same expressions as the named
+/// coefficients; `None` if there are none.
 fn excitation(model: &Model, names: &[&str], ranges: &ExcitationRange) -> Option<String> {
     let mut met: Vec<&str> = Vec::new();
     let expressions = model.aux_variables.iter().map(|quantity| &quantity.value);

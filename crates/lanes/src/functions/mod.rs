@@ -12,7 +12,7 @@ use crate::primitive::Primitive;
 /// of the sum.
 const ROUND_TO_INTEGER: f64 = 6_755_399_441_055_744.0;
 
-/// Polynomial `c[0] + c[1] x + c[2] x² + …` by Estrin's scheme (independent halves).
+/// Polynomial `c[0] + c[1] x + c[2] x² + …` by Estrin's scheme, whose two halves are evaluated independently.
 #[inline(always)]
 fn polynomial<T: Primitive, const N: usize>(x: T, c: [f64; N]) -> T {
     const { assert!(N >= 3 && N <= 16) };

@@ -170,7 +170,8 @@ impl Control {
         self.proposed[lane] > self.min_step
     }
 
-    /// Updates the apex of a lane if `height` exceeds the maximum height so far.
+    /// Updates the apex (time and value of the maximum height) of the flight in a lane if `height` exceeds the maximum
+    /// so far.
     #[inline(always)]
     pub(crate) fn rise(&mut self, lane: usize, time: f64, height: f64) {
         if height > self.apex[lane].1 {

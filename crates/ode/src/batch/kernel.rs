@@ -58,8 +58,8 @@ struct Flying<'a, T, R> {
     end: Vec<T>,
     /// State at an interior point of the step.
     within: Vec<T>,
-    /// Margins of the limits of validity in the middle of the step, at its end, and at the point that the search for a
-    /// crossing evaluates.
+    /// Margins of the limits of validity (positive where the right-hand side is valid): in the middle of the step, at
+    /// its end, and at the trial point of the search for a crossing.
     margins: [Vec<T>; 3],
     scratch: Vec<T>,
     heights: [HeightEnds; MAX_LANES],

@@ -26,7 +26,7 @@ pub struct LaneSizes {
     pub parameters: usize,
     /// Number of invariants, which are computed once from the parameters of a flight.
     pub prepared: usize,
-    /// Number of limits of validity.
+    /// Number of limits of validity, whose margins [`LaneRhs::limits`] computes.
     pub limits: usize,
     /// Length of the scratch array that each method of the [`LaneRhs`] requires.
     pub scratch: usize,

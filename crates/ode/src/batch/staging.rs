@@ -92,9 +92,9 @@ impl<T: Lanes> Staging<T> {
         }
     }
 
-    /// Takes the next flight from the queue for each lane without a waiting flight, and prepares it: invariants,
-    /// derivative and initial step size. A flight that cannot start is reported to the queue as ended, and its lane
-    /// then has no waiting flight.
+    /// Takes a flight from the queue for each lane for which no flight waits, and computes its invariants, initial
+    /// derivative and initial step size. A flight that cannot start is reported to the queue as ended; no flight then
+    /// waits for the lane.
     #[inline(always)]
     pub(crate) fn fill<R: LaneRhs, Q: FlightQueue + ?Sized>(
         &mut self,
@@ -185,8 +185,8 @@ impl<T: Lanes> Staging<T> {
         }
     }
 
-    /// Takes the next flight with finite initial state and parameters from the queue for a lane; false if the queue is
-    /// empty. Flights with non-finite values end at once.
+    /// Takes flights from the queue until the initial state and the parameters of one are finite; that flight then
+    /// waits for the lane. The other flights are reported to the queue as ended. Returns false if the queue is empty.
     #[inline(always)]
     fn draw<Q: FlightQueue + ?Sized>(
         &mut self,

@@ -34,7 +34,8 @@ pub(crate) struct Dop853<X> {
     end: X,
 }
 
-/// Computes the argument of a Runge–Kutta stage with sparse weights: `to = from + h Σ weight · k[stage]`.
+/// Computes the argument of a Runge–Kutta stage with sparse weights: `to = from + h Σ weight · k[stage]`, where `k`
+/// contains the stage derivatives.
 #[inline(always)]
 fn combine<X: StateVector, const M: usize>(
     to: &mut X,
@@ -158,7 +159,7 @@ impl<X: StateVector> Stepper<X> for Dop853<X> {
     }
 }
 
-/// Appends the dense-output row `h Σ weight · k[stage]` to `to`.
+/// Appends the dense-output row `h Σ weight · k[stage]` to `to`; `k` contains the stage derivatives.
 #[inline(always)]
 fn append_row<X: StateVector, const M: usize>(
     to: &mut Vec<f64>,

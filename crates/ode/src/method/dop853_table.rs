@@ -26,30 +26,30 @@ pub(super) const C: [f64; 16] = [
     0.7777777777777778,
 ];
 
-/// Row of the Runge–Kutta matrix for stage 1.
+/// Row of the Runge–Kutta matrix for stage 1 (stages counted from 0).
 pub(super) const A1: Terms<1> = [(0, 0.05260015195876773)];
 
-/// Row of the Runge–Kutta matrix for stage 2.
+/// Row of the Runge–Kutta matrix for stage 2 (stages counted from 0).
 pub(super) const A2: Terms<2> = [(0, 0.0197250569845379), (1, 0.0591751709536137)];
 
-/// Row of the Runge–Kutta matrix for stage 3.
+/// Row of the Runge–Kutta matrix for stage 3 (stages counted from 0).
 pub(super) const A3: Terms<2> = [(0, 0.02958758547680685), (2, 0.08876275643042054)];
 
-/// Row of the Runge–Kutta matrix for stage 4.
+/// Row of the Runge–Kutta matrix for stage 4 (stages counted from 0).
 pub(super) const A4: Terms<3> = [
     (0, 0.2413651341592667),
     (2, -0.8845494793282861),
     (3, 0.924834003261792),
 ];
 
-/// Row of the Runge–Kutta matrix for stage 5.
+/// Row of the Runge–Kutta matrix for stage 5 (stages counted from 0).
 pub(super) const A5: Terms<3> = [
     (0, 0.037037037037037035),
     (3, 0.17082860872947386),
     (4, 0.12546768756682242),
 ];
 
-/// Row of the Runge–Kutta matrix for stage 6.
+/// Row of the Runge–Kutta matrix for stage 6 (stages counted from 0).
 pub(super) const A6: Terms<4> = [
     (0, 0.037109375),
     (3, 0.17025221101954405),
@@ -57,7 +57,7 @@ pub(super) const A6: Terms<4> = [
     (5, -0.017578125),
 ];
 
-/// Row of the Runge–Kutta matrix for stage 7.
+/// Row of the Runge–Kutta matrix for stage 7 (stages counted from 0).
 pub(super) const A7: Terms<5> = [
     (0, 0.03709200011850479),
     (3, 0.17038392571223998),
@@ -66,7 +66,7 @@ pub(super) const A7: Terms<5> = [
     (6, 0.008273789163814023),
 ];
 
-/// Row of the Runge–Kutta matrix for stage 8.
+/// Row of the Runge–Kutta matrix for stage 8 (stages counted from 0).
 pub(super) const A8: Terms<6> = [
     (0, 0.6241109587160757),
     (3, -3.3608926294469414),
@@ -76,7 +76,7 @@ pub(super) const A8: Terms<6> = [
     (7, -43.48988418106996),
 ];
 
-/// Row of the Runge–Kutta matrix for stage 9.
+/// Row of the Runge–Kutta matrix for stage 9 (stages counted from 0).
 pub(super) const A9: Terms<7> = [
     (0, 0.47766253643826434),
     (3, -2.4881146199716677),
@@ -87,7 +87,7 @@ pub(super) const A9: Terms<7> = [
     (8, -0.020331201708508627),
 ];
 
-/// Row of the Runge–Kutta matrix for stage 10.
+/// Row of the Runge–Kutta matrix for stage 10 (stages counted from 0).
 pub(super) const A10: Terms<8> = [
     (0, -0.9371424300859873),
     (3, 5.186372428844064),
@@ -99,7 +99,7 @@ pub(super) const A10: Terms<8> = [
     (9, -3.0467644718982196),
 ];
 
-/// Row of the Runge–Kutta matrix for stage 11.
+/// Row of the Runge–Kutta matrix for stage 11 (stages counted from 0).
 pub(super) const A11: Terms<9> = [
     (0, 2.273310147516538),
     (3, -10.53449546673725),
@@ -124,8 +124,8 @@ pub(super) const B: Terms<8> = [
     (11, 0.04471061572777259),
 ];
 
-/// Row of the Runge–Kutta matrix for stage 13, which only dense output requires; stage 12 is the derivative at the end
-/// of the step.
+/// Row of the Runge–Kutta matrix for stage 13 (stages counted from 0), which only dense output requires; stage 12 is
+/// the derivative at the end of the step.
 pub(super) const A13: Terms<8> = [
     (0, 0.056167502283047954),
     (6, 0.25350021021662483),
@@ -137,8 +137,8 @@ pub(super) const A13: Terms<8> = [
     (12, -0.008298),
 ];
 
-/// Row of the Runge–Kutta matrix for stage 14, which only dense output requires; stage 12 is the derivative at the end
-/// of the step.
+/// Row of the Runge–Kutta matrix for stage 14 (stages counted from 0), which only dense output requires; stage 12 is
+/// the derivative at the end of the step.
 pub(super) const A14: Terms<8> = [
     (0, 0.03183464816350214),
     (5, 0.028300909672366776),
@@ -150,8 +150,8 @@ pub(super) const A14: Terms<8> = [
     (13, 0.1413124436746325),
 ];
 
-/// Row of the Runge–Kutta matrix for stage 15, which only dense output requires; stage 12 is the derivative at the end
-/// of the step.
+/// Row of the Runge–Kutta matrix for stage 15 (stages counted from 0), which only dense output requires; stage 12 is
+/// the derivative at the end of the step.
 pub(super) const A15: Terms<8> = [
     (0, -0.42889630158379194),
     (5, -4.697621415361164),
@@ -187,7 +187,7 @@ pub(super) const E5: Terms<8> = [
     (11, -0.022355307863886294),
 ];
 
-/// Stage weights for row 4 of the dense output.
+/// Stage weights of row 4 of the dense output (rows counted from 0).
 pub(super) const D0: Terms<12> = [
     (0, -8.428938276109013),
     (5, 0.5667149535193777),
@@ -203,7 +203,7 @@ pub(super) const D0: Terms<12> = [
     (15, -4.436036387594894),
 ];
 
-/// Stage weights for row 5 of the dense output.
+/// Stage weights of row 5 of the dense output (rows counted from 0).
 pub(super) const D1: Terms<12> = [
     (0, 10.427508642579134),
     (5, 242.28349177525817),
@@ -219,7 +219,7 @@ pub(super) const D1: Terms<12> = [
     (15, 35.81684148639408),
 ];
 
-/// Stage weights for row 6 of the dense output.
+/// Stage weights of row 6 of the dense output (rows counted from 0).
 pub(super) const D2: Terms<12> = [
     (0, 19.985053242002433),
     (5, -387.0373087493518),
@@ -235,7 +235,7 @@ pub(super) const D2: Terms<12> = [
     (15, 11.99229113618279),
 ];
 
-/// Stage weights for row 7 of the dense output.
+/// Stage weights of row 7 of the dense output (rows counted from 0).
 pub(super) const D3: Terms<12> = [
     (0, -25.69393346270375),
     (5, -154.18974869023643),

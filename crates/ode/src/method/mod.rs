@@ -103,8 +103,8 @@ pub(crate) trait Stepper<X: StateVector> {
     /// Derivative at the end of an accepted step.
     fn dx_end(&self) -> &X;
 
-    /// Dense-output rows of an accepted step, and the number of right-hand side evaluations made to compute them;
-    /// `buffer` stores rows that are not stages.
+    /// Dense-output rows (coefficient vectors) of an accepted step, and the number of right-hand side evaluations made
+    /// to compute them; `buffer` stores rows that are not stage derivatives.
     fn dense_rows<'s, D: OdeRhs<State = X>>(
         &'s mut self,
         rhs: &mut D,
@@ -114,7 +114,8 @@ pub(crate) trait Stepper<X: StateVector> {
     ) -> ([&'s [f64]; ROWS], usize);
 }
 
-/// Computes the argument of a Runge–Kutta stage: `to = from + h Σ weight · k`.
+/// Computes the argument of a Runge–Kutta stage: `to = from + h Σ weight · k`, where `k` are derivatives computed by
+/// earlier stages.
 // Loops instead of iterator closures, which are not always inlined.
 #[inline(always)]
 pub(crate) fn combine<X: StateVector, const M: usize>(

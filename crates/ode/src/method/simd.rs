@@ -6,7 +6,8 @@ use lanes::{Kernel, Lanes};
 /// Minimum state length for which SIMD kernels are used; for shorter states the scalar loops are faster.
 pub(crate) const MIN_SIMD_LEN: usize = 64;
 
-/// Kernel that computes the argument of a Runge–Kutta stage: `to = from + h Σ weight · k`.
+/// Kernel that computes the argument of a Runge–Kutta stage: `to = from + h Σ weight · k`, where `k` are derivatives
+/// computed by earlier stages.
 pub(crate) struct Combine<'a, const M: usize> {
     pub to: &'a mut [f64],
     pub from: &'a [f64],

@@ -14,11 +14,13 @@ const MAX_BLOCK_ROWS: usize = 3;
 pub(super) struct JacobianProduct {
     /// Blocks in increasing order of column count, so that the branch predictor learns the loop lengths.
     blocks: Vec<Block>,
-    /// For each block, for each of its column indices j: index of the first group of row j of the sensitivity matrix S.
+    /// Column indices of all blocks, concatenated. Column j is given by the index of the first group of row j of the
+    /// sensitivity matrix S.
     columns: Vec<usize>,
     /// Number of lines per group; a line has `PADDING` elements, and the lines of a group are accumulated together.
     lines_per_group: usize,
-    /// Number of groups of lines in each row of the sensitivity matrix S.
+    /// Number of groups in each row of the sensitivity matrix S; a group has `lines_per_group` lines of `PADDING`
+    /// elements.
     groups_per_row: usize,
 }
 
@@ -32,7 +34,7 @@ struct Block {
     /// For each row of the block, the index of its first entry among the entries of the Jacobian J; the other entries
     /// of the row follow directly.
     entries: [usize; MAX_BLOCK_ROWS],
-    /// Range of the block's columns in `JacobianProduct::columns`.
+    /// Range of the elements of `JacobianProduct::columns` that belong to the block.
     columns: Range<usize>,
 }
 

@@ -5,7 +5,7 @@ use crate::physical::Physical;
 use crate::scalar::Real;
 use nalgebra::Vector3;
 
-/// Built-in effects on wind, air density and gravity.
+/// Built-in effects (optional additions to a model) that change the wind, air density and gravity.
 pub(super) const EFFECTS: &[Effect] = &[
     effect("wind", &["W_x", "W_y"], &ANY, Kind::Air(Air::Wind)),
     Effect {

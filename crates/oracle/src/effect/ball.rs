@@ -10,7 +10,7 @@ const VISCOSITY: f64 = 1.5e-5;
 /// Critical Reynolds number of the drag crisis, and width of the transition (dimensionless).
 const CRISIS: (f64, f64) = (1e5, 2e4);
 
-/// Built-in effects on a ball.
+/// Built-in effects (optional additions to a model) that change the motion of a ball.
 pub(super) const EFFECTS: &[Effect] = &[
     effect("magnus", &["C_Lw"], &BALL, Kind::Ball(Ball::Magnus)),
     effect("spin_decay", &["C_Lwt"], &BALL, Kind::Ball(Ball::SpinDecay)),

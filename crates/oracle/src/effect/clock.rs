@@ -3,7 +3,8 @@
 use super::{ANY, Effect, Kind, effect};
 use crate::scalar::Real;
 
-/// Built-in effects on the rate of recorded time (the time stamps of the measurements) relative to true time.
+/// Built-in effects (optional additions to a model) that change the rate of recorded time (the time stamps of the
+/// measurements) relative to true time.
 pub(super) const EFFECTS: &[Effect] = &[effect(
     "clock_rate",
     &["clock_error"],

@@ -6,7 +6,7 @@ use crate::scalar::Real;
 /// Speed at which the Reynolds-number term of the drag is 0, m/s.
 const REFERENCE_SPEED: f64 = 14.0;
 
-/// Built-in effects on the drag of a disc.
+/// Built-in effects (optional additions to a model) that change the drag of a disc.
 pub(super) const EFFECTS: &[Effect] = &[
     effect(
         "zero_lift_drag_angle",

@@ -28,7 +28,7 @@ pub struct ExtendedLaw<T> {
     pub wind: Vector3<T>,
     /// Measured angular velocity of a ball, rad/s; 0 for bodies whose attitude is a state.
     pub omega: Vector3<T>,
-    /// Active effects with their values.
+    /// Effects that the model contains, each with the values of its coefficients and states.
     pub effects: Vec<ActiveEffect<T>>,
 }
 
@@ -38,7 +38,8 @@ impl<T: Real> ExtendedLaw<T> {
         self.motion_with(at, time, Vector3::zeros(), Vector3::zeros())
     }
 
-    /// Loads and accelerations of a body under an additional `force`, N, and `moment`, N·m, in inertial components.
+    /// Loads and accelerations of a body at the physical state `at` under the law, its effects and an additional
+    /// `force`, N, and `moment`, N·m, in inertial components; `time` is the time since release, s.
     pub fn motion_with(
         &self,
         at: &Physical<T>,

@@ -95,7 +95,7 @@ impl ExtendedReference {
     }
 }
 
-/// Indices of an effect's values in a model: first its coefficients, then its states.
+/// Indices in a model of the coefficients of an effect, followed by those of the states of the effect.
 fn slots(effect: &'static Effect, model: &Model) -> Result<Vec<Slot>, BindError> {
     let missing = |name| BindError::MissingEffectValue {
         effect: effect.name,

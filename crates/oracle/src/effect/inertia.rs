@@ -4,7 +4,7 @@ use super::{DISCS, Effect, Flow, Kind, effect};
 use crate::scalar::Real;
 use nalgebra::{Matrix3, Vector3};
 
-/// Built-in effects on mass and inertia of a disc.
+/// Built-in effects (optional additions to a model) that change the mass and inertia of a disc.
 pub(super) const EFFECTS: &[Effect] = &[
     effect(
         "added_mass",

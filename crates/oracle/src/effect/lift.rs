@@ -8,7 +8,7 @@ const STALL_ANGLE: f64 = 8.0;
 /// Height above the ground at which the additional lift near the ground is 1/e of its value at the ground, m.
 const GROUND_EFFECT_HEIGHT: f64 = 0.5;
 
-/// Built-in effects on the lift of a disc.
+/// Built-in effects (optional additions to a model) that change the lift of a disc.
 pub(super) const EFFECTS: &[Effect] = &[
     effect("stall", &["C_Ls"], &DISC, Kind::Lift(Lift::Stall)),
     effect("lift_by_spin", &["C_LS"], &DISCS, Kind::Lift(Lift::BySpin)),

@@ -46,7 +46,7 @@ static KINDS: [&[Effect]; 11] = [
     clock::EFFECTS,
 ];
 
-/// An effect with its reference implementation.
+/// A built-in effect (an optional addition to a model) with its reference implementation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effect {
     /// Name of the effect in the model language.
@@ -61,7 +61,7 @@ pub struct Effect {
     kind: Kind,
 }
 
-/// Part of the physics that an effect changes.
+/// Force, moment or other quantity that an effect changes; the variant of the inner type selects the formula.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
     Lift(lift::Lift),

@@ -6,7 +6,7 @@ use crate::physical::Physical;
 use crate::scalar::Real;
 use nalgebra::Vector3;
 
-/// Built-in effects on the measured marker positions.
+/// Built-in effects (optional additions to a model) that change the measured marker positions.
 pub(super) const EFFECTS: &[Effect] = &[
     effect(
         "tilted_vertical",

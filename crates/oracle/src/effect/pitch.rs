@@ -3,7 +3,7 @@
 use super::{DISC, DISCS, Effect, Flow, Kind, Load, effect};
 use crate::scalar::Real;
 
-/// Built-in effects on the pitching moment of a disc.
+/// Built-in effects (optional additions to a model) that change the pitching moment of a disc.
 pub(super) const EFFECTS: &[Effect] = &[
     effect(
         "constant_pitching_moment",

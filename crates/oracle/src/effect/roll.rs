@@ -7,7 +7,7 @@ use crate::scalar::Real;
 /// of the transition, degrees.
 const LOW_ANGLE_END: (f64, f64) = (10.0, 2.0);
 
-/// Built-in effects on the rolling moment of a disc.
+/// Built-in effects (optional additions to a model) that change the rolling moment of a disc.
 pub(super) const EFFECTS: &[Effect] = &[
     effect("roll_damping", &["C_Rp"], &DISCS, Kind::Roll(Roll::Damping)),
     effect(

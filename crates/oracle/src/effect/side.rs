@@ -3,7 +3,7 @@
 use super::{DISCS, Effect, Flow, Kind, Load, effect};
 use crate::scalar::Real;
 
-/// Built-in effects on the side force of a disc.
+/// Built-in effects (optional additions to a model) that change the side force of a disc.
 pub(super) const EFFECTS: &[Effect] = &[
     effect(
         "side_force_by_spin",

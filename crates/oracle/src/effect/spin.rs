@@ -3,7 +3,7 @@
 use super::{DISCS, Effect, Flow, Kind, Load, effect};
 use crate::scalar::Real;
 
-/// Built-in effects on the spin moment of a disc.
+/// Built-in effects (optional additions to a model) that change the spin moment of a disc.
 pub(super) const EFFECTS: &[Effect] = &[
     effect(
         "quadratic_spin_down",

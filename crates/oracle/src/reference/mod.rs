@@ -35,7 +35,7 @@ pub(crate) const NAMES: [&str; 3] = ["hubbard_hummel_disc", "ball_with_drag", "f
 pub struct Reference {
     /// The reference law of motion.
     pub law: Law,
-    /// Chart that converts the model's states, which it identifies by their names, to a physical state.
+    /// Conversion between the model's states, which are identified by their names, and a physical state.
     pub chart: Chart,
     /// Indices of the model's coefficients that do not occur in the law, but in effects or in terms that the user
     /// added.
@@ -136,8 +136,8 @@ impl Reference {
         })
     }
 
-    /// Index and null value of each model coefficient that does not occur in the law. At the null value of a
-    /// coefficient the effect of the coefficient is absent.
+    /// Index of each model coefficient that does not occur in the reference law, with the value of the coefficient at
+    /// which its effect on the motion vanishes.
     pub fn null_values(&self, model: &Model) -> Vec<(usize, f64)> {
         let of_effects = model.effects.iter().flat_map(|e| &e.coefficients);
         let null_value = |i| {
@@ -149,7 +149,7 @@ impl Reference {
         self.unknown.iter().map(|&i| (i, null_value(i))).collect()
     }
 
-    /// Loads and accelerations at a point of the model, in inertial components.
+    /// Loads on the body and its accelerations for the values in `point`, in inertial components.
     pub fn motion<T: Real>(&self, point: &Point<T>) -> Motion<T> {
         self.motion_at(&self.chart.physical(&point.states), point)
     }
@@ -176,7 +176,8 @@ impl Reference {
         self.law.mass_properties(&self.values(point))
     }
 
-    /// Values of the law's constants at a point, in the order of [`Law::constants`].
+    /// Values of the law's constants for the parameters and coefficients in `point`, in the order of
+    /// [`Law::constants`].
     pub fn values<T: Real>(&self, point: &Point<T>) -> Vec<T> {
         let value = |slot: &Slot| match *slot {
             Slot::Param(i) => point.params[i],

@@ -41,7 +41,7 @@ pub trait Field:
     + MulAssign
     + DivAssign
 {
-    /// Image of an integer in the field.
+    /// The integer as an element of the field.
     fn integer(value: i64) -> Self;
 
     /// Field element of a literal; `exact` is its value as (numerator, denominator) if known. `None` if the field

@@ -18,7 +18,7 @@ pub(super) const MOST: usize = 12;
 #[derive(Serialize)]
 pub(super) struct Explanation {
     name: String,
-    /// Decrease of the weighted sum of squares, χ², when the effects of the hypothesis are included; formatted.
+    /// Decrease of the weighted sum of squares, χ², by adding the effects of the hypothesis to the model; formatted.
     gain: String,
     /// Fraction of the misfit beyond noise that the hypothesis explains, and RMS of the remaining residuals in excess
     /// of the noise, both formatted; `None` if not computed.
@@ -27,7 +27,7 @@ pub(super) struct Explanation {
     /// tested.
     rival: Option<[String; 2]>,
     effects: Vec<Effect>,
-    /// Table rows of the coefficients of the hypothesis' effects.
+    /// Table rows of the coefficients of the effects that the hypothesis adds.
     rows: Vec<Row>,
 }
 
@@ -139,7 +139,7 @@ fn rows(effect: &CauseEffect) -> Vec<Row> {
 #[derive(Serialize)]
 pub(super) struct Throw {
     says: String,
-    /// Release quantities: pairs of name and formatted value.
+    /// Launch conditions of the throw (speed, angles, spin): pairs of name and formatted value.
     rows: Vec<(&'static str, String)>,
     separation: String,
     separation_now: String,

@@ -5,7 +5,8 @@ use serde::Serialize;
 
 use crate::fit::numbers::{Digits, plain, unit};
 
-/// Minimum change of a coefficient, in standard errors, for its estimate before the extension to count as biased.
+/// Minimum change of a coefficient by the extension of the model, in standard errors, for the estimate without the
+/// extension to count as biased.
 const BIASED: f64 = 3.0;
 
 /// Row of the coefficient table, with all values formatted as text.
@@ -23,7 +24,7 @@ pub(super) struct Row {
     unit: String,
 }
 
-/// Whether the model was extended: at least one coefficient has an estimate before the extension.
+/// Whether the model was extended: at least one coefficient has both an estimate without and one with the extension.
 pub(super) fn extended(report: &Report) -> bool {
     report.coefficients.values().any(|c| c.before.is_some())
 }

@@ -118,8 +118,8 @@ pub(super) struct Flight {
     worse: bool,
     /// p-value of the flight's lack-of-fit test; `–` if the flight was not tested.
     p: String,
-    /// Whether the flight is set apart because neither model predicts it, and so not included in the out-of-sample
-    /// gain.
+    /// Whether the flight is excluded from the out-of-sample gain because neither the model under test nor the extended
+    /// model predicts it.
     apart: bool,
     /// Reason why the flight was excluded from the fit or from the prediction; `None` if it was not excluded.
     excluded: Option<String>,

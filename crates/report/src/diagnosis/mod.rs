@@ -22,7 +22,7 @@ pub struct DiagnosisPage<'a> {
     pub report: &'a Report,
     /// Measured flights with predictions of the model under test; at most the first twelve are drawn.
     pub before: &'a [FlightEvidence],
-    /// Measured flights with predictions of the extended model; empty if the model was not extended.
+    /// Measured flights with the predictions of the extended model, to be drawn; empty if the model was not extended.
     pub after: &'a [FlightEvidence],
     /// Fits of both models, from which curves and confidence bands are computed; `None` omits these figures.
     pub fits: Option<Fits<'a>>,

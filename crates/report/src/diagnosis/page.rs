@@ -21,7 +21,8 @@ use crate::fit::words::names;
 const MOST_TEXT: usize = 60_000;
 /// Maximum number of notes, and of checks, shown on the page.
 const MOST_NOTES: usize = 40;
-/// Number of figures of load channels, and of curves, that are expanded when the page is opened.
+/// Maximum number of figures of load channels that are expanded when the page is opened; the same maximum applies to
+/// figures of coefficient curves.
 const OPEN: usize = 6;
 
 /// Renders the self-contained HTML page of the diagnosis.

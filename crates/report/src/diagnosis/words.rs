@@ -6,7 +6,7 @@ use identify::wording::count;
 use crate::fit::numbers::{millimetres, plain, raised, significant};
 use crate::fit::words::names;
 
-/// Name of a hypothesis: the joined names of its effects.
+/// Name of an explanation: the joined names of its effects.
 pub(super) fn cause(cause: &Cause) -> String {
     let effects = names(cause.effects.iter().map(|e| e.name.as_str()));
     match cause.effects.len() {
@@ -21,7 +21,7 @@ pub(super) fn readable(name: &str) -> String {
     name.replace(['-', '_'], " ")
 }
 
-/// Sentence that states the verdict of the diagnosis.
+/// Sentence that states the outcome (verdict) of the diagnosis.
 pub(super) fn verdict(report: &Report) -> String {
     let first = report.causes.first();
     match report.verdict {
@@ -56,7 +56,7 @@ pub(super) fn verdict(report: &Report) -> String {
     }
 }
 
-/// CSS class of the verdict on the page.
+/// CSS class that marks the outcome (verdict) of the diagnosis on the page.
 pub(super) fn kind(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::None => "none",

@@ -7,7 +7,7 @@ use super::svg::{Svg, cut};
 use crate::fit::numbers::significant;
 use crate::fit::thin::stride;
 
-/// Maximum number of points of one line that show their value when pointed at, tapped or focused.
+/// Maximum number of points of one line that have a tooltip with their value.
 const MOST_VALUES: usize = 6;
 
 /// Draws the panels one below the other, in a column of the default width; returns the SVG text.
@@ -82,7 +82,7 @@ impl Panel {
         svg.path("ribbon", upper.chain(lower));
     }
 
-    /// Adds the values of bars and of some points of the lines, which are shown when pointed at, tapped or focused.
+    /// Adds tooltips with the values of the bars and of some points of the lines.
     fn draw_values(&self, svg: &mut Svg, scale: &Scale, size: (f64, f64)) {
         let number = |v: f64| significant(v, 4);
         let mut value = |x: f64, y: f64, text: String| {

@@ -60,8 +60,8 @@ impl Svg {
         );
     }
 
-    /// Adds a point whose text is shown when the point is pointed at, tapped or focused. `size` is the width of the
-    /// figure and of one character, SVG units.
+    /// Adds a point with a tooltip: the text is shown when the pointer is on the point, or the point is tapped or
+    /// focused. `size` is the width of the figure and of one character, SVG units.
     pub(crate) fn value(&mut self, (x, y): (f64, f64), size: (f64, f64), text: &str) {
         let half = 0.53 * size.1 * text.chars().count() as f64;
         let middle = x.clamp(half + 2.0, (size.0 - half - 2.0).max(half + 2.0));

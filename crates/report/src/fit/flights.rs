@@ -15,7 +15,7 @@ const MOST_LETTERS: usize = 300;
 /// Table of flights, as input of the HTML template.
 #[derive(Serialize)]
 pub(super) struct Table {
-    /// Total number of flights, including those not listed.
+    /// Total number of flights, including those that the table does not list.
     all: usize,
     /// Whether only the flights with the largest RMS residuals are listed, in descending order.
     worst: bool,
@@ -25,7 +25,7 @@ pub(super) struct Table {
 #[derive(Serialize)]
 struct Row {
     file: String,
-    /// Anchors of the flight's figures on the page: pairs of anchor name and link text.
+    /// Links to the figures of the flight on the page: pairs of anchor name and link text.
     figures: Vec<(String, &'static str)>,
     samples: usize,
     rms: String,
@@ -73,7 +73,7 @@ pub(super) fn left_out(page: &FitPage<'_>) -> Table {
     }
 }
 
-/// Anchors of the figures of a flight: pairs of anchor name and link text; empty if the flight is not drawn.
+/// Links to the figures of a flight on the page: pairs of anchor name and link text; empty if the flight is not drawn.
 fn figures(page: &FitPage<'_>, file: &str) -> Vec<(String, &'static str)> {
     let drawn = || page.evidence.iter().take(super::draw::MOST_FLIGHTS);
     let mut figures = Vec::new();

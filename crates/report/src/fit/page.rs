@@ -136,7 +136,7 @@ pub(crate) fn shown(drawn: &[Drawn]) -> Vec<Value> {
     drawn.iter().map(one).collect()
 }
 
-/// Copy of a figure in which the keyboard focus can be moved to the points whose values are shown on pointing at them.
+/// Copy of a figure in which the points with tooltips can receive the keyboard focus.
 pub(crate) fn reached(drawn: &Drawn) -> Drawn {
     let reached = |svg: &str| svg.replace("tabindex=\"-1\"", "tabindex=\"0\"");
     Drawn {

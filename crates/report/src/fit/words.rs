@@ -8,9 +8,10 @@ use super::FitPage;
 use super::flights::short;
 use super::numbers::{millimetres, percent, plain};
 
-/// Maximum relative standard error of a coefficient that counts as well determined.
+/// Maximum relative standard error at which the page calls a coefficient well determined.
 const GOOD: f64 = 0.1;
-/// Minimum ratio of a held-out flight's RMS residual to the noise for the flight to count as badly predicted.
+/// Minimum ratio of a held-out flight's RMS prediction error to the noise at which the page calls the flight badly
+/// predicted.
 const FAR: f64 = 3.0;
 /// Maximum number of names listed in a sentence.
 const MOST_NAMES: usize = 24;

@@ -33,7 +33,7 @@ pub(super) fn flight(number: usize, flight: &ImportedFlight) -> Drawn {
     )
 }
 
-/// Draws the height of the body over a whole recording, with release and end of each flight.
+/// Draws the height of the body over a whole recording, with begin and end of each flight.
 pub(super) fn take(number: usize, take: &ImportedTake) -> Drawn {
     let inside = |time: f64| take.flights.iter().any(|flight| flight.holds(time));
     let mut panel = split(&take.heights, inside);

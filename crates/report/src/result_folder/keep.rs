@@ -29,15 +29,15 @@ pub(super) fn entries_below(folder: &Path) -> io::Result<(Vec<PathBuf>, Vec<Path
     Ok((files, folders))
 }
 
-/// Whether the program wrote the file at `path` and its contents are unchanged; always true for the manifest.
+/// Whether the program wrote the file at `path`, and the file was not edited since then; always true for the manifest.
 fn is_own(folder: &Path, manifest: &Manifest, path: &Path) -> bool {
     let name = path.to_string_lossy().replace('\\', "/");
     name == MANIFEST || manifest.wrote(folder, &name)
 }
 
 /// Preserves the files of the results folder `target` in the new results folder `part`, by hard links if possible,
-/// otherwise by copies. Unchanged results that the manifest `earlier` lists are omitted. A preserved file with the name
-/// of a new result is named `NAME.kept`.
+/// otherwise by copies. Result files that were not edited since the program wrote them (according to the manifest
+/// `earlier`) are omitted. A preserved file with the name of a new result is named `NAME.kept`.
 pub(super) fn keep_foreign(target: &Path, earlier: &Manifest, part: &Path) -> io::Result<()> {
     let (files, folders) = entries_below(target)?;
     for folder in &folders {
@@ -61,7 +61,8 @@ pub(super) fn keep_foreign(target: &Path, earlier: &Manifest, part: &Path) -> io
     Ok(())
 }
 
-/// Renames results in `target` to `NAME.kept` if they were edited and would be overwritten by `files`.
+/// Renames the files in `target` that `files` would overwrite to `NAME.kept`, except results that were not edited since
+/// the program wrote them (according to the manifest `earlier`).
 pub(super) fn set_edited_aside(
     target: &Path,
     earlier: &Manifest,
@@ -76,8 +77,8 @@ pub(super) fn set_edited_aside(
     Ok(())
 }
 
-/// Removes a replaced folder with its unchanged results and all files that `current` also contains. All other files
-/// are moved to `current`.
+/// Removes a replaced folder. Its result files that were not edited since the program wrote them, and files that
+/// `current` also contains, are deleted; all other files are moved to `current`.
 pub(super) fn discard(old: &Path, current: &Path) -> io::Result<()> {
     let manifest = Manifest::read(old);
     let (files, folders) = entries_below(old)?;

@@ -59,7 +59,8 @@ impl Manifest {
         self.files.keys().map(String::as_str)
     }
 
-    /// Whether the file at the relative `path` in `folder` still has the contents that were written.
+    /// Whether the file at the relative `path` in `folder` still has the contents that the program wrote, according to
+    /// the hash in this manifest.
     pub fn wrote(&self, folder: &Path, path: &str) -> bool {
         let contents = || std::fs::read(folder.join(path)).ok();
         self.files

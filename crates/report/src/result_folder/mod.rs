@@ -17,7 +17,7 @@ use keep::{discard, keep_foreign};
 pub use manifest::MANIFEST;
 use manifest::Manifest;
 
-/// Maximum number of files named in an error about a folder with foreign files.
+/// Maximum number of files named in the error about a folder with files that the program did not write.
 const MAX_NAMED: usize = 3;
 
 /// A result file to be written to a folder.
@@ -49,15 +49,16 @@ pub enum ResultFolderError {
         /// Path of the file.
         path: PathBuf,
     },
-    /// The folder contains files, but no results of an earlier run.
+    /// The folder contains files, but no manifest of an earlier run, so the files may belong to the user.
     #[error(
         "{} holds files that hyzer did not write ({}); expected a new or empty folder, or one of earlier results",
         path.display(), names.join(", ")
     )]
     Foreign {
-        /// Path of the folder.
+        /// Path of the folder that contains the files.
         path: PathBuf,
-        /// Names of at most three of the foreign files, sorted; followed by `…` if there are more.
+        /// Names of at most three of the files that the program did not write, sorted; followed by `…` if there are
+        /// more.
         names: Vec<String>,
     },
     /// The last component of the path is not a folder name, as in `x/..`.
@@ -87,8 +88,8 @@ pub struct ResultFolder {
 }
 
 impl ResultFolder {
-    /// Checks a folder before any computation: it must be writable, and either new, empty, or contain earlier
-    /// results. Remains of interrupted runs beside it are removed.
+    /// Checks a folder before any computation: it must be writable, and either new, empty, or contain earlier results.
+    /// Temporary folders that interrupted runs left beside the folder are removed.
     ///
     /// # Errors
     /// [`ResultFolderError`] if the folder cannot accept results.
@@ -244,7 +245,8 @@ fn is_folder(path: &Path) -> Result<(), ResultFolderError> {
     }
 }
 
-/// Returns an error if a folder contains files but no manifest of results. `shown` is the path named in the error.
+/// Returns an error if a folder contains files but no manifest, so that files of the user are not overwritten. `shown`
+/// is the path named in the error.
 fn refuse_foreign(target: &Path, shown: &Path) -> Result<(), ResultFolderError> {
     if target.join(MANIFEST).is_file() {
         return Ok(());

@@ -59,7 +59,7 @@ struct Number {
     values: Vec<Option<f64>>,
 }
 
-/// A model with the parameters of one flight, from which position and attitude of the body are computed.
+/// A model with the parameter values of one flight; computes position and attitude of the body from a state.
 pub(super) struct Place<'m> {
     model: &'m Model,
     body: &'m CompiledModel,
@@ -138,7 +138,8 @@ impl<'m> Place<'m> {
         all.all(|v| v.is_finite()).then_some((origin, attitude))
     }
 
-    /// Constant vector inputs of the flight in the inertial frame, such as the wind; zero vectors are omitted.
+    /// Constant vector inputs of the flight in the inertial frame, such as the wind, to be drawn as arrows; zero
+    /// vectors are omitted.
     fn arrows(&self) -> Vec<Arrow> {
         let layout = self.body.layout();
         let given = self.model.inputs.iter().filter(|input| input.frame == 0);

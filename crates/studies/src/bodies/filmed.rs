@@ -16,10 +16,10 @@ use crate::real_data::{LAUNCH_NAMES, Launch, UNCERTAINTY, filmed_throws, rms_dis
 pub struct Filmed {
     /// Number of the throw in the published data.
     pub number: u32,
-    /// Last measured ground position (x, y) of the track, m.
+    /// Horizontal position (x, y) of the last measured point of the track, m.
     pub track_end: [f64; 2],
-    /// Simulated ground position (x, y) at the time of the track's last point, or the landing position if the flight
-    /// ends earlier, m.
+    /// Simulated horizontal position (x, y), m, at the time of the track's last point; the landing position if the
+    /// simulated flight ends earlier.
     pub flight_end: [f64; 2],
     /// Horizontal distance between `track_end` and `flight_end`, m.
     pub miss: f64,
@@ -77,7 +77,7 @@ pub fn filmed(folder: &Path) -> Result<Vec<Filmed>, StudyError> {
     all.collect()
 }
 
-/// Ground positions (x, y) at `times` (s) of the flight from a launch. Times after the landing give the landing
+/// Horizontal positions (x, y), m, at `times` (s) of the flight from a launch. Times after the landing give the landing
 /// position.
 fn track(
     body: &ThrownBody,

@@ -36,7 +36,7 @@ pub struct TurnAndFade {
 /// sign of the spin: 1 for a right-handed backhand, -1 for the opposite spin.
 ///
 /// # Errors
-/// [`StudyError`] if a model cannot be flown.
+/// [`StudyError`] if a model does not load or a flight cannot be simulated.
 pub fn turns_and_fades(speeds: &[f64], sign: f64) -> Result<Vec<TurnAndFade>, StudyError> {
     let mut rows = Vec::new();
     for disc in DISCS {

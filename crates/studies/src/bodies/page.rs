@@ -63,7 +63,7 @@ impl Body {
 /// Renders docs/bodies.md and its figure of coefficients. `filmed` is empty if the measured data are not available.
 ///
 /// # Errors
-/// [`StudyError`] for a body that does not load, or a template that does not fit the results.
+/// [`StudyError`] if a body does not load, or if a template cannot be rendered with the results.
 pub fn bodies_page(
     curves: &[Curve],
     flights: &[TurnAndFade],

@@ -39,7 +39,7 @@ const LIFTED: Throws = Throws {
     wobble: 2.0,
 };
 
-/// A simulated flight that touches nothing, and how a fit treated it.
+/// A simulated flight without ground contact, and whether a fit truncated or excluded it.
 #[derive(Clone, Debug)]
 pub struct FreeFlight {
     /// Name of the group of throws to which the flight belongs.
@@ -54,7 +54,7 @@ pub struct FreeFlight {
     pub excluded: Option<String>,
 }
 
-/// Names of the groups of simulated throws whose flights touch nothing.
+/// Names of the groups of simulated throws whose flights have no ground contact.
 const GROUPS: [&str; 4] = [
     "usual throws of a disc",
     "wild throws of a disc",
@@ -62,8 +62,8 @@ const GROUPS: [&str; 4] = [
     "balls",
 ];
 
-/// Simulates and fits `datasets` datasets of twenty flights that touch nothing, cycling through the groups of throws.
-/// `progress` is called with the numbers of finished datasets and of all datasets.
+/// Simulates and fits `datasets` datasets of twenty flights without ground contact, cycling through the groups of
+/// throws. `progress` is called with the numbers of finished datasets and of all datasets.
 pub fn free_flights(
     datasets: usize,
     threads: usize,

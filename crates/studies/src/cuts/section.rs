@@ -5,19 +5,19 @@ use serde::Serialize;
 use super::bounces::Bounce;
 use super::free::FreeFlight;
 
-/// Maximum number of wrongly treated flights that the section lists for each kind of flight. Further ones are only
-/// counted.
+/// Maximum number of examples that the section lists for each kind of flight: flights without ground contact that were
+/// truncated or excluded, and bouncing flights not truncated at the ground contact.
 const MAX_EXAMPLES: usize = 12;
 
 /// Boundaries of the classes of impact speed, m/s.
 const CLASSES: [f64; 4] = [0.0, 1.0, 2.5, f64::INFINITY];
 
-/// Data of the page's section on truncation: counts and examples of flights that touch nothing and of flights that
+/// Data of the page's section on truncation: counts and examples of flights without ground contact and of flights that
 /// bounce on the ground.
 #[derive(Clone, Debug, Serialize)]
 pub struct CutSection {
     free: Vec<FreeRow>,
-    /// For the flights that touch nothing: their number, and how many of them the fits truncated and excluded.
+    /// For the flights without ground contact: their number, and how many of them the fits truncated and excluded.
     totals: [usize; 3],
     bounces: Vec<BounceRow>,
     /// For the flights that bounce: their number, and how many of them the fits truncated within two samples of the

@@ -18,7 +18,8 @@ const BALL_FLIGHTS: (usize, usize) = (12, 3);
 /// Minimum ratio of a run's effect size to the nominal size of its row. The maximum ratio is twice this.
 const MIN_SIZE: f64 = 0.7;
 
-/// ChaCha stream of the random sizes and signs of the effects. The streams of the flights are numbered from 1.
+/// Number of the ChaCha random stream from which the sizes and signs of the effects are drawn. The streams of the
+/// flights are numbered from 1.
 const SIZE_STREAM: u64 = u64::MAX;
 
 /// Simulation settings of one run of a row of the study's table.
@@ -78,7 +79,7 @@ impl Case {
         }
     }
 
-    /// Simulates the flights of the run and adds noise and input errors.
+    /// Simulates the flights of the run, and adds the noise and the errors of the stated spins.
     pub fn dataset(&self) -> Dataset {
         let flights = self.flights;
         let ball = |plan| {
@@ -99,8 +100,8 @@ impl Case {
         dataset
     }
 
-    /// Names of the effects of the catalogue that are added to the simulated flights, sorted; effects outside the
-    /// catalogue are left out.
+    /// Names of the effects of the built-in effects catalogue that are added to the simulated flights, sorted; effects
+    /// outside the catalogue are left out.
     pub(super) fn truth(&self) -> Vec<String> {
         let names = self.seeded.listed.iter().map(|(name, _)| name.clone());
         let mut names: Vec<String> = names.collect();
@@ -109,8 +110,9 @@ impl Case {
     }
 }
 
-/// Draws the values of an effect of the catalogue, with random ratios to the nominal size and random signs. A negative
-/// sign is dropped if the value would be out of the coefficient's bounds, and for standard deviations of states.
+/// Draws the values of an effect of the built-in effects catalogue, with random ratios to the nominal size and random
+/// signs. A negative sign is dropped if the value would be out of the coefficient's bounds, and for standard deviations
+/// of states.
 fn listed_values(
     body: Body,
     name: &str,

@@ -15,11 +15,12 @@ pub struct Outcome {
     pub failure: Option<String>,
     /// Names of the effects of each hypothesis in the answer, sorted; words are joined by underscores.
     pub hypotheses: Vec<Vec<String>>,
-    /// For each hypothesis, the strongest remaining candidate and its p-value; `None` if no candidate remains.
+    /// For each hypothesis, the strongest remaining candidate (effect with the smallest p-value after the effects of
+    /// the hypothesis have been added to the model) and its p-value; `None` if no candidate remains.
     pub strongest_remaining: Vec<Option<(String, f64)>>,
-    /// Whether the effects added to the simulated flights are among the hypotheses. For an effect outside the
-    /// catalogue: whether the verdict is `Unattributed`, or a hypothesis names a nearly equivalent effect of the
-    /// catalogue.
+    /// Whether the effects added to the simulated flights are among the hypotheses of the diagnosis. For an effect
+    /// outside the built-in effects catalogue: whether the verdict is `Unattributed`, or a hypothesis names a nearly
+    /// equivalent effect of the catalogue.
     pub in_set: bool,
     /// Whether the answer is one single hypothesis, and it is wrong.
     pub uniquely_wrong: bool,
@@ -27,7 +28,8 @@ pub struct Outcome {
     /// flights.
     pub not_identifiable: bool,
     /// Size of the effect added to the simulated flights / minimum detectable size: the minimum over these effects, 0
-    /// if one is not identifiable. `None` if the ratio is not known, as for effects outside the catalogue.
+    /// if one is not identifiable. `None` if the ratio is not known, as for effects outside the built-in effects
+    /// catalogue.
     pub detectability: Option<f64>,
     /// z-equivalent (two-sided standard normal quantile of the p-value) of the score test of the effect added to the
     /// simulated flights, the minimum over these effects; `None` if none of them was tested.
@@ -61,12 +63,13 @@ pub struct Discordant {
 /// RMS prediction errors on the held-out flights, m, of three models.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldOutErrors {
-    /// Error of the model without any added effect.
+    /// RMS prediction error of the model without any added effect, m.
     pub before: f64,
-    /// Error of the plain model extended by the effects that the diagnosis found; equal to `before` if it found none.
+    /// RMS prediction error, m, of the model extended by the effects that the diagnosis found; equal to `before` if it
+    /// found no effect.
     pub after: f64,
-    /// Error of the model with the effects that were added to the simulated flights; `None` if there is no such model
-    /// or its fit failed.
+    /// RMS prediction error, m, of the model with the effects that were added to the simulated flights; `None` if there
+    /// is no such model or its fit failed.
     pub truth: Option<f64>,
 }
 
@@ -106,7 +109,7 @@ impl Outcome {
         extra + self.terms
     }
 
-    /// Whether the diagnosis succeeded and detected something (verdict other than `Verdict::None`).
+    /// Whether the diagnosis succeeded and detected a deviation from the model (verdict other than `Verdict::None`).
     pub fn is_detected(&self) -> bool {
         self.verdict.is_some_and(|verdict| verdict != Verdict::None)
     }
@@ -118,7 +121,7 @@ impl Outcome {
     }
 
     /// Whether the effect added to the simulated flights has at least `ratio` times the minimum detectable size; false
-    /// if no effect of the catalogue was added.
+    /// if no effect of the built-in effects catalogue was added.
     pub fn is_detectable(&self, ratio: f64) -> bool {
         self.detectability.is_some_and(|found| found >= ratio)
     }

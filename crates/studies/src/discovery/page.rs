@@ -21,10 +21,10 @@ const MAX_ANSWERS: usize = 3;
 /// more than one run of this number.
 const MISSED_DIVISOR: usize = 10;
 
-/// Upper bound of the median time of a diagnosis of 20 disc flights, s.
+/// Permitted maximum of the median computing time of a diagnosis of 20 disc flights, s.
 const MAX_MEDIAN: f64 = 1.0;
 
-/// Upper bound of the longest time of a diagnosis of 20 disc flights, s.
+/// Permitted maximum of the longest computing time of a diagnosis of 20 disc flights, s.
 const MAX_SLOWEST: f64 = 20.0;
 
 #[derive(Serialize)]
@@ -178,8 +178,8 @@ struct TableRow {
     runs: usize,
     detectability: Option<f64>,
     detected: usize,
-    /// Number of runs in which the effects added to the simulated flights are among the hypotheses; `None` for a row
-    /// without such effects.
+    /// Number of runs in which the effects added to the simulated flights are among the hypotheses of the diagnosis;
+    /// `None` for a row without such effects.
     in_set: Option<usize>,
     mean_set_size: Option<f64>,
     uniquely_wrong: usize,

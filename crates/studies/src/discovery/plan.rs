@@ -53,7 +53,7 @@ const SEVERAL_SEED: u64 = 23;
 /// wrong.
 const SEVERE: [&str; 3] = ["stall", "zero_lift_drag_angle", "cubic_pitching_moment"];
 
-/// Effects that flights cannot distinguish from another cause, each with that cause.
+/// Effects that the diagnosis cannot distinguish from another cause by the flights, each with the name of that cause.
 const CONFOUNDED: [(&str, &str); 7] = [
     ("gravity", "clock_rate"),
     ("clock_rate", "gravity"),

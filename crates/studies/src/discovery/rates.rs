@@ -7,26 +7,27 @@ use super::row::{Body, Group};
 use super::run::RowResult;
 use crate::statistics::median;
 
-/// Upper bound of the fraction of runs whose answer is a single wrong hypothesis.
+/// Permitted maximum fraction of runs whose answer is a single wrong hypothesis.
 pub(super) const MAX_UNIQUELY_WRONG: f64 = 0.005;
 
-/// Lower bound of the fraction of runs in which the effects added to the simulated flights are among the hypotheses,
-/// over runs with a detectable effect.
+/// Required minimum fraction of runs in which the effects added to the simulated flights are among the hypotheses of
+/// the diagnosis, over runs with a detectable effect.
 pub(super) const MIN_IN_SET: f64 = 0.97;
 
-/// Lower bound of the fraction of runs in which the effects added to the simulated flights are among the hypotheses,
-/// over runs whose effect has at least [`STRONG`] times the minimum detectable size.
+/// Required minimum fraction of runs in which the effects added to the simulated flights are among the hypotheses of
+/// the diagnosis, over runs whose effect has at least [`STRONG`] times the minimum detectable size.
 pub(super) const MIN_IN_SET_STRONG: f64 = 0.97;
 
-/// Upper bound of the false-alarm rate under each noise condition.
+/// Permitted maximum of the false-alarm rate (fraction of runs without an added effect in which the diagnosis detects
+/// one) under each noise condition.
 pub(super) const MAX_FALSE_ALARMS: f64 = 0.05;
 
-/// Upper bound of a ratio of prediction errors on held-out flights: model extended by the effects that the diagnosis
-/// found / model with the effects added to the simulated flights.
+/// Permitted maximum of a ratio of prediction errors on held-out flights: model extended by the effects that the
+/// diagnosis found / model with the effects added to the simulated flights.
 pub(super) const MAX_HELD_OUT_RATIO: f64 = 1.05;
 
-/// Lower bound of the fraction of runs in which the effects added to the simulated flights are among the hypotheses,
-/// for two and for three detectable effects: (number of effects, bound).
+/// Required minimum fraction of runs in which the effects added to the simulated flights are among the hypotheses of
+/// the diagnosis, for two and for three detectable effects: (number of effects, minimum fraction).
 pub(super) const MIN_IN_SET_SEVERAL: [(usize, f64); 2] = [(2, 0.95), (3, 0.85)];
 
 /// Multiple of the minimum detectable size from which an effect counts as strong.
@@ -58,11 +59,12 @@ impl Count {
 /// Statistics over the runs of one row: counts, means and medians.
 #[derive(Clone, Debug)]
 pub(super) struct RowRates {
-    /// Number of runs in which the diagnosis detected something (verdict other than `Verdict::None`).
+    /// Number of runs in which the diagnosis detected a deviation from the model (verdict other than `Verdict::None`).
     pub(super) detected: usize,
-    /// Number of runs in which the effects added to the simulated flights are among the hypotheses.
+    /// Number of runs in which the effects added to the simulated flights are among the hypotheses of the diagnosis.
     pub(super) in_set: usize,
-    /// Mean number of hypotheses over the runs in which the diagnosis detected something; `None` without such a run.
+    /// Mean number of hypotheses over the runs in which the diagnosis detected a deviation from the model; `None`
+    /// without such a run.
     pub(super) mean_set_size: Option<f64>,
     /// Number of runs whose answer is a single wrong hypothesis.
     pub(super) uniquely_wrong: usize,
@@ -102,35 +104,35 @@ impl RowRates {
     }
 }
 
-/// Rates over the runs of all rows.
+/// Rates of right, wrong and missing answers, and prediction errors, over the runs of all rows of the study's table.
 #[derive(Clone, Debug)]
 pub(super) struct Rates {
     /// Runs whose answer is a single wrong hypothesis, out of all runs.
     pub(super) uniquely_wrong: Count,
-    /// Runs in which the effects added to the simulated flights are among the hypotheses, out of the runs with effects
-    /// of the catalogue of at least the minimum detectable size.
+    /// Runs in which the effects added to the simulated flights are among the hypotheses of the diagnosis, out of the
+    /// runs with effects of the built-in effects catalogue of at least the minimum detectable size.
     pub(super) in_set: Count,
-    /// Runs in which the effects added to the simulated flights are among the hypotheses, out of the runs with an
-    /// effect of at least [`STRONG`] times the minimum detectable size.
+    /// Runs in which the effects added to the simulated flights are among the hypotheses of the diagnosis, out of the
+    /// runs with an effect of at least [`STRONG`] times the minimum detectable size.
     pub(super) in_set_strong: Count,
     /// For each number of effects in [`Group::Several`]: the number, the lower bound of the rate, and the runs in which
-    /// the effects added to the simulated flights are among the hypotheses, out of those where all effects are
-    /// detectable.
+    /// the effects added to the simulated flights are among the hypotheses of the diagnosis, out of those where all
+    /// effects are detectable.
     pub(super) in_set_several: Vec<(usize, f64, Count)>,
-    /// For each noise condition: its name, and the runs in which the diagnosis detected something, out of the runs
-    /// without an effect added to the simulated flights.
+    /// For each noise condition: its name, and the runs in which the diagnosis detected a deviation from the model, out
+    /// of the runs without an effect added to the simulated flights.
     pub(super) false_alarms: Vec<(&'static str, Count)>,
     /// Runs whose prediction error on held-out flights is at most [`MAX_HELD_OUT_RATIO`] times that of the model with
-    /// the effects added to the simulated flights, out of all runs with an effect of the catalogue for which this ratio
-    /// is known.
+    /// the effects added to the simulated flights, out of all runs with an effect of the built-in effects catalogue for
+    /// which this ratio is known.
     pub(super) held_out: Count,
     /// Median, over the runs counted in `held_out`, of the ratio of two prediction errors on held-out flights: model
     /// extended by the effects that the diagnosis found / model with the effects added to the simulated flights; `None`
     /// without such a run.
     pub(super) held_out_median: Option<f64>,
-    /// RMS prediction error on held-out flights, over all runs with an effect of the catalogue, of the models extended
-    /// by the effects that the diagnosis found / that of the models with the effects added to the simulated flights;
-    /// `None` without such a run.
+    /// RMS prediction error on held-out flights, over all runs with an effect of the built-in effects catalogue, of the
+    /// models extended by the effects that the diagnosis found / that of the models with the effects added to the
+    /// simulated flights; `None` without such a run.
     pub(super) held_out_pooled: Option<f64>,
     /// Runs whose diagnosis failed, out of all runs.
     pub(super) failed: Count,

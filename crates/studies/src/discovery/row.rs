@@ -8,22 +8,23 @@ use crate::seeded::InputErrors;
 pub enum Group {
     /// No effect is added to the simulated flights.
     Null,
-    /// One effect of the catalogue is added to the simulated flights.
+    /// One effect of the built-in effects catalogue is added to the simulated flights.
     Single,
-    /// Two effects of the catalogue are added to the simulated flights, drawn without regard to their identifiability.
+    /// Two effects of the built-in effects catalogue are added to the simulated flights, drawn without regard to their
+    /// identifiability.
     Pair,
-    /// Two or three effects of the catalogue are added to the simulated flights, none of which has the same influence
-    /// on flights as another cause. The combinations are drawn separately from those of `Pair`.
+    /// Two or three effects of the built-in effects catalogue are added to the simulated flights, none of which has the
+    /// same influence on flights as another cause. The combinations are drawn separately from those of `Pair`.
     Several,
     /// The added effect changes the simulated flights in the same way as another cause, so that the diagnosis cannot
     /// distinguish the two.
     Confounded,
-    /// An effect outside the catalogue is added to the simulated flights.
+    /// An effect outside the built-in effects catalogue is added to the simulated flights.
     Unlisted,
     /// Effects are added to simulated flights of a ball.
     Ball,
-    /// An effect outside the catalogue is added to the simulated flights, of which there are 48 instead of the default
-    /// number.
+    /// An effect outside the built-in effects catalogue is added to the simulated flights, of which there are 48
+    /// instead of the default number.
     UnlistedManyFlights,
     /// The spins that the dataset states for the flights contain errors.
     InputErrors,
@@ -123,9 +124,10 @@ pub struct Row {
     pub group: Group,
     /// Body that is thrown.
     pub body: Body,
-    /// Names of the effects of the catalogue that are added to the simulated flights.
+    /// Names of the effects of the built-in effects catalogue that are added to the simulated flights.
     pub effects: Vec<&'static str>,
-    /// Name of the effect outside the catalogue that is added to the simulated flights; `None` if there is none.
+    /// Name of the effect outside the built-in effects catalogue that is added to the simulated flights; `None` if
+    /// there is none.
     pub unlisted: Option<&'static str>,
     /// Name of the effect or quantity that imitates the effect added to the simulated flights; `None` unless the group
     /// is [`Group::Confounded`].
@@ -168,7 +170,7 @@ impl Row {
         key.to_lowercase()
     }
 
-    /// Whether all `words` occur in the key or in the page name of the group. Case is ignored, and hyphens match
+    /// Whether all `words` occur in the row's key or in the label of its group. Case is ignored, and hyphens match
     /// underscores.
     pub fn has(&self, words: &str) -> bool {
         let text = format!("{} {}", self.key(), self.group.label());

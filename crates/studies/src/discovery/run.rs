@@ -19,7 +19,7 @@ use super::score::{hypotheses, score};
 /// Settings of a row, with the outcomes of its runs.
 #[derive(Clone, Debug)]
 pub struct RowResult {
-    /// Settings of the row.
+    /// Settings of the row of the study's table.
     pub row: Row,
     /// Outcomes of the row's runs, in order of the run index.
     pub outcomes: Vec<Outcome>,
@@ -53,9 +53,9 @@ pub fn run_rows(
     results.collect()
 }
 
-/// Repeats the diagnosis of each run that detected something but missed a detectable effect, with a model that contains
-/// the effects added to the simulated flights. Returns texts indexed by row and run; `None` for a run whose diagnosis
-/// is not repeated or has no result.
+/// Repeats the diagnosis of each run that detected a deviation from the model but missed a detectable effect, with a
+/// model that contains the effects added to the simulated flights. Returns texts indexed by row and run; `None` for a
+/// run whose diagnosis is not repeated or has no result.
 pub fn rejections(results: &[RowResult]) -> Vec<Vec<Option<String>>> {
     let models = Models::default();
     let all: Vec<&Outcome> = results.iter().flat_map(|result| &result.outcomes).collect();
@@ -161,8 +161,9 @@ fn prediction_error(fitted: &Fit) -> f64 {
     (squares.iter().sum::<f64>() / squares.len() as f64).sqrt()
 }
 
-/// Text on the diagnosis with a model that contains the effects added to the simulated flights: its verdict, hypotheses
-/// and strongest candidate. `None` if there is no candidate, if no model has the effects, or if the diagnosis fails.
+/// Repeats a diagnosis with a model that contains the effects added to the simulated flights. Returns its verdict,
+/// hypotheses and first-ranked candidate effect as text. `None` if no effects were added, if there is no candidate, or
+/// if the diagnosis fails.
 fn rejection(case: &Case, models: &Models) -> Option<String> {
     let with = case.truth();
     let names: Vec<&str> = with.iter().map(String::as_str).collect();

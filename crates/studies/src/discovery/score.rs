@@ -7,8 +7,8 @@ use super::outcome::{Discordant, Outcome};
 use crate::oracle_flights::file_name;
 use crate::seeded::{self, InputErrors};
 
-/// Standard normal quantile of 0.9. An effect whose expected z exceeds the threshold by this amount is found with power
-/// 0.9.
+/// Standard normal quantile of 0.9. An effect whose expected z exceeds the detection threshold by this amount is
+/// detected with probability (power) 0.9.
 const POWER_QUANTILE: f64 = 1.281_551_565_544_6;
 
 /// Names of the effects of each hypothesis in a report, sorted; words are joined by underscores.
@@ -51,8 +51,8 @@ pub(super) fn score(outcome: &mut Outcome, report: &Report) {
     }
 }
 
-/// Scores a run with an effect outside the catalogue. The right verdict is `Unattributed`. A single hypothesis is
-/// wrong, unless it names the effect of the catalogue that is nearly equivalent.
+/// Scores a run with an effect outside the built-in effects catalogue. The right verdict is `Unattributed`. A single
+/// hypothesis is wrong, unless it names the effect of the catalogue that is nearly equivalent.
 fn score_unlisted(outcome: &mut Outcome, report: &Report, is_single: bool) {
     // An effect of the catalogue may be so similar that it is an equally right answer.
     let mut seeded = outcome.case.seeded.unlisted.iter();

@@ -34,7 +34,8 @@ const CLOSE: f64 = 0.25;
 /// Maximum number of iterations of the search for an effect size.
 const STEPS: usize = 7;
 
-/// ChaCha stream of the random effects and sizes. The streams of the flights are numbered from 1.
+/// Number of the ChaCha random stream from which the effects and their sizes are drawn. The streams of the flights are
+/// numbered from 1.
 const SIZE_STREAM: u64 = u64::MAX - 3;
 
 /// Effects added to the simulated flights of one random fit.

@@ -18,11 +18,11 @@ pub struct CoefficientCoverage {
     pub covered: usize,
     /// Number of datasets whose cluster-robust 95 % interval (clusters are flights) contains the true value.
     pub covered_clustered: usize,
-    /// Mean of z over the datasets.
+    /// Mean over the datasets of z = (estimate − true value) / standard error.
     pub mean_z: f64,
-    /// RMS of z over the datasets; 1 if the standard errors are right.
+    /// RMS over the datasets of z = (estimate − true value) / standard error; 1 if the standard errors are right.
     pub rms_z: f64,
-    /// Maximum of |z| over the datasets.
+    /// Maximum over the datasets of |z|, where z = (estimate − true value) / standard error.
     pub max_z: f64,
 }
 

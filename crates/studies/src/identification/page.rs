@@ -54,7 +54,8 @@ struct ScenarioRow<'r> {
     name: &'r str,
     implausible: usize,
     non_identifiable: usize,
-    /// Names of the coefficients that more than half of the seeds report as non-identifiable.
+    /// Names of the coefficients that the reports of the fits name as non-identifiable for more than half of the noise
+    /// seeds.
     which: String,
     failed: usize,
 }

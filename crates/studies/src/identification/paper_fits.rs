@@ -29,7 +29,8 @@ pub struct Scenario {
     pub any_non_identifiable: usize,
     /// Number of seeds whose fit failed.
     pub failed: usize,
-    /// Explanations of each non-identifiable combination in the report of the first seed.
+    /// Explanations of the non-identifiable combinations of coefficients, from the report of the fit with the first
+    /// noise seed.
     pub messages: Vec<String>,
 }
 
@@ -51,7 +52,7 @@ pub struct PaperFits {
     pub scenarios: Vec<Scenario>,
 }
 
-/// Name in [`PaperFits::scenarios`] of the fit of fssh3 alone under autocorrelated noise.
+/// Name in [`PaperFits::scenarios`] of the fit of flight fssh3 (0.5 s long) alone, under autocorrelated noise.
 pub(super) const FSSH3_HALF: &str = "fssh3 alone, 0.5 s, AR(0.6)";
 
 /// Name in [`PaperFits::scenarios`] of the fit of the first half second of bffl8 alone under autocorrelated noise.

@@ -3,7 +3,7 @@
 use model_spec::model::Model;
 use oracle::{Physical, Point, Reference};
 
-/// Returns the oracle's law of motion for a built-in model.
+/// Returns the law of motion of a built-in model in the oracle, the independent implementation of the laws of motion.
 ///
 /// # Panics
 /// If the oracle has no law for the model.

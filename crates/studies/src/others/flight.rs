@@ -10,7 +10,8 @@ pub const DURATION: f64 = 2.0;
 /// Number of output times of a flight, including the release and the end.
 const INSTANTS: usize = 41;
 
-/// Integrates a flight from a point and returns its points at equal time intervals; `None` if the integration fails.
+/// Integrates a flight from the time, states and parameters in `from`. Returns the values at equal time intervals;
+/// `None` if the integration fails.
 pub fn fly(model: &Model, from: &Point<f64>) -> Option<Vec<Point<f64>>> {
     let mut at = from.clone();
     let mut moving = ode::rhs_from_fn(&[], |t, x: &Vec<f64>, dx: &mut Vec<f64>| {
@@ -40,7 +41,8 @@ pub fn fly(model: &Model, from: &Point<f64>) -> Option<Vec<Point<f64>>> {
     Some(points)
 }
 
-/// Position of the claimed body at a point, m; `None` if the model claims no body.
+/// Position of the body that the model describes, m. `point` has the model's time, states and parameters. `None` if the
+/// model does not declare a body.
 pub fn position(model: &Model, point: &Point<f64>) -> Option<Vector3<f64>> {
     Some(ClaimedBody::of(&Tree::new(model, point))?.position)
 }

@@ -51,15 +51,15 @@ struct StageRow {
     moved: String,
     broken: String,
     end: [f64; 3],
-    /// Distance between the end of the flight with this stage's equations and the end of the flight with the published
-    /// equations, m.
+    /// Distance, m, between the ends of two flights: the one simulated with the equations of this row (as published or
+    /// after corrections), and the one simulated with the published equations.
     apart: f64,
 }
 
 /// Maximum difference between the two sides of a law, relative to their magnitude, that is attributed to rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// Renders docs/others.md from the verdicts about all simulators.
+/// Renders docs/others.md from the results of all simulators.
 ///
 /// # Errors
 /// [`StudyError::Page`] if the template cannot be rendered with the results.

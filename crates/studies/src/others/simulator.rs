@@ -22,12 +22,12 @@ pub struct Change {
     pub says: &'static str,
     /// Replacements in the model's text: (old text, new text).
     pub edits: &'static [(&'static str, &'static str)],
-    /// Initial values of states that the change adds: name of the state, and the vector of the model before the change
-    /// and its component (index from 0) that give the value.
+    /// Initial values of states that the change adds: name of the added state, name of a vector variable in the model
+    /// before the change, and index (from 0) of the component of that vector that is the initial value.
     pub starts: &'static [(&'static str, &'static str, usize)],
 }
 
-/// The simulators that the page covers.
+/// The published simulators that the page docs/others.md compares with the laws of motion.
 pub const SIMULATORS: [Simulator; 2] = [
     Simulator {
         model: "frispy",

@@ -12,7 +12,8 @@ use super::flight::{fly, position};
 use super::simulator::{SIMULATORS, Simulator};
 use crate::error::StudyError;
 
-/// Options of the verification. A few points suffice, because a violated law is violated nearly everywhere.
+/// Options of the verification of a simulator's equations. A few random test points suffice, because a violated law is
+/// violated at nearly every point.
 const OPTIONS: verify::Options = verify::Options {
     seed: 1,
     cases: 24,
@@ -25,7 +26,7 @@ const OPTIONS: verify::Options = verify::Options {
 pub struct Verdicts {
     /// Published simulator whose equations were verified.
     pub simulator: Simulator,
-    /// Both sides of each balance law along the flight that is simulated with the published equations.
+    /// Comparison of the two sides of each balance law along the flight that is simulated with the published equations.
     pub laws: Vec<LawInFlight>,
     /// Published rates and the rates implied by the laws of motion, along the flight, for the states where they differ.
     /// Empty if no rates satisfy all laws.
@@ -71,8 +72,8 @@ pub struct RateInFlight {
 pub struct Stage {
     /// Description of the correction that was applied last; `None` for the published equations.
     pub change: Option<&'static str>,
-    /// Violations of laws that `hyzer verify` reports for the claimed body, one line each; empty if the body obeys
-    /// every law.
+    /// Violations of balance laws that `hyzer verify` reports for the body that the model describes, one line each;
+    /// empty if the equations obey every law.
     pub broken: Vec<String>,
     /// Whether none of the checks of `hyzer verify` refutes the equations of this stage.
     pub holds: bool,
@@ -83,18 +84,19 @@ pub struct Stage {
     pub end: Vector3<f64>,
 }
 
-/// Verifies and simulates every simulator of [`SIMULATORS`].
+/// Verifies the equations of every simulator in [`SIMULATORS`] and simulates a flight with them.
 ///
 /// # Errors
-/// [`StudyError`] if a model or a change of it does not load, or its flight fails.
+/// [`StudyError`] if a model or a corrected version of it does not load, or if the simulation of its flight fails.
 pub fn others() -> Result<Vec<Verdicts>, StudyError> {
     SIMULATORS.iter().map(judge).collect()
 }
 
-/// Verifies and simulates one simulator, as published and after each change.
+/// Verifies the equations of one simulator, as published and after each correction, and simulates a flight with each
+/// version.
 ///
 /// # Errors
-/// [`StudyError`] if the model or a change of it does not load, or its flight fails.
+/// [`StudyError`] if the model or a corrected version of it does not load, or if the simulation of its flight fails.
 pub fn judge(simulator: &Simulator) -> Result<Verdicts, StudyError> {
     let absent = |name: &str| StudyError::Name {
         of: simulator.model,
@@ -139,8 +141,8 @@ pub fn judge(simulator: &Simulator) -> Result<Verdicts, StudyError> {
     })
 }
 
-/// Component (index from 0) of an auxiliary variable that is a vector, at a point, in the vector's own frame; `None` if
-/// the model has no vector of that name.
+/// Component (index from 0), in its own frame, of a vector-valued auxiliary variable of a model. `point` has the
+/// model's time, states and parameters. `None` if the model has no vector of that name.
 fn started(model: &Model, point: &Point<f64>, name: &str, component: usize) -> Option<f64> {
     let tree = Tree::new(model, point);
     let index = { model.aux_variables.iter() }.position(|v| v.name == name)?;
@@ -178,7 +180,8 @@ fn stage(
     })
 }
 
-/// For each balance law of the claimed body, the maximum difference of its two sides over the points of a flight.
+/// For each balance law of the body that the model describes, the maximum difference of the law's two sides over the
+/// points of a flight.
 fn laws(model: &Model, flight: &[Point<f64>]) -> Vec<LawInFlight> {
     let mut out: Vec<LawInFlight> = Vec::new();
     for point in flight {

@@ -23,7 +23,7 @@ pub(super) enum Action {
     Force(fn(&Scene) -> Vector3<f64>),
     /// Additional angular acceleration, rad/s².
     Moment(fn(&Scene) -> Vector3<f64>),
-    /// Velocity of the air, m/s, inertial axes.
+    /// Velocity that is added to the velocity of the air, m/s, inertial axes.
     Wind(fn(&Scene) -> Vector3<f64>),
     /// Name of a parameter of the model, and the relative change of this parameter as a function of the time, s.
     Parameter(&'static str, fn(f64) -> f64),
@@ -31,8 +31,8 @@ pub(super) enum Action {
     Rate(&'static str, AddedRate),
     /// The time stamps of the measurements run faster than true time, by a fraction equal to the size.
     Clock,
-    /// Displacement (m) of a marker's measured position, as a function of the scene, the position and the marker's
-    /// index.
+    /// Displacement (m) of a marker's measured position, as a function of the time and motion of the body, the position
+    /// and the marker's index.
     Observation(fn(&Scene, Vector3<f64>, usize) -> Vector3<f64>),
 }
 
@@ -41,7 +41,7 @@ pub(super) enum Action {
 pub struct Hidden {
     /// Name of the hidden effect.
     pub name: &'static str,
-    /// Sites of the model (places where effects act) that count as right in the answer of a diagnosis, by their names
+    /// Sites of the model (places where effects act) that count as correct in the answer of a diagnosis, by their names
     /// in `report.json`.
     pub sites: &'static [&'static str],
     /// A weak and a strong size of the effect. The action is proportional to the size.

@@ -59,7 +59,7 @@ pub struct Outcome {
     /// Error message of the diagnosis; `None` if it succeeded.
     pub failure: Option<String>,
     /// Effects in the diagnosis's answer, as pairs (name, site). If no effect is named: the selected terms of the term
-    /// library or, without any, the missing load that explains most of the misfit.
+    /// library or, without any, the missing force or moment that explains most of the misfit.
     pub answer: Vec<(String, String)>,
     /// Size of the hidden effect / minimum detectable size, from the χ² that remains when the model without the effect
     /// is fitted to exact flights. `None` if nothing is hidden or that fit fails.
@@ -71,7 +71,7 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// Whether the diagnosis succeeded and detected something (verdict other than `Verdict::None`).
+    /// Whether the diagnosis succeeded and detected a deviation from the model (verdict other than `Verdict::None`).
     pub fn is_detected(&self) -> bool {
         self.verdict.is_some_and(|verdict| verdict != Verdict::None)
     }
@@ -81,8 +81,8 @@ impl Outcome {
         self.detectability.is_some_and(|ratio| ratio >= times)
     }
 
-    /// Whether an effect in the diagnosis's answer acts at one of the sites that count as right for the hidden effect;
-    /// false if nothing is hidden.
+    /// Whether an effect in the diagnosis's answer acts on one of the model's quantities (sites) that count as correct
+    /// for the hidden effect; false if no effect is hidden.
     pub fn is_site_right(&self) -> bool {
         let Some((hidden, _, _)) = self.task.hidden else {
             return false;
@@ -241,7 +241,7 @@ fn detectability(model: &Model, mut exact: Dataset, sigma: f64) -> Option<f64> {
 }
 
 /// Pairs (name, site) of the report's answer: the effects of all causes, then the selected terms of the term library.
-/// If there are none, the missing load that explains most of the misfit.
+/// If there are neither effects nor terms, the missing force or moment that explains most of the misfit.
 fn answer(report: &Report) -> Vec<(String, String)> {
     let causes = report.causes.iter().flat_map(|cause| &cause.effects);
     let mut answer: Vec<(String, String)> = causes

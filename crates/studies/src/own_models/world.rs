@@ -13,7 +13,7 @@ use super::hidden::{Action, Hidden, Scene};
 use super::subjects::Subject;
 use crate::oracle_flights::file_name;
 
-/// Maximum step size, s.
+/// Maximum step size of the integration, s.
 const MAX_STEP: f64 = 1e-3;
 
 /// Sample rate of the simulated measurements, Hz.
@@ -30,11 +30,11 @@ struct World<'w> {
     hidden: Option<(Hidden, f64)>,
 }
 
-/// Simulates the flights of a subject with an optional hidden effect (effect, size) and optional noise. The same seed
-/// gives the same throws.
+/// Simulates the flights of a subject (user model) with an optional hidden effect (effect, size) and optional noise.
+/// The same seed gives the same throws.
 ///
 /// # Panics
-/// If the oracle does not support the model.
+/// If the oracle (the independent implementation of the laws of motion) does not support the model.
 pub(super) fn dataset(
     subject: &Subject,
     model: &Model,

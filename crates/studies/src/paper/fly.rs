@@ -28,7 +28,7 @@ pub(super) struct Flyer {
 }
 
 impl Flyer {
-    /// Loads the built-in release `name`, to be simulated for `duration` (s).
+    /// Loads the built-in release (launch conditions) `name` of a flight to be simulated for `duration` (s).
     pub(super) fn new(name: &str, duration: f64) -> Result<Self, StudyError> {
         let model = model()?;
         let body = CompiledModel::new(&model);
@@ -46,7 +46,7 @@ impl Flyer {
         })
     }
 
-    /// Diameter of the disc (m) and gravitational acceleration (m/s²) of the release.
+    /// Diameter of the disc (m) and gravitational acceleration (m/s²) in the flight's launch conditions.
     pub(super) fn scales(&self) -> (f64, f64) {
         (self.parameter("d"), self.parameter("g"))
     }
@@ -139,7 +139,8 @@ impl Flyer {
     }
 }
 
-/// Loads the model `disc` with the effect [`READINGS`].
+/// Loads the model `disc` with the effect [`READINGS`], which adds coefficients that some interpretations of Table 1
+/// need.
 fn model() -> Result<Model, StudyError> {
     let (name, disc) = model_spec::load::MODELS
         .iter()

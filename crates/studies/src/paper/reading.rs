@@ -9,9 +9,9 @@ use super::conventions::Conventions;
 pub struct Reading {
     /// Signs and units that this interpretation of Table 1 assumes.
     pub conventions: Conventions,
-    /// Order of the lift and drag columns for fssh3.
+    /// Order of the lift and drag columns of Table 1 for flight fssh3.
     pub fssh3: Columns,
-    /// Order of the lift and drag columns for bffl8.
+    /// Order of the lift and drag columns of Table 1 for flight bffl8.
     pub bffl8: Columns,
 }
 

@@ -67,7 +67,7 @@ impl RealData {
         self.disc_golf.fits()
     }
 
-    /// Ratio I_a/I_d of a golf disc from the poses of all throws.
+    /// Ratio I_a/I_d of the axial to the diametral moment of inertia of a golf disc, from the poses of all throws.
     pub fn inertia_ratio(&self) -> Ratio {
         self.disc_pose.ratio()
     }

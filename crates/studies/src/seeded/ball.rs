@@ -30,7 +30,7 @@ pub struct Plan<'a> {
     pub parameters: &'a [(&'a str, f64)],
     /// True coefficients by name, SI. Coefficients that are not listed have the values of the model file.
     pub truth: &'a [(&'a str, f64)],
-    /// Distribution of the releases.
+    /// Distribution of the launch conditions.
     pub throws: Throws,
     /// Number of flights in the dataset.
     pub flights: usize,

@@ -15,10 +15,11 @@ pub struct InputErrors {
     pub exchanged: f64,
 }
 
-/// ChaCha stream of the random errors of the stated spins. The streams of the flights are numbered from 1.
+/// Number of the ChaCha random stream from which the errors of the stated spins are drawn. The streams of the flights
+/// are numbered from 1.
 const ERROR_STREAM: u64 = u64::MAX - 1;
 
-/// ChaCha stream that selects the flights with exchanged spins.
+/// Number of the ChaCha random stream that selects the flights with exchanged spins.
 const EXCHANGE_STREAM: u64 = u64::MAX - 2;
 
 impl InputErrors {

@@ -22,7 +22,7 @@ const fn row(effect: &'static str, weak: &'static [f64], strong: &'static [f64])
     }
 }
 
-/// Weak and strong values of every effect of the catalogue.
+/// Weak and strong values of every effect of the built-in effects catalogue.
 #[rustfmt::skip]
 pub const STRENGTHS: &[Strength] = &[
     row("zero_lift_drag_angle", &[-0.02], &[-0.07]),
@@ -66,7 +66,8 @@ pub const STRENGTHS: &[Strength] = &[
     row("buoyancy", &[0.3], &[1.0]),
 ];
 
-/// Looks up the weak and strong values of an effect by its name in the catalogue; `None` for an unknown name.
+/// Looks up the weak and strong values of an effect by its name in the built-in effects catalogue; `None` for an
+/// unknown name.
 pub fn strength(effect: &str) -> Option<&'static Strength> {
     STRENGTHS.iter().find(|row| row.effect == effect)
 }

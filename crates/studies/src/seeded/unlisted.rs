@@ -24,13 +24,14 @@ const SWERVE_LENGTH: f64 = 1.0;
 pub struct UnlistedEffect {
     /// Name of the effect, as in the rows of the discovery study.
     pub name: &'static str,
-    /// Site at which the effect acts, by its name in `report.json`.
+    /// Quantity of the model on which the effect acts (its site, such as "drag"), by its name in `report.json`.
     pub site: &'static str,
     /// A weak and a strong size, in the units listed at [`UNLISTED`].
     pub strength: [f64; 2],
     /// Laws of motion (kinds of bodies) on which the effect can act.
     pub laws: &'static [Law],
-    /// Name of an effect of the catalogue that is so similar that it counts as a right answer; `None` if there is none.
+    /// Name of an effect of the built-in effects catalogue that is so similar that it counts as a right answer of the
+    /// diagnosis; `None` if there is none.
     pub near: Option<&'static str>,
     kind: Kind,
 }
@@ -72,9 +73,9 @@ const fn row(
     }
 }
 
-/// All effects outside the catalogue. Units of their sizes: 1 for aerodynamic coefficients (the moment arm is the
-/// diameter d), 1/s for `pitching_moment_by_time`, N·m·s/m for `spin_down_by_speed`, 1/m for `drag_by_height`, m/s for
-/// `gusts` and `updraft`, N for `swerve`.
+/// All effects outside the built-in effects catalogue. Units of their sizes: 1 for aerodynamic coefficients (the moment
+/// arm is the diameter d), 1/s for `pitching_moment_by_time`, N·m·s/m for `spin_down_by_speed`, 1/m for
+/// `drag_by_height`, m/s for `gusts` and `updraft`, N for `swerve`.
 #[rustfmt::skip]
 pub const UNLISTED: &[UnlistedEffect] = &[
     row("roll_by_angle_squared", "roll", [0.02, 0.1], DISCS, Kind::RollByAngleSquared),
@@ -94,7 +95,7 @@ pub const UNLISTED: &[UnlistedEffect] = &[
     row("drag_by_height", "drag", [0.02, 0.1], BALL, Kind::DragByHeight),
 ];
 
-/// Looks up an effect outside the catalogue by name; `None` for an unknown name.
+/// Looks up an effect outside the built-in effects catalogue by name; `None` for an unknown name.
 pub fn unlisted(name: &str) -> Option<&'static UnlistedEffect> {
     UNLISTED.iter().find(|effect| effect.name == name)
 }

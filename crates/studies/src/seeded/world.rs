@@ -113,7 +113,8 @@ impl SeededWorld {
         }
     }
 
-    /// Flow about the body, without the winds of effects that are not in the catalogue.
+    /// Flow about the body in the wind of the simulated law of motion. Wind that an [`UnlistedEffect`] adds is not
+    /// included.
     fn scene<'s>(&'s self, body: &'s Physical<f64>, time: f64) -> Flow<'s, f64> {
         let world = &self.world;
         Flow::new(
@@ -127,8 +128,8 @@ impl SeededWorld {
     }
 }
 
-/// An effect of the catalogue in one flight: its coefficients, and states drawn from normal distributions with the
-/// given standard deviations.
+/// Returns an effect of the built-in effects catalogue for one flight. The first `values` are its coefficients; the
+/// following ones are the standard deviations of the normal distributions from which its states are drawn.
 fn drawn(name: &str, values: &[f64], random: &mut impl Rng) -> ActiveEffect<f64> {
     let effect = by_name(name).unwrap_or_else(|| panic!("the oracle has no effect `{name}`"));
     assert_eq!(values.len(), effect.values(), "values of `{name}`");

@@ -30,15 +30,15 @@ pub struct Observed {
 /// Standard deviations of the white noise of each measured component.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SensorNoise {
-    /// Noise of a position, m.
+    /// Standard deviation of the noise of each position component, m.
     pub position: f64,
-    /// Noise of an attitude about each axis, rad.
+    /// Standard deviation of the noise of an attitude about each axis, rad.
     pub attitude: f64,
-    /// Noise of a gyroscope, rad/s.
+    /// Standard deviation of the noise of each component of a gyroscope reading, rad/s.
     pub rate: f64,
-    /// Noise of an accelerometer, m/s².
+    /// Standard deviation of the noise of each component of an accelerometer reading, m/s².
     pub force: f64,
-    /// Noise of a speed, m/s.
+    /// Standard deviation of the noise of a speed, m/s.
     pub speed: f64,
 }
 
@@ -57,7 +57,7 @@ impl Default for SensorNoise {
 /// Simulates flights of a plan with sensor readings. The same seed gives the same flights and noise.
 ///
 /// # Panics
-/// If the oracle has no law for the model.
+/// If the oracle (the independent implementation of the laws of motion) does not support the model.
 pub fn sensor_flights(model: &Model, plan: &Plan<'_>, observed: &Observed, seed: u64) -> Dataset {
     let reference = reference_of(model);
     let constants = disc_constants(model, plan);

@@ -16,7 +16,7 @@ const FLIGHTS: (usize, usize) = (12, 4);
 /// Displacement of accelerometers that a diagnosis is expected to find, m, body axes.
 pub const DISPLACEMENT: [f64; 3] = [0.005, 0.0, 0.0];
 
-/// Name of the catalogue's effect of a displaced accelerometer.
+/// Name, in the built-in effects catalogue, of the effect of a displaced accelerometer.
 const MISPLACED: &str = "accelerometer-misplaced";
 
 /// Results of the fits and diagnoses of datasets measured with one set of sensors.
@@ -40,7 +40,7 @@ pub struct SensorSet {
     pub seconds: f64,
     /// Median over the coefficients of the ratio of the standard error with these sensors to that with markers alone.
     pub relative_error: f64,
-    /// Number of diagnoses without a displaced sensor, and how many of them find nothing.
+    /// Number of diagnoses without a displaced sensor, and how many of them detect no effect.
     pub clean: [usize; 2],
     /// Number of diagnoses with a displaced accelerometer, and how many of them name the displacement with an estimate
     /// within three standard errors. `None` for a set without an accelerometer.
@@ -109,8 +109,8 @@ pub fn sensors(
     found
 }
 
-/// Result of one fit: its time, s, and for each coefficient z = (estimate - true value) / standard error, whether the
-/// 95 % interval contains the true value, and the standard error. `None` without a converged, reliable fit.
+/// Result of one fit: its computing time, s, and for each coefficient z = (estimate - true value) / standard error,
+/// whether the 95 % interval contains the true value, and the standard error. `None` without a converged, reliable fit.
 type Run = Option<(f64, Vec<(f64, bool, f64)>)>;
 
 fn run(observed: &Observed, seed: u64) -> Run {

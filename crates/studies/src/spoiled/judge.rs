@@ -4,23 +4,24 @@ use std::collections::BTreeMap;
 
 use identify::{FitError, FitReport, FlightOutcome};
 
-/// Maximum error of a coefficient that counts as right, in standard errors.
+/// Maximum error of a coefficient that counts as correct, in standard errors.
 pub(super) const MAX_Z: f64 = 4.0;
 
 /// Classification of a fit's answer to data into which a recording mistake was introduced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Judgement {
-    /// Every flight with the mistake is reported as faulty, truncated or excluded. Also, the coefficients are right or
-    /// the report states that it is unreliable.
+    /// Every flight with the mistake is reported as faulty, truncated or excluded. In addition, every coefficient is
+    /// within four standard errors of the true value, or the report states that it is unreliable.
     Named,
     /// A flight with the mistake is not reported, but every coefficient is within four standard errors of the true
     /// value.
     Right,
-    /// The report states that it is unreliable.
+    /// A flight with the mistake is not reported, but the report states that its results are unreliable.
     Unreliable,
     /// The fit ended with an error message.
     Refused,
-    /// The coefficients are wrong and the report does not state that it is unreliable.
+    /// A coefficient has no estimate within four standard errors of the true value, and the report does not state that
+    /// its results are unreliable.
     Wrong,
     /// The fit reached the time limit.
     TooLong,
@@ -48,19 +49,20 @@ impl Judgement {
 /// The answer of a fit with its judgement.
 #[derive(Clone, Debug)]
 pub struct Judged {
-    /// Classification of the answer.
+    /// Classification of the fit's answer by whether it could mislead a user.
     pub judgement: Judgement,
     /// Maximum error of a coefficient, in standard errors (the larger of the plain and the cluster-robust one); `None`
     /// if the fit failed or lacks a coefficient.
     pub max_z: Option<f64>,
-    /// File names of flights without the mistake that are nevertheless reported as faulty, truncated or excluded.
+    /// File names of flights into which no mistake was introduced, but which the fit reports as faulty, truncated or
+    /// excluded.
     pub blamed: Vec<String>,
     /// Messages of the fit: the first statement about a faulty, truncated or excluded flight, and the reasons why the
     /// report is unreliable. If the fit failed, its error message.
     pub says: String,
 }
 
-/// Judges the result of a fit of a dataset in which a mistake was introduced into the flights with the file names
+/// Classifies the result of a fit of a dataset in which a mistake was introduced into the flights with the file names
 /// `spoiled`. `truth` contains the names and true values of the coefficients.
 pub(super) fn judge(
     result: &Result<FitReport, FitError>,

@@ -21,9 +21,9 @@ const SPOILED: usize = 3;
 /// Whether a mistake is introduced into one flight or into all flights of a dataset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Which {
-    /// One of the twelve flights.
+    /// The mistake is introduced into one of the twelve flights.
     One,
-    /// All twelve flights.
+    /// The mistake is introduced into all twelve flights.
     All,
 }
 
@@ -42,7 +42,7 @@ impl Which {
 pub struct Run {
     /// Kind of mistake.
     pub kind: &'static Kind,
-    /// Whether one flight or all flights are spoiled.
+    /// Whether the mistake is introduced into one flight or into all flights.
     pub which: Which,
     /// Seed of the simulated flights.
     pub seed: u64,

@@ -8,11 +8,11 @@ use crate::oracle_flights::TRUTH;
 use crate::page::{Page, render};
 use crate::statistics::median;
 
-/// Maximum error of a detected release or end of a flight that counts as right, samples.
+/// Maximum error of a detected release or end of a flight that counts as correct, samples.
 const CUT: i64 = 3;
-/// Maximum error of a marker position in an estimated marker template that counts as right, m.
+/// Maximum error of a marker position in an estimated marker template that counts as correct, m.
 const MILLIMETRE: f64 = 0.001;
-/// Maximum error of a coefficient that counts as right, standard errors.
+/// Maximum error of a coefficient that counts as correct, standard errors.
 const MAX_Z: f64 = 3.0;
 /// Half width of a 95 % interval of a normal variable, in standard deviations.
 const NORMAL_95: f64 = 1.96;
@@ -84,7 +84,7 @@ struct CoefficientRow {
     covered: Vec<f64>,
 }
 
-/// Fraction of the values that are true; 0 if there are none.
+/// Fraction of the values that are true; 0 if `values` is empty.
 fn share(values: impl IntoIterator<Item = bool>) -> f64 {
     let (mut holding, mut all) = (0, 0);
     for value in values {

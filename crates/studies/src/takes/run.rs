@@ -82,14 +82,14 @@ pub type SessionCuts = (Vec<Option<[i64; 2]>>, usize);
 /// Errors (estimated − true) of a marker template in the body frame, m.
 #[derive(Clone, Copy, Debug)]
 pub struct TemplateErrors {
-    /// Maximum distance between estimated and true position of a marker, perpendicular to the disc's axis.
+    /// Maximum distance between estimated and true position of a marker, perpendicular to the disc's axis, m.
     pub across: f64,
-    /// Maximum difference between estimated and true position of a marker along the disc's axis, each measured from the
-    /// mean of the markers.
+    /// Maximum difference between estimated and true position of a marker along the disc's axis, m, each measured from
+    /// the mean of the markers.
     pub along: f64,
-    /// Error of the estimated height of the centre of mass along the disc's axis.
+    /// Error of the estimated height of the centre of mass along the disc's axis, m.
     pub height: f64,
-    /// Standard error of the height of the centre of mass; `None` if the height was not estimated.
+    /// Standard error of the height of the centre of mass, m; `None` if the height was not estimated.
     pub height_std_error: Option<f64>,
 }
 
@@ -164,7 +164,7 @@ fn session(seed: u64, writer: Writer, python: Option<&Path>) -> Session {
     }
 }
 
-/// Contents of the files to which a session's takes are written, in the format of `writer`.
+/// Contents of the files to which a session's takes (recordings) are written, in the format of `writer`.
 fn files(
     filmed: &Filmed,
     writer: Writer,
@@ -262,7 +262,7 @@ fn cut_errors(filmed: &Filmed, imported: &[(Take, Throws)]) -> SessionCuts {
     (cuts, false_throws)
 }
 
-/// Parses a file as a take with z up, and finds its throws.
+/// Parses the contents of a file as a recording, converts it to axes with z up, and finds the throws in it.
 fn imported(file: &[u8]) -> Result<(Take, Throws), String> {
     let take = takes::parse(&PathBuf::from("take"), file, &ReadOptions::default());
     let take = take.map_err(|error| error.to_string())?;

@@ -25,7 +25,8 @@ impl Writer {
         }
     }
 
-    /// Formats a take as text; for C3D, in the format of Vicon.
+    /// Formats the marker positions of a recording, sampled at `rate` (Hz), as the text of a file; for C3D, in Vicon's
+    /// text format, which is converted to C3D afterwards.
     pub fn text(self, rows: &Rows, rate: f64) -> String {
         match self {
             Self::Vicon | Self::C3d => vicon(rows, rate),

@@ -63,8 +63,8 @@ const TUNNEL: [(&str, f64); 9] = [
     ("C_Rr", 0.0),
 ];
 
-/// Simulates launches over the tilt with the wind tunnel's coefficients, for several values of the roll coefficient
-/// C_Rr. Returns (C_Rr in s, launches).
+/// Simulates launches over a range of tilts (hyzer angles) with the wind tunnel's coefficients, for several values of
+/// the roll coefficient C_Rr. Returns pairs (C_Rr in s, results of the launches).
 ///
 /// # Errors
 /// [`StudyError`] if the model cannot be loaded.
@@ -110,8 +110,8 @@ fn own_pitch(all: &[(&'static str, f64)]) -> Vec<(&'static str, f64)> {
         .collect()
 }
 
-/// Prepares flights of a disc with the given coefficients. Also returns a function that creates the throw with a
-/// horizontal launch at [`SPEED`] for a given advance ratio.
+/// Prepares simulations of flights of a disc with the given coefficients. Also returns a function that creates the
+/// launch conditions of a horizontal launch at [`SPEED`] with a given advance ratio.
 fn flights<'b>(
     body: &'b ThrownBody,
     values: &[(&str, f64)],

@@ -9,7 +9,7 @@ use toml::de::DeTable;
 
 /// Key of `[vary]` that requests different random gusts in every flight.
 const GUSTS: &str = "gusts";
-/// Maximum number of values of one axis of the grid.
+/// Maximum number of grid values of one varied quantity.
 const MAX_VALUES: usize = 1_000_000;
 
 /// A quantity that varies from flight to flight.
@@ -23,7 +23,7 @@ pub struct Axis {
     pub kind: AxisKind,
 }
 
-/// Input of a flight that a varied quantity sets.
+/// Input of a flight that a varied quantity sets: a quantity of the throw, an initial state, or a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Target {
     /// Field of the throw, by its index in [`FIELDS`].
@@ -116,8 +116,8 @@ impl Names<'_> {
             .map(codegen::layout::ParamId::index)
     }
 
-    /// Checks a value against the bounds of its target. Returns a text of the valid values if the value is invalid,
-    /// otherwise `None`.
+    /// Checks a value of the varied quantity `name` against the bounds of this quantity. Returns a text that describes
+    /// the valid values if the value is invalid, otherwise `None`.
     fn expected_instead_of(&self, name: &str, target: Target, value: f64) -> Option<String> {
         match target {
             Target::Throw(index) => {
@@ -135,7 +135,8 @@ impl Names<'_> {
     }
 }
 
-/// The parameter or coefficient called `name`, with its bounds; `None` if the model has none of this name.
+/// Entry of `vocabulary`, the names of a model, for the parameter or coefficient called `name`, with its bounds; `None`
+/// if the model has none of this name.
 pub(crate) fn constant<'v>(vocabulary: &'v Vocabulary, name: &str) -> Option<&'v Name> {
     let constants = vocabulary.parameters.iter().chain(&vocabulary.coefficients);
     constants.into_iter().find(|known| known.name == name)

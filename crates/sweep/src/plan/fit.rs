@@ -12,7 +12,7 @@ use super::axes::{Axis, AxisKind, Names, Target};
 /// Maximum size of the `report.json` of a fit, bytes.
 const MAX_BYTES: u64 = 64 << 20;
 
-/// Axes of the fitted coefficients, and their correlations as (name, name, value).
+/// Varied quantities for the coefficients of a fit, and the correlations of the coefficients as (name, name, value).
 #[derive(Default)]
 pub(super) struct FitAxes {
     pub axes: Vec<Axis>,

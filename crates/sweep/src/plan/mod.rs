@@ -24,7 +24,7 @@ use correlation::Factor;
 pub struct Plan {
     /// Model, including the plan's effects.
     pub model: Model,
-    /// Release from which the flights start; the axes replace some of its values.
+    /// Release (launch conditions) that all flights have in common; the varied quantities replace some of its values.
     pub release: Release,
     /// Motion at release, if the plan states it by `[throw]`.
     pub throw: Option<Throw>,

@@ -16,13 +16,13 @@ use super::{Plan, fit};
 
 /// Maximum number of flights of a sweep.
 pub const MAX_FLIGHTS: u64 = 1 << 40;
-/// Maximum number of normally distributed axes of a sweep.
+/// Maximum number of normally distributed quantities that a sweep varies.
 const MAX_NORMAL: usize = 256;
 /// Maximum size of a plan file, bytes.
 const MAX_FILE_BYTES: u64 = 16 << 20;
 /// Relative tolerance of the integration if the plan states none; the same as in `hyzer simulate`.
 const TOLERANCE: f64 = 1e-6;
-/// Keys of a plan that are not keys of a release.
+/// Keys of a plan file that a release file (launch conditions) does not have.
 const OWN_KEYS: [&str; 8] = [
     "effects",
     "flights",
@@ -111,7 +111,8 @@ fn effects(document: &DeTable<'_>, folder: &Path) -> Vec<String> {
     names.map(|name| beside(name, folder)).collect()
 }
 
-/// The parts of a plan that are read first, by the reader of release files: model, vocabulary and release.
+/// Parts of a plan that are read before its other keys, because a plan is an extended release file: the model, its
+/// vocabulary (the names that a release may set), and the release (launch conditions).
 struct Known {
     model: Model,
     vocabulary: Vocabulary,
@@ -192,8 +193,8 @@ fn plan<'t>(
     })
 }
 
-/// Reads the table `[throw]`, whose values have already been checked with the release; `None` if the plan has no such
-/// table.
+/// Reads the table `[throw]`, whose values were already checked when the release in the plan was read; `None` if the
+/// plan has no such table.
 fn throw<'t>(reader: &mut Reader<'t>, document: &DeTable<'t>) -> Option<Throw> {
     document.get("throw")?;
     let mut throw = Throw::at_speed(0.0);

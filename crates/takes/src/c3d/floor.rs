@@ -6,7 +6,8 @@
 
 use crate::axes::Axis;
 
-/// Minimum cosine of the angle between a platform's normal and a coordinate axis for the platform to be level.
+/// Minimum cosine of the angle between the normal of a force platform and a coordinate axis for the platform to count
+/// as level, with this axis as the vertical.
 const LEVEL: f64 = 0.98;
 
 /// Axis that points up, from the corners of all force platforms (x, y, z of four corners per platform). `None` if there

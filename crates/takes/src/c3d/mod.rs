@@ -38,7 +38,7 @@ pub struct Wrong {
 pub struct Deviation {
     /// The contradiction: its byte offset, what was found and what was expected.
     pub wrong: Wrong,
-    /// Description of the interpretation that is used.
+    /// Description of the interpretation of the contradictory data that the reader uses.
     pub read_as: String,
 }
 

@@ -18,8 +18,8 @@ const DEGREES: (usize, usize) = (2, 10);
 /// Maximum degree of the polynomial fitted to a trajectory, per turn of the body. At 1 per turn the polynomial has at
 /// most half as many waves as the body has turns, and so cannot follow the rotation.
 const DEGREES_PER_TURN: f64 = 1.0;
-/// Number of iterations of the estimate; each one updates the weights of the samples, the degrees of the polynomials
-/// and the displacement of the centre of mass by aerodynamic forces.
+/// Number of iterations of the estimate of the spin axis and the centre of mass; each one updates the weights of the
+/// samples, the degrees of the polynomials and the displacement of the centre of mass by aerodynamic forces.
 const PASSES: usize = 3;
 /// Criteria for a spin about one axis, in terms of the eigenvalues of the matrix B of the normal equations: minimum
 /// ratio of the middle eigenvalue to the sum of the weights, and maximum ratio of the least eigenvalue to the middle
@@ -28,12 +28,13 @@ const SPIN: (f64, f64) = (0.05, 0.5);
 /// Minimum ratio of the mean square of the spin axis's wobble to the mean square of its measurement noise for the
 /// height of the centre of mass to be estimated.
 const WOBBLE: f64 = 0.1;
-/// Minimum sine of the elevation of the spin axis at a release for the flight to have a vote on the sense of the axis.
+/// Minimum sine of the elevation of the spin axis at the beginning of a flight for the flight to count in the decision
+/// which direction of the axis points upwards.
 const UPWARDS: f64 = 0.2;
 
 /// Spin axis and centre of mass of the body, in the body-fixed axes of [`Shape`].
 pub(super) struct Centre {
-    /// Unit vector along the spin axis, pointing upwards at the release.
+    /// Unit vector along the spin axis, in the direction that points upwards at the beginning of most flights.
     pub axis: Vector3<f64>,
     /// Covariance of the unit vector `axis`.
     pub axis_covariance: Matrix3<f64>,
@@ -239,8 +240,8 @@ fn residuals(motions: &[Motion], point: &Vector3<f64>, axis: &Vector3<f64>) -> (
     )
 }
 
-/// Whether `axis` points upwards at the releases of most flights, and the numbers of flights with and against this
-/// sense; the numbers are `None` if they are equal.
+/// Whether `axis` points upwards at the beginning of most flights, and the numbers of flights in which it points
+/// upwards and downwards there; the numbers are `None` if they are equal.
 fn side(motions: &[Motion], axis: &Vector3<f64>) -> (bool, Option<UpVote>) {
     let heights = motions.iter().map(|motion| {
         let early = (motion.rotations.len() / 10).max(3);

@@ -10,8 +10,8 @@ use super::{CentreHeight, EstimatedMarker, EstimatedTemplate};
 const WORST_HEIGHT: f64 = 0.01;
 /// Minimum distance from the third axis, m, of the marker that the first axis points to.
 const OFF_AXIS: f64 = 0.005;
-/// Number of parameters that determine the body frame in addition to the marker coordinates: foot of the axis (3),
-/// direction of the axis (3), height (1).
+/// Number of parameters that determine the body frame in addition to the marker coordinates: point of the spin axis at
+/// height 0 (3), direction of the axis (3), height of the centre of mass (1).
 const MORE: usize = 7;
 
 /// Assembles the template from the shape and the centre of mass; `stated` is the user's height of the centre of mass,
@@ -110,8 +110,8 @@ fn first_marker(shape: &Shape, centre: &Centre, height: f64) -> usize {
     off.unwrap_or_else(farthest)
 }
 
-/// Marker positions in the body frame, m, as a function of `values`: `size` marker coordinates, then the foot and the
-/// direction of the spin axis and the height of the centre of mass.
+/// Marker positions in the body frame, m, as a function of `values`: `size` marker coordinates, then the point of the
+/// spin axis at the mean height of the markers, the direction of the spin axis, and the height of the centre of mass.
 fn placed(values: &DVector<f64>, size: usize, centre: &Centre, first: usize) -> DVector<f64> {
     let vector = |at: usize| Vector3::new(values[at], values[at + 1], values[at + 2]);
     let third = vector(size + 3).normalize();

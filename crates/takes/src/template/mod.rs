@@ -35,8 +35,8 @@ pub struct EstimatedTemplate {
     pub height: CentreHeight,
     /// Standard error of the direction of the third axis, rad: the greatest over the directions normal to it.
     pub tilt_error: f64,
-    /// Votes of the flights on the sense of the third axis, which points up at the release; `None` if the votes are
-    /// tied.
+    /// Number of flights that begin with the third axis upwards and downwards; the direction of the third axis is that
+    /// of the majority. `None` if the two numbers are equal.
     pub up: Option<UpVote>,
     /// Index of the marker that the first axis points to.
     pub first: usize,
@@ -53,7 +53,7 @@ pub struct EstimatedTemplate {
 /// A marker of the body with its estimated position.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EstimatedMarker {
-    /// Label of the marker in the take.
+    /// Label of the marker in the recording.
     pub label: String,
     /// Position in the body frame, m.
     pub position: [f64; 3],
@@ -97,7 +97,7 @@ pub struct UpVote {
     pub against: usize,
 }
 
-/// Reason why no template can be estimated.
+/// Reason why no body template (marker positions on the body and centre of mass) can be estimated.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TemplateError {
     /// There are fewer than 3 markers, too few for an attitude.
@@ -114,7 +114,7 @@ pub enum TemplateError {
         "found no sample that places {label} among the other points, expected it with 3 others or more, or a template by --markers"
     )]
     Unplaced {
-        /// Label of the marker.
+        /// Label of the marker whose position on the body cannot be determined.
         label: String,
     },
     /// The markers lie on a line, which does not fix the attitude.
@@ -122,14 +122,14 @@ pub enum TemplateError {
         "found the points on a line, expected points that fix an attitude, or a template by --markers"
     )]
     Collinear,
-    /// Every flight has too few samples.
+    /// No flight has enough samples in which at least 3 points are seen.
     #[error(
         "found {found} samples with at least 3 points, expected {expected} or more in a flight, or a template by --markers"
     )]
     FewSamples {
-        /// Greatest number of usable samples in a flight.
+        /// Greatest number, over the flights, of samples in which at least 3 points are seen.
         found: usize,
-        /// Minimum number of samples required.
+        /// Minimum number of samples in which at least 3 points are seen, required in at least one flight.
         expected: usize,
     },
     /// The body does not spin about one axis.
@@ -148,7 +148,7 @@ const ASSUMED: f64 = 0.02;
 
 impl EstimatedTemplate {
     /// Standard errors of the centre of mass along the axes of the body, m, rounded up to 1 µm; 0 along the third axis
-    /// if the height is stated.
+    /// if the user stated the height of the centre of mass.
     pub fn origin_error(&self) -> [f64; 3] {
         let across = |axis: usize| {
             let each = self.markers.iter().map(|marker| marker.std_error[axis]);

@@ -7,8 +7,8 @@ use nalgebra::{DMatrix, Matrix3, Vector3};
 use super::{FreeFlight, LEAST_SAMPLES, TemplateError};
 use crate::throws::fitted;
 
-/// Maximum number of iterations in the estimate of the shape, and number of the first iterations, in which it is also
-/// decided which marker positions are outliers.
+/// Maximum number of iterations of the estimate of the marker positions on the body, and number of initial iterations
+/// that also decide which measured positions are outliers.
 const PASSES: (usize, usize) = (60, 8);
 /// Maximum change of any marker position in one iteration, m, at which the estimate of the shape counts as converged.
 const CONVERGED: f64 = 1e-9;
@@ -36,14 +36,14 @@ pub(super) struct Shape {
     pub outliers: usize,
 }
 
-/// Pose of the shape in one sample.
+/// Position and attitude of the body in one sample.
 #[derive(Clone)]
 pub(super) struct Placed {
     /// Index of the sample in its flight.
     pub sample: usize,
     /// Position in the room, m, of the mean of all marker positions of the shape.
     pub position: Vector3<f64>,
-    /// Rotation from the axes of the shape to those of the room.
+    /// Rotation from the body-fixed axes to the axes of the room.
     pub rotation: Matrix3<f64>,
     /// Whether each marker is used for the pose.
     pub used: Vec<bool>,
@@ -53,7 +53,7 @@ pub(super) struct Placed {
 
 type Row = Vec<Option<Vector3<f64>>>;
 
-/// Estimates the shape of the markers and the pose of each sample.
+/// Estimates the marker positions on the body (the shape) and the pose of the body in each sample.
 pub(super) fn shape(labels: &[String], flights: &[FreeFlight<'_>]) -> Result<Shape, TemplateError> {
     if labels.len() < 3 {
         let labels = labels.to_vec();
@@ -113,8 +113,9 @@ fn rows(flight: &FreeFlight<'_>) -> Vec<Row> {
     flight.positions.iter().map(row).collect()
 }
 
-/// Initial shape: of the samples with the most markers, the one whose distances are closest to the median distances.
-/// Markers missing in it are located by means of other samples.
+/// Initial estimate of the marker positions on the body: among the samples with the most visible markers, the positions
+/// in the sample whose distances between markers are closest to the median distances. Markers missing in this sample
+/// are located by means of other samples.
 fn first_shape<'r>(
     labels: &[String],
     rows: impl Iterator<Item = &'r Row> + Clone,
@@ -284,8 +285,8 @@ fn pooled_sigma(poses: &[Vec<Placed>], points: usize) -> f64 {
     (squares / (freedom - (3.0 * points as f64 - 6.0)).max(1.0)).sqrt()
 }
 
-/// Marker positions in the axes of the shape: median (`by_median`) or mean of each marker's position over the samples,
-/// shifted so that the mean of all markers is 0.
+/// Marker positions in the body-fixed axes that the poses define: median (`by_median`) or mean of each marker's
+/// position over the samples, shifted so that the mean of all markers is 0.
 fn means(
     points: &[Vector3<f64>],
     rows: &[Vec<Row>],

@@ -18,7 +18,7 @@ const IMPACT: f64 = 1.0;
 /// Minimum upward jump of the velocity at the ground, m/s. It is small because a body that touches the ground with its
 /// edge begins to turn more than to rise.
 const TOUCH: f64 = 0.2;
-/// Height above the body's lowest level in the take below which the body may touch the ground, m: the extent of a
+/// Height above the body's lowest level in the recording below which the body may touch the ground, m: the extent of a
 /// thrown body below its centre.
 const REACH: f64 = 0.15;
 /// Height above the lowest level of the trajectory, m, below which an upward jump of the velocity means that the ground
@@ -34,9 +34,8 @@ const APART: f64 = 0.5;
 /// determined.
 const BELOW: usize = 3;
 
-/// Whether a followed flight ends, because the motion beyond its end is one that air cannot cause. `last` is the track
-/// index of the flight's last sample, or of its first sample if `early`; `ground` is the height of the lowest level of
-/// the trajectory, m.
+/// Whether a followed flight ends at the track index `last`: whether the motion after this sample, or before it if
+/// `early`, is one that the air cannot cause. `ground` is the height of the lowest level of the trajectory, m.
 pub(super) fn is_break(
     track: &Track,
     path: &[[f64; 3]],

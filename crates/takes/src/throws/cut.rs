@@ -30,20 +30,22 @@ pub(super) struct Change {
     /// Track index of the sample of the flight next to the change: the flight's first sample at its beginning, its last
     /// sample at its end.
     pub inside: usize,
-    /// Time of the change of motion in the take, s.
+    /// Time of the change of motion, s, on the time axis of the recording.
     pub time: f64,
-    /// Velocity inside the flight at the time of the change, m/s.
+    /// Velocity of the body at the time of the change, m/s: the limit from the side of the free flight; 0 if no change
+    /// was fitted.
     pub velocity: [f64; 3],
-    /// Velocity outside the flight minus velocity inside, m/s; `None` if the velocity does not jump.
+    /// Velocity outside the free flight minus velocity inside, both at the time of the change, m/s; `None` if the
+    /// velocity does not jump.
     pub velocity_jump: Option<[f64; 3]>,
-    /// Acceleration outside the flight minus acceleration inside, m/s²; zero if the change was fitted as a jump of the
-    /// velocity.
+    /// Acceleration outside the free flight minus acceleration inside, both at the time of the change, m/s²; zero if
+    /// the change was fitted as a jump of the velocity.
     pub acceleration: [f64; 3],
 }
 
-/// Determines the change of motion with which a followed flight begins (`early`) or ends. `stop` is the reason why
-/// following ended there, `path` the trajectory of a body point, m. A change is fitted only after a deviation or a
-/// touch of the ground; otherwise it lies at the last followed sample.
+/// Determines the change of motion with which a free flight begins (`early`) or ends. `stop` is the reason why the
+/// flight was not followed further, `path` the trajectory of a body point, m. A change is fitted only if `stop` is a
+/// deviation or a touch of the ground; otherwise it is placed at the last followed sample.
 pub(super) fn changes(track: &Track, path: &[[f64; 3]], stop: &Stop, early: bool) -> Change {
     let data = if early { 0 } else { path.len() - 1 };
     let last = stop.last(data);

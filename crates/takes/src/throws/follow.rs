@@ -8,7 +8,8 @@ use super::windows::half;
 
 /// Difference between a sample and its prediction, in standard deviations, above which the sample counts as deviating.
 const STRANGE: f64 = 4.5;
-/// Number of consecutive samples that must all deviate from their prediction before the flight is examined for its end.
+/// Number of consecutive samples that must all deviate from their prediction before it is examined whether the flight
+/// ends there.
 const CONSECUTIVE: usize = 2;
 /// Rate of change of the acceleration in free flight, m/s³, that is tolerated when a sample is compared with its
 /// prediction from a quadratic.
@@ -16,24 +17,24 @@ const JERK: f64 = 60.0;
 /// Lower bound of the estimated standard deviation of a measured position, m.
 const FINEST: f64 = 5e-5;
 
-/// Reason why the following of a flight ended; all indices are track indices.
+/// Reason why a flight was not followed further; all indices are track indices.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Stop {
-    /// The track has no more samples.
+    /// The recording has no further samples in which the body is seen.
     Data,
     /// The body is not seen between the samples `from` and `to`, and the samples after the gap do not continue the
     /// flight.
     Gap { from: usize, to: usize },
-    /// The samples after the one at the track index `last`, in the direction of following, deviate from their
-    /// prediction.
+    /// The samples after the one at the track index `last` deviate from their prediction; if the flight is followed
+    /// backwards in time, "after" means earlier.
     Deviation { last: usize },
     /// The ground supports the body near the sample at the track index `last`.
     Touch { last: usize },
 }
 
 impl Stop {
-    /// Track index of the last sample of the flight in the direction of following; `data` is returned for
-    /// [`Stop::Data`], and is the track index of the track's last sample in this direction.
+    /// Track index of the last sample of the flight, or of its first sample if the flight was followed backwards in
+    /// time. `data` is the index returned for [`Stop::Data`]: the last index of the track, or the first.
     pub fn last(&self, data: usize) -> usize {
         match self {
             Self::Data => data,
@@ -43,19 +44,19 @@ impl Stop {
     }
 }
 
-/// Predicates that end a flight; each is called with the track index of the last sample that agreed with its
-/// prediction.
+/// Predicates that decide whether a flight ends; each is called with the track index of the last sample that agreed
+/// with its prediction.
 pub(super) struct Checks<'c> {
-    /// Called when samples deviate from their prediction: whether the flight ends there. The second argument is true if
-    /// the flight is followed backwards in time.
+    /// Predicate that is called when samples deviate from their prediction: whether the flight ends at the track index
+    /// given by the first argument. The second argument is true if the samples are examined backwards in time.
     pub is_break: &'c dyn Fn(usize, bool) -> bool,
     /// Whether the ground supports the body at a sample. Called at every sample that is followed forwards in time,
     /// since a slight touch may cause no deviation.
     pub touches: &'c dyn Fn(usize) -> bool,
 }
 
-/// Follows a flight in both directions from the middle of `run`, a range of track indices in free flight. Returns the
-/// reasons why following ended at the beginning and at the end of the flight.
+/// Follows a flight from the middle of `run`, a range of track indices in free flight, backwards and forwards in time.
+/// Returns the reasons why it was not followed further at its beginning and at its end.
 pub(super) fn follow(
     track: &Track,
     path: &[[f64; 3]],

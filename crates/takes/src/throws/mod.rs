@@ -51,31 +51,32 @@ pub enum Cause {
     Hand(f64),
     /// The body hits the ground: its vertical velocity jumps upwards by this amount, m/s.
     Ground(f64),
-    /// The body is stopped, as by a net or a hand: its acceleration jumps by this amount, m/s², against its velocity.
+    /// The body is stopped, as by a net or a hand: its acceleration jumps by this amount, m/s², against the direction
+    /// of flight.
     Stopped(f64),
-    /// The body hits an obstacle: its velocity jumps by this amount, m/s, against its direction.
+    /// The body hits an obstacle: its velocity jumps by this amount, m/s, against the direction of flight.
     Struck(f64),
     /// The velocity or the acceleration changes in a way that fits none of the causes `Hand`, `Ground`, `Stopped` and
     /// `Struck`.
     Disturbed,
-    /// The body is not seen; the value is the time between the two samples before and after, s.
+    /// The body is not seen for a while; the value is the time between the samples before and after this gap, s.
     Gap(f64),
     /// The recording begins or ends.
     Recording,
 }
 
-/// Beginning or end of the free flight in a take.
+/// Beginning or end of a free flight in a recording.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cut {
-    /// Sample index in the take of the first or the last sample of the free flight.
+    /// Index, in the recording, of the first or the last sample of the free flight.
     pub sample: usize,
-    /// Time of the change of motion, s.
+    /// Time of the change of motion that begins or ends the free flight, s.
     pub time: f64,
-    /// Cause of the change of motion.
+    /// Cause of the change of motion that begins or ends the free flight.
     pub cause: Cause,
 }
 
-/// A throw: one free flight in a take.
+/// A throw: one free flight of a body in a recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Throw {
     /// Beginning of the free flight.
@@ -84,18 +85,18 @@ pub struct Throw {
     pub end: Cut,
     /// Number of samples within the flight in which the body is not seen.
     pub unseen: usize,
-    /// Mean acceleration over the flight, m/s², along the axes of the take.
+    /// Mean acceleration over the flight, m/s², along the axes of the recording.
     pub acceleration: [f64; 3],
 }
 
 impl Throw {
-    /// Range of sample indices of the flight in the take.
+    /// Range of the indices, in the recording, of the samples of the free flight.
     pub fn samples(&self) -> Range<usize> {
         self.release.sample..self.end.sample + 1
     }
 }
 
-/// Throws of a take, and notes on the search for them.
+/// Throws in a recording, and notes on the search for them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Throws {
     /// Throws in the order of time.
@@ -106,8 +107,9 @@ pub struct Throws {
     pub notes: Vec<String>,
 }
 
-/// Finds the throws in a take with z up. Follows the points or the body named in `labels`; if `labels` is empty, the
-/// first tracked body or, without one, the largest set of points that move as one.
+/// Finds the throws in a recording whose z axis points up. The moving body is given by the points or the body named in
+/// `labels`; if `labels` is empty, it is the first tracked body or, without one, the largest set of points that move as
+/// one.
 pub fn find_throws(take: &Take, labels: &[&str], options: &ThrowOptions) -> Throws {
     let mut found = Throws::default();
     let Some(track) = Track::new(take, labels, &mut found.notes) else {

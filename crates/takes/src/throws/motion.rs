@@ -8,7 +8,7 @@ use crate::take::Take;
 /// samples to be computed; a longer time is a gap.
 const GAP: f64 = 1.5;
 
-/// Time series of a followed body over its take; values are not finite where the body is not seen.
+/// Time series of the motion of a body in a recording; values are not finite where the body is not seen.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Motion {
     /// Times, s: those of the samples, and one within each gap.
@@ -17,13 +17,13 @@ pub struct Motion {
     pub heights: Vec<f64>,
     /// Speed of the centroid, m/s.
     pub speeds: Vec<f64>,
-    /// Rate of rotation, rad/s, from the angle between consecutive attitudes; `None` if the attitude is not followed. A
+    /// Rate of rotation, rad/s, from the angle between consecutive attitudes; `None` if the attitude is not computed. A
     /// rate above π per sampling interval is aliased to a lower one.
     pub rotation: Option<Vec<f64>>,
 }
 
-/// Computes the motion of the points or bodies named in `labels` in a take with z up; `None` if fewer than two samples
-/// show all of them together.
+/// Computes the time series of the motion of the points or bodies named in `labels` in a recording with z up; `None` if
+/// fewer than two samples show all of them together.
 pub fn motion(take: &Take, labels: &[&str]) -> Option<Motion> {
     let track = Track::new(take, labels, &mut Vec::new())?;
     let mut motion = Motion::default();

@@ -6,21 +6,22 @@ use super::cluster::rigid_points;
 use crate::take::Take;
 use crate::words::listed;
 
-/// Minimum number of points of a cluster whose attitude is followed.
+/// Minimum number of points that move as one body for their attitude to be computed.
 const ATTITUDE: usize = 3;
-/// Minimum extent of a cluster whose attitude is followed, m: second singular value of its points.
+/// Minimum extent across their longest direction, m, of points that move as one body for their attitude to be computed.
 const EXTENT: f64 = 0.01;
 
-/// Motion of the followed cluster of points or body.
+/// Motion of the tracked points or of the tracked body in a recording, over the samples in which it is seen.
 pub(super) struct Track {
     pub labels: Vec<String>,
-    /// Indices of the samples of the take in which the cluster is seen.
+    /// Indices of the samples of the recording in which the body is seen.
     pub samples: Vec<usize>,
     /// Times of the samples, s.
     pub times: Vec<f64>,
-    /// Centroid of the cluster at each sample, m.
+    /// Centroid of the tracked points, or position of the tracked body, at each sample, m.
     pub centres: Vec<[f64; 3]>,
-    /// Rotations from the cluster's axes to the room, one per sample; empty if the attitude is not followed.
+    /// Rotations from the body-fixed axes of the tracked points to the axes of the room, one per sample; empty if the
+    /// attitude is not computed.
     rotations: Vec<Matrix3<f64>>,
     /// Median time between samples, s.
     pub step: f64,
@@ -28,8 +29,8 @@ pub(super) struct Track {
 
 impl Track {
     /// Follows the points or the body named in `labels`; if `labels` is empty, the first tracked body or, without one,
-    /// the largest cluster of points that move as one. Returns `None` and adds a note if the points or the body are
-    /// seen in fewer than two samples.
+    /// the largest set of points that move as one. Returns `None` and adds a note if the points or the body are seen in
+    /// fewer than two samples.
     pub fn new(take: &Take, labels: &[&str], notes: &mut Vec<String>) -> Option<Self> {
         let is_named = |label: &str| labels.is_empty() || labels.contains(&label);
         let named: Vec<usize> = (0..take.points.len())
@@ -124,12 +125,13 @@ impl Track {
         track
     }
 
-    /// Whether the attitude of the cluster is followed.
+    /// Whether the track includes the attitude of the body, not only its position.
     pub fn has_attitude(&self) -> bool {
         !self.rotations.is_empty()
     }
 
-    /// Rotation of the cluster at an index of the track; a zero matrix if the attitude is not followed.
+    /// Rotation from the body-fixed axes to the axes of the room at an index of the track; a zero matrix if the
+    /// attitude is not computed.
     pub fn rotation(&self, i: usize) -> Matrix3<f64> {
         self.rotations
             .get(i)
@@ -137,8 +139,8 @@ impl Track {
             .unwrap_or_else(Matrix3::zeros)
     }
 
-    /// Trajectory of a point of the body, m; `offset` is its position relative to the centroid in the cluster's axes,
-    /// m.
+    /// Trajectory of a point of the body, m; `offset` is the position of this point relative to the centroid, in the
+    /// body-fixed axes of the tracked points, m.
     pub fn path(&self, offset: [f64; 3]) -> Vec<[f64; 3]> {
         let offset = Vector3::from(offset);
         let each = self.centres.iter().enumerate();
@@ -162,7 +164,7 @@ fn extent(points: &[Vector3<f64>]) -> f64 {
     values[1].max(0.0).sqrt()
 }
 
-/// Refines a template: mean position of each point over the samples, in the axes of the first template.
+/// Refines a rigid set of points: mean position of each point over the samples, in the axes of the set `first`.
 fn refined(
     first: &[Vector3<f64>],
     samples: impl Iterator<Item = Vec<Option<Vector3<f64>>>>,
@@ -186,8 +188,8 @@ fn refined(
     )
 }
 
-/// Least-squares position and rotation of a template for the points that are seen (Kabsch 1976); `None` if fewer than 3
-/// points are seen.
+/// Least-squares position and rotation of a rigid set of points (`template`) for the points that are seen (Kabsch
+/// 1976); `None` if fewer than 3 points are seen.
 pub(crate) fn fitted(
     template: &[Vector3<f64>],
     seen: &[Option<Vector3<f64>>],

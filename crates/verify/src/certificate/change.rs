@@ -8,10 +8,11 @@ use serde::Serialize;
 use std::fmt;
 use std::path::Path;
 
-/// A change of something that a certificate covers.
+/// A difference between the current state of an item covered by a certificate (model source, generated code, program
+/// version, verdict of a check) and its state when the certificate was created.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Change {
-    /// Name of the model; `None` for the program and for comparisons between models.
+    /// Name of the model that changed; `None` for a change of the program or of a comparison between models.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model: Option<String>,
     /// Description of the change.
@@ -28,8 +29,8 @@ impl fmt::Display for Change {
 }
 
 impl Certificate {
-    /// Lists the changes since the certificate was written, as found by hashes. `folder` is the folder of the
-    /// certificate.
+    /// Lists the changes of the program and of the models since the certificate was created, as found by comparing
+    /// hashes. `folder` is the folder of the certificate.
     pub fn changes(&self, folder: &Path) -> Vec<Change> {
         let mut changes = self.program.changes();
         for model in &self.models {
@@ -38,8 +39,8 @@ impl Certificate {
         changes
     }
 
-    /// Lists the changes since the certificate was written, as found by hashes and by repeating the checks. `same`
-    /// selects the models that describe the same motion and are therefore compared with each other.
+    /// Lists the changes since the certificate was created, as found by comparing hashes and by repeating the checks.
+    /// Models for which `same` returns true describe the same motion and are compared with each other.
     pub fn changes_again(&self, folder: &Path, same: impl Fn(&Model) -> bool) -> Vec<Change> {
         let mut changes = self.changes(folder);
         let options = self.options.options();

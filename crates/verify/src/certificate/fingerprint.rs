@@ -84,10 +84,10 @@ pub struct HashedSource {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Fingerprint {
-    /// Texts of the model, followed by the texts of the effects.
+    /// Name and hash of the source text of the model, followed by those of its effects (optional model extensions).
     pub sources: Vec<HashedSource>,
-    /// Hash of the scheduled statement lists of all compiled functions, which every backend prints as code or
-    /// interprets.
+    /// Hash of the lists of elementary operations of all compiled functions, in evaluation order. All backends print or
+    /// interpret these lists.
     pub schedule: Hash,
     /// Hash of the plain Rust code generated from the model.
     pub rust: Hash,
@@ -124,7 +124,7 @@ impl Fingerprint {
         }
     }
 
-    /// Whether the texts are equal in order and content, regardless of their names.
+    /// Whether the hashed texts are those of `sources`, in the same order. The names of the texts are not compared.
     pub(super) fn has_texts(&self, sources: &[Source]) -> bool {
         let own = self.sources.iter().map(|source| &source.sha256);
         let others: Vec<Hash> = sources.iter().map(|s| Hash::of_text(&s.text)).collect();

@@ -37,11 +37,11 @@ pub struct Certificate {
     pub program: Program,
     /// Options with which the checks were carried out.
     pub options: CertifiedOptions,
-    /// Combined outcome of all models and comparisons.
+    /// Worst outcome of all models and of the comparisons between models.
     pub outcome: Outcome,
     /// Records of the verified models.
     pub models: Vec<CertifiedModel>,
-    /// Verdicts of the comparisons between models that describe the same motion.
+    /// Results of the comparisons of every two models that describe the same motion.
     pub same_motion: Vec<CertifiedCheck>,
 }
 
@@ -51,7 +51,8 @@ pub struct Certificate {
 pub struct Program {
     /// Version of the program.
     pub version: String,
-    /// Hash of the names and texts of the built-in effects, which the checks combine with the models.
+    /// Hash of the names and texts of the built-in effects (optional model extensions), with which the checks also test
+    /// the models.
     pub effects: Hash,
 }
 
@@ -75,7 +76,8 @@ pub struct CertifiedModel {
     pub model: String,
     /// File or name from which the model is loaded.
     pub from: Origin,
-    /// Files or names of the effects that were added, in order.
+    /// Files or names of the effects (optional model extensions) that were added to the model, in the order of
+    /// addition.
     pub with: Vec<Origin>,
     /// Hashes of the model's texts and of the code generated from them.
     pub covers: Fingerprint,
@@ -157,7 +159,8 @@ impl From<&Options> for CertifiedOptions {
 
 impl CertifiedModel {
     /// Creates the record of a verified model. `folder` is the folder of the certificate; `name` and `with` are the
-    /// arguments with which the model was loaded. `None` if the text did not yield a model.
+    /// model and the effects that were passed to the loader. `None` if the language checker refused the text of the
+    /// model.
     pub fn new(
         folder: &Path,
         name: &str,

@@ -24,7 +24,8 @@ impl Origin {
         }
     }
 
-    /// Name or full path to pass to the loader of models; an error message if the file does not exist.
+    /// Name or full path of a model or effect, to be passed to the loader of models. Returns an error message if the
+    /// file does not exist. `folder` is the folder of the certificate.
     pub(super) fn found(&self, folder: &Path) -> Result<String, String> {
         match self {
             Self::Name(name) => Ok(name.clone()),

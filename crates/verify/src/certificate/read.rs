@@ -10,10 +10,11 @@ use std::path::Path;
 pub const MAX_BYTES: u64 = 4_000_000;
 /// Maximum number of models in a certificate.
 const MAX_MODELS: usize = 1000;
-/// Maximum number of random points per check; the limit of the command line.
+/// Maximum number of random points per check in a valid certificate; equal to the maximum that the command line
+/// accepts.
 const MAX_CASES: usize = 100_000;
 
-/// Why a file is not a valid certificate.
+/// Reason why a file is not a valid certificate.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum CertificateError {
@@ -29,14 +30,15 @@ pub enum CertificateError {
     /// The text is not JSON in the form of a certificate. The message ends with line and column.
     #[error("{0}")]
     Malformed(#[from] serde_json::Error),
-    /// A value contradicts others or is out of range.
+    /// A value in the file is out of range or contradicts other values, such as an outcome that does not follow from
+    /// the verdicts.
     #[error("{place}: found {found}, expected {expected}")]
     Invalid {
         /// Path of the value in the JSON document, such as `models[0].outcome`.
         place: String,
-        /// Value that was found.
+        /// The invalid value in the file, or a description of it, such as `0 models`.
         found: String,
-        /// Description of the expected value.
+        /// Description of the values that would be valid.
         expected: String,
     },
 }

@@ -11,13 +11,14 @@ use std::path::Path;
 pub struct Status {
     /// Recorded outcome of the model; `None` if the certificate does not cover the model.
     pub outcome: Option<Outcome>,
-    /// Changes since the certificate was written; empty if the certificate is still valid.
+    /// Changes of program and model since the certificate was created, or a note that the certificate does not cover
+    /// the model; empty if the certificate is still valid.
     pub changes: Vec<Change>,
 }
 
 impl Certificate {
-    /// Looks up a model in the certificate that was read from the file `path`: whether the certificate covers the texts
-    /// of the model and its effects, and which of these texts and the generated code have changed.
+    /// Determines the outcome that the certificate records for a model, and the changes of program and model since the
+    /// certificate was created. `path` is the file of the certificate.
     pub fn status(&self, path: &Path, model: &Model) -> Status {
         let folder = folder_of(path);
         let same_text = |m: &&super::CertifiedModel| m.covers.has_texts(&model.sources);

@@ -80,7 +80,8 @@ struct Comparison<'a> {
 }
 
 impl Comparison<'_> {
-    /// Compares with the model's vector expressions at a point; `None` if these cannot be evaluated.
+    /// Compares the equations' Jacobians at a point with derivatives of the model's vector expressions, and updates the
+    /// maximum errors. `None` if the vector expressions cannot be evaluated.
     fn with_tree(&mut self, equations: &dyn Differentiable, point: &Point<f64>) -> Option<()> {
         let model = self.subject.model;
         let got = equations.derivatives(point);
@@ -118,8 +119,9 @@ impl Comparison<'_> {
         Some(())
     }
 
-    /// Compares with the reference implementation at a point where the coefficients that the reference law does not
-    /// contain have their null values. Does nothing if the model has no reference.
+    /// Compares the equations' Jacobians with the derivatives of the reference implementation, at a point where the
+    /// coefficients that the reference law does not contain have their null values. Does nothing if the model has no
+    /// reference.
     fn with_reference(&mut self, equations: &dyn Differentiable, point: &Point<f64>) {
         let Some(reference) = &self.subject.reference else {
             return;

@@ -104,7 +104,8 @@ fn at_work(model: &Model, mut point: Point<f64>, random: &mut Random) -> Point<f
     point
 }
 
-/// Whether every effect of the model has the text of a built-in effect; a user effect may have the same name.
+/// Whether every effect of the model is built in. The texts are compared, because a user's effect may have the name of
+/// a built-in effect.
 fn catalogued(model: &Model) -> bool {
     let built_in = |name: &str| {
         let text = load::EFFECTS.iter().find(|(n, _)| *n == name);

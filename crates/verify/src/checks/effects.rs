@@ -17,9 +17,10 @@ use oracle::{Point, derivatives};
 /// Name of this check in reports: effects at their null values against the model without effects.
 pub const EFFECTS: &str = "effects at null values";
 
-/// Returns a list of models with effects, and the model without effects. If the loaded model has effects, the list
-/// contains only that model. Otherwise it contains one model for each effect that can be added, and one with all of
-/// these except the effects declared in the model file. `None` if the source does not load without effects.
+/// Returns a list of models with effects (optional model extensions), and the model without effects. If the loaded
+/// model has effects, the list contains only that model. Otherwise it contains one model for each effect that can be
+/// added, and one model with all these effects together except those declared in the model file. `None` if the source
+/// does not load without effects.
 pub fn variants(loaded: &Loaded) -> Option<(Vec<Model>, Model)> {
     let source = loaded.sources.first()?;
     let apply = |with: &[&str]| from_text(&source.name, &source.text, with).ok();

@@ -19,10 +19,11 @@ use oracle::{Point, free_load_derivatives};
 /// Name of this check in reports: rigid-body derivatives under free loads, in exact arithmetic.
 pub const EXACT: &str = "rigid body, exact";
 
-/// Number of random points. Different functions agree at one point with probability at most degree / 2^61.
+/// Number of random points of the prime field (integers modulo 2^61 − 1). Different functions agree at one point with
+/// probability at most `DEGREE` / 2^61.
 pub const POINTS: usize = 8;
-/// Upper bound of the total degree of the compared rational functions. It gives the probability with which different
-/// functions agree at a random point of the prime field.
+/// Upper bound of the total degree of the compared rational functions. The probability that different functions agree
+/// at a random point of the prime field follows from it (Schwartz-Zippel lemma).
 const DEGREE: f64 = 1e3;
 
 /// Compares the compiled derivatives of the model's rigid body with those of the oracle, in exact arithmetic, with all

@@ -28,11 +28,13 @@ pub const FUNCTIONS: &str = "f, J and Jp, exact";
 /// square root is a square in the field.
 const MAX_TRIALS: usize = 4096;
 
-/// Upper bound of the total degree of the compared functions, in variables and symbols. It gives the probability with
-/// which different functions agree at a random point of the prime field.
+/// Upper bound of the total degree of the compared functions, as polynomials in variables and transcendental function
+/// values. The probability that different functions agree at a random point of the prime field follows from it
+/// (Schwartz-Zippel lemma).
 const DEGREE: f64 = 1e4;
-/// Number of trial points at which the roots exist in the prime field for the model's vector expressions but not for
-/// the compiled code. From this number of such points, the code is assumed to contain a different root.
+/// Number of trial points at which every square root of the model's vector expressions exists in the prime field, but
+/// one of the compiled code does not. If this number is reached, the compiled code is reported to contain a different
+/// root.
 const LACKING: usize = 64;
 
 /// Compares the state derivatives f, the Jacobians J (states) and Jp (parameters) and the observation of a compiled
@@ -76,8 +78,9 @@ pub fn check(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     Row::counted(FUNCTIONS, good, &faults, &says)
 }
 
-/// Row of the report for functions that the prime field cannot decide, for the reason `why`. The row is refuted if the
-/// compiled code and the model's vector expressions differ in 256-bit arithmetic, otherwise skipped with that reason.
+/// Row of the report for functions that cannot be compared in the prime field, for the reason `why`. The row is refuted
+/// if the compiled code and the model's vector expressions differ in 256-bit arithmetic. Otherwise it is skipped, with
+/// `why` as the detail.
 fn in_long_arithmetic(model: &Model, compiled: &Compiled, options: &Options, why: &str) -> Row {
     let mut random = Random::new(options.seed, "f, J and Jp in 256 bits");
     match long_functions::differences(model, compiled, &mut random) {

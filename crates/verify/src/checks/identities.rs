@@ -120,10 +120,10 @@ fn of_claim(subject: &Subject<'_>, options: &Options) -> Row {
     Row::judged(IDENTITIES, options.cases, &worst, TOLERANCE)
 }
 
-/// Force and moment, and mass properties, at a point. The loads are those of the model's body, else those of the
-/// reference law. The mass properties are those of the reference law, so that a wrong mass in the model is detected;
-/// without a reference law or if `with_own` (coefficients added by the author act), those of the body. `None` if the
-/// model has neither.
+/// Force and moment, and mass properties, at a point. Force and moment are those of the model's body or, without one,
+/// those of the reference law. The mass properties are those of the reference law, so that a wrong mass in the model is
+/// detected. Those of the body are used without a reference law, and if `with_own` is true (the coefficients added by
+/// the model's author are not at their null values). `None` if the required body or reference law does not exist.
 fn loads(
     subject: &Subject<'_>,
     point: &Point<ErrorBound>,

@@ -13,10 +13,11 @@ use model_spec::model::Model;
 use oracle::scalar::{Dual, ErrorBound, Real};
 use oracle::{Point, Tree, derivatives_of};
 
-/// Number of points at which the functions are compared. One point would not be enough, because functions with branches
-/// should take each branch at some point.
+/// Number of points at which the functions are compared. It is more than one so that functions with branches are likely
+/// to be compared on every branch.
 const POINTS: usize = 8;
-/// Maximum number of random draws to find a point at which rounding decides no branch.
+/// Maximum number of random draws to find a point at which rounding cannot change the result of a branch, such as that
+/// of abs.
 const DRAWS: usize = 30;
 /// Maximum difference between compiled code and model, relative to the magnitude of the terms. It is about a thousand
 /// times the error of a constant that the code rounds to f64.
@@ -30,7 +31,8 @@ struct Evaluated<'a> {
 }
 
 /// Names of the values and derivatives in which the compiled functions differ from the model's vector expressions;
-/// empty if all agree. `None` if rounding may decide a branch at every drawn point, so that nothing was compared.
+/// empty if all agree. `None` if nothing was compared, because rounding may change the result of a branch at every
+/// drawn point.
 pub fn differences(model: &Model, compiled: &Compiled, random: &mut Random) -> Option<Vec<String>> {
     let (mut faults, mut made) = (Vec::new(), 0);
     for _ in 0..DRAWS {
@@ -49,7 +51,7 @@ pub fn differences(model: &Model, compiled: &Compiled, random: &mut Random) -> O
 }
 
 /// Names of the values and derivatives in which the compiled functions differ from the model's vector expressions at a
-/// point; `None` if rounding may decide a branch at this point.
+/// point; `None` if rounding may change the result of a branch, such as that of abs, at this point.
 fn at(model: &Model, compiled: &Compiled, point: &Point<f64>) -> Option<Vec<String>> {
     let all = evaluated(compiled, point)?;
     let states: Vec<Big> = point.states.iter().map(|&s| Big::lit(s)).collect();

@@ -22,8 +22,8 @@ use oracle::{Physical, PhysicalRate, Point, Quaternion, Tree};
 /// Name of this check in reports: invariance of the motion under transformations.
 pub const METAMORPHIC: &str = "metamorphic relations";
 
-/// Maximum relative error. It exceeds rounding because the states are computed with arcsines, which lose digits near
-/// ±1.
+/// Maximum allowed relative error. It is larger than rounding errors because the states are computed with arcsines,
+/// which lose digits near ±1.
 const TOLERANCE: f64 = 1e-10;
 
 /// A transformation under which the laws are invariant.
@@ -48,9 +48,9 @@ impl Relation {
     ];
 }
 
-/// Checks that the motion is invariant under every transformation that applies to the model, with the coefficients that
-/// the reference law does not contain at their null values. Also lists the transformations under which the motion is
-/// not invariant if one such coefficient acts; that is not a fault.
+/// Checks that the motion is invariant under every transformation that applies to the model. Coefficients that the
+/// reference law does not contain have their null values. The detail of the row also lists, for each such coefficient,
+/// the transformations under which the motion is not invariant if the coefficient is not null; this is not a fault.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     let Some(meaning) = Meaning::of(subject) else {
         return subject.without_meaning(METAMORPHIC);
@@ -305,7 +305,7 @@ fn axis_of_revolution(model: &Model) -> Option<u8> {
     }
 }
 
-/// Whether the model has an input with the unit of a velocity, which is taken as the velocity of the air.
+/// Whether the model has an input with the unit of a velocity. Such an input is assumed to be the velocity of the air.
 fn has_wind(model: &Model) -> bool {
     model.inputs.iter().any(|input| is_velocity(input.unit))
 }

@@ -11,8 +11,8 @@ use serde::Serialize;
 
 /// Number of random releases (initial states) from which flights are compared if the model has no built-in release.
 const RELEASES: usize = 3;
-/// Weight of the random point in a random release: the release is interpolated between the default point (weight 1 −
-/// `SPREAD`) and a random point.
+/// Weight of a random point in the interpolation between the default point and the random point, which gives the
+/// initial values of a random release (launch conditions of a flight).
 const SPREAD: f64 = 0.2;
 /// Relative tolerance with which the flights are integrated.
 const TOLERANCE: f64 = 1e-10;
@@ -24,7 +24,8 @@ pub struct FlightShift {
     pub release: String,
     /// Duration of the flights, s.
     pub seconds: f64,
-    /// Distance between the final positions, m; `None` if a model has no position.
+    /// Distance between the final positions of the two flights, m; `None` if one of the models has neither a body nor
+    /// an observation, or if a flight failed.
     pub distance_m: Option<f64>,
     /// Name of the state whose final values in the two flights differ most, relative to the magnitude of the state.
     pub state: String,
@@ -32,12 +33,13 @@ pub struct FlightShift {
     pub old: f64,
     /// Value of the state named in `state` at the end of the new model's flight.
     pub new: f64,
-    /// Reason why the flights cannot be compared; the values are then 0. `None` if they were compared.
+    /// Reason why one of the flights could not be simulated; `old` and `new` are then 0. `None` if both flights were
+    /// simulated.
     pub failed: Option<String>,
 }
 
-/// Simulates flights of `seconds` with both models from releases (initial states and constants) that suit the old
-/// model, and returns the differences between the two models' flights.
+/// Simulates flights of `seconds` with both models from the same launch conditions (releases), chosen for the old
+/// model. Returns the differences between the final states of the two models' flights, one per release.
 pub fn shifts(
     old: &Everything<'_>,
     new: &Everything<'_>,
@@ -69,9 +71,9 @@ pub fn shifts(
         .collect()
 }
 
-/// Built-in releases (initial states and constants of flights) that fit the old model: name, point, and the indices of
-/// the parameters that the release sets. If `own` is true, only releases written for this model. Otherwise also
-/// releases of other models, if the old model has all names that they use.
+/// Built-in releases (launch conditions: initial states and constants of a flight) that fit the old model: name, point,
+/// and the indices of the parameters that the release sets. If `own` is true, only releases written for this model.
+/// Otherwise also releases written for other models, if the old model has all names that they use.
 fn named(old: &Everything<'_>, own: bool) -> Vec<(String, Point<f64>, Vec<usize>)> {
     let model = old.model;
     let read = |&(name, text): &(&str, &str)| {
@@ -167,8 +169,8 @@ fn shift(
     out
 }
 
-/// Position at the end of a flight: of the body if the model has one, otherwise the observed position. `None` if there
-/// is neither.
+/// Position, m, at the end of a flight: that of the body if the model has a body, otherwise the observed position.
+/// `None` if the model has neither a body nor an observation.
 fn place(model: &Everything<'_>, states: &[f64], point: &Point<f64>) -> Option<Vec<f64>> {
     if let Some(chart) = Chart::declared(model.model) {
         return Some(chart.physical(states).position.iter().copied().collect());

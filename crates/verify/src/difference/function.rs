@@ -18,8 +18,8 @@ const POINTS: usize = 4;
 /// Maximum number of random trial points of the prime field. A trial point is usable only if the argument of every
 /// square root is a square in the field.
 const MAX_TRIALS: usize = 4096;
-/// Lower bound of the magnitude, in SI units, to which the difference of two auxiliary variables or loads is compared.
-/// With it, values that are 0 except for rounding count as equal.
+/// Lower bound, in SI units, of the magnitude by which the difference of two auxiliary variables or loads is divided.
+/// Because of this bound, values that are 0 except for rounding count as equal.
 const FLOOR: f64 = 1e-6;
 /// Number of random points of the floating-point comparison.
 const NUMBERS: usize = 24;
@@ -29,11 +29,11 @@ const NUMBERS: usize = 24;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Sameness {
-    /// Exactly decided to be the same function.
+    /// The same function, as decided by exact evaluation at random points of the prime field.
     Same,
-    /// Not decided exactly: the functions differ symbolically but agree in floating-point numbers.
+    /// Values in the prime field differ or are missing, but the floating-point values agree within the tolerance.
     Agrees,
-    /// The functions differ.
+    /// The functions differ, also in floating-point numbers.
     Changed,
 }
 
@@ -184,8 +184,8 @@ fn in_numbers(
     worst
 }
 
-/// Magnitude to which a difference of output `k` is compared: the magnitude of its terms `sizes[k]`, or for an
-/// auxiliary variable or load, the maximum absolute value of its components.
+/// Magnitude by which a difference of output `k` is divided: `sizes[k]`, the magnitude of its terms, or for an
+/// auxiliary variable or load, the maximum absolute value of its components, at least [`FLOOR`].
 fn size(model: &Everything<'_>, sizes: &[f64], values: &[f64], k: usize) -> f64 {
     if let Some(size) = sizes.get(k) {
         return *size;

@@ -43,11 +43,11 @@ use values::Everything;
 /// Options of a comparison of two models.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DifferenceOptions {
-    /// Duration of the flights of both models that are compared, s.
+    /// Duration, s, of the flights that are simulated with both models and compared.
     pub seconds: f64,
     /// Whether to measure the computing time of the derivatives.
     pub time: bool,
-    /// Whether to compare operations, entries of the Jacobians and flights.
+    /// Whether to compare the operation counts, the Jacobian entries and simulated flights of the models.
     pub consequences: bool,
 }
 
@@ -61,7 +61,8 @@ impl Default for DifferenceOptions {
     }
 }
 
-/// Comparison of one row: a derivative, a component of the observation, or a limit.
+/// Comparison of one row, that is, one scalar function of the models: a state derivative, a component of the
+/// observation, or a validity limit.
 #[derive(Clone, Debug, Serialize)]
 pub struct RowChange {
     /// Name in the new model, or in the old model if the row was removed: `der(u)`, `observation x`, `limit 1`.
@@ -70,11 +71,11 @@ pub struct RowChange {
     pub sameness: Option<Sameness>,
     /// Whether only the new model has the row.
     pub added: bool,
-    /// Maximum difference between the two functions at random points, relative to the sum of the magnitudes of the
-    /// terms.
+    /// Maximum difference between the row in the old and in the new model at random points, relative to the sum of the
+    /// magnitudes of the row's terms; 0 for a row that only one of the models has.
     pub error: f64,
-    /// Whether the two functions are the same when each parameter that only one of the models has is set to the value
-    /// stated in that model.
+    /// Whether the row is the same function in both models if each parameter that only one of the models has is fixed
+    /// at its default value; false for a row that only one of the models has.
     pub same_at_stated_values: bool,
     /// Changed statements that cause the difference, each described with the terms that were added and removed.
     pub causes: Vec<String>,
@@ -89,15 +90,16 @@ pub struct Difference {
     pub models: Pair<String>,
     /// Whether any derivative, component of the observation or limit differs.
     pub changed: bool,
-    /// Comparison of every row, in the order of the new model; removed rows last.
+    /// Comparison of every row (state derivative, component of the observation, validity limit): rows of the new model
+    /// in its order, then the rows that only the old model has.
     pub rows: Vec<RowChange>,
     /// States and parameters that were renamed.
     pub renamed: Vec<Renamed>,
     /// Statements that differ between the two model files.
     pub statements: Vec<Statement>,
-    /// Unit errors that the language checker reports for only one of the models: its messages, by model.
+    /// For each model, the unit errors that the language checker reports for it but not for the other model.
     pub unit_faults: Pair<Vec<String>>,
-    /// Stated units, values and bounds that differ.
+    /// Units, default values and bounds of constants, inputs and states that differ between the two model files.
     pub restated: Vec<Restated>,
     /// Operation counts and Jacobian entries; `None` if not requested.
     pub cost: Option<Cost>,
@@ -127,7 +129,8 @@ impl Difference {
         self
     }
 
-    /// Names of the rows that differ or that only one of the models has.
+    /// Names of the rows (state derivatives, components of the observation, validity limits) that differ or that only
+    /// one of the models has.
     pub fn changed_rows(&self) -> Vec<&str> {
         let rows = self.rows.iter().filter(|row| row.is_changed());
         rows.map(|row| row.row.as_str()).collect()
@@ -135,7 +138,7 @@ impl Difference {
 }
 
 impl RowChange {
-    /// Whether the row is a different function, or only one of the models has it.
+    /// Whether the row is a different function in the two models, or only one of the models has it.
     pub fn is_changed(&self) -> bool {
         self.sameness.is_none_or(|s| s == Sameness::Changed)
     }
@@ -225,9 +228,10 @@ fn row_pairs(a: &Everything<'_>, b: &Everything<'_>, pairing: &Pairing) -> Vec<(
     pairs
 }
 
-/// Comparison of the rows (state derivatives, components of the observation, validity limits) of two models: names of
-/// the rows of each model, corresponding pairs, and how the rows of each pair compare. `stated` is the comparison with
-/// unpaired symbols at their stated values.
+/// Comparison of the rows (state derivatives, components of the observation, validity limits) of two models. `names`
+/// are the names of the rows of the old and of the new model, `pairs` the indices (old, new) of corresponding rows, and
+/// `compared` the result for each pair. `stated` is the result with each parameter that only one model has at its
+/// default value.
 struct Found<'a> {
     names: [&'a [String]; 2],
     pairs: &'a [(usize, usize)],

@@ -3,7 +3,8 @@
 use model_spec::syntax::ast::{BinaryOp, Expr, ExprKind};
 use std::collections::BTreeMap;
 
-/// For each renamed item of the new model, its name in the old model, by class of statement.
+/// Names of renamed items (states, constants, auxiliary variables and others), by class of statement: for each name in
+/// the new model, the name in the old model.
 #[derive(Clone, Debug, Default)]
 pub struct Names {
     renamed: BTreeMap<(&'static str, String), String>,
@@ -86,9 +87,8 @@ pub fn renamed_text(text: &str, names: &Names) -> String {
     out
 }
 
-/// Terms in which two expressions differ, with signs, in the names of the old model: those only in `old`, and those
-/// only in `new`. If the expressions differ only inside one factor or argument that is a sum, the differing terms of
-/// this sum.
+/// Terms, with signs, in which two sums differ: those only in `old`, and those only in `new`, in the names of the old
+/// model. If the expressions differ only in a sum inside one term, the terms of this inner sum are compared.
 pub fn differing_terms(old: &Expr, new: &Expr, names: &Names) -> (Vec<String>, Vec<String>) {
     let (before, after) = (terms(old), terms(new));
     let olds: Vec<String> = before.iter().map(Term::to_string).collect();
@@ -108,8 +108,8 @@ pub fn differing_terms(old: &Expr, new: &Expr, names: &Names) -> (Vec<String>, V
     (pick(&olds, &gone), pick(&news, &come))
 }
 
-/// Innermost sums within two expressions that differ in nothing else; `None` if there is more than one difference, or
-/// none inside a sum.
+/// If two expressions differ only inside one sum, possibly nested in factors or arguments, the outermost such sum of
+/// each expression; otherwise `None`.
 fn inner_sums<'a>(old: &'a Expr, new: &'a Expr, names: &Names) -> Option<(&'a Expr, &'a Expr)> {
     let (mut a, mut b) = (old, new);
     loop {
@@ -120,7 +120,8 @@ fn inner_sums<'a>(old: &'a Expr, new: &'a Expr, names: &Names) -> Option<(&'a Ex
     }
 }
 
-/// The only operands or arguments in which two expressions of the same kind differ; `None` if they differ in more.
+/// If two expressions are the same operation or function and exactly one pair of their operands or arguments differs,
+/// this pair; otherwise `None`.
 fn one_part<'a>(old: &'a Expr, new: &'a Expr, names: &Names) -> Option<(&'a Expr, &'a Expr)> {
     match (&old.kind, &new.kind) {
         (ExprKind::Binary(a, ..), ExprKind::Binary(b, ..)) if a == b && *a != BinaryOp::Pow => {}
@@ -140,7 +141,8 @@ fn one_part<'a>(old: &'a Expr, new: &'a Expr, names: &Names) -> Option<(&'a Expr
     (parts.next().is_none() && olds.len() == news.len()).then_some(first)
 }
 
-/// Indices of the elements of a list that are not in another list; repeated elements are counted.
+/// Multiset difference: indices of the elements of `list` that remain after one equal element is removed for each
+/// element of `other`.
 fn without(list: &[String], other: &[String]) -> Vec<usize> {
     let mut left = other.to_vec();
     let is_missing = |term: &String| match left.iter().position(|o| o == term) {

@@ -126,8 +126,8 @@ impl Pairing {
         }
     }
 
-    /// Pairs the states and parameters that have no counterpart yet with symbols of the same kind and unit in the other
-    /// model, by their influence on the equations. The pair with the most similar influence is formed first.
+    /// Pairs the states and parameters that have no counterpart yet with those of the same kind and unit in the other
+    /// model. Pairs are formed in ascending order of the number of row values that differ, see [`Effects::conflicts`].
     fn by_effect(&mut self, old: &Everything<'_>, new: &Everything<'_>) {
         let (olds, news) = self.open(old.model, new.model);
         if olds.is_empty() || news.is_empty() {
@@ -203,8 +203,9 @@ fn set_parameters<T: Field>(point: &mut Point<T>, flat: &[T]) {
     }
 }
 
-/// Index of the state that has each role in the model's body, by (name of the role, index of the component). Roles are
-/// position, velocity, angular velocity, angles and angular rates of frames, and quaternion; empty without a body.
+/// Index of the state for each role in the model's body. The key is (role, index of the component), where the role is
+/// position, velocity, angular velocity, angle or angular rate of a frame, or quaternion. Empty for a model without a
+/// body.
 fn roles(model: &Model) -> BTreeMap<(&'static str, usize), usize> {
     let mut out = BTreeMap::new();
     let Some(body) = &model.body else {
@@ -253,9 +254,9 @@ fn value(model: &Model, (is_state, index): Symbol) -> f64 {
     }
 }
 
-/// Influence of each unpaired state or parameter on the rows of a model (state derivatives and observation). It is
-/// given by the values of the rows at points where the symbol has a value different from that of the other unpaired
-/// symbols of its kind and unit, which all have the same value.
+/// How the rows of a model (state derivatives and observation) depend on each unpaired state or parameter ("symbol").
+/// The rows are evaluated at random points where all unpaired symbols of the same kind and unit have one common value,
+/// except the examined symbol, which has another value.
 struct Effects {
     /// For each unpaired symbol and each random point: values of the rows that have a counterpart in the other model,
     /// and the sorted values of the remaining rows.
@@ -325,8 +326,8 @@ impl Effects {
         }
     }
 
-    /// Number of row values that differ between the influence of the unpaired symbol `here` of this model and that of
-    /// the unpaired symbol `there` of the model `other`; 0 if the two symbols may correspond.
+    /// Number of row values that differ between this model, for its unpaired state or parameter with index `here`, and
+    /// the model `other`, for its unpaired state or parameter with index `there`; 0 if the two may correspond.
     fn conflicts(&self, here: usize, other: &Self, there: usize) -> usize {
         let differ = |a: &[f64], b: &[f64]| {
             let unequal = a.iter().zip(b).filter(|(a, b)| !is_close(**a, **b));

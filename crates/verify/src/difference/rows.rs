@@ -20,8 +20,8 @@ pub enum RowKind {
     Limit(usize),
 }
 
-/// Kind of each row of a model (state derivative, component of the observation, validity limit), by the row's name.
-/// `names` are the names of the rows in order.
+/// Pairs (name of the row, kind) for all rows of a model. `names` are the names of the rows in this order: state
+/// derivatives, components of the observation, validity limits.
 pub fn kinds(model: &Model, names: &[String]) -> Vec<(String, RowKind)> {
     let stated = |state: usize| model.equations.iter().any(|e| e.state == state);
     let kind = |row: usize| match model.states.get(row) {

@@ -20,7 +20,7 @@ pub enum Change {
     Rewritten,
     /// Only the name differs.
     Renamed,
-    /// The stated value, unit or bounds of a constant, an input or a state differ.
+    /// The declaration of a constant, an input or a state differs, in its default value, unit or bounds.
     Restated,
 }
 
@@ -37,16 +37,16 @@ pub struct Statement {
     pub old: Option<String>,
     /// Text in the new model; `None` if the statement was removed.
     pub new: Option<String>,
-    /// Terms of the statement's sum that only the old model has.
+    /// Terms of the sum on the right-hand side that only the old model has.
     pub terms_removed: Vec<String>,
-    /// Terms of the statement's sum that only the new model has.
+    /// Terms of the sum on the right-hand side that only the new model has.
     pub terms_added: Vec<String>,
-    /// Class and name of the statement in the new model; `None` if it was removed. Compared with the statements on
-    /// which a row depends.
+    /// Class and name of the statement in the new model; `None` if it was removed. Used to decide whether a row (state
+    /// derivative, component of the observation, validity limit) depends on the statement.
     #[serde(skip)]
     key_new: Option<Key>,
-    /// Class and name of the statement in the old model; `None` if it was added. Compared with the statements on which
-    /// a row depends.
+    /// Class and name of the statement in the old model; `None` if it was added. Used to decide whether a row (state
+    /// derivative, component of the observation, validity limit) depends on the statement.
     #[serde(skip)]
     key_old: Option<Key>,
 }
@@ -59,8 +59,8 @@ pub type Key = (&'static str, String);
 /// if that is unknown.
 pub type IsSame<'a> = dyn Fn(&Key, &Key) -> Option<bool> + 'a;
 
-/// Compares the statements of two files. `same` decides whether a statement with changed text computes another
-/// function.
+/// Compares the statements of two model files and returns those that differ. `same` decides whether a statement with
+/// changed text still computes the same function; `names` are the renamed items.
 pub fn compare(old: &File, new: &File, names: &Names, same: &IsSame<'_>) -> Vec<Statement> {
     let (olds, news) = (keyed(old), keyed(new));
     let mut out = Vec::new();
@@ -129,8 +129,9 @@ pub fn compare(old: &File, new: &File, names: &Names, same: &IsSame<'_>) -> Vec<
     out
 }
 
-/// Descriptions of the statements that cause the difference of a row: those on which the row depends (in the old or the
-/// new model) and whose function differs, each with the terms that differ.
+/// Descriptions of the statements that cause the difference of a row (state derivative, component of the observation,
+/// validity limit). These are the added, removed and changed statements on which the row depends in the old or the new
+/// model. Each description contains the terms that differ.
 pub fn causes(
     statements: &[Statement],
     old: &Reach,

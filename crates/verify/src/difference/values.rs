@@ -11,8 +11,8 @@ use oracle::Point;
 use oracle::scalar::Prime;
 use std::ops::Range;
 
-/// A model compiled to a program of all its values. Vectors in other frames are also expressed in the inertial frame,
-/// so that vectors stated in different frames can be compared.
+/// A model compiled to one program that computes all its values. Vectors stated in other frames are also computed in
+/// inertial components, so that vectors stated in different frames can be compared.
 pub struct Everything<'a> {
     /// Model whose values are evaluated.
     pub model: &'a Model,

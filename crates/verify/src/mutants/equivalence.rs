@@ -11,8 +11,8 @@ use std::collections::HashMap;
 
 /// Reason given for an equivalent mutant: mutant and original compile to the same expression graph.
 const SAME: &str = "compiles to the same derivatives and observation, node for node";
-/// Reason given for an equivalent mutant: mutant and original have equal values at random points of the prime field,
-/// and also equal floating-point values, which excludes that a root takes another branch.
+/// Reason given for an equivalent mutant: mutant and original have equal values at random points of the prime field.
+/// Their floating-point values are equal too, so that no square root has the other sign.
 const EQUAL: &str = "derivatives and observation equal at 4 random points of the field of 2^61 - 1 elements, \
                      functions being symbols";
 

@@ -13,9 +13,11 @@ pub struct MutationMatrix {
     pub checks: Vec<&'static str>,
     /// One row per mutation operator.
     pub rows: Vec<MutationRow>,
-    /// Descriptions of the mutants that no check kills.
+    /// Descriptions of the mutants that no check kills, although the reference implementation contains all terms of the
+    /// model.
     pub survivors: Vec<String>,
-    /// Descriptions of the surviving mutants of a model with terms that the reference implementation does not contain.
+    /// Descriptions of the mutants that no check kills, for a model without a reference implementation or with terms
+    /// that the reference implementation does not contain.
     #[serde(rename = "unwatched")]
     pub not_covered: Vec<String>,
     /// Descriptions of the mutants proved equivalent to the model, each with the kind of proof.
@@ -27,13 +29,14 @@ pub struct MutationMatrix {
 pub struct MutationRow {
     /// Name of the mutation operator.
     pub operator: &'static str,
-    /// Number of mutants, excluding equivalent and not covered ones.
+    /// Number of mutants, without those that are equivalent to the model or contained in `MutationMatrix::not_covered`.
     pub mutants: usize,
     /// Number of killed mutants.
     pub killed: usize,
-    /// For each check, the number of mutants that it is the first to kill.
+    /// For each check in `MutationMatrix::checks`, the number of mutants that it kills and that no earlier check in
+    /// that list kills.
     pub first: Vec<usize>,
-    /// For each check, the number of mutants that it kills.
+    /// For each check in `MutationMatrix::checks`, the number of mutants that it kills.
     pub noticed: Vec<usize>,
 }
 
@@ -86,7 +89,7 @@ impl MutationMatrix {
         table
     }
 
-    /// Total number of mutants, excluding equivalent and not covered ones.
+    /// Total number of mutants, without those in `equivalent` and `not_covered`.
     pub fn mutants(&self) -> usize {
         self.rows.iter().map(|row| row.mutants).sum()
     }

@@ -20,13 +20,13 @@ pub use run::run;
 pub enum Operator {
     /// A sign is changed.
     Sign,
-    /// A factor 2, 0.5 or 1.1 is inserted.
+    /// An expression is multiplied by 2, 0.5 or 1.1.
     Factor,
     /// A frame is replaced by another.
     Frame,
     /// An axis is replaced, or two components are interchanged.
     Axis,
-    /// The axis, parent or angle of a rotated frame is replaced.
+    /// The axis, the parent frame or the angle in the declaration of a rotated frame is replaced.
     Turn,
     /// Sine and cosine are interchanged, a function is deleted, or a table's interpolation is changed.
     Function,

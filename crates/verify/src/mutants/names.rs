@@ -2,8 +2,8 @@
 
 use model_spec::syntax::ast::{File, ItemKind, Parameter};
 
-/// Names of frames, constants (with unit) and auxiliary variables (with the index of the declaring statement) of a
-/// file.
+/// Names that a mutation may exchange: all frames, constants (with unit) and auxiliary variables (with the index of the
+/// declaring statement) of a model file.
 pub struct Names {
     frames: Vec<String>,
     constants: Vec<(String, String)>,
@@ -11,7 +11,7 @@ pub struct Names {
 }
 
 impl Names {
-    /// Collects the names of a file.
+    /// Collects the names of frames, constants and auxiliary variables of a model file.
     pub fn of(file: &File) -> Self {
         let mut names = Self {
             frames: Vec::new(),

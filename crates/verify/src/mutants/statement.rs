@@ -17,7 +17,8 @@ pub struct Change {
     pub to: Option<Item>,
 }
 
-/// Generates all mutations of a statement as a whole. `angles` are the names that may replace a frame's angle.
+/// Generates the mutations of a statement other than those of its expressions, such as another unit or axis. `angles`
+/// are the names that may replace a frame's angle.
 pub fn changes(item: &Item, names: &Names, angles: &[Name]) -> Vec<Change> {
     let mut out = Changes {
         item,

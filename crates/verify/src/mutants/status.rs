@@ -38,9 +38,10 @@ pub enum MutantStatus {
     Killed(Vec<usize>),
     /// The mutant is proved equivalent to the model. Contains the kind of proof.
     Equivalent(&'static str),
-    /// No check refutes the mutant, but the model has terms that the reference implementation does not contain.
+    /// No check refutes the mutant, but the model has no reference implementation, or has terms that the reference
+    /// implementation does not contain.
     NotCovered,
-    /// No check refutes the mutant.
+    /// No check refutes the mutant, although the reference implementation contains all terms of the model.
     Survived,
 }
 
@@ -79,8 +80,8 @@ fn killer(fault: &Diagnostic) -> usize {
     }
 }
 
-/// Indices in [`CHECKS`] of the numerical checks that refute a mutant. The mutant's equations are evaluated from its
-/// vector expressions, not compiled; a separate check compares compiled code with vector expressions.
+/// Indices in [`CHECKS`] of the numerical checks that refute a mutant. The checks evaluate the mutant's equations from
+/// its vector expressions, without compiling them.
 fn refusals(model: &Model, original: &Original<'_>, options: &Options) -> Vec<usize> {
     let Ok(equations) = Interpreted::new(model) else {
         return vec![2];

@@ -3,10 +3,10 @@
 use crate::expressions::{children, children_mut};
 use model_spec::model::{Expr, ExprKind, Function, Model, Source};
 
-/// A candidate correction of an expression.
+/// A small change of an expression that may correct a misprint.
 #[derive(Clone)]
 pub struct Edit {
-    /// Description of the mistake that the correction assumes: a clause without a full stop.
+    /// Description of the mistake in the original expression that the change corrects: a clause without a full stop.
     pub says: String,
     /// Rank of likelihood, most likely first: 0 extra factor, 1 wrong sign, 2 divisor applied to too many terms of a
     /// sum, 3 sine for cosine or vice versa, 4 missing factor.
@@ -15,14 +15,15 @@ pub struct Edit {
     pub to: Expr,
 }
 
-/// Generator of candidate corrections of expressions.
+/// Generates small changes of an expression that may correct a misprint in a stated equation, such as another sign.
 pub struct Editor<'a> {
     model: &'a Model,
     factors: Vec<(String, Expr)>,
 }
 
 impl<'a> Editor<'a> {
-    /// Creates a generator for the equations of a model, without insertion of missing factors.
+    /// Creates a generator for the equations of a model. Its changes do not include multiplying a term by a missing
+    /// factor.
     pub fn new(model: &'a Model) -> Self {
         Self {
             model,
@@ -30,13 +31,14 @@ impl<'a> Editor<'a> {
         }
     }
 
-    /// Creates a generator that also inserts each of the given named factors into terms of sums.
+    /// Creates a generator whose changes include multiplying a term of a sum by one of the given factors (name,
+    /// expression).
     pub fn lacking(model: &'a Model, factors: Vec<(String, Expr)>) -> Self {
         Self { model, factors }
     }
 
-    /// Generates all single corrections of `e` and its subexpressions. `term` is the source text of the term of the sum
-    /// that contains `e`; descriptions of the corrections quote it.
+    /// Generates all single changes of `e` and its subexpressions. `term` is the source text of the term of a sum in
+    /// which `e` occurs; the descriptions of the changes quote this text.
     pub fn edits(&self, e: &Expr, term: &str) -> Vec<Edit> {
         let mut out = Vec::new();
         self.here(e, term, &mut out);

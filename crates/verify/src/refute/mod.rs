@@ -18,7 +18,8 @@ use oracle::scalar::{ErrorBound, Field};
 use oracle::{Point, Tree, Value, claimed_rates};
 use serde::Serialize;
 
-/// A stated equation that disagrees with the reference.
+/// An equation der(state) = … of the model file that disagrees with the state's derivative according to the reference:
+/// the claimed reference law or, without one, the laws of motion of the claimed body.
 #[derive(Clone, Debug, Serialize)]
 pub struct Refutation {
     /// Name of the state whose derivative the equation defines.
@@ -28,9 +29,10 @@ pub struct Refutation {
     /// Maximum difference, over the random points, between the stated equation and the reference, relative to the sum
     /// of the magnitudes of the equation's terms.
     pub error: f64,
-    /// Descriptions of the corrections that together make the equation agree; empty if none was found.
+    /// Descriptions of the corrections that together make the equation agree with the reference; empty if no such
+    /// corrections were found.
     pub corrections: Vec<String>,
-    /// Maximum relative error of the corrected equation; equal to `error` without corrections.
+    /// Value of `error` for the corrected equation; equal to `error` if there are no corrections.
     pub error_corrected: f64,
 }
 
@@ -57,8 +59,8 @@ impl Refutation {
 
 const POINTS: usize = 8;
 
-/// Compares all stated equations with the reference, and returns those that disagree, with corrections that make them
-/// agree.
+/// Compares all stated equations with the reference (the claimed reference law or, without one, the laws of motion of
+/// the claimed body). Returns the equations that disagree, with corrections that make them agree.
 pub fn refutations(subject: &Subject<'_>, options: &Options) -> Vec<Refutation> {
     let model = subject.model;
     let Some(points) = points(subject, options) else {
@@ -120,8 +122,8 @@ fn implied(model: &Model, point: &Point<ErrorBound>) -> Option<Vec<Option<ErrorB
     implied.solves_the_others.then_some(implied.rates)
 }
 
-/// Auxiliary variables that contain the derivative of a state for use in other equations: index of the variable, and
-/// the rate of that state from `truth`, the reference rates.
+/// Auxiliary variables that are defined as the derivative of a state because other equations use this derivative. For
+/// each: its index, and the reference rate of the state, taken from `truth` (rates by state).
 fn used_derivatives(
     model: &Model,
     truth: &[Option<ErrorBound>],
@@ -145,8 +147,9 @@ struct Bench<'a> {
 }
 
 impl Bench<'_> {
-    /// Maximum relative error of an expression as the derivative of a state. The evaluation stops once the error
-    /// exceeds `stop`.
+    /// Maximum over the random points of the difference between an expression and the reference derivative of a state,
+    /// relative to the sum of the magnitudes of the terms. The evaluation stops at the first point whose error exceeds
+    /// `stop`.
     fn error(&self, state: usize, e: &Expr, stop: f64) -> f64 {
         let mut worst = 0.0_f64;
         for (tree, truth) in self.trees.iter().zip(&self.truths) {
@@ -194,9 +197,9 @@ impl Bench<'_> {
         })
     }
 
-    /// Searches for corrections of the equation `e` that make it agree with the reference: one correction, then one
-    /// that may insert a missing factor, then two, then three. Returns the descriptions of the corrections and the
-    /// remaining error; `None` if no correction makes the equation agree.
+    /// Searches for corrections of the equation `e` that make it agree with the reference. It tries one correction,
+    /// then one correction including the insertion of a missing factor, then two, then three corrections. Returns the
+    /// descriptions of the corrections and the remaining error; `None` if no correction makes the equation agree.
     fn mend(&self, state: usize, e: &Expr) -> Option<(Vec<String>, f64)> {
         let whole = snippet(&self.model.sources, e);
         let plain = Editor::new(self.model);
@@ -241,7 +244,8 @@ impl Bench<'_> {
     }
 }
 
-/// Candidate missing factors of a term: 2, 1/2, parameters, sines and cosines of frame angles, and inverses.
+/// Factors that a misprinted term may lack (name, expression): 2, 1/2, the parameters, sines and cosines of frame
+/// angles, and the inverses of the parameters, sines and cosines.
 fn factors(model: &Model, at: &Expr) -> Vec<(String, Expr)> {
     let scalar = |kind| Expr {
         kind,

@@ -29,7 +29,8 @@ use statements::{LOSES, Loss};
 /// Name in reports of the check of rounding errors.
 pub const ROUNDING: &str = "rounding";
 
-/// Maximum allowed error, ulp of the magnitude: 128 rounding errors of half an ulp, all in one direction.
+/// Maximum allowed error, in units of the spacing of f64 numbers at the sum of the magnitudes of a value's terms. It
+/// corresponds to 128 rounding errors of half a unit with the same sign.
 pub const ALLOWED: f64 = 64.0;
 
 /// Numbers of points at which rounding errors are measured.
@@ -80,14 +81,15 @@ pub struct Error {
     pub place: String,
 }
 
-/// Rounding errors of a model's functions on all backends, and the statements that lose digits.
+/// Rounding errors of a model's functions on all backends, and the bits that each statement of the model loses.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Rounding {
     /// Description of the unit of the errors.
     pub measure: &'static str,
     /// Number of random points, and number of states along flights.
     pub points: [usize; 2],
-    /// Number of points left out because rounding may decide a branch there or a value is not finite.
+    /// Number of points left out because a value is not finite there, or because the argument of a branch (such as that
+    /// of abs) is so close to the branch point that rounding may change the result.
     pub left_out: usize,
     /// Errors by backend, function and section of values.
     pub errors: Vec<Error>,
@@ -139,8 +141,8 @@ pub fn measure(
     }
 }
 
-/// Rounding errors of each backend run, by function and section of values, and the number of points that were left out
-/// because rounding may decide a branch there or a value is not finite.
+/// Rounding errors of each backend, by function and section of values. Also returns the number of points left out
+/// because a value is not finite there or because rounding may change the result of a branch, such as that of abs.
 pub fn errors(compiled: &Compiled, points: &[Point<f64>], runs: &[Run]) -> (Vec<Error>, usize) {
     let exact: Vec<Option<Vec<Exact>>> = points.iter().map(|p| exact(compiled, p)).collect();
     let left_out = exact.iter().filter(|e| e.is_none()).count();
@@ -227,7 +229,8 @@ pub fn row(rounding: &Rounding) -> Row {
     }
 }
 
-/// Exact values of the compared functions at a point; `None` if a value is not finite or rounding may decide a branch.
+/// Values of the compared functions at a point in 256-bit arithmetic; `None` if a value is not finite, or if rounding
+/// may change the result of a branch, such as that of abs.
 fn exact(compiled: &Compiled, point: &Point<f64>) -> Option<Vec<Exact>> {
     with_numbers(|| {
         let mut bounds: Inputs<ErrorBound> = Inputs::of(point);
@@ -269,8 +272,9 @@ fn exact(compiled: &Compiled, point: &Point<f64>) -> Option<Vec<Exact>> {
     })
 }
 
-/// Error of the computed result `got`, in ulp of the magnitude of the result's terms. The first argument describes the
-/// exact result: (exact value rounded to f64, exact − rounded, sum of the magnitudes of the terms).
+/// Error of the computed result `got`, in units of the spacing of f64 numbers at the sum of the magnitudes of the
+/// result's terms. The first argument describes the exact result: (exact value rounded to f64, exact − rounded, sum of
+/// the magnitudes of the terms).
 fn error((rounded, rest, magnitude): (f64, f64, f64), got: f64) -> f64 {
     // The subtraction is exact for close values (Sterbenz); for others its rounding does not matter.
     let error = (got - rounded - rest).abs();
@@ -282,7 +286,8 @@ fn error((rounded, rest, magnitude): (f64, f64, f64), got: f64) -> f64 {
     if error.is_nan() { f64::INFINITY } else { error }
 }
 
-/// Compared sections of a function: name in tables, and index range among the function's results.
+/// Sections of a function's results (such as state derivatives and Jacobian) whose rounding errors are measured: name
+/// in tables, and index range in the results.
 fn sections(function: &Function) -> Vec<(&'static str, std::ops::Range<usize>)> {
     let names: &[(&'static str, &str)] = match function.name {
         "f" => &[("f", "dx")],

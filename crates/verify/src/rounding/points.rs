@@ -18,8 +18,8 @@ pub fn random(subject: &Subject<'_>, count: usize, random: &mut Random) -> Vec<P
         .collect()
 }
 
-/// States along `flights` flights from random points, at most `each` per flight. A flight ends early if it leaves the
-/// model's validity limits or its integration fails.
+/// Points along `flights` simulated flights from random points, at most `each` per flight. A flight ends early if it
+/// leaves the model's validity limits or its integration fails.
 pub fn flown(
     subject: &Subject<'_>,
     flights: usize,

@@ -122,7 +122,8 @@ fn unary<T: Real>(program: &Program, op: Unary, a: T) -> T {
     }
 }
 
-/// Distance to a branch, relative to the magnitude of the terms, below which rounding may decide the branch.
+/// Distance of an operation's argument from the branch point (such as 0 for abs), relative to the magnitude of the
+/// argument's terms, below which rounding may change the result of the branch.
 const NEAR: f64 = 1e-9;
 
 /// Signed distance of an operation's argument to its branch point; `None` for an operation without branches.
@@ -144,9 +145,9 @@ fn gap<T: Real>(op: Op, of: impl Fn(Operand) -> T) -> Option<T> {
     }
 }
 
-/// Outputs of a program with the magnitudes of their terms, and whether rounding may decide a branch, because the
-/// argument of a branch is nearly 0. If `exact` inputs are given, an argument that is 0 also in 256-bit arithmetic does
-/// not count.
+/// Outputs of a program with the magnitudes of their terms, and whether the argument of a branch is so close to its
+/// branch point that rounding may change the result. If `exact` inputs are given, an argument that equals the branch
+/// point also in 256-bit arithmetic does not count.
 pub fn magnitudes(
     program: &Program,
     inputs: &Inputs<ErrorBound>,

@@ -27,7 +27,8 @@ pub const LOSES: f64 = 20.0;
 /// fewer digits.
 const SMALLEST: f64 = 1e-290;
 
-/// A statement of the model that loses digits.
+/// A statement of the model whose value is inaccurate because of rounding or cancellation, with the number of lost
+/// bits.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Loss {
     /// Name of what the statement declares: an auxiliary variable, a force or moment, or a derivative such as `der(v)`.
@@ -52,8 +53,8 @@ struct Statement {
     span: Span,
 }
 
-/// Bits that each statement loses at the given points (description, point), in descending order. Statements that lose
-/// no bits are left out.
+/// Number of bits of precision that each statement loses at the given points (description, point), in descending order.
+/// Statements that lose no bits are left out.
 pub fn losses(model: &Model, points: &[(String, Point<f64>)]) -> Vec<Loss> {
     let (alone, statements) = separated(model);
     let whole = compile_every_value(model);
@@ -105,8 +106,9 @@ pub fn losses(model: &Model, points: &[(String, Point<f64>)]) -> Vec<Loss> {
     losses
 }
 
-/// Arranges the values `all` of the model's parameters for the model of [`separated`]: parameters, scalar auxiliary
-/// variables, coefficients, inputs, vector auxiliary variables. `given` are the values of the auxiliary variables.
+/// Parameter vector for the model built by [`separated`], in this order: parameters, scalar auxiliary variables,
+/// coefficients, inputs, vector auxiliary variables. `all` is the parameter vector of the original model; `given` are
+/// the values of the auxiliary variables, with `lets` components each.
 fn rearranged<T: Copy>(
     model: &Model,
     lets: &[usize],
@@ -128,7 +130,8 @@ fn rearranged<T: Copy>(
     [params, &scalars, rest, &vectors].concat()
 }
 
-/// Bits lost in a scalar or a vector, relative to its norm; `None` if the norm is (nearly) 0 or not finite in f64.
+/// Number of inaccurate bits of a scalar or a vector: log2 of the error relative to the norm, in units of the f64
+/// epsilon. `None` if the norm is below [`SMALLEST`] or not finite in f64.
 fn bits(exact: &[Big], rounded: &[f64]) -> Option<f64> {
     let norm = |values: Vec<f64>| values.iter().fold(0.0, |sum: f64, v| sum.hypot(*v));
     let size = norm(exact.iter().map(|v| v.re()).collect());

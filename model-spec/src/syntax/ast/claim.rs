@@ -6,9 +6,9 @@ use crate::source::Span;
 /// Declaration of the physical meaning of the stated equations: `claim body NAME { … }` or `claim point NAME { … }`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Claim {
-    /// Whether the claimed body is rigid or a point mass.
+    /// Whether the body that the equations are claimed to describe is rigid or a point mass.
     pub class: BodyClass,
-    /// Name of the claimed body.
+    /// Name of the body that the equations are claimed to describe.
     pub name: Name,
     /// Statements of the claim's block, in order.
     pub parts: Vec<ClaimPart>,

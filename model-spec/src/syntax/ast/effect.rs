@@ -3,7 +3,8 @@
 use super::{Expr, Inertia, Item, Name, Quantity, UnitExpr};
 use crate::source::Span;
 
-/// An effect: a named change to a model.
+/// An effect: a named change to a model, such as an additional force or another drag coefficient, written as `effect
+/// NAME { … }`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Effect {
     /// Name of the effect.
@@ -25,18 +26,20 @@ pub struct Need {
     pub is_vector: bool,
     /// Unit of the quantity; `None` for an angle or a pure number.
     pub unit: Option<UnitExpr>,
-    /// Fallback expression that replaces the quantity in a model without it; `None` if the quantity is mandatory.
+    /// Fallback expression that replaces the quantity in a model that lacks it; `None` if the effect is not applicable
+    /// to such a model.
     pub otherwise: Option<Expr>,
 }
 
 /// A statement in the block of an effect.
 #[derive(Clone, Debug, PartialEq)]
 pub enum EffectPart {
-    /// `needs NAME: UNIT, …;`: quantities that the model must have, with kind, unit and optional fallback.
+    /// `needs NAME: UNIT, …;`: quantities that the model must have, each with its kind (scalar or vector), unit and
+    /// optional fallback expression.
     Needs(Vec<Need>),
-    /// `generalises NAME, …;`: effects of which this effect is the general form, each made for a narrower family of
-    /// models. If one of those effects is applicable to a model, a diagnosis of that model does not propose this
-    /// effect.
+    /// `generalises NAME, …;`: more specific effects, each made for a narrower family of models, of which this effect
+    /// is the general form. If one of them is applicable to a model, the search for effects that the model lacks does
+    /// not consider this effect.
     Generalises(Vec<Name>),
     /// `source "…";`: literature reference, with the source span of the statement.
     Citation(String, Span),
@@ -48,10 +51,11 @@ pub enum EffectPart {
     Decreases(String, Span),
     /// `site NAME;`: the component of the model that the effect changes.
     Site(Name),
-    /// `variables NAME, NAME;`: variables that the effect depends on, with the statement's source span.
+    /// `variables NAME, NAME;`: kinds of variables on which the magnitude of the effect depends, from
+    /// [`VARIABLES`](crate::VARIABLES), with the source span of the statement.
     Variables(Vec<Name>, Span),
-    /// `negligible NAME value;`: smallest departure of a coefficient or initial state from its null value that matters
-    /// in practice (smallest effect size of interest).
+    /// `negligible NAME value;`: smallest difference of a coefficient or initial state from its null value (the value
+    /// at which the effect is absent) that matters in practice (smallest effect size of interest).
     Negligible(Name, Quantity),
     /// `replace …;`: statement that replaces the model's statement of equal kind and name.
     Replace(Box<Item>),

@@ -16,10 +16,11 @@ pub enum Interpolation {
 /// Method of extrapolation below the first and above the last knot of a table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Continuation {
-    /// Linear, with the slope at the end knot. The default.
+    /// Linear extrapolation, with the slope of the interpolated curve at the end knot. The default.
     #[default]
     Linear,
-    /// Constant, with the value at the end knot; the slope of the curve is zero at the end knot. Stated as `constant`.
+    /// Constant extrapolation, with the value at the end knot; the interpolated curve then has slope zero at the end
+    /// knots. Stated as `constant`.
     Constant,
 }
 

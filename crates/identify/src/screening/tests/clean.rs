@@ -22,7 +22,8 @@ fn clean_flights_have_no_fault() {
     assert_eq!(found(&model, &dataset), []);
 }
 
-/// Tests many flights of many kinds without mistakes in the data; run with `--ignored` in a release build.
+/// Tests that no fault is reported for many flights of a disc and a ball without mistakes in the data; run with
+/// `--ignored` in a release build.
 #[test]
 #[ignore = "takes long"]
 fn two_thousand_clean_flights_have_no_fault() {
@@ -89,7 +90,8 @@ fn throws_that_are_upside_down_are_no_mirror_images() {
     assert_eq!(found(&model, &made.dataset), []);
 }
 
-/// Tests flights without mistakes in the data, simulated with models that are not built in.
+/// Tests that no fault is reported for flights without mistakes in the data, simulated with models that are not built
+/// in.
 #[test]
 fn flights_of_other_models_have_no_fault() {
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../studies/models");

@@ -99,7 +99,8 @@ fn flights_are_cut_at_bounces_only() {
     assert_eq!([wrong, missed], [0, 0]);
 }
 
-/// Tests on many flights that each is truncated at the bounce, and only there; run with `--ignored` in a release build.
+/// Tests, for many simulated flights, that a flight is truncated only at a bounce and that nearly all bounces are
+/// detected; run with `--ignored` in a release build.
 #[test]
 #[ignore = "takes long"]
 fn two_thousand_flights_are_cut_at_bounces_only() {

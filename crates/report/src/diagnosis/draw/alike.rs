@@ -54,7 +54,8 @@ pub(super) fn alike(report: &Report) -> Option<Drawn> {
     }))
 }
 
-/// Indices of the coefficients in descending order of their effects' significance; at most [`MOST`].
+/// Indices, in the score correlation matrix of the report, of the coefficients with the most significant effects, in
+/// descending order of significance; at most [`MOST`].
 fn strongest(report: &Report) -> Vec<usize> {
     let sigmas = |name: &String| {
         let owner = report

@@ -12,20 +12,21 @@ use crate::fit::Drawn;
 use crate::fit::numbers::{percent, raised};
 use crate::fit::thin::stride;
 
-/// Maximum number of load channels drawn, one figure each.
+/// Maximum number of load channels (force or moment components) drawn, one figure each.
 const MOST_CHANNELS: usize = 12;
-/// Maximum number of load histories drawn for each channel.
+/// Maximum number of load histories (one for each flight) drawn for each load channel.
 const MOST_HISTORIES: usize = 12;
 /// Maximum number of points drawn for each load history.
 const MOST_POINTS: usize = 120;
-/// Height of the plot area for one flight's load history, SVG units.
+/// Height of the plot area for the load history of one flight, SVG units.
 const TALL: f64 = 84.0;
 /// Space above each plot, SVG units.
 const ABOVE: f64 = 24.0;
 /// Space below each plot, SVG units.
 const BELOW: f64 = 24.0;
 
-/// Draws the load histories of the missing loads, one figure for each channel.
+/// Draws the time histories of the loads that the model lacks, one figure for each load channel (force or moment
+/// component).
 pub(super) fn channels(report: &Report) -> Vec<Drawn> {
     let all = report.unattributed.iter().flat_map(|o| &o.channels);
     let all = all.filter(|c| !c.histories.is_empty()).take(MOST_CHANNELS);

@@ -49,11 +49,11 @@ pub(in super::super) struct Curve {
 pub(in super::super) struct Point {
     /// Value of the variable on the abscissa, in degrees for angles, otherwise SI.
     pub(in super::super) x: f64,
-    /// Value of the quantity without the extension, SI; NaN if the model lacks the quantity.
+    /// Value of the quantity in the model under test, SI; NaN if this model lacks the quantity.
     pub(in super::super) before: f64,
-    /// Value of the quantity with the extension, SI.
+    /// Value of the quantity in the extended model, SI.
     pub(in super::super) after: f64,
-    /// Standard error of the value with the extension, SI.
+    /// Standard error of the value in the extended model, SI.
     pub(in super::super) error: f64,
     /// Number of samples in the interval of the abscissa, including those at which the quantity was not evaluated.
     pub(in super::super) samples: usize,
@@ -296,8 +296,8 @@ impl<'f> Models<'f> {
         }
     }
 
-    /// Value of the quantity without the extension, value with the extension, and standard error of the latter, at a
-    /// sample.
+    /// At a sample: value of the quantity in the model under test, value in the extended model, and standard error of
+    /// the value in the extended model.
     fn values(&self, sample: &Sample<'_>) -> [f64; 3] {
         let (before, after) = self.flights[sample.flight];
         let unextended = match (before, self.positions.0) {

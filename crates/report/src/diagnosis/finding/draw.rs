@@ -26,8 +26,8 @@ fn with_unit(name: &str, of: &str) -> String {
     }
 }
 
-/// Draws the quantity of `curve`, without and with the extension, over the variable on which it depends. The 95 %
-/// confidence band of the extended model and the number of samples are drawn as well.
+/// Draws the quantity of `curve` in the model under test and in the extended model, over the variable on which the
+/// quantity depends. The 95 % confidence band of the extended model and the number of samples are drawn as well.
 pub(super) fn curve(curve: &Curve) -> Drawn {
     let line = |name: &str, of: fn(&super::curve::Point) -> f64| Line {
         name: name.into(),

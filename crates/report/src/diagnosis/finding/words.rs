@@ -13,14 +13,14 @@ use crate::fit::words::names;
 /// Minimum absolute ratio of an estimate to its standard error for the page to call the effect far beyond chance. The
 /// threshold is so high that chance does not reach it even in a large number of diagnoses.
 const BEYOND_CHANCE: f64 = 8.0;
-/// Bonferroni-corrected p-value above which the strongest remaining candidate is attributed to chance.
+/// Minimum Bonferroni-corrected p-value of the strongest remaining candidate at which the page attributes it to chance.
 const USUAL: f64 = 0.05;
 
 /// Minimum fraction of the samples that must lie on either side of a point of the curve (the point included) for the
 /// point to be named in a sentence.
 const LEAST_SHARE: f64 = 0.025;
 
-/// Sentences that state which effect the model lacks, and its size.
+/// Sentences that state which effect the model lacks, and the size of this effect.
 pub(super) fn what(report: &Report, curve: Option<&Curve>) -> String {
     let first = report.causes.first();
     let model = &report.model;
@@ -73,7 +73,7 @@ fn joined(parts: impl IntoIterator<Item = String>) -> String {
     parts.collect::<Vec<_>>().join(" ")
 }
 
-/// Descriptions of the effects of the explanation `cause`, as sentences.
+/// Sentences that describe the effects of the explanation `cause`.
 fn says(cause: &Cause) -> String {
     let each = cause.effects.iter().map(|effect| match effect.doc.trim() {
         "" => sentence(&words::readable(&effect.name)),
@@ -135,8 +135,9 @@ fn article(noun: &str) -> &'static str {
     }
 }
 
-/// Point at which the curves without and with the extension differ most. Points near an end of the curve, with less
-/// than the fraction [`LEAST_SHARE`] of the samples on one side, are not considered; `None` if no point remains.
+/// Point at which the values of the curve in the model under test and in the extended model differ most. Points near an
+/// end of the curve, with less than the fraction [`LEAST_SHARE`] of the samples on one side, are not considered; `None`
+/// if no point remains.
 fn farthest(curve: &Curve) -> Option<Point> {
     let size = |p: &Point| match p.before.is_finite() {
         true => (p.after - p.before).abs(),

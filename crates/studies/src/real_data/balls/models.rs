@@ -15,7 +15,7 @@ pub(super) const LIFT_OF_EACH_FLIGHT: &str = "lift_of_each_flight";
 /// Name of an effect: a lift proportional to the square of the advance ratio.
 pub(super) const MAGNUS_BY_SQUARE: &str = "magnus_by_square";
 
-/// Names and texts of the effects that only this study uses.
+/// Names and definitions (in the model language) of the effects that only this study uses.
 const OWN_EFFECTS: [(&str, &str); 2] = [
     (
         LIFT_OF_EACH_FLIGHT,
@@ -27,7 +27,8 @@ const OWN_EFFECTS: [(&str, &str); 2] = [
     ),
 ];
 
-/// Combines a model with effects, given by name, of the catalogue and of this study.
+/// Combines a model with effects, given by name. An effect is defined in [`OWN_EFFECTS`] or in the built-in effects
+/// catalogue.
 pub(super) fn with_effects(model: &Model, effects: &[&str]) -> Result<Model, StudyError> {
     let mut tree = ModelTree::of(model);
     for name in effects {
@@ -51,8 +52,8 @@ pub(super) fn fitted(
     Ok(fit(&model, flights, &FitOptions::default())?.report)
 }
 
-/// Diagnoses the flights with the ball model and the effects of the catalogue. The outer error means that the model
-/// cannot be built; the inner error is the message of a failed diagnosis, for the page.
+/// Diagnoses the flights with the ball model and the effects of the built-in effects catalogue. The outer error means
+/// that the model cannot be built; the inner error is the message of a failed diagnosis, for the page.
 pub(super) fn diagnosed(
     model: &Model,
     flights: &Dataset,

@@ -11,8 +11,8 @@ use super::models::{MAGNUS_BY_SQUARE, diagnosed, fitted};
 use super::stretches::{agreeing, is_agreeing};
 use crate::error::StudyError;
 
-/// Sets of effects that could bend all paths in the same way, whatever the stated spins are. Each set is fitted
-/// separately.
+/// Sets of effects that could deflect all paths in the same way, independently of the stated spins. Each set is added
+/// to the model with gravity and drag and fitted separately.
 const COMMON_EFFECTS: [&[&str]; 8] = [
     &["gravity"],
     &["tilted_vertical"],

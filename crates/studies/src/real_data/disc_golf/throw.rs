@@ -61,7 +61,7 @@ pub(crate) struct Throw {
 }
 
 impl Throw {
-    /// Selects the points of the track that are compared, evenly spaced.
+    /// Selects the evenly spaced points of the track that are compared with the simulation.
     pub(crate) fn points(&self) -> Vec<TrackPoint> {
         let last = self.track.len().saturating_sub(1);
         let points = (1..=POINTS).filter_map(|k| self.track.get(k * last / POINTS));

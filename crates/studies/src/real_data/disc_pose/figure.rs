@@ -7,8 +7,8 @@ use super::fit::DiscPose;
 /// Half width of a 95 % interval of a normal variable, in standard deviations.
 const NORMAL_95: f64 = 1.96;
 
-/// Draws the ratio of each throw alone with its 95 % interval, and the jackknife interval of all throws together, as
-/// SVG.
+/// Draws the ratio of the moments of inertia I_a/I_d estimated from each single throw with its 95 % interval, and the
+/// jackknife interval of the estimate from all throws together, as SVG.
 pub(in super::super) fn ratio_figure(data: &DiscPose) -> String {
     let alone = || {
         let each = data.throws.iter().enumerate();

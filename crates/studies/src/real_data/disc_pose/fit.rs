@@ -37,7 +37,7 @@ pub(super) const PRIORS: [(&str, f64, f64); 8] = [
     ("C_Nr", 0.0, 1e-4),
 ];
 
-/// Ratio I_a/I_d of the moments of inertia, with standard errors.
+/// Ratio I_a/I_d of the moments of inertia about the disc's axis and about a diameter, with standard errors.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Ratio {
     /// Estimate of the ratio.
@@ -59,7 +59,8 @@ pub(super) struct Throw {
     pub spin: [f64; 2],
     /// Angle between the disc's axis and the angular momentum at the first sample, degrees.
     pub wobble: f64,
-    /// Ratio I_a/I_d estimated from this throw alone; `None` if the throw could not be fitted alone.
+    /// Ratio of the axial to the diametral moment of inertia, estimated from this throw alone; `None` if the throw
+    /// could not be fitted alone.
     pub alone: Option<Ratio>,
 }
 
@@ -75,10 +76,11 @@ pub(in super::super) struct DiscPose {
     pub(super) without_air: FitReport,
     pub(super) tilted: FitReport,
     pub(super) throws: Vec<Throw>,
-    /// Jackknife standard error of the ratio I_a/I_d from all throws, from fits that each leave out one throw.
+    /// Jackknife standard error of the ratio I_a/I_d (axial / diametral moment of inertia) of all throws, from fits
+    /// that each leave out one throw.
     pub(super) jackknife: f64,
-    /// Random-effects mean of the ratios I_a/I_d of the single throws, its standard error, and the standard deviation
-    /// between throws.
+    /// Random-effects mean of the ratios I_a/I_d (axial / diametral moment of inertia) estimated from the single
+    /// throws, its standard error, and the standard deviation between throws.
     pub(super) pooled: [f64; 3],
 }
 
@@ -119,7 +121,7 @@ impl DiscPose {
         })
     }
 
-    /// Ratio I_a/I_d from the fit of all throws.
+    /// Ratio I_a/I_d of the axial to the diametral moment of inertia, from the fit of all throws together.
     pub(in super::super) fn ratio(&self) -> Ratio {
         ratio(&self.joint)
     }
@@ -169,7 +171,7 @@ fn fitted(model: &Model, flights: Vec<Flight>, air: Air) -> Result<Fit, FitError
     identify::fit(model, &dataset, &options)
 }
 
-/// Ratio I_a/I_d from a fit; NaN if the fit has no estimate of I_a.
+/// Ratio I_a/I_d of the axial to the diametral moment of inertia from a fit; NaN if the fit has no estimate of I_a.
 pub(super) fn ratio(report: &FitReport) -> Ratio {
     match report.coefficients.get("I_a") {
         Some(found) => Ratio {

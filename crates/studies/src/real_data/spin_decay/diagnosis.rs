@@ -41,7 +41,8 @@ pub(super) struct Diagnosed {
     /// Offset of the accelerometer from the centre along the two axes in the disc's plane, each with its standard
     /// error, mm.
     pub(super) off_mm: [[f64; 2]; 2],
-    /// `C_Nr` in the model without a further effect, and its standard error, N·m·s.
+    /// Spin-damping coefficient `C_Nr` from the fit of the model without an added effect, and its standard error,
+    /// N·m·s.
     pub(super) c_nr: [f64; 2],
     /// Number of samples used.
     pub(super) samples: usize,

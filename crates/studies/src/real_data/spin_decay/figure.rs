@@ -7,8 +7,8 @@ use nalgebra::DVector;
 use super::form::Form;
 use super::results::SpinDecay;
 
-/// Forms that are drawn: proportional to the spin (as in the model), proportional to its square, and the form that is
-/// not rejected.
+/// Forms that the figure shows: torque proportional to the spin (as in the model), torque proportional to its square,
+/// and the form that the data do not reject.
 const DRAWN: [Form; 3] = [Form::Linear, Form::Quadratic, Form::Falling];
 
 /// Draws the measured rate and the residuals of three forms as SVG.

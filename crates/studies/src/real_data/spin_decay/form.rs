@@ -14,13 +14,13 @@ pub enum Form {
     Quadratic,
     /// Torque proportional to a power of the spin. The exponent is the third unknown.
     Power,
-    /// Torque proportional to the spin and to a factor that falls linearly with time, as the airspeed may. The third
-    /// unknown is the fraction of the factor lost per second.
+    /// Torque proportional to the spin and to a factor that falls linearly with time, as a decreasing airspeed would
+    /// imply. The third unknown is the fraction of the factor lost per second.
     Falling,
 }
 
 impl Form {
-    /// All forms, in the order of the page's table.
+    /// All forms, in the order of the rows of the table on the page.
     pub(super) const ALL: [Form; 5] = [
         Form::Constant,
         Form::Linear,

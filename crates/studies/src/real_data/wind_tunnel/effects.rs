@@ -43,7 +43,7 @@ const MOMENT_EVEN: Form = form(
     &[ALPHA, ONE, CUBE, SQUARE],
 );
 
-/// Functional forms of the aerodynamic curves, in the order of the page's table.
+/// Functional forms of the aerodynamic curves, in the order of the rows of the table on the page of measured data.
 const FORMS: [&Form; 9] = [
     &LIFT,
     &LIFT_STALL,
@@ -99,7 +99,8 @@ struct Departure {
     below: Option<f64>,
 }
 
-/// Renders the section on the effects that improve the curves as Markdown.
+/// Renders the section on the effects that improve the fit of the model's curves to the wind tunnel's table, as
+/// Markdown.
 pub(in super::super) fn effects_section(table: &[Measured]) -> Result<String, StudyError> {
     let ranges = HALF_WIDTHS.map(|width| between(table, -width, width));
     let rms = |form: &Form, rows: &[Measured]| {

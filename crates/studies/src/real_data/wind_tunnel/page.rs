@@ -14,7 +14,7 @@ const RANGES: [(f64, f64); 3] = [(-5.0, 10.0), (-5.0, 15.0), (-10.0, 30.0)];
 /// Range of angle of attack of the fits in the figure, degrees.
 pub(super) const FIGURE_RANGE: (f64, f64) = RANGES[1];
 
-/// Names of the coefficients, in the order of the table.
+/// Names of the coefficients, in the order of the columns of the wind tunnel's table.
 pub(super) const NAMES: [&str; 3] = ["lift", "drag", "pitching moment"];
 
 /// Basis functions of the model's curves: linear lift, parabolic drag about 0, moment proportional to the angle.
@@ -25,14 +25,14 @@ struct Section {
     curves: Vec<CurveRow>,
     coefficients: Vec<(String, f64)>,
     figure_range: (f64, f64),
-    /// Angle of minimum drag, degrees; `None` if the fitted parabola has no minimum.
+    /// Angle of attack at the minimum of the fitted drag parabola, degrees; `None` if the parabola has no minimum.
     least_drag: Option<f64>,
     lift_slopes: [Option<f64>; 3],
     moment_at_zero: Option<f64>,
     moment_slopes: [Option<f64>; 2],
 }
 
-/// A curve of the model's form, fitted over a range of angle of attack.
+/// A curve with the model's functional form, fitted to the wind tunnel's table over a range of angle of attack.
 #[derive(Serialize)]
 struct CurveRow {
     name: &'static str,

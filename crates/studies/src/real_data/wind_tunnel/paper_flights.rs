@@ -38,7 +38,8 @@ struct CoefficientRow {
 }
 
 impl CoefficientRow {
-    /// Absolute difference between the two mean estimates / standard deviation of the difference.
+    /// Absolute difference between the mean estimates from flights fssh3 and bffl8 / standard deviation of this
+    /// difference.
     fn difference(&self) -> f64 {
         let [a, b] = self.estimates;
         (a.0 - b.0).abs() / a.1.hypot(b.1)

@@ -45,7 +45,8 @@ pub fn functions(compiled: &Compiled) -> Vec<(&'static str, usize)> {
         .into()
 }
 
-/// Evaluates all backends at the points. Generated code is included only if its source hash matches the model.
+/// Evaluates all compiled functions on all backends at the points. The generated code in the program is included only
+/// if it was generated from the current text of the model, as its hash shows.
 pub fn runs(model: &Model, compiled: &Compiled, points: &[Point<f64>]) -> Vec<Run> {
     let tapes = Tapes::new(compiled.functions().map(|f| &f.program));
     let mut runs = vec![Run {
@@ -74,8 +75,8 @@ pub fn runs(model: &Model, compiled: &Compiled, points: &[Point<f64>]) -> Vec<Ru
     runs
 }
 
-/// Checks whether the program contains generated code of the model's current text. The check is skipped without code,
-/// and skipped with a remark if the code belongs to another text and so was not compared.
+/// Checks whether this program contains generated code of the model's current text. The check is skipped if the program
+/// contains no code of this model, and skipped with a remark if the code was generated from another text.
 pub fn generated_code(model: &Model) -> Row {
     match generated::model(&model.name) {
         _ if !model.effects.is_empty() => {
@@ -104,13 +105,14 @@ fn on_lanes(name: &str, tapes: &Tapes, points: &[Point<f64>]) -> Vec<Run> {
     Isa::ALL.into_iter().filter_map(run).collect()
 }
 
-/// First backend run that fuses multiply and add if `fuses`, or that does not otherwise; `None` if there is no such
-/// run.
+/// Results of the first backend that fuses multiply and add (`fuses` true) or does not (`fuses` false); `None` if there
+/// is no such backend.
 fn first(runs: &[Run], fuses: bool) -> Option<&Run> {
     runs.iter().find(|run| run.fuses == fuses)
 }
 
-/// Compares each run bit for bit with the first run that has the same use of fused multiply-add.
+/// Compares the results of every backend bit for bit with those of the first backend that fuses multiply and add as
+/// well, or that does not either.
 pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
     let mut worst = Worst::default();
     for run in runs {

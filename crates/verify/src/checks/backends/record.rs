@@ -17,7 +17,7 @@ thread_local! {
     static RECORDING: RefCell<Recording> = const { RefCell::new(Recording::new()) };
 }
 
-/// The program being recorded on this thread.
+/// The program to which the operations executed on this thread are appended.
 struct Recording {
     statements: Vec<Statement>,
     /// Inputs, constants and results of statements, in order of appearance.
