@@ -141,13 +141,13 @@ impl Progress {
 }
 
 impl Progress {
-    /// Starts a stage of the work with the given number of flights.
+    /// Starts a stage of the work: the bar then shows the name `stage` and the total number of flights of the stage.
     pub fn start(&self, stage: &str, flights: u64) {
         self.bar.set_length(flights);
         self.bar.set_message(stage.to_owned());
     }
 
-    /// Adds to the number of finished flights.
+    /// Adds `flights` to the number of finished flights that the bar shows.
     pub fn advance(&self, flights: u64) {
         self.bar.inc(flights);
     }

@@ -53,8 +53,8 @@ impl Sweep {
         self.summary["statuses"][status].as_u64().unwrap_or(0)
     }
 
-    /// Mean of a column over the flights that reached the ground, or the final time of a plan with a duration; `None`
-    /// for an unknown column or without such flights.
+    /// Mean of a column of the table of flights, over the flights that reached the intended end: the ground or, if the
+    /// plan states a duration, the final time. `None` for an unknown column or without such flights.
     pub fn mean(&self, column: &str) -> Option<f64> {
         self.summary["columns"][column]["mean"].as_f64()
     }
@@ -65,7 +65,7 @@ impl Sweep {
         self.summary["columns"][column]["sd"].as_f64()
     }
 
-    /// Contents of `summary.json`.
+    /// The summary as JSON, as in the file `summary.json`.
     pub fn summary(&self) -> &Value {
         &self.summary
     }

@@ -17,7 +17,8 @@ use std::sync::LazyLock;
 
 /// Number of variables of a random expression.
 const VARIABLES: usize = 3;
-/// Maximum |value| and |derivative| of every subexpression; cancellation between larger values would hide errors.
+/// Limit on the |value| and |derivative| of every subexpression. A random expression that reaches the limit is
+/// discarded, because cancellation between larger values would hide errors.
 const MAX_MAGNITUDE: f64 = 1e3;
 
 /// Step of a random expression: an operation on the values x and y of two earlier steps, or on x alone.

@@ -82,7 +82,7 @@ pub struct At<'a> {
     pub x: &'a [f64],
     /// Parameters: known constants, then coefficients, then components of inputs.
     pub p: &'a [f64],
-    /// Invariants that [`TapeModel::prepare`] returned for these parameters.
+    /// Invariants that [`TapeModel::prepare`] returned for the parameters `p`.
     pub prepared: &'a [f64],
 }
 
@@ -178,8 +178,8 @@ impl TapeModel {
         run(&self.observe, at, marker, scratch, &mut [y]);
     }
 
-    /// Writes the position of a marker, m, and its Jacobians to `results`, in the order `[y, dy_dx, dy_dp,
-    /// dy_dmarker]`.
+    /// Writes the position of a marker in the inertial frame, m, and the Jacobians of the position to `results`, in the
+    /// order `[y, dy_dx, dy_dp, dy_dmarker]`.
     pub fn observe_jac(
         &self,
         at: At<'_>,

@@ -30,7 +30,7 @@ pub struct Model {
     /// Name of the reference implementation with which `hyzer verify` compares the model; `None` if the model names
     /// none.
     pub reference: Option<String>,
-    /// Source texts: the model file first, then each applied effect.
+    /// Source texts: the text of the model file first, then the text of each applied effect.
     pub sources: Vec<Source>,
     /// Known constants of the body and its environment, in order of declaration.
     pub params: Vec<Parameter>,

@@ -51,7 +51,8 @@ pub fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
     (line, column)
 }
 
-/// Whether all spans of a diagnostic exist and lie on lines short enough for a terminal.
+/// Whether a diagnostic can be printed with source excerpts: all its spans lie inside their source texts, on lines of
+/// at most [`MAX_LINE_BYTES`] bytes.
 fn drawable(diagnostic: &Diagnostic, sources: &[Source]) -> bool {
     let fits = |span: Span| {
         let Some(source) = sources.get(usize::from(span.source)) else {
@@ -160,7 +161,8 @@ fn within(inner: Span, outer: Span) -> bool {
     inner.source == outer.source && inner.start >= outer.start && inner.end <= outer.end
 }
 
-/// Source texts by index, as a cache for ariadne.
+/// Source texts with their names, by [`Span::source`], in the form in which the crate `ariadne` (formatter of error
+/// messages) looks up texts.
 struct Texts<'a>(&'a [(String, ariadne::Source<&'a str>)]);
 
 impl<'a> ariadne::Cache<u16> for Texts<'a> {

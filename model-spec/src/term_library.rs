@@ -67,7 +67,7 @@ index_type!(
 /// Candidates for terms that a model lacks: any of `products`, added to any of `channels` (such as the drag).
 #[derive(Clone, Debug)]
 pub struct TermLibrary {
-    /// Change to a model that defines the variables and adds to each channel a term with a new coefficient as factor.
+    /// Effect that declares the variables in a model, and adds to each channel a term with a new coefficient.
     pub loads: EffectTree,
     /// Quantities to which a term can be added: components of forces and moments, or derivatives of states.
     pub channels: IndexVec<ChannelId, Channel>,

@@ -136,7 +136,8 @@ impl Unit {
         })
     }
 
-    /// Symbol of the derived SI unit, such as `N` for `kg·m/s²`; `None` if the unit has no such symbol here.
+    /// Symbol of the derived SI unit, such as `N` for `kg·m/s²`; `None` if this function knows no such symbol for the
+    /// unit.
     pub fn named(self) -> Option<&'static str> {
         let unit = self.tidy();
         [("N", Unit::NEWTON), ("N·m", Unit::NEWTON_METRE)]

@@ -18,8 +18,8 @@ use crate::{Answer, output};
 /// Minimum number of fitted flights; with fewer flights, drawing with replacement gives too few different samples.
 const LEAST_FLIGHTS: usize = 5;
 
-/// Fits the model, computes the refits that are not in the folder yet, and prints the distribution of their
-/// estimates.
+/// Runs `hyzer bootstrap`: fits the model, computes the refits that the output folder does not hold yet, and prints the
+/// distribution of the estimates over all refits.
 pub fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
     let inputs = &options.inputs;
     let (fixed, priors) = (held(&inputs.hold)?, priors(&inputs.prior)?);

@@ -15,7 +15,8 @@ use crate::{Answer, output};
 
 /// Maximum size of a model file, bytes; equal to the limit of the model language.
 const MAX_BYTES: u64 = 1_000_000;
-/// Maximum duration of the compared flights, s.
+/// Maximum value of the option `--seconds`, the duration of the flights with which two models are compared, s; a larger
+/// value is an error.
 const MAX_SECONDS: f64 = 60.0;
 
 /// Runs `hyzer diff`: compares two models. Returns `Answer::No` if the derivatives of the new model are different

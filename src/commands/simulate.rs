@@ -129,7 +129,8 @@ fn check_numbers(options: &Simulate) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Loads the model, and the release with the changes given on the command line.
+/// Loads the model and the release, and applies the changes to the release that are given on the command line, such as
+/// wind and parameters.
 fn prepare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     let (mut model, mut release) = match &options.release {
         Some(name) => released_in_wind(name, options.model.as_deref(), &options.with)?,

@@ -40,7 +40,8 @@ pub fn run(options: &Synthesize) -> anyhow::Result<Answer> {
     Ok(Answer::Yes)
 }
 
-/// Loads the model, and every release with the changes given on the command line.
+/// Loads the releases and the model that all of them have in common, and applies the changes given on the command line
+/// to every release.
 fn prepare(options: &Synthesize) -> anyhow::Result<(Model, Vec<Release>)> {
     let mut model: Option<Model> = None;
     let mut releases = Vec::with_capacity(options.release.len());

@@ -102,8 +102,8 @@ fn is_same(model: &Model) -> bool {
     SAME.contains(&model.name.as_str())
 }
 
-/// Writes a certificate; writes nothing if the text of a model was refused, because there is then no model to
-/// certify.
+/// Writes a certificate to `path`. Writes nothing if `refused`, the names of the models whose text has errors, is not
+/// empty.
 fn write(path: &Path, certificate: &Certificate, refused: &[&str]) -> anyhow::Result<()> {
     if !refused.is_empty() {
         eprintln!("no certificate is written: {} refused", refused.join(", "));

@@ -123,7 +123,8 @@ fn eliminate(graph: &mut ExprGraph, vertices: &mut [Vertex], v: usize) {
     }
 }
 
-/// Names the partial derivative on the edge between two named vertices A and B: `d_A_d_B`.
+/// Gives the partial derivative on the edge from a vertex A to a vertex B the name `d_A_d_B`, if both vertices have
+/// names.
 fn name_edge(graph: &mut ExprGraph, vertices: &[Vertex], from: usize, to: usize, partial: NodeId) {
     if let (Some(from), Some(to)) = (&vertices[from].name, &vertices[to].name) {
         name_derivative(graph, partial, from, to);

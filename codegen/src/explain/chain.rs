@@ -109,7 +109,7 @@ pub(super) struct Cut {
     squares: FastMap<NodeId, NodeId>,
     /// Indices of the local symbols that represent derivatives of named quantities, in order of creation.
     made: Vec<u32>,
-    /// Indices of the local symbols that represent repeated parts of large formulas, in order of creation.
+    /// Indices of the local symbols that represent repeated subexpressions of large formulas, in order of creation.
     parts: Vec<u32>,
     pub by: Symbol,
     wrt: String,
@@ -187,9 +187,9 @@ impl Cut {
         roots.iter().map(|root| images[root]).collect()
     }
 
-    /// Replaces the repeated subexpressions of a formula by named local symbols if its expression tree has more than
-    /// [`MAX_FORMULA`] nodes; written out, it could grow exponentially with the nesting depth. A smaller formula is
-    /// returned unchanged.
+    /// Replaces the repeated subexpressions of a formula by named local symbols if the expression tree of the formula
+    /// has more than [`MAX_FORMULA`] nodes, since the length of a written-out formula can grow exponentially with the
+    /// nesting depth. A smaller formula is returned unchanged.
     pub fn share_repeated(&mut self, root: NodeId) -> NodeId {
         let order = self.graph.reachable(&[root]);
         let mut uses: FastMap<NodeId, u32> = FastMap::default();
@@ -258,8 +258,8 @@ impl Cut {
         }
     }
 
-    /// Returns a new local symbol with a definition and a LaTeX name. A definition that is a symbol or a number, or a
-    /// multiple of one, is returned unchanged.
+    /// Returns a new local symbol with the given definition and the LaTeX name `name`. If the definition is a symbol or
+    /// a number, or a multiple of one, no local symbol is created, and the definition is returned.
     fn leaf(&mut self, facts: ValueFacts, definition: NodeId, name: String) -> NodeId {
         let inner = self.graph.split_coefficient(definition).1;
         if matches!(self.graph.node(inner), Node::Symbol(_) | Node::Number(_)) {

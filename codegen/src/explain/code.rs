@@ -25,7 +25,8 @@ pub(super) struct Made {
     pub rows: Vec<u32>,
 }
 
-/// Compiles a quantity or, if `by` is given, its derivative with respect to that symbol.
+/// Generates the code of the quantity `found` or, if `by` (a symbol and its name) is given, of the derivative of the
+/// quantity with respect to that symbol.
 pub(super) fn generate(found: &Found, by: Option<(Symbol, &str)>) -> Made {
     let mut compiled = found.compiled.clone();
     let quantities = compiled.lowered.provenance.iter();
@@ -88,7 +89,9 @@ pub(super) fn generate(found: &Found, by: Option<(Symbol, &str)>) -> Made {
     }
 }
 
-/// Optimised SSA definitions of the derivatives that are not identically 0, with the name and the row index of each.
+/// Optimised SSA definitions of the derivatives of the components of a quantity with respect to `symbol`, each with its
+/// name and the index of its component. Derivatives that are identically 0 are omitted. `rows` contains the names of
+/// the components, and `wrt` is the name of the symbol.
 fn derivative(
     ssa: &Ssa,
     graph: &mut ExprGraph,

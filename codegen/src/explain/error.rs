@@ -10,7 +10,7 @@ pub enum ExplainError {
     Quantity {
         /// Name that the caller requested.
         wanted: String,
-        /// Most similar name of a quantity; `None` if no quantity has a similar name.
+        /// Name of the quantity whose name is most similar to `wanted`; `None` if no quantity has a similar name.
         nearest: Option<String>,
         /// Names of all quantities of the model that can be explained.
         known: Vec<String>,
@@ -20,7 +20,7 @@ pub enum ExplainError {
     Wrt {
         /// Name that the caller requested.
         wanted: String,
-        /// Most similar name of a symbol; `None` if no symbol has a similar name.
+        /// Name of the symbol whose name is most similar to `wanted`; `None` if no symbol has a similar name.
         nearest: Option<String>,
         /// Names of all symbols of the model with respect to which a quantity can be differentiated.
         known: Vec<String>,

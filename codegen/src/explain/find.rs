@@ -232,9 +232,9 @@ pub(super) fn symbol_of(model: &Model, name: &str) -> String {
     latex::name(name, latex::Style::Scalar)
 }
 
-/// Returns spans at the start and the end of the declaration from which the time derivative of a state follows, and an
-/// empty string in place of a doc comment. The declaration is the equation for the derivative if the model has one,
-/// else that of the body, else that of the state.
+/// Location of the declaration from which the time derivative of a state follows: the equation for the derivative if
+/// the model has one, else the declaration of the body, else the declaration of the state. Returns the spans at the
+/// start and the end of the declaration, and an empty doc comment.
 fn rate_place(model: &Model, state: usize) -> (Span, Span, String) {
     if let Some(equation) = model.equations.iter().find(|e| e.state == state) {
         return (equation.span, equation.value.span, String::new());

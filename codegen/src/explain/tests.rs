@@ -103,8 +103,8 @@ fn derivatives_agree_with_differences() {
     }
 }
 
-/// Derivatives of a quantity with respect to `symbol`, for the states `x` and parameters `p`, computed from the graph
-/// nodes from which the LaTeX formulas are written.
+/// Values of the derivatives of the components of a quantity with respect to `symbol`, at the states `x` and parameters
+/// `p`, computed from the graph nodes from which the LaTeX formulas are written.
 fn written(
     model: &Model,
     found: &find::Found,

@@ -11,8 +11,8 @@ use crate::number::Number;
 const MOST: usize = 48;
 
 impl ExprGraph {
-    /// Expands products in the sum `id` so that projections onto orthonormal vectors cancel. Returns the expanded sum
-    /// if terms cancel or merge, else `id`.
+    /// Simplifies the sum `id` by expanding products that contain sums, so that projections of vectors onto orthonormal
+    /// vectors cancel. Returns the expanded sum if terms cancel or merge, else `id`.
     pub fn project(&mut self, id: NodeId) -> NodeId {
         let Node::Sum(terms, constant) = self.node(id).clone() else {
             return id;

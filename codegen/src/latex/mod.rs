@@ -24,7 +24,7 @@ pub fn definition(model: &Model, name: &str) -> Option<String> {
     sides(model, name).map(|(left, right)| format!("{left} = {right}"))
 }
 
-/// LaTeX of the left-hand and right-hand side of a definition; `None` for an unknown name.
+/// LaTeX of the left-hand and right-hand side of the definition of the quantity `wanted`; `None` for an unknown name.
 pub(crate) fn sides(model: &Model, wanted: &str) -> Option<(String, String)> {
     if let Some(quantity) = model
         .aux_variables

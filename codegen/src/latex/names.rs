@@ -43,7 +43,8 @@ pub(crate) fn name(name: &str, style: Style) -> String {
     }
 }
 
-/// LaTeX of the time derivative of a state: a dot above its letter.
+/// LaTeX of the time derivative of a state: a dot above the symbol of the state, or two dots if the state is the rate
+/// of an angle, such as `thetadot`.
 pub(crate) fn rate(state: &str) -> String {
     match state.strip_suffix("dot") {
         Some(angle) if is_letter(angle) => dotted(r"\ddot", angle),
@@ -69,7 +70,7 @@ fn is_letter(name: &str) -> bool {
     GREEK.contains(&name) || name.chars().count() == 1
 }
 
-/// Splits a name into base symbol and subscript.
+/// Splits the name of a variable into the name of its base symbol and the LaTeX of its subscript, which may be empty.
 fn split(name: &str) -> (String, String) {
     let mut parts: Vec<&str> = name.split('_').filter(|part| !part.is_empty()).collect();
     let mut base = String::new();

@@ -157,7 +157,7 @@ impl Piece {
         }
     }
 
-    /// LaTeX of a scalar or vector product with the operator `sign`.
+    /// LaTeX of the scalar or vector product of `self` and `other`; `sign` is the LaTeX operator between them.
     pub fn dotted(self, sign: &str, other: Piece) -> Piece {
         let (a, b) = (self.at_least(Bind::Product), other.at_least(Bind::Product));
         Piece::new(format!(r"{} {sign} {}", a.text, b.text), Bind::Dotted)
@@ -192,7 +192,7 @@ impl Piece {
     }
 }
 
-/// Whether the text ends in a word in upright type.
+/// Whether the LaTeX text `text` ends in a word in upright type (`\mathrm`).
 fn ends_upright(text: &str) -> bool {
     text.rfind(r"\mathrm{").is_some_and(|at| {
         let word = text[at..].replace(r"\ ", "");
@@ -220,7 +220,7 @@ pub(crate) fn braces(text: &str) -> String {
     }
 }
 
-/// Whether the text is a single letter or LaTeX command, optionally with a dot accent.
+/// Whether the LaTeX text `text` is a single letter or command, optionally with a dot accent.
 fn is_symbol(text: &str) -> bool {
     let text = text.strip_prefix(r"\dot").unwrap_or(text);
     match text.strip_prefix('\\') {
@@ -229,7 +229,8 @@ fn is_symbol(text: &str) -> bool {
     }
 }
 
-/// Splits `\sin\alpha` into `\sin` and `\alpha`; `None` if the text is not a single function call.
+/// Splits the LaTeX text of a function call without parentheses into command and argument: `\sin\alpha` into `\sin` and
+/// `\alpha`. `None` if the text is not a single call of this form.
 fn split_function(text: &str) -> Option<(&str, &str)> {
     commands_with_exponent().find_map(|command| {
         let argument = text.strip_prefix(command)?;

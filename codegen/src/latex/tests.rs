@@ -1,7 +1,7 @@
 use super::*;
 
-/// LaTeX of an expression in a test model that declares parameters, a coefficient, an input vector, states and a
-/// vector.
+/// LaTeX of the expression with the text `expression`, evaluated in a test model that declares parameters, a
+/// coefficient, an input vector, states and a vector, to which the expression can refer.
 fn written(expression: &str) -> String {
     let text = format!(
         "model t;\nparam a = 1 rad;\nparam b = 2 rad;\nparam c = 3 rad;\ncoefficient C_La = 1 rad;\ninput wind in N = (1, 0, 0) rad;\n\

@@ -207,8 +207,9 @@ pub fn angular_velocity(graph: &mut ExprGraph, model: &Model, of: usize, within:
     }
 }
 
-/// Angular velocity, rad/s, of a frame relative to its parent: the rotation rate, a state, times the axis of rotation.
-/// Zero if the model has no such state for the frame. Components in frame `within`.
+/// Angular velocity, rad/s, of a frame relative to its parent, with components in frame `within`: the rotation rate,
+/// which is a state, times the unit vector along the axis of rotation. Zero if the rotation rate of the frame is not a
+/// state of the model.
 fn turning(graph: &mut ExprGraph, model: &Model, frame: usize, within: usize) -> Vector {
     match model.frames[frame].kind {
         FrameKind::Turned {

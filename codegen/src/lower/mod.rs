@@ -203,8 +203,9 @@ impl Lowering<'_> {
         }
     }
 
-    /// Marks the mass of the body as nonzero, and every expression that a limit of validity requires to exceed a bound
-    /// of at least 0; limits that use auxiliary variables are skipped.
+    /// Marks expressions as nonzero, so that division by them needs no guard: the mass of the body, and every
+    /// expression that a limit of validity requires to exceed a bound of at least 0. Expressions that use auxiliary
+    /// variables are not marked.
     fn assumptions(&mut self) {
         let model = self.model;
         for limit in &model.limits {

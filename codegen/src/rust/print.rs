@@ -145,7 +145,8 @@ fn push_noted(lines: &mut Vec<String>, line: &str, note: &str) {
     }
 }
 
-/// Whether a line ends an item of a file or a method of an `impl` block.
+/// Whether `line`, a line of printed Rust code, is the last line of an item of the file or of a method of an `impl`
+/// block.
 fn ends_item(line: &str) -> bool {
     let indent = line.len() - line.trim_start().len();
     match indent {
@@ -155,8 +156,8 @@ fn ends_item(line: &str) -> bool {
     }
 }
 
-/// Whether a blank line is printed between two lines: after inner doc comments, and between two items unless both
-/// belong to one list of `mod` or `use` declarations.
+/// Whether a blank line is printed between `last` and `line`, two successive lines of printed Rust code: after inner
+/// doc comments, and between two items unless both belong to one list of `mod` or `use` declarations.
 fn separate(last: &str, line: &str) -> bool {
     const LISTS: [&str; 4] = ["mod ", "use ", "pub mod ", "pub use "];
     let indent = |line: &str| line.len() - line.trim_start().len();
@@ -173,7 +174,8 @@ fn separate(last: &str, line: &str) -> bool {
     after_inner_docs || (ends_item(last) && indent(last) == indent(line) && starts_item && !in_list)
 }
 
-/// Lines of an array, with as many elements per line as fit; (row, column) pairs start a new line per row.
+/// Lines of text that contain the elements of an array, as many per line as fit. If the elements are (row, column)
+/// pairs, the pairs of each row start on a new line.
 fn filled(elements: &[&str]) -> Vec<String> {
     let row = |element: &str| {
         let inside = element.strip_prefix('(')?;

@@ -108,7 +108,7 @@ impl Scalar {
         self.call(name, a, &[])
     }
 
-    /// Expression of a sine or cosine if only one of them is computed for the angle.
+    /// Expression of the sine or cosine of an angle, for functions that compute only one of the two for this angle.
     fn sin_or_cos(self, function: MathFunction, angle: Expr) -> Expr {
         let element = match function {
             MathFunction::Sin => Literal::usize_unsuffixed(0),

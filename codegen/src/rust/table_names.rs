@@ -10,8 +10,8 @@ use std::collections::BTreeSet;
 /// Name of the function that looks up a table: a method of `lanes::Real`, and a helper function in `f64` code.
 pub(super) const METHOD: &str = "piecewise_cubic";
 
-/// Suffixes in the names of the constants for knots and for cubics; in the name of a derivative, the order of the
-/// derivative follows.
+/// Suffixes of the names of the two constants that are generated for a table, one for its knots and one for its cubics.
+/// For a derivative of the table, `_` and the order of the derivative are appended to the suffix for the cubics.
 const ENDS: [&str; 2] = ["_KNOTS", "_CUBICS"];
 
 /// Whether a name contains a suffix that is reserved for the generated constants of tables.
@@ -43,8 +43,8 @@ pub(super) fn used_by(function: &Function) -> BTreeSet<TableFunction> {
     used.collect()
 }
 
-/// Tokens that import the constants that a function looks up from the generated module `tables`; empty if the function
-/// looks up no table.
+/// Tokens of the declaration that imports the constants of the tables that a function looks up; the constants are in
+/// the generated module `tables`. Empty if the function looks up no table.
 pub(super) fn import(function: &Function) -> TokenStream {
     let tables = &function.program.tables;
     let used = used_by(function).into_iter();

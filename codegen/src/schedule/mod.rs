@@ -120,7 +120,8 @@ struct Schedule<'a> {
 }
 
 impl Schedule<'_> {
-    /// Emits all definitions in order and sets the roots as outputs; `results` are names for the roots.
+    /// Emits the definitions in the order `order`, and sets the roots as outputs of the program; `results` contains the
+    /// names of the roots.
     fn emit_roots(&mut self, order: &[DefId], results: &[String]) {
         let mut outputs: IndexVec<DefId, Vec<usize>> = self.ssa.side_table(Vec::new());
         for (k, &(_, root)) in self.ssa.roots.iter().enumerate() {
@@ -138,8 +139,8 @@ impl Schedule<'_> {
         assert_eq!(self.program.outputs.len(), self.ssa.roots.len());
     }
 
-    /// Returns an operand with the value, computed by `prepare`, of a definition that depends on parameters only;
-    /// `None` if such values are not computed by `prepare` (hoisting is off).
+    /// Returns the operand for the value of `signed`, a definition that depends on parameters only and is therefore
+    /// computed by `prepare`; `None` if no definitions are moved to `prepare` (hoisting is off).
     fn hoist(&mut self, signed: Signed) -> Option<Operand> {
         let hoisted = self.hoisted.as_deref_mut()?;
         let operand = hoisted.operand(self.ssa, self.graph, &mut self.hoisted_nodes, signed);

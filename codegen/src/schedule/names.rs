@@ -61,7 +61,7 @@ impl Namer {
         }
     }
 
-    /// Reserves the names of arguments, so that no variable is given such a name.
+    /// Reserves `names`, the names of function arguments, so that no variable is given one of them.
     pub fn reserve(&mut self, names: &[String]) {
         self.taken.extend(names.iter().cloned());
     }
@@ -116,7 +116,7 @@ impl Namer {
         }
     }
 
-    /// Sets the name of a hoisted invariant.
+    /// Sets the name of the definition `id`, an invariant that `prepare` computes, and reserves this name.
     pub fn give(&mut self, id: DefId, name: &str) {
         self.taken.insert(name.to_string());
         self.given.insert(id, name.to_string());
@@ -249,7 +249,9 @@ impl Namer {
         }
     }
 
-    /// Name of a sum of squares (`V_sq`) or of its square root (`air_velocity_12`); `None` for other definitions.
+    /// Name of a sum of squares (`V_sq`, `air_velocity_12_sq`) or of the square root of a sum of squares
+    /// (`air_velocity_12`), derived from the name of the square root or from the names of the squared values; `None`
+    /// for other definitions.
     fn norm(&self, ssa: &Ssa, graph: &ExprGraph, id: DefId, depth: u32) -> Option<String> {
         match &ssa.defs[id] {
             SsaDef::Root(x) => {

@@ -118,7 +118,8 @@ fn factor_once(ssa: &mut Ssa, id: DefId, uses: &mut IndexVec<DefId, u32>) -> boo
     true
 }
 
-/// Redefines `id` as the sum of `terms` and updates the use counts of the affected definitions.
+/// Redefines `id` as the sum of `terms`, and updates the use counts `uses` of the definitions on which the old and the
+/// new sum depend.
 fn replace(ssa: &mut Ssa, id: DefId, mut terms: Vec<Signed>, uses: &mut IndexVec<DefId, u32>) {
     cancel(&mut terms);
     let new = match terms.as_slice() {

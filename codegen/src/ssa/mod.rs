@@ -300,7 +300,8 @@ impl Ssa {
 }
 
 impl Ssa {
-    /// Replaces each reference `id` by `target[id]`, following chains of targets to the end.
+    /// Replaces each reference to a definition `id` by a reference to `target[id]`, following chains of targets up to a
+    /// definition that is its own target.
     fn redirect(&mut self, target: &IndexVec<DefId, DefId>) {
         let end = |mut id: DefId| {
             while target[id] != id {

@@ -79,8 +79,9 @@ fn users(ssa: &Ssa) -> Users {
     users
 }
 
-/// Negates a sum and compensates by a change of the signs in the definitions that use it; appends each changed sign to
-/// `touched`. Returns false if the sum cannot be negated; the changes made until then are in `touched`.
+/// Negates a sum, and changes signs in the definitions that use the sum so that their values do not change; appends
+/// each changed sign to `touched`. Returns false if the sum cannot be negated; the caller must then undo the changes in
+/// `touched`.
 fn turn(ssa: &mut Ssa, users: &Users, id: DefId, touched: &mut Vec<Place>) -> bool {
     if ssa.facts[id].nonneg {
         return false;
@@ -125,8 +126,9 @@ fn pass(ssa: &mut Ssa, users: &Users, id: DefId, touched: &mut Vec<Place>) -> bo
     true
 }
 
-/// Changes the sign of a product or reciprocal by a change of the signs in the definitions that use it. Returns false
-/// if that is not possible; the changes made until then are in `touched`.
+/// Passes the changed sign of a product or reciprocal on to the definitions that use it, so that their values do not
+/// change; appends each changed sign to `touched`. Returns false if that is not possible; the caller must then undo the
+/// changes in `touched`.
 fn through(ssa: &mut Ssa, users: &Users, id: DefId, touched: &mut Vec<Place>) -> bool {
     if ssa.facts[id].nonneg {
         return false;

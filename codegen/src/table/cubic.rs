@@ -111,7 +111,7 @@ fn spline(knots: &[(f64, f64)], is_flat: bool) -> PiecewiseCubic {
 }
 
 /// Piecewise cubic whose slopes at the knots make the curve monotone between knots with monotone values (Fritsch and
-/// Butland 1984).
+/// Butland 1984). At both end knots the slope is 0 if `is_flat`, else it is given by a limited three-point formula.
 fn monotone(knots: &[(f64, f64)], is_flat: bool) -> PiecewiseCubic {
     let n = knots.len();
     let width = |k: usize| knots[k + 1].0 - knots[k].0;
@@ -151,7 +151,8 @@ fn monotone(knots: &[(f64, f64)], is_flat: bool) -> PiecewiseCubic {
     )
 }
 
-/// Adds straight lines below the first knot and above the last knot; the lines are horizontal if `is_flat`.
+/// Adds straight lines below the first knot and above the last knot to the cubics `inner` between the knots. The lines
+/// are horizontal if `is_flat`; else they have the slopes of the curve at the end knots, `end_slope` at the last knot.
 fn continued(
     knots: &[(f64, f64)],
     inner: Vec<[f64; 4]>,

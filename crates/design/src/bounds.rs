@@ -7,7 +7,8 @@ use nalgebra::DVector;
 use crate::goal::Obstacle;
 use crate::throw_flight::ThrownBody;
 
-/// Search space and constraints of a search for a throw, and the scatter of its release.
+/// Ranges and constraints within which a throw is searched, and the scatter of release, wind and parameters from throw
+/// to throw.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bounds {
     /// Minimum and maximum of each quantity that a throw of the body can have: (index in [`FIELDS`], minimum,

@@ -197,7 +197,7 @@ pub fn design(
     task.finished(side, &last, explored.flown)
 }
 
-/// A search: the body with its parameters, the goal and the bounds.
+/// A search for a throw: the body with its parameters, the goal and the bounds.
 struct Task<'t> {
     flights: &'t ThrowFlights<'t>,
     goal: Goal,
@@ -267,8 +267,9 @@ impl Task<'_> {
             .values(path, obstacle.and_then(|obstacle| Some((obstacle, side?))))
     }
 
-    /// Starting points of the descents for one side of the obstacle: best first, each farther than [`APART`] from all
-    /// better ones.
+    /// At most `count` starting points of the descents for one side of the obstacle, the best point first; points
+    /// within [`APART`] of a better one are skipped. `side` is an index into the values that each of `points` has per
+    /// side.
     fn chosen(&self, points: &[Tried], side: usize, count: usize) -> Vec<DVector<f64>> {
         let mut order: Vec<usize> = (0..points.len()).collect();
         // The sort is stable: equal points stay in the order of the starts.
@@ -289,8 +290,8 @@ impl Task<'_> {
         chosen
     }
 
-    /// Sort key of results, the best being the smallest: feasible results by objective, then infeasible ones by
-    /// violation.
+    /// Sort key of the results of a search, the best result having the smallest key: feasible results are ordered by
+    /// objective, then infeasible ones by constraint violation.
     fn rank(&self, values: &Values) -> (f64, f64) {
         let violation = values.violation();
         match violation < SERVES {

@@ -32,7 +32,8 @@ impl Values {
         (self.equalities.norm_squared() + short.sum::<f64>()).sqrt()
     }
 
-    /// Values at the same point for the problem of minimizing [`Values::violation`] without constraints.
+    /// Objective and constraints, at the same point, of another problem: minimize [`Values::violation`] without
+    /// constraints.
     pub fn violation_alone(&self) -> Values {
         let n = self.gradient.len();
         let violation = self.violation();
@@ -70,7 +71,7 @@ impl Values {
 /// they cannot be computed there. If the second argument is `false`, the objective is not needed.
 pub type Problem<'p> = &'p dyn Fn(&DVector<f64>, bool) -> Option<Values>;
 
-/// Result of an optimization: the point reached and the values there.
+/// Result of an optimization: the point reached, with the objective and constraints there.
 #[derive(Clone, Debug)]
 pub struct Arrival {
     /// The point reached, in the unit box.
@@ -138,7 +139,7 @@ fn meet_from(problem: Problem<'_>, start: Arrival, most: usize) -> Arrival {
     Arrival { at, values }
 }
 
-/// Gauss–Newton approximation of the Hessian, and gradient, of half the squared violation.
+/// Gauss–Newton approximation of the Hessian, and the gradient, of half the squared violation of the constraints.
 fn gauss_newton(values: &Values) -> (DMatrix<f64>, DVector<f64>) {
     let n = values.gradient.len();
     let mut hessian = values.equalities_by.tr_mul(&values.equalities_by);

@@ -27,9 +27,9 @@ pub struct Sensitivity {
 /// Effect of changing a quantity of the throw by one unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OneUnit {
-    /// Change of the landing position, m.
+    /// Change of the landing position that the change of the quantity causes, m.
     pub landing: Vector3<f64>,
-    /// Increase of the duration of the flight, s.
+    /// Increase of the duration of the flight that the change of the quantity causes, s; negative for a shorter flight.
     pub time: f64,
     /// Minimum distance between the path of the throw with the changed quantity and the goal's point, m; 0 for a goal
     /// without a point.

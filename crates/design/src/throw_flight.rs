@@ -87,12 +87,13 @@ impl ThrownBody {
         }
     }
 
-    /// Flights of the body with the parameters of a release, whose initial states are not used.
+    /// Prepares flights of the body with the parameters of a release; the initial states of the release are not used.
     pub fn with(&self, release: &Release) -> ThrowFlights<'_> {
         self.with_parameters(self.compiled.release_parameters(release))
     }
 
-    /// Flights of the body with given parameter values, in the order of the model's layout.
+    /// Prepares flights of the body with the given parameter values, which are in the order of the parameters in the
+    /// model's layout.
     pub fn with_parameters(&self, parameters: Vec<f64>) -> ThrowFlights<'_> {
         ThrowFlights {
             body: self,

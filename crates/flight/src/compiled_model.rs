@@ -214,7 +214,8 @@ impl CompiledModel {
     }
 }
 
-/// Vector expression whose first component in the inertial frame is `scalar`, and whose other components are 0.
+/// Vector expression whose first component in the inertial frame is `scalar`, and whose other components are 0; it
+/// makes a scalar observable in place of a marker position.
 fn vector_of(scalar: Expr) -> Expr {
     let zero = || Expr {
         kind: ExprKind::Number {

@@ -8,13 +8,13 @@ use model_spec::layout::ParamId;
 /// measurement equation of marker k and 0 in all others.
 const MARKER_IS: [&str; 3] = ["marker_is_x", "marker_is_y", "marker_is_z"];
 
-/// Bound models for the measurement equations of the markers: a single model shared by all points; or one per marker
-/// and a last one for points that are not markers.
+/// Models with given parameter values for the measurement equations of the markers: a single one shared by all points;
+/// or, if the model has the input `marker_is`, one per marker and a last one for points that are not markers.
 pub struct MarkerConditions<'a>(Vec<BoundModel<'a>>);
 
 impl<'a> MarkerConditions<'a> {
-    /// Binds the parameters for a number of markers. If the model has the input `marker_is`, each marker has its own
-    /// bound model.
+    /// Binds the model `body` to the values `parameters`; if the model has the input `marker_is`, once for each of the
+    /// `markers` markers, because the value of that input depends on the marker.
     pub fn new(body: &'a CompiledModel, parameters: &[f64], markers: usize) -> Self {
         let places = MARKER_IS.map(|name| body.layout().parameter(name).map(ParamId::index));
         if places.iter().all(Option::is_none) {

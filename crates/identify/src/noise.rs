@@ -23,12 +23,13 @@ pub struct AxesNoise {
     pub interval: f64,
 }
 
-/// Number of noise groups, given the group of each channel; at least 1.
+/// Number of noise groups, given the group of each channel; 1 if there are no channels.
 pub fn group_count(group_of: &[usize]) -> usize {
     group_of.iter().max().map_or(1, |last| last + 1)
 }
 
-/// Maximum autocorrelation attributed to noise. A higher correlation of residuals indicates model error.
+/// Maximum magnitude of the estimated autocorrelation of the noise, to which larger estimates are clamped. A higher
+/// correlation of residuals indicates model error.
 const MAX_AR1: f64 = 0.9;
 
 /// Minimum number of pairs of neighbouring residuals for an estimate of the autocorrelation.

@@ -242,7 +242,7 @@ impl Observations {
     }
 }
 
-/// Values of all channels in one sample, in the format of [`Observations::measured`].
+/// Measured values of all channels in one sample of `flight`, in the format of [`Observations::measured`].
 fn row<'f>(
     problem: &'f FitProblem,
     flight: &'f Flight,

@@ -145,7 +145,7 @@ impl FitOptions<'_> {
             .is_some_and(|deadline| Instant::now() >= deadline)
     }
 
-    /// Number of threads to use, at least 1.
+    /// Number of threads to use: the given number, or the number of processors if none is given; 0 is replaced by 1.
     pub fn threads(&self) -> usize {
         self.threads.unwrap_or_else(flight::batch::threads).max(1)
     }

@@ -48,8 +48,9 @@ pub struct Resolved<'d> {
 }
 
 impl Resolved<'_> {
-    /// Adds an effect that displaces points along the axes of the body. `errors` are the prior standard deviations of
-    /// its coefficients, m; 0 fixes a coefficient.
+    /// Adds to the model an effect with a name and three coefficients, which displace the markers or the accelerometer
+    /// along the axes of the body. `errors` are the prior standard deviations of the coefficients about 0, m; 0 fixes a
+    /// coefficient.
     fn free(
         &mut self,
         (effect, coefficients): &(&str, [&str; 3]),
@@ -76,7 +77,7 @@ impl Resolved<'_> {
         Ok(())
     }
 
-    /// Copy of `options` with the priors and fixed coefficients of `self`.
+    /// Copy of `options` in which the priors and fixed coefficients are replaced by those of `self`.
     pub fn options<'o>(&'o self, options: &FitOptions<'o>) -> FitOptions<'o> {
         FitOptions {
             priors: &self.priors,
@@ -120,7 +121,9 @@ pub fn resolve<'d>(
     Ok(resolved)
 }
 
-/// Adds effects for the positions of sensors that are not known.
+/// Adds to the model an effect for each sensor whose position on the body is unknown, so that the fit estimates this
+/// position, and marks the position as known in the dataset. Sensors whose readings do not depend on their position get
+/// no effect.
 fn place_sensors(resolved: &mut Resolved<'_>) -> Result<(), FitError> {
     let sensors = resolved.dataset.sensors.iter();
     let unplaced: Vec<Sensor> = sensors

@@ -51,7 +51,8 @@ pub enum IntegrationFailure {
     /// The maximum number of accepted and rejected steps was reached.
     #[error("the end was not reached in {steps} steps")]
     TooManySteps {
-        /// Number of accepted and rejected steps together, equal to the maximum.
+        /// Number of accepted and rejected steps together, equal to
+        /// [`IntegrationOptions::max_steps`](crate::IntegrationOptions::max_steps).
         steps: usize,
     },
     /// A limit of the model's domain of validity was crossed; see [`Event::limit`](crate::Event::limit).

@@ -152,7 +152,8 @@ impl<'a, X: StateVector> Event<'a, X> {
         value < 0.0 || value == 0.0 && is_falling
     }
 
-    /// Whether the cubic Hermite interpolant of a step has a zero of the event; cheaper than dense output.
+    /// Whether the event may occur within a step, according to the cubic Hermite interpolant of the step. This test is
+    /// cheaper than the search for the event in the dense output.
     #[inline(always)]
     pub(crate) fn may_occur(&mut self, step: &HermiteStep<'_, X>, scratch: &mut X) -> bool {
         let sign = self.direction.as_falling(1.0);
@@ -214,7 +215,8 @@ impl<'a, X: StateVector> Event<'a, X> {
     }
 }
 
-/// Appends to `found` the fractions of a step from `t` of size `h` at which `value` falls to 0.
+/// Appends to `found` the fractions of a step, in increasing order, at which `value`, a function of the fraction, falls
+/// from positive to 0 or below. The step starts at the time `t` and has the size `h`.
 pub(crate) fn falling_zeros(
     (t, h): (f64, f64),
     mut value: impl FnMut(f64) -> f64,

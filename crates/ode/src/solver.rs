@@ -174,7 +174,8 @@ impl<'s, 'e, D: OdeRhs, O: StepObserver, S: Stepper<D::State>> Solver<'s, 'e, D,
         }
     }
 
-    /// Result of the integration; `scratch` must contain the final state.
+    /// Result of an integration that ended at the time `time`; `event` is the name of the terminal event that ended it,
+    /// or `None` at the requested final time. The field `scratch` must contain the final state.
     fn endpoint(self, time: f64, event: Option<String>) -> Endpoint<D::State> {
         Endpoint {
             time,
@@ -308,8 +309,8 @@ impl<'s, 'e, D: OdeRhs, O: StepObserver, S: Stepper<D::State>> Solver<'s, 'e, D,
 
 impl EventLog {
     /// Records the events of a step in order of time, up to the first terminal event, and returns the (time, event
-    /// index) of the terminal event, or `None`. On return `state` is the state at the last recorded event. Returns an
-    /// error if a limit of validity is crossed.
+    /// index) of the terminal event, or `None` if no terminal event occurred. On return `state` is the state at the
+    /// last recorded event; it is unchanged if there was no event. Returns an error if a limit of validity is crossed.
     #[cold]
     fn record<D: OdeRhs>(
         &mut self,

@@ -76,8 +76,8 @@ impl PiGains {
     }
 }
 
-/// Initial step size from estimates of the first and second derivatives (Hairer, Nørsett & Wanner, II.4), at most
-/// `max_step`.
+/// Initial step size from estimates of the first and second derivatives of the state (Hairer, Nørsett & Wanner, II.4),
+/// limited to `max_step`.
 pub(crate) fn initial_step<D: OdeRhs>(
     rhs: &mut D,
     start: &StepStart<'_, D::State>,
@@ -108,8 +108,8 @@ pub(crate) fn initial_step<D: OdeRhs>(
     second_step(&norms, order, max_step)
 }
 
-/// Size of the trial Euler step that serves to estimate the second derivative, from the norms of the state and its
-/// derivative.
+/// Size of the trial Euler step after which the second derivative of the state is estimated: 0.01 times the ratio of
+/// the state norm to the derivative norm, or 1e-6 if either norm is below 1e-5; limited to `max_step`.
 #[inline(always)]
 pub(crate) fn first_step(state_norm: f64, rate_norm: f64, max_step: f64) -> f64 {
     if state_norm < 1e-5 || rate_norm < 1e-5 {
@@ -129,7 +129,7 @@ pub(crate) struct InitialNorms {
     pub second_derivative: f64,
 }
 
-/// Initial step size from the norms of the first and second derivatives of the state, at most `max_step`.
+/// Initial step size from the norms of the first and second derivatives of the state, limited to `max_step`.
 #[inline(always)]
 pub(crate) fn second_step(norms: &InitialNorms, order: i32, max_step: f64) -> f64 {
     let euler_step = norms.euler_step;

@@ -5,8 +5,8 @@ use crate::event::Occurrence;
 use crate::method::{Method, ROWS};
 use crate::options::SolverStats;
 
-/// Sampling slack, as a fraction of the sampling interval: a sample closer than this to the trajectory's end is
-/// omitted.
+/// Tolerance for sampling at a constant rate, as a fraction of the sampling interval: a sample closer than this to the
+/// end of the trajectory is omitted, since the final state is always included.
 const END_SLACK: f64 = 1e-6;
 
 /// Solution x(t) of an initial value problem; dense output evaluates it at any time between its start and its end.

@@ -94,7 +94,8 @@ impl Chart {
         chart.is_supported().then_some(chart)
     }
 
-    /// Whether the attitude is three angles with rates, one quaternion with an angular velocity, or absent.
+    /// Whether the kind of attitude is supported: three angles with rates as states, one quaternion with the angular
+    /// velocity as states, or none.
     fn is_supported(&self) -> bool {
         match self.steps.as_slice() {
             [] => true,

@@ -66,7 +66,7 @@ impl SheetFigure {
 }
 
 impl Sheet {
-    /// Figures of all sections, in the order of the page.
+    /// Figures of all sections, in the order in which they appear on the page.
     pub fn figures(&self) -> impl Iterator<Item = &SheetFigure> {
         self.sections.iter().flat_map(|section| &section.figures)
     }

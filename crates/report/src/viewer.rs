@@ -36,7 +36,7 @@ enum Shape {
     Ball,
 }
 
-/// Flights of one body that are shown together.
+/// Content of a page that animates flights in 3D: the flights shown together, and the shape of their common body.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct View {
     shape: Shape,

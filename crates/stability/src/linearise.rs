@@ -74,7 +74,7 @@ impl Body {
     }
 }
 
-/// A rigid body bound to parameter values.
+/// A rigid body together with values of its model's parameters.
 pub struct BoundBody<'b> {
     /// The rigid body, not bound to parameter values.
     pub body: &'b Body,

@@ -23,7 +23,7 @@ pub struct Instant {
     pub criteria: Criteria,
 }
 
-/// Computes the modes and stability criteria at a state; `time` is in s.
+/// Computes the modes and stability criteria of a body at a state in flight; `time` is the time since release, s.
 ///
 /// # Errors
 /// [`StabilityError`] if the motion cannot be linearised at the state.
@@ -57,8 +57,9 @@ pub fn along(
         .collect()
 }
 
-/// Computes the modes and stability criteria of a throw for every pair of a speed (m/s) and a spin (rpm), in the order
-/// of the speeds and, for each speed, of the spins. Pairs that no state of the model can have are left out.
+/// Computes the modes and stability criteria of throws that equal `throw` except for speed (m/s), spin (rpm) and wobble
+/// (none): one throw for every pair of a speed and a spin, in the order of the speeds and, for each speed, of the
+/// spins. Pairs that no state of the model can have are left out.
 pub fn map(body: &BoundBody<'_>, throw: &Throw, speeds: &[f64], spins: &[f64]) -> Vec<Instant> {
     let pairs = speeds
         .iter()

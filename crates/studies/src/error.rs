@@ -9,7 +9,7 @@ pub enum StudyError {
     /// A file or folder of measured data, or a program, cannot be read or started.
     #[error("{}: {source}", file.display())]
     Unreadable {
-        /// Path of the file, folder or program.
+        /// Path of the file, folder or program that cannot be read or started.
         file: PathBuf,
         /// Error of the operating system.
         source: std::io::Error,
@@ -17,21 +17,21 @@ pub enum StudyError {
     /// A line of a data table does not have the expected form.
     #[error("{}:{line}: found {found:?}, expected {expected}", file.display())]
     Line {
-        /// File of the table.
+        /// File of the data table with the malformed line.
         file: PathBuf,
-        /// Line number, from 1.
+        /// Number of the malformed line, from 1.
         line: usize,
-        /// Text of the line.
+        /// Text of the malformed line.
         found: String,
-        /// Expected columns of the line.
+        /// Description of the columns that the line should have.
         expected: &'static str,
     },
     /// A required part of a file is missing.
     #[error("{}: found no {expected}", file.display())]
     Absent {
-        /// File that lacks the part.
+        /// File that lacks a required part.
         file: PathBuf,
-        /// Description of the missing part.
+        /// Description of the part that is missing in `file`.
         expected: String,
     },
     /// A built-in model, effect or collection does not contain an expected name.

@@ -49,7 +49,7 @@ pub(crate) fn render(template: &str, results: impl Serialize) -> Result<String, 
     Ok(text.trim_end().to_owned() + "\n")
 }
 
-/// Text of a number, formatted by `text`; a dash for `none`.
+/// Formats a template value with `text` if it is a number; returns a dash if it is `none`.
 fn or_dash(number: &Value, text: impl Fn(f64) -> String) -> Result<String, minijinja::Error> {
     match number.is_none() {
         true => Ok(NONE.to_owned()),

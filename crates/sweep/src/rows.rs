@@ -78,7 +78,7 @@ struct Part<'f, 'p> {
     values: Vec<f64>,
     /// Drawn values of the varied quantities: one vector per quantity, with one value per flight.
     axes: &'f mut [Vec<f64>],
-    /// End states: one vector per state, with one value per flight.
+    /// State at the end of each flight: one vector per state variable, with one value per flight.
     states: Vec<Vec<f64>>,
     start: [Vec<f64>; 2],
     time: Vec<f64>,

@@ -29,19 +29,20 @@ pub(crate) struct Summary {
     landing: Joint,
 }
 
-/// Moments, extremes and quantiles of a column.
+/// Moments, extremes and quantiles of one column of the table of flights.
 #[derive(Clone, Debug, PartialEq)]
 struct ColumnSummary {
     count: u64,
     mean: f64,
-    /// Sum of squared deviations from the mean.
+    /// Sum of the squared deviations of the values from their mean.
     squares: f64,
     least: f64,
     greatest: f64,
     sketch: Sketch,
 }
 
-/// Joint moments of two columns: their means and the sum of the products of their deviations from the means.
+/// Joint moments of two columns of the table of flights: their means and the sum of the products of their deviations
+/// from the means.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Joint {
     count: u64,

@@ -222,7 +222,8 @@ pub(crate) fn join(
     })
 }
 
-/// Writes the flights of a Parquet file as CSV, one row group at a time; missing values are empty cells.
+/// Converts the Parquet table of flights `from` to the CSV file `to`, one row group at a time; missing values become
+/// empty cells. The first `inputs` numeric columns are the inputs of the flights.
 pub(crate) fn to_csv(from: &Path, to: &Path, inputs: usize) -> Result<(), ParquetError> {
     let reader = SerializedFileReader::new(File::open(from)?)?;
     write_atomic(to, Durability::Synced, |file| {

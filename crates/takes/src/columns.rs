@@ -12,11 +12,11 @@ pub(crate) struct Column {
 
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Quantity {
-    /// Time, with the unit if the name states one.
+    /// Time; the unit is `None` if the column name states none.
     Time(Option<TimeUnit>),
     /// Frame number.
     Frame,
-    /// Coordinate 0, 1 or 2 (x, y, z) of a position, with the unit if the name states one.
+    /// Coordinate 0, 1 or 2 (x, y, z) of a position; the unit is `None` if the column name states none.
     Coordinate(usize, Option<LengthUnit>),
     /// Component 0 to 3 of a quaternion, in the order w, x, y, z.
     Quaternion(usize),

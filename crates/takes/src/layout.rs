@@ -8,9 +8,10 @@ use crate::unit::LengthUnit;
 
 /// Maximum absolute value of a coordinate, m; a greater one is an error.
 const FARTHEST: f64 = 1e4;
-/// Maximum of the number of samples times the number of points and bodies; bounds the memory used.
+/// Maximum of the number of samples times the number of points and bodies; a larger recording is an error, which bounds
+/// the memory used.
 const MOST: usize = 1 << 23;
-/// Maximum number of points and bodies in a recording.
+/// Maximum number of points and bodies in a recording; a greater number is an error.
 pub(crate) const MOST_LABELS: usize = 4096;
 /// Maximum deviation of a quaternion's norm from 1, and of the scalar products of a matrix's columns from those of a
 /// rotation matrix.
@@ -22,7 +23,8 @@ pub(crate) enum Clock {
     Column(usize, f64),
     /// Index of the column of frame numbers, and the frames per second.
     Frame(usize, f64),
-    /// No column: rows are counted from 0, at this number of frames per second.
+    /// The table has neither times nor frame numbers: the time of a row is its index, from 0, divided by this frame
+    /// rate, Hz.
     Count(f64),
 }
 
@@ -51,8 +53,8 @@ pub(crate) struct Layout {
 }
 
 impl Layout {
-    /// Reads the rows of the table from the current one to the end of the file, or to the first row for which `ends`
-    /// returns true.
+    /// Reads the rows of the table into a recording, from the current row to the end of the file or to the first row
+    /// for which `ends` returns true.
     pub fn samples(
         self,
         sheet: &mut Sheet<'_>,

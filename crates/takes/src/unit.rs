@@ -26,7 +26,7 @@ pub enum TimeUnit {
     Millisecond,
 }
 
-/// Minimum length of an abbreviated unit name, characters.
+/// Minimum length of an abbreviated unit name, characters; a shorter text counts only if it is the symbol of a unit.
 const SHORTEST_CUT: usize = 3;
 
 impl LengthUnit {

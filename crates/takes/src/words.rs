@@ -2,7 +2,7 @@
 
 /// Maximum length of a text from an input file in a message, characters; longer texts are truncated.
 const LONGEST: usize = 40;
-/// Maximum number of names listed in a message.
+/// Maximum number of names that [`listed`] writes out; of the remaining names it states only the number.
 const MOST: usize = 12;
 
 /// Quotes and escapes a text from an input file for a message, and truncates it to a bounded length.

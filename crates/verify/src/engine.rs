@@ -51,7 +51,8 @@ impl Entries {
         }
     }
 
-    /// Splits the outputs `out` of the function into values and a dense Jacobian.
+    /// Splits the outputs `out` of the compiled function into its values and its sparse Jacobian entries, and returns
+    /// the values with a dense Jacobian.
     pub fn read(&self, out: &[f64]) -> Derivatives {
         let mut entries = vec![vec![0.0; self.columns]; self.rows];
         for (&(row, column), value) in self.places.iter().zip(&out[self.rows..]) {

@@ -16,7 +16,7 @@ use oracle::{
 /// Name in reports of the check of energy and angular momentum without air.
 pub const INVARIANTS: &str = "flight without air";
 /// Name in reports of the check that compares flights computed from the model's equations with flights computed from
-/// the reference law, which is integrated in momenta.
+/// the reference law. The reference law is integrated with momentum and angular momentum as states.
 pub const MOMENTA: &str = "flight: reference in momenta";
 /// Name in reports of the comparison of the flights of two models.
 const FLIGHTS: &str = "flights";
@@ -200,9 +200,9 @@ fn any_release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>>
     Some(point)
 }
 
-/// Changes a point so that no air acts: the parameter `rho` (air density) and all coefficients are set to 0, or to the
-/// value within their bounds that is closest to 0. Coefficients that the reference law does not contain are set to the
-/// values at which they have no effect.
+/// Changes a point so that no air acts. The parameter `rho` (air density) is set to 0, and every coefficient to 0 or,
+/// if its bounds exclude 0, to the bound closest to 0. Only coefficients that the reference law does not contain are
+/// instead set to their null values, at which they have no effect.
 pub(crate) fn airless(subject: &Subject<'_>, point: &mut Point<f64>) {
     for (constant, value) in subject.model.params.iter().zip(&mut point.params) {
         if constant.name == "rho" {

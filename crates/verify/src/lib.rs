@@ -140,7 +140,8 @@ pub fn same_motion(models: &[Model], options: &Options) -> SameMotion {
     same_motion::compare(&subjects, options)
 }
 
-/// Measures the rounding errors of every backend and every statement of a model at many points.
+/// Measures the rounding errors of every backend, and the bits that every statement of a model loses, at the points of
+/// the detailed report ([`Effort::DETAILS`]).
 pub fn rounding(model: &Model, options: &Options) -> Rounding {
     let compiled = codegen::compile(model);
     let engine = Engine::new(&compiled);

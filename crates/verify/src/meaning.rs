@@ -187,8 +187,8 @@ fn solved(model: &Model, physical: &Physical<f64>, at: &Point<f64>) -> Option<Ve
     (error.amax() <= FOUND).then_some(states)
 }
 
-/// Jacobian, with respect to the states, of the claimed body's position, velocity, axes and angular velocity, each
-/// divided by its scale in `sizes`. `None` if the claimed body cannot be evaluated.
+/// Jacobian, with respect to the states, of the claimed body's position, velocity, unit vectors of the body axes `axes`
+/// and angular velocity. Each row is divided by its scale in `sizes`. `None` if the claimed body cannot be evaluated.
 fn jacobian(
     model: &Model,
     states: &[f64],
@@ -213,8 +213,8 @@ fn jacobian(
     Some(out)
 }
 
-/// Position, velocity, the body axes with the indices `axes` (from 1), and angular velocity of a claimed body,
-/// concatenated.
+/// Components of position, velocity, unit vectors of the body axes `axes` (1, 2 or 3) and angular velocity of a claimed
+/// body, concatenated. For a point mass, position and velocity only.
 fn quantities<T: Real>(body: &ClaimedBody<T>, axes: &[u8]) -> Vec<T> {
     let mut out: Vec<T> = body.position.iter().copied().collect();
     out.extend(body.velocity.iter());

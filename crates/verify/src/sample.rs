@@ -55,7 +55,8 @@ pub fn is_valid(model: &Model, point: &Point<f64>) -> bool {
     limits.all(|limit| tree.scalar(&limit.value) > limit.bound)
 }
 
-/// Whether a point meets each validity limit of the model with a margin of 10 % of max(|bound|, 1).
+/// Whether a point is inside each validity limit of the model by more than 10 % of max(|bound|, 1), where `bound` is
+/// the bound of the limit.
 pub fn within_limits(model: &Model, point: &Point<f64>) -> bool {
     let tree = Tree::new(model, point);
     model

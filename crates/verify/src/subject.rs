@@ -216,7 +216,7 @@ impl Equations for Interpreted<'_> {
     }
 }
 
-/// Equations of motion with their Jacobians.
+/// Equations of motion whose Jacobians can be evaluated at a point.
 pub trait Differentiable: Equations {
     /// State derivatives and observation, with their dense Jacobian with respect to all variables.
     fn derivatives(&self, point: &Point<f64>) -> Derivatives;
@@ -229,7 +229,7 @@ pub trait Differentiable: Equations {
 /// coefficients, components of inputs.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Derivatives {
-    /// Values of the rows.
+    /// State derivatives, then observation components.
     pub values: Vec<f64>,
     /// Entries of the Jacobian, indexed by row and column.
     pub entries: Vec<Vec<f64>>,

@@ -25,7 +25,8 @@ thread_local! {
     static CONTEXT: RefCell<Context> = RefCell::new(Context::default());
 }
 
-/// Evaluates `task` with the given sines and cosines of `angles`; `None` if a value does not exist in the field.
+/// Evaluates `task`, which computes with [`Symbolic`] numbers. Sines and cosines of `angles` and of their small integer
+/// multiples follow from the given (sine, cosine). `None` if a value does not exist in the prime field.
 pub fn evaluate<R>(angles: Vec<Angle>, task: impl FnOnce() -> R) -> Option<R> {
     let fresh = Context {
         angles,

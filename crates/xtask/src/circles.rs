@@ -15,7 +15,7 @@ use crate::source;
 /// Path of a module from its crate's root, one name per segment; empty for the root itself.
 type ModulePath = Vec<String>;
 
-/// Imports, re-exports and definitions of a file. All paths start at the crate's root.
+/// Imports, re-exports and definitions of a source file. All paths to items start at the crate's root.
 #[derive(Default)]
 struct Module {
     file: PathBuf,
@@ -24,7 +24,7 @@ struct Module {
     /// For each `use` declaration of the file, maps the name that it introduces (`b` in `use a::b`) to the path of the
     /// imported item.
     exports: BTreeMap<String, Vec<String>>,
-    /// Modules whose public names are imported by a glob.
+    /// Paths of the modules from which the file imports all public names, as in `use a::*`.
     globs: Vec<Vec<String>>,
     /// Names of the items that the file defines, such as types and functions.
     defined: BTreeSet<String>,
@@ -101,8 +101,8 @@ struct Reader<'m> {
 }
 
 impl Reader<'_> {
-    /// Resolves a path of the file to a path from the crate's root; `None` if the path is empty or leads above the
-    /// root.
+    /// Converts a path in the source code of the file, such as `super::a::b`, to a path from the crate's root. `None`
+    /// if the path is empty or leads above the root.
     fn absolute(&self, path: &[String]) -> Option<Vec<String>> {
         let mut base = self.here.clone();
         let mut rest = path;

@@ -45,7 +45,8 @@ pub fn check(root: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Messages about dependencies of the workspace's packages that no Rust file of the package names.
+/// One message for each dependency that a package of the workspace declares, but that no Rust file of the package uses.
+/// Build dependencies are not checked.
 fn unused(metadata: &Metadata) -> Result<Vec<String>> {
     let mut faults = Vec::new();
     for package in metadata.workspace_packages() {

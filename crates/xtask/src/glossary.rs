@@ -7,10 +7,11 @@ use anyhow::{Result, bail};
 
 use crate::source;
 
-/// Heading of the glossary's table column whose names are checked.
+/// Heading of the column of the tables in `docs/glossary.md` that lists names of types, each of which must occur in the
+/// source.
 const COLUMN: &str = "type";
 
-/// Returns an error if a name in the glossary's column of types occurs in no source file.
+/// Returns an error if a name in the column [`COLUMN`] of `docs/glossary.md` occurs in no source file.
 pub fn check(root: &Path) -> Result<()> {
     let mut words = BTreeSet::new();
     for folder in source::crates(root)? {
@@ -44,7 +45,8 @@ pub fn check(root: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Names in backticks in the glossary's column of types, each reduced to its last path segment.
+/// Names in backticks in the column [`COLUMN`] of the tables of the Markdown text `page`, each reduced to its last path
+/// segment.
 fn names(page: &str) -> Vec<String> {
     let mut column = None;
     let mut names = Vec::new();

@@ -69,8 +69,10 @@ impl Checker<'_> {
         }
     }
 
-    /// Reports an attitude that is neither three rotations nor one quaternion, and frames that are not on the path from
-    /// the inertial to the body-fixed frame.
+    /// Reports an error if the path from the inertial to the body-fixed frame is neither three rotations (successive
+    /// ones about different axes) nor one quaternion, if a frame is not on this path, or if the `angular velocity` that
+    /// the body states is incompatible with the path: a quaternion requires it, in the body-fixed frame, and three
+    /// rotations do not permit it.
     pub fn attitude(&mut self, body: &ast::Body, parts: &Parts<'_>) {
         let Some(rotation) = self.model.body.as_ref().and_then(|b| b.rotation.as_ref()) else {
             return;

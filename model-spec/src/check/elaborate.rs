@@ -7,7 +7,8 @@ use crate::model::{Expr, ExprKind, Shape};
 use crate::syntax::ast::{self, BinaryOp};
 use crate::unit::{Unit, symbol};
 
-/// Maximum magnitude of twice the exponent of a power: `x^64` is the largest power.
+/// Maximum magnitude of twice the exponent of a power in an expression: `x^64` is the largest power, and larger
+/// exponents are reported as an error.
 const MAX_DOUBLED_EXPONENT: f64 = 128.0;
 
 /// Creates an expression node with the provisional unit 1; [`Checker::finish`] assigns the final unit.

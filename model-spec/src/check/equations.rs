@@ -38,7 +38,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Appends to `definitions` the equations `der(STATE) = …` whose derivative is referenced in an expression.
+    /// Appends to `definitions` each stated equation `der(STATE) = …` whose left-hand side `der(STATE)` also occurs in
+    /// an expression of the file, so that the expression can refer to its value.
     fn used_derivatives(&mut self, definitions: &mut Vec<Defining<'a>>) {
         let file = self.file;
         let mut used: HashSet<usize> = HashSet::new();

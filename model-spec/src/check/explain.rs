@@ -19,7 +19,8 @@ struct Leaf {
     term: Term,
     /// Source span of the name's declaration, or of the literal.
     span: Span,
-    /// Whether the operand is declared in the file, so that [`Leaf::span`] can be labelled.
+    /// Whether the operand is a name that is declared in the file, so that a message can label the declaration; `false`
+    /// for literals and predefined quantities such as `velocity`.
     declared: bool,
 }
 
@@ -248,8 +249,9 @@ impl Checker<'_> {
         }
     }
 
-    /// Suggests a factor for one term of a sum in which two different units occur, so that the units agree; `None` if
-    /// no single factor achieves this, or if more than two units occur.
+    /// Suggests a factor for one of the expressions `terms`, which must have equal units but have two different ones,
+    /// so that the units agree. Each element of `groups` holds the indices into `terms` of expressions with equal
+    /// units. `None` if no single factor achieves this, or if there are more than two groups.
     fn advice(&self, terms: &[Typed], groups: &[Vec<usize>]) -> Option<String> {
         let [a, b] = groups else { return None };
         // The unit of the group with more terms is assumed to be the expected one.
@@ -258,8 +260,9 @@ impl Checker<'_> {
         self.missing_factor(&terms[odd[0]], unit(odd[0])?, unit(even[0])?)
     }
 
-    /// Suggests to remove one named quantity from the expression, or to divide or multiply the expression by one, so
-    /// that its unit `found` becomes `expected`; `None` if no declared quantity has this effect.
+    /// Suggests how the unit `found` of an expression becomes `expected`: by removing a declared quantity from the
+    /// expression, or by dividing or multiplying the expression by a declared quantity. `None` if no declared quantity
+    /// has the required unit.
     fn missing_factor(&self, typed: &Typed, found: Unit, expected: Unit) -> Option<String> {
         let text = self.text(typed.expr.span);
         let excess = found.checked_div(expected)?;

@@ -70,7 +70,8 @@ impl Checker<'_> {
         }
     }
 
-    /// Computes the unit of every expression of the model bottom-up.
+    /// Computes the unit of every expression of the model from the units of its operands, and stores it in the
+    /// expression.
     fn assign(&mut self) {
         let model = &mut self.model;
         let mut tables = Tables {
@@ -100,7 +101,8 @@ fn bare_zero(e: &Expr) -> bool {
     matches!(e.kind, ExprKind::Number { value: 0.0, .. }) && e.unit == Unit::ONE
 }
 
-/// Mutable references to the root expressions of a model, except the definitions of auxiliary variables.
+/// Mutable references to the expressions of a model that are not part of another expression, such as the mass and the
+/// right-hand sides of loads and equations. The definitions of auxiliary variables are omitted.
 fn expressions(model: &mut crate::model::Model) -> Vec<&mut Expr> {
     let mut all: Vec<&mut Expr> = Vec::new();
     if let Some(body) = &mut model.body {
@@ -124,8 +126,8 @@ fn expressions(model: &mut crate::model::Model) -> Vec<&mut Expr> {
     all
 }
 
-/// Units of the known constants, coefficients, inputs, states, tables and auxiliary variables, indexed like the vectors
-/// of the model.
+/// Units of the known constants, coefficients, inputs, states, tables and auxiliary variables of a model, each by its
+/// index in the corresponding vector of [`crate::model::Model`].
 struct Tables {
     params: Vec<Unit>,
     coefficients: Vec<Unit>,

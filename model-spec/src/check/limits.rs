@@ -12,7 +12,8 @@ use crate::unit::Unit;
 /// attitude away from gimbal lock, where that cosine (or sine) is 0.
 const GIMBAL_LIMIT: f64 = 0.01;
 
-/// Maximum number of validity limits in a model. It bounds the run time, as every divisor is compared with each limit.
+/// Maximum number of validity limits that a model states; a further limit is reported as an error. It bounds the run
+/// time, because every divisor is compared with each limit.
 const MAX_LIMITS: usize = 100;
 
 impl Checker<'_> {
@@ -67,7 +68,8 @@ impl Checker<'_> {
     }
 
     /// Adds the validity limit that avoids gimbal lock: a lower bound of the cosine of the second of the three attitude
-    /// angles, or of its sine if the first and third rotations are about axes of the same number.
+    /// angles, or of the sine of this angle if the first and third rotations are about axes of the same number, such as
+    /// 3-1-3. Adds nothing if the attitude is not given by three angles or the model already states such a limit.
     fn attitude_limit(&mut self) {
         let Some(rotation) = self.model.body.as_ref().and_then(|b| b.rotation.as_ref()) else {
             return;

@@ -27,8 +27,8 @@ pub(super) struct Defining<'a> {
     pub span: Span,
 }
 
-/// Calls `visit` for each name in the expression `e`. Its arguments are the name, whether the name is the state in a
-/// `der(STATE)`, and the source span of the name.
+/// Calls `visit` for each name in the expression `e`. The arguments of `visit` are the name, whether the name is the
+/// state in a `der(STATE)`, and the source span of the name or of the whole `der(STATE)`.
 pub(super) fn uses<'e>(e: &'e Expr, visit: &mut dyn FnMut(&'e str, bool, Span)) {
     match &e.kind {
         ExprKind::Name(name) => visit(name, false, e.span),

@@ -145,7 +145,8 @@ impl Checker<'_> {
         true
     }
 
-    /// Adds a table's name to the functions; reports an error if a function or table already has this name.
+    /// Declares a table's name as that of a function that expressions can call; reports an error if a built-in function
+    /// or another table already has this name.
     pub fn define_table(&mut self, name: &Name, index: usize) {
         let fault = Diagnostic::new(Kind::Duplicate, name.span, String::new());
         let (text, span) = (&name.text, name.span);

@@ -157,8 +157,8 @@ impl<'m> Signs<'m> {
         }
     }
 
-    /// Factor, for the error message, that may be zero and so makes the divisor `e` zero; `e` itself if no single such
-    /// factor is identified.
+    /// Factor of the divisor `e` that may be zero, so that the error message can name this factor; `e` itself if no
+    /// single such factor is identified.
     fn culprit<'e>(&self, e: &'e Expr) -> &'e Expr {
         match &e.kind {
             ExprKind::Mul(a, b) if !self.of(a).never_zero() && self.of(b).never_zero() => {
@@ -188,8 +188,9 @@ fn named<'m>(model: &'m Model, e: &'m Expr) -> &'m Expr {
     }
 }
 
-/// Root expressions of a model: mass, inertia, auxiliary variables, loads, equations, claim, observation, clock rate,
-/// validity limits.
+/// All expressions of a model that are not part of another expression: mass, entries of the inertia tensor, right-hand
+/// sides of auxiliary variables, loads and equations, expressions of the claim, observation, clock rate, validity
+/// limits.
 fn roots(model: &Model) -> Vec<&Expr> {
     let mut all: Vec<&Expr> = Vec::new();
     if let Some(body) = &model.body {
@@ -302,7 +303,8 @@ impl Checker<'_> {
     }
 }
 
-/// Calls `visit` on each factor of a product; signs and exponents are ignored.
+/// Calls `visit` on each factor of a product. For a negated factor or a power, `visit` gets the expression without the
+/// sign or the exponent. An expression other than a product is its only factor.
 fn factors<'e>(e: &'e Expr, visit: &mut dyn FnMut(&'e Expr)) {
     match &e.kind {
         ExprKind::Mul(a, b) => {

@@ -6,12 +6,12 @@ use super::Checker;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{Expr, ExprKind, Function, Shape};
 
-/// Maximum number of factors of a product, where a power counts as repeated factors. It bounds the size of the compiled
-/// model.
+/// Maximum number of factors of a product, where a power counts as repeated factors; more are reported as an error. It
+/// bounds the size of the compiled model.
 pub(crate) const MAX_FACTORS: u64 = 1_000;
 
-/// Maximum number of scalar operations of a model, counted before differentiation. It bounds the size of the compiled
-/// model.
+/// Maximum number of scalar operations of a model, counted before differentiation; more are reported as an error. It
+/// bounds the size of the compiled model.
 pub(crate) const MAX_OPERATIONS: u64 = 10_000;
 
 /// Estimated size of an expression in the compiled model, where nested sums form one sum and nested products one

@@ -100,8 +100,8 @@ impl Checker<'_> {
             ))
     }
 
-    /// Common unit of expressions; [`UnitOf::Faulty`], with a single error reported, if they differ. `rule` begins the
-    /// message.
+    /// Common unit of the expressions `terms`; [`UnitOf::Faulty`], with a single error reported, if their units differ.
+    /// `rule` begins the error message.
     pub fn same_unit(&mut self, terms: &[Typed], span: Span, rule: &str) -> UnitOf {
         let mut groups: Vec<Vec<usize>> = Vec::new();
         let mut faulty = false;

@@ -17,12 +17,12 @@ const MAX_TABLES: usize = 100;
 /// Minimum difference between the arguments of adjacent knots, as a fraction of the range from the first to the last
 /// argument; knots closer than this are reported as an error.
 const MIN_WIDTH: f64 = 1e-9;
-/// Decimal exponent that limits the numbers of a table: absolute values are at most 10^60, and intervals between knots
-/// are wider than 10^-60, SI.
+/// Decimal exponent that limits the numbers of a table: an absolute value above 10^60, or an interval between adjacent
+/// knots of at most 10^-60, SI, is reported as an error.
 const MAX_EXPONENT: f64 = 60.0;
 
 impl Checker<'_> {
-    /// Checks the declaration of a table, adds it to the model, and adds its name to the functions.
+    /// Checks the declaration of a table, adds the table to the model, and declares its name as that of a function.
     pub fn table(&mut self, table: &ast::Table, item: &Item) {
         let units = [&table.argument_unit, &table.unit].map(|unit| self.unit_of_table(unit));
         let index = self.model.tables.len();
@@ -99,8 +99,9 @@ impl Checker<'_> {
         Some(own.of(&number.number).0)
     }
 
-    /// Checks that the number of knots is permitted, that their arguments increase by at least the minimum distance,
-    /// and that no argument or value is too large.
+    /// Checks the knots of a table, as pairs of argument and value, SI, and reports the first violation: number of
+    /// knots from [`MIN_KNOTS`] to [`MAX_KNOTS`], arguments increasing and not too close together ([`MIN_WIDTH`]), and
+    /// no number beyond the limits of [`MAX_EXPONENT`].
     fn knots(&mut self, table: &ast::Table, knots: &[(f64, f64)]) {
         let name = &table.name.text;
         if !(MIN_KNOTS..=MAX_KNOTS).contains(&knots.len()) {

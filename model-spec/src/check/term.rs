@@ -11,7 +11,8 @@ use crate::unit::Unit;
 /// Maximum number of unknown units in one product; a unit with more is an error.
 const MAX_UNKNOWNS: usize = 32;
 
-/// Maximum magnitude of numerator and denominator of a unit exponent; sums of such fractions stay within `i64`.
+/// Maximum magnitude of numerator and denominator of a unit exponent, so that sums of such fractions stay within `i64`.
+/// A unit with a greater numerator or denominator is an error.
 const MAX_PART: i32 = 4096;
 
 /// Rational exponent in lowest terms, with positive denominator.
@@ -218,7 +219,8 @@ impl Units {
         term.is_some_and(|term| term.unknowns().any(|u| self.is_solved(u)))
     }
 
-    /// Substitutes solutions for the unknowns of a unit once, without recursion; `None` if an exponent is out of range.
+    /// Replaces each solved unknown in a unit by its stored solution. Unknowns in these solutions are not replaced.
+    /// `None` if an exponent is out of range.
     fn substituted(&self, term: &Term) -> Option<Term> {
         let mut result = term.known_part();
         for &(index, power) in &term.unknowns {
@@ -283,7 +285,8 @@ impl Units {
         Ok(())
     }
 
-    /// Unit of an unknown, as far as it is determined; it may still contain unknowns.
+    /// Solution of an unknown unit: a product in which only undetermined unknowns occur. If the unknown itself is
+    /// undetermined, it is returned as the product.
     pub fn solution(&self, unknown: u32) -> Term {
         self.resolve(&Term::unknown(unknown))
     }

@@ -174,8 +174,8 @@ impl<'a> Checker<'a> {
         { declared }.find(|d| d.name.span == name)
     }
 
-    /// Sentence that proposes a unit for each declaration in `needed`, for at most [`MAX_SUGGESTED`] of them; `None` if
-    /// `needed` is empty.
+    /// Sentence that proposes units for declarations without a unit: the pairs of declaration and unit in `needed`, of
+    /// which only the first [`MAX_SUGGESTED`] are used. `None` if `needed` is empty.
     fn suggestion(&self, needed: &[(Declared<'_>, Unit)]) -> Option<String> {
         let listed = |texts: Vec<String>| texts.join(" and ");
         let shown = &needed[..needed.len().min(MAX_SUGGESTED)];

@@ -80,7 +80,7 @@ pub struct Binding {
 }
 
 impl Binding {
-    /// Collects the names of a checked model.
+    /// Collects the names that a checked model declares, with their kinds (scalar or vector) and units.
     pub fn new(model: &Model) -> Binding {
         let mut values = BTreeMap::new();
         let mut add = |name: &str, is_vector: bool, unit: Unit| {
@@ -230,9 +230,10 @@ impl Binding {
         }
     }
 
-    /// Tests a statement that an effect adds. Returns the name of the value that the statement declares, or `None` if
-    /// it declares no value but, for example, a force. Returns an error if the model already uses the name, or if the
-    /// model lacks the body on which a load would act.
+    /// Tests whether a statement that an effect adds is compatible with the model. Returns the name of the parameter,
+    /// state, auxiliary variable or input that the statement declares, or `None` if it declares something else, such as
+    /// a force. Returns an error if the model already declares the name, or lacks the frame of an input or the body on
+    /// which a load acts.
     fn declared<'e>(&self, item: &'e ItemKind) -> Result<Option<&'e str>, Unmet> {
         let name = match item {
             ItemKind::Parameter(own) => &own.name,

@@ -49,7 +49,8 @@ pub struct KnownEffect {
     pub effect: EffectTree,
     /// Where the effect is defined: in the model's file, in the built-in library, or by generation from an equation.
     pub origin: Origin,
-    /// Reason why a diagnosis of the model does not consider the effect as missing; `None` if it does.
+    /// Reason why a diagnosis does not consider the effect as a possibly missing effect of the model; `None` if the
+    /// diagnosis considers the effect.
     pub refused: Option<Refused>,
 }
 
@@ -57,8 +58,8 @@ pub struct KnownEffect {
 /// built-in effects, and effects generated for the model's stated equations. If several effects have the same name,
 /// only the first is returned.
 ///
-/// An effect is a candidate if a diagnosis may propose it as missing from the model. This is determined by names and
-/// units, without applying the effect.
+/// [`KnownEffect::refused`] states whether a diagnosis considers the effect as possibly missing from the model. This is
+/// determined from names and units, without applying the effect.
 pub fn known_effects(model: &Model) -> Vec<KnownEffect> {
     let tree = ModelTree::of(model);
     let binding = Binding::new(model);

@@ -11,7 +11,7 @@ use crate::syntax::ast::{Equation, ExprKind, File, ItemKind, State, UnitExpr, Un
 const MAX_EQUATIONS: usize = 24;
 
 /// Generates three effects per stated equation, each of which adds a term to the derivative of the state. Equations
-/// whose right-hand side is only the name of a state are skipped. Empty if the model has a body.
+/// whose right-hand side is only the name of a state are skipped. No effects are generated for a model with a body.
 pub(super) fn rate_effects(file: &File) -> Vec<EffectTree> {
     let has_body = file
         .items
@@ -46,7 +46,7 @@ fn states(file: &File) -> Vec<&State> {
     .collect()
 }
 
-/// All stated equations of a file; an equation that an applied effect has replaced occurs in its replaced form.
+/// All stated equations of a file. If an applied effect has replaced an equation, only the replacement is included.
 fn equations(file: &File) -> impl Iterator<Item = &Equation> {
     file.items.iter().filter_map(|item| match &item.kind {
         ItemKind::Equation(equation) => Some(equation),
@@ -110,7 +110,7 @@ fn of_equation(state: &State) -> impl Iterator<Item = EffectTree> {
         .filter_map(|text| EffectTree::parse("stated equations", &text).ok())
 }
 
-/// Text of a unit divided by a power of the second.
+/// Text of the unit `unit` divided by s^`power`. If `unit` is `None`, the unit 1 is divided.
 fn per_second(unit: Option<&UnitExpr>, power: i32) -> String {
     let mut factors = unit.map_or_else(Vec::new, |unit| unit.factors.clone());
     match factors.iter_mut().find(|factor| factor.symbol == "s") {

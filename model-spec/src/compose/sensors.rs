@@ -78,7 +78,7 @@ impl Model {
     }
 
     /// Returns the model with an auxiliary variable for each instrument whose default definition is valid for the
-    /// model; the other instruments are omitted. A point mass gets only the speed.
+    /// model; the other instruments are omitted. For a point mass, only [`Instrument::Speed`] remains.
     pub fn with_every_instrument(&self) -> Model {
         let all = Instrument::ALL.into_iter();
         all.fold(self.clone(), |model, instrument| {

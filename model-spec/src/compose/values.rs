@@ -247,7 +247,8 @@ fn si_value(number: &Number, unit: Option<&UnitExpr>) -> f64 {
     }
 }
 
-/// Converts a unit to an expression of SI symbols, in which every node has the source span `span`.
+/// Converts a unit to a unit expression of SI symbols, in which every node has the source span `span`. `None` if the
+/// text of the unit cannot be parsed as a unit.
 fn unit_expr(unit: Unit, span: Span) -> Option<UnitExpr> {
     let Parsed { file, .. } = syntax::parse("unit", &format!("param x = 1 [{unit}];"));
     let ItemKind::Parameter(parameter) = &file.items.first()?.kind else {

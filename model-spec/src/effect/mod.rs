@@ -22,7 +22,8 @@ pub const VARIABLES: [&str; 9] = [
     "alpha", "spin", "speed", "rates", "height", "time", "position", "attitude", "none",
 ];
 
-/// Maximum number of statements in an effect. It bounds the run time, as each statement searches the whole model.
+/// Maximum number of statements in an effect; more are reported as an error. It bounds the run time, because the whole
+/// model is searched for each statement.
 const MAX_STATEMENTS: usize = 500;
 
 /// Returns a copy of `file` with `effect` applied, or the errors. The statements that the effect adds come last.
@@ -207,7 +208,8 @@ impl Change<'_> {
         }
     }
 
-    /// Whether the file declares an identical input; effects that declare identical inputs share it.
+    /// Whether `item` is the declaration of an input that the model or a previously applied effect has already declared
+    /// identically, so that `item` need not be added.
     fn has_input(&self, item: &Item) -> bool {
         let ItemKind::Input(wanted) = &item.kind else {
             return false;

@@ -10,8 +10,8 @@ use crate::syntax::ast::{
     Quantity,
 };
 
-/// Maximum number of syntax-tree nodes of a definition after `previous` has been substituted. It bounds the growth of a
-/// definition that many effects replace.
+/// Maximum number of syntax-tree nodes of a definition after `previous` has been substituted; a longer definition is
+/// reported as an error. It bounds the growth of a definition that many effects replace in turn.
 const MAX_NODES: usize = 20_000;
 
 impl Change<'_> {

@@ -188,7 +188,8 @@ fn replace_names(e: &mut Expr, by: &HashMap<String, Expr>) {
     e.children_mut(&mut |child| replace_names(child, by));
 }
 
-/// Mutable references to the right-hand sides of an effect's statements and the entries of its inertia tensor.
+/// Mutable references to the right-hand sides of the statements that an effect adds or replaces, and to the entries of
+/// the inertia tensor that it states.
 fn expressions(effect: &mut Effect) -> impl Iterator<Item = &mut Expr> {
     effect.parts.iter_mut().flat_map(|part| match part {
         EffectPart::Replace(item) | EffectPart::Add(item) => {
@@ -227,7 +228,8 @@ fn declared_by(effect: &Effect) -> impl Iterator<Item = &str> {
     })
 }
 
-/// Names of all values that a file declares, including the states of its frames and body.
+/// Names of all parameters, inputs, input components, states, auxiliary variables and markers that a file declares. The
+/// states that the declarations of frames and of the body introduce are included.
 fn declared(file: &File) -> HashSet<String> {
     let mut names = HashSet::new();
     let mut add = |name: &str| names.insert(name.to_owned());

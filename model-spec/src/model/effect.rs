@@ -64,7 +64,7 @@ pub struct OfferedEffect {
 pub struct EffectUnknown {
     /// Index into [`Model::coefficients`] for a coefficient, or into [`Model::states`] for a state.
     pub index: usize,
-    /// Value at which the effect is absent, SI; equal to the default value.
+    /// Value at which the effect is absent, SI; equal to the default value of the coefficient or state.
     pub null_value: f64,
     /// Smallest difference from [`EffectUnknown::null_value`] that matters in practice (smallest effect size of
     /// interest), SI; `None` if not stated.

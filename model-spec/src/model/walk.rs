@@ -3,7 +3,8 @@
 use super::{Expr, ExprKind, FrameKind, Model, ValidityLimit};
 use crate::source::Span;
 
-/// The body of [`Expr::children`] and [`Expr::children_mut`], which differ in the kind of reference alone.
+/// Function body of [`Expr::children`] and [`Expr::children_mut`], which differ only in the kind of reference (shared
+/// or mutable).
 macro_rules! visit_children {
     ($kind:expr, $visit:expr, $iter:ident) => {{
         use ExprKind as K;

@@ -6,8 +6,8 @@ use super::quantity::superscript_value;
 use super::token::Token;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 
-/// Maximum height of an expression's syntax tree, in nodes from root to leaf. It bounds the recursion depth of later
-/// passes.
+/// Maximum height of an expression's syntax tree, in nodes from root to leaf; a higher tree is a syntax error. It
+/// bounds the recursion depth of later passes.
 pub(crate) const MAX_HEIGHT: u32 = 200;
 
 const SIGN: u8 = 25;

@@ -5,7 +5,8 @@ use super::token::{self, Lexed, Lexeme, Token};
 use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
 use crate::suggest;
 
-/// Maximum nesting depth of brackets, calls, signs and powers. It bounds the recursion depth of the parser.
+/// Maximum nesting depth of brackets, calls, signs and powers; deeper nesting is a syntax error. It bounds the
+/// recursion depth of the parser.
 const MAX_DEPTH: u32 = 64;
 
 /// Keywords that begin a statement.

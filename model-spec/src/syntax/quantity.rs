@@ -8,7 +8,8 @@ use crate::diagnostic::{Diagnostic, Kind, Span};
 /// Keywords that may follow a literal and must not be parsed as units.
 const FOLLOWING: [&str; 4] = ["in", "within", "about", "on"];
 
-/// Maximum magnitude of twice the exponent of a unit: `m^63` is the largest power.
+/// Maximum magnitude of twice the exponent of a unit symbol: `m^63` is the largest power, and larger exponents are
+/// reported as an error.
 const MAX_DOUBLED_EXPONENT: i32 = 126;
 
 impl Parser<'_> {

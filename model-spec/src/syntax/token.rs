@@ -281,10 +281,10 @@ pub(super) fn name_of(lexeme: Lexeme, text: &str) -> String {
     }
 }
 
-/// Maximum length of a source excerpt in a message, characters.
+/// Maximum length of a source excerpt in a message, characters; longer excerpts are truncated.
 const MAX_QUOTED: usize = 60;
 
-/// Truncates a text to [`MAX_QUOTED`] characters.
+/// Truncates a text to [`MAX_QUOTED`] characters, of which the last is then `…`; shorter texts are returned unchanged.
 pub(crate) fn clip(raw: &str) -> String {
     if raw.chars().nth(MAX_QUOTED).is_none() {
         return raw.to_owned();

@@ -44,7 +44,7 @@ struct Variable {
 }
 
 /// Generates a term library for a model. `None` if there is nothing to which a term can be added: the model has no
-/// body, and no stated equation is suitable.
+/// body, and the right-hand side of each of its own stated equations is only the name of a state.
 pub(super) fn library(model: &Model) -> Option<LibraryFile> {
     let (mut loads, channels) = match &model.body {
         Some(body) => channels_of_body(model, body),

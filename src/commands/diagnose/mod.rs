@@ -167,7 +167,7 @@ fn verified(text: &str) -> anyhow::Result<Verified> {
     })
 }
 
-/// The files to be written to the folder `--out`.
+/// Result files of `hyzer diagnose`, which are written to the folder `--out`.
 fn results(
     dataset: &Dataset,
     name: &str,

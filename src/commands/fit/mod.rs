@@ -105,7 +105,7 @@ pub(super) fn dataset_name(folder: &Path) -> String {
     )
 }
 
-/// The files to be written to the folder `--out`.
+/// Result files of `hyzer fit`, which are written to the folder `--out`.
 fn results(
     from: &Path,
     model: &Model,
@@ -198,7 +198,8 @@ pub(super) fn model_of(
     }
 }
 
-/// The instant `seconds` from now; `None` if there is no limit or the clock cannot represent it.
+/// Deadline of a computation that the option `--max-seconds` limits to `seconds`; `None` without this option, or if the
+/// clock cannot represent the deadline. An error if `seconds` is not a finite number above 0.
 pub(super) fn deadline(seconds: Option<f64>) -> anyhow::Result<Option<Instant>> {
     let Some(seconds) = seconds else {
         return Ok(None);

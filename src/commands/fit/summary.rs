@@ -137,7 +137,8 @@ fn table(head: &[&str]) -> Table {
     table
 }
 
-/// Table of the coefficients in the order of the model, followed by freed parameters.
+/// Terminal table of the estimates of a fit: the coefficients, in the order in which the model declares them, then the
+/// parameters that the fit estimated too.
 fn coefficients(model: &Model, report: &FitReport) -> Table {
     let mut table = table(&[
         "coefficient",

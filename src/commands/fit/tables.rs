@@ -3,7 +3,7 @@
 use identify::dataset::{Dataset, Role};
 use identify::{Fit, FitReport};
 
-/// CSV table of the coefficients: a row per coefficient.
+/// CSV table of the estimates of a fit: a row per coefficient, with its standard errors and 95 % interval.
 pub fn coefficients(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record([
@@ -34,7 +34,7 @@ pub fn coefficients(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     Ok(table.into_inner()?)
 }
 
-/// CSV table of the correlation matrix of the coefficients.
+/// CSV table of the correlation matrix of the estimated coefficients.
 pub fn correlations(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_field("name")?;
@@ -46,7 +46,8 @@ pub fn correlations(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     Ok(table.into_inner()?)
 }
 
-/// CSV table of the flights: a row per flight.
+/// CSV table of the flights of a fit: a row per flight, with its role, its number of samples, the RMS residual (m), the
+/// number of outliers and the time (s) at which the flight was truncated.
 pub fn flights(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record([

@@ -16,8 +16,8 @@ use crate::cli::Import;
 /// Maximum magnitude of the value of `--centre-height`, m; larger values suggest millimetres.
 const FARTHEST: f64 = 2.0;
 
-/// A template (the marker positions on the body) estimated from recordings, a text on how it was estimated, and a
-/// comment for each marker.
+/// A template (the marker positions on the body) estimated from recordings, a text on how it was estimated, and for
+/// each marker the comment that is written above its position in `dataset.toml`.
 pub struct Estimated {
     pub template: Template,
     pub decisions: String,
@@ -26,8 +26,9 @@ pub struct Estimated {
     pub origin_error: [f64; 3],
 }
 
-/// Estimates the positions on the body of the points that move as one rigid body in every recording with a throw. For
-/// each label that is not a valid marker name, a valid name is added to `names`.
+/// Estimates the positions on the body of the points that move as one rigid body in every recording with a throw.
+/// `names` maps labels of the recordings to marker names; for each label that is not a valid marker name and has no
+/// entry, an entry with a valid name is added.
 pub fn estimated(
     options: &Import,
     reading: &ReadOptions,

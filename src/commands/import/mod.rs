@@ -132,7 +132,7 @@ pub fn run(options: &Import) -> anyhow::Result<Answer> {
     Ok(Answer::Yes)
 }
 
-/// Options of reading the recordings, from the command line.
+/// Options for reading the recordings (format, units, frame rate), parsed from the command-line options.
 fn reading(options: &Import) -> anyhow::Result<ReadOptions> {
     let chosen = |name: &str, text: &Option<String>, expected: &str| match text {
         Some(text) => format!("--{name}: found {text:?}, expected {expected}"),

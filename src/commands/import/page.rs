@@ -6,9 +6,9 @@ use takes::{Cut, Motion, Take, Throw};
 
 use super::template::Followed;
 
-/// Minimum duration of the recording before and after a flight that its figures show, s.
+/// Minimum duration, s, of the intervals before and after a flight that the figures of the flight show too.
 const AROUND: f64 = 0.5;
-/// Maximum number of pairs of markers whose distances are shown.
+/// Maximum number of pairs of markers whose distances the figures of a flight show; further pairs are omitted.
 const MOST_PAIRS: usize = 45;
 
 /// Data from which the figures of flights are made: a recording with z up, and the points or the body in it whose
@@ -40,8 +40,8 @@ impl Shown<'_> {
         }
     }
 
-    /// Reduces a time window (s) of the recording to the time from the first to the last sample in which the body is
-    /// seen.
+    /// Reduces a time window (s) to the interval from the first to the last sample of the recording in the window in
+    /// which the motion of the body is known.
     fn seen(&self, (from, to): (f64, f64)) -> (f64, f64) {
         let times = self.motion.map_or(&[][..], |motion| &motion.times);
         let mut inside = times.iter().filter(|time| from <= **time && **time <= to);
@@ -70,8 +70,8 @@ impl Shown<'_> {
         curves
     }
 
-    /// Distances of all pairs of markers in a time window; empty if the markers follow from the pose of a body, because
-    /// their distances are then constant.
+    /// Measured distances of pairs of markers, at most [`MOST_PAIRS`], over a time window (s); empty if the marker
+    /// positions are computed from the pose of a body, because their distances are then constant.
     fn distances(&self, window: (f64, f64)) -> Vec<Distance> {
         if self.followed.is_pose() {
             return Vec::new();
@@ -117,7 +117,8 @@ impl Shown<'_> {
     }
 }
 
-/// Height of the body, m, over time, s, for the whole recording; empty if the motion of the body is unknown.
+/// Height of the centroid of the followed points over the whole recording, as pairs of time (s) and height (m); empty
+/// if the motion is unknown.
 pub fn heights(motion: Option<&Motion>) -> Vec<(f64, f64)> {
     motion.map_or_else(Vec::new, |motion| {
         motion

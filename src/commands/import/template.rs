@@ -89,7 +89,7 @@ impl Template {
 
     /// Selects the points of the recording `take` that are the template's markers: the label of such a point, or the
     /// name to which `labels` maps the label, is the name of the marker. If no point matches, selects the recording's
-    /// only body.
+    /// only body. An error if only some markers match, or if there is not exactly one body.
     pub fn followed(
         &self,
         take: &Take,

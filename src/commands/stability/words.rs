@@ -69,7 +69,8 @@ pub fn table(model: &str, found: &Found) -> String {
     text
 }
 
-/// Text table of modes.
+/// Text table of the modes of the linearised motion: one line per mode with frequency, decay rate, damping ratio and
+/// period.
 fn modes(of: &Modes) -> String {
     let mut text = format!(
         "  {:14} {:>12} {:>12} {:>9} {:>10}\n",
@@ -97,7 +98,7 @@ fn modes(of: &Modes) -> String {
     text
 }
 
-/// Sentences on the stability criteria at one instant.
+/// Sentences on the aerodynamic derivatives and the stability criteria at one instant of a flight.
 pub fn of_criteria(instant: &Instant) -> Vec<String> {
     let (d, c) = (&instant.derivatives, &instant.criteria);
     let holds = |holds: bool| if holds { "holds" } else { "fails" };
@@ -142,7 +143,8 @@ pub fn nutation(modes: &Modes) -> Option<&Mode> {
     modes.modes.iter().find(|mode| kinds.contains(&mode.kind))
 }
 
-/// Minimum decay rate, 1/s, of all modes except those of the kinds nutation, heading and spin.
+/// Minimum decay rate, 1/s, of all modes except those of the kinds nutation, heading and spin; negative if one of the
+/// examined modes grows, infinite if there is none.
 pub fn slowest(modes: &Modes) -> f64 {
     let others = modes.modes.iter().filter(|mode| {
         !matches!(
@@ -204,7 +206,8 @@ pub fn json(model: &str, found: &Found) -> Value {
     })
 }
 
-/// CSV table with a row per mode of each instant.
+/// CSV table of the modes at the given instants: a row per instant and mode, with the stability criteria at the instant
+/// (1 if fulfilled, otherwise 0).
 pub fn csv(instants: &[Instant]) -> String {
     let mut text = String::from(
         "t_s,speed_m_s,spin_rpm,mode,real_1_s,imaginary_rad_s,gyroscopic,incidence,wobble\n",

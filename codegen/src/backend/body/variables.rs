@@ -90,7 +90,8 @@ impl Variables {
         }
     }
 
-    /// For each inlined statement, the name of the variable or output whose expression contains it.
+    /// For each inlined statement, by statement index, the name of the variable or output whose expression contains the
+    /// statement; the entries of other statements are not used.
     fn owners(&self, function: &Function) -> Vec<Option<String>> {
         let program = &function.program;
         let mut owners: Vec<Option<String>> = vec![None; program.statements.len()];

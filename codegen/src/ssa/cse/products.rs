@@ -71,9 +71,10 @@ fn count(list: &[DefId], pair: Pair) -> usize {
     }
 }
 
-/// Score of a pair of factors that occurs in the products `users`. The number of multiplications saved is the number of
-/// occurrences minus 1; for a pair that depends on parameters only, it is the number of occurrences in products of more
-/// than two factors. `None` if nothing is saved.
+/// Score of a pair of factors that occurs in the products `users`: the number of multiplications that are saved if the
+/// pair is computed only once, which is the number of occurrences minus 1. A pair that depends on parameters only is
+/// computed once per flight, so that every occurrence in a product of more than two factors saves a multiplication.
+/// `None` if nothing is saved.
 fn score(ssa: &Ssa, pair: Pair, users: &[DefId]) -> Option<Score> {
     let (mut places, mut whole) = (0, 0);
     for &id in users {

@@ -79,9 +79,10 @@ fn sign(list: &[Signed], pair: Pair) -> Option<bool> {
     (pair.0 != pair.1 && (first != second) == pair.2).then_some(first)
 }
 
-/// Score of a pair of terms that occurs in the sums `users`. The number of additions saved is the number of occurrences
-/// minus 1; for a pair that depends on parameters only, it is the number of occurrences in sums of more than two terms.
-/// `None` if nothing is saved.
+/// Score of a pair of terms that occurs in the sums `users`: the number of additions that are saved if the pair is
+/// computed only once, which is the number of occurrences minus 1. A pair that depends on parameters only is computed
+/// once per flight, so that every occurrence in a sum of more than two terms saves an addition. `None` if nothing is
+/// saved.
 fn score(ssa: &Ssa, pair: Pair, users: &[DefId]) -> Option<Score> {
     let holds = |id: DefId| sign(terms(ssa, id), pair).is_some();
     let places = users.iter().filter(|&&id| holds(id)).count();

@@ -15,7 +15,7 @@ pub use scattered::{CoefficientErrors, Scattered};
 
 use crate::throw_flight::{ThrowFlightError, ThrowFlights};
 
-/// Number, seed and threads of the sampled flights.
+/// Options for sampling flights at random to determine the spread of the landings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SampleOptions {
     /// Number of draws; default 1000. 0 disables sampling.

@@ -44,7 +44,7 @@ pub struct Band {
     /// Quantiles of the lateral offset of the paths from the line from the release to the mean landing of the linear
     /// spread, left positive, m, at each probability of [`QUANTILES`].
     pub left: [f64; 3],
-    /// Quantiles of the height, m, at each probability of [`QUANTILES`].
+    /// Quantiles of the height, m, at which the paths reach `distance`, for each probability of [`QUANTILES`].
     pub height: [f64; 3],
 }
 
@@ -142,7 +142,7 @@ fn quantiles(values: impl Iterator<Item = f64>) -> [f64; 3] {
     QUANTILES.map(|q| values[((values.len() - 1) as f64 * q).round() as usize])
 }
 
-/// Mean and sample covariance of points.
+/// Mean and sample covariance of landing positions (x, y), m.
 pub fn moments(points: &[Vector2<f64>]) -> Landings {
     let count = points.len() as f64;
     let mean = points.iter().sum::<Vector2<f64>>() / count;

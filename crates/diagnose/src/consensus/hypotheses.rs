@@ -181,8 +181,9 @@ fn sign_flip_test(
     SignFlipTest::new(model, &blocks, &given.effects)
 }
 
-/// Groups of columns for [`SignFlipTest::p_values`]: one group for each candidate, empty for the candidates in
-/// `conditioned_on`, then one group for each library term.
+/// Groups of columns of the normal equations, to be tested by [`SignFlipTest::p_values`]: first the columns of each
+/// candidate's coefficients (an empty group for the candidates in `conditioned_on`), then the column of each library
+/// term.
 fn groups(model: &ScoreTestModel, conditioned_on: &[CandidateId]) -> Vec<Vec<ColumnId>> {
     let of_candidates = model
         .candidates()

@@ -170,8 +170,8 @@ impl SignFlipTest {
     }
 }
 
-/// Agreement of the flights on a group of columns: maximum over the columns of the absolute sum of the flights'
-/// cosines, each multiplied by the flight's sign.
+/// Agreement of the flights on a group of columns, given by the cosines of all flights for each column: maximum over
+/// the columns of the absolute sum of the cosines, each multiplied by its flight's entry in `signs`.
 fn agreement(signs: &[f64], group: &[Vec<f64>]) -> f64 {
     let sum = |cosines: &Vec<f64>| -> f64 {
         let each = cosines.iter().zip(signs);

@@ -27,7 +27,7 @@ impl Limits {
         }
     }
 
-    /// Whether the caller cancelled the work.
+    /// Whether the caller cancelled the diagnosis.
     pub fn is_cancelled(&self) -> bool {
         let token = self.cancellation.as_ref();
         token.is_some_and(CancellationToken::is_cancelled)

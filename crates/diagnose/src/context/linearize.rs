@@ -113,7 +113,8 @@ impl ScoreTestModel {
         done.map_err(|reason| self.flight_error(flight, reason))
     }
 
-    /// Copy of the normal equations without the columns of library terms; the first `globals` global columns remain.
+    /// Copy of the normal equations of one flight without the columns of library terms: of the global columns, only the
+    /// first `globals`, those of the global parameters, remain.
     pub fn without_terms(block: &NormalBlock, globals: usize) -> NormalBlock {
         NormalBlock {
             cross: block.cross.columns(0, globals).into_owned(),
@@ -162,7 +163,8 @@ impl ScoreTestModel {
         globals.map(|global| global.param).collect()
     }
 
-    /// Equations of motion extended by the library terms, and the parameters of all global columns.
+    /// Equations of motion extended by the library terms, and the index, in these equations, of the parameter of each
+    /// global column of the normal equations.
     fn motion_with_terms<'c>(
         &self,
         conditions: &'c BoundModel<'c>,

@@ -16,7 +16,8 @@ pub(crate) struct Partition {
 }
 
 impl Partition {
-    /// Creates the partition of the columns `0..columns` in which every column outside `nuisance` is tested.
+    /// Creates the partition of the global columns `0..columns` of the normal equations: the columns in `nuisance`
+    /// belong to nuisance parameters, all other columns are tested.
     pub fn new(nuisance: Vec<ColumnId>, columns: usize) -> Self {
         let all = (0..columns).map(ColumnId::new);
         Self {

@@ -25,12 +25,13 @@ pub(crate) struct ScoreTestModel {
     /// The estimation problem with every candidate at its null value. Its global parameters are those of the model
     /// under test and the candidates' coefficients.
     pub problem: FitProblem,
-    /// Columns of each candidate's coefficients, in the order of the coefficients.
+    /// For each candidate effect: columns of the normal equations that belong to its coefficients, in the order of
+    /// these coefficients.
     columns: IndexVec<CandidateId, Vec<ColumnId>>,
-    /// Columns of the global parameters of the model under test.
+    /// Columns of the normal equations that belong to the global parameters of the model under test.
     pub base: Vec<ColumnId>,
-    /// Terms of the term library, `None` if no library is compatible with the model. Their columns follow those of
-    /// the global parameters.
+    /// Terms of the term library; `None` if no library is compatible with the model. In the normal equations, the
+    /// columns of the terms' coefficients follow those of the global parameters.
     pub terms: Option<LibraryTerms>,
     /// Observations of the fitted flights. Every state without a known initial value, including the states of
     /// candidates, is an unknown of the flight's initial state.
@@ -87,17 +88,18 @@ impl ScoreTestModel {
         Ok((model, iterate))
     }
 
-    /// Number of columns of global parameters. The columns of library terms follow them.
+    /// Number of columns of the normal equations that belong to global parameters. The columns of the library terms'
+    /// coefficients follow them.
     pub fn global_columns(&self) -> usize {
         self.problem.globals.len()
     }
 
-    /// Column of the coefficient of a library term.
+    /// Column of the normal equations that belongs to the coefficient of a library term.
     pub fn term_column(&self, term: TermId) -> ColumnId {
         ColumnId::new(self.global_columns() + term.index())
     }
 
-    /// All candidates with their indices, in order.
+    /// All candidate effects with their indices, in ascending order of the index.
     pub fn candidates(&self) -> impl ExactSizeIterator<Item = (CandidateId, &Candidate)> {
         self.encompassing.candidates.iter_enumerated()
     }
@@ -107,24 +109,28 @@ impl ScoreTestModel {
         &self.encompassing.candidates[id]
     }
 
-    /// Whether the search must end because its deadline has passed or its steps are used up.
+    /// Whether the search for missing effects must end, because its deadline has passed or its refits have taken the
+    /// maximum number of least-squares steps.
     pub fn is_exhausted(&self) -> bool {
         self.limits.is_past_deadline() || self.limits.are_steps_used_up()
     }
 
-    /// Columns of a candidate's coefficients, in the order of the coefficients.
+    /// Columns of the normal equations that belong to the coefficients of a candidate effect, in the order of these
+    /// coefficients.
     pub fn columns_of(&self, id: CandidateId) -> &[ColumnId] {
         &self.columns[id]
     }
 
-    /// Name of the global parameter of a column; `None` for the column of a library term.
+    /// Name of the global parameter to which a column of the normal equations belongs; `None` for the column of a
+    /// library term.
     pub fn column_name(&self, column: ColumnId) -> Option<&str> {
         let global = self.problem.globals.get(column.index())?;
         Some(global.name.as_str())
     }
 
-    /// Columns of the nuisance parameters, in ascending order: those of the model under test and of the candidates in
-    /// `conditioned_on`, which are included in the null hypothesis.
+    /// Columns of the normal equations that belong to nuisance parameters, in ascending order. Nuisance parameters are
+    /// those of the model under test and of the candidates in `conditioned_on`, which are included in the null
+    /// hypothesis.
     pub fn nuisance_columns(&self, conditioned_on: &[CandidateId]) -> Vec<ColumnId> {
         let mut columns = self.base.clone();
         columns.extend(conditioned_on.iter().flat_map(|&id| &self.columns[id]));
@@ -225,7 +231,8 @@ impl ScoreTestModel {
         own.eq(flights.iter().map(|flight| &flight.file))
     }
 
-    /// Number of measured coordinates in all flights, 3 for each point; at least 2.
+    /// Number of measured coordinates in all fitted flights: 3 for each measured point. Returns 2 if there are fewer
+    /// than 2.
     pub fn coordinates(&self) -> usize {
         let points = |flight: &Observations| flight.measured.iter().flatten().count();
         (3 * self.flights.iter().map(points).sum::<usize>()).max(2)

@@ -39,7 +39,7 @@ impl TrajectoryCache {
         Self::PerFlight((0..flights).map(|_| Mutex::new(None)).collect())
     }
 
-    /// Whether the cache is disabled.
+    /// Whether the cache is disabled, that is, stores no trajectories.
     pub fn is_disabled(&self) -> bool {
         matches!(self, Self::Disabled)
     }

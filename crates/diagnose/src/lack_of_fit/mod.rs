@@ -28,16 +28,20 @@ use self::spline_basis::SplineBasis;
 
 pub use self::localize::SmoothMisfit;
 
-/// Number of knot intervals over the duration of a flight for the splines that follow slow misfits.
+/// Number of knot intervals over the duration of a flight, for the splines that follow slow deviations of the residuals
+/// from zero.
 const SLOW_INTERVALS: f64 = 5.0;
 
-/// Minimum number of knot intervals over the duration of a flight for the splines that follow fast misfits.
+/// Minimum number of knot intervals over the duration of a flight, for the splines that follow fast deviations of the
+/// residuals from zero. A flight with few samples can have fewer; see [`MIN_SAMPLES_PER_KNOT`].
 const FINE_INTERVALS: f64 = 12.0;
 
-/// Number of knots in one period of the fastest predicted motion of the markers.
+/// Number of spline knots in one period of the fastest predicted motion of the markers, for the splines that follow
+/// fast deviations of the residuals from zero.
 const KNOTS_PER_PERIOD: f64 = 4.0;
 
-/// Minimum knot interval in samples; faster changes of the residuals are treated as noise.
+/// Minimum length of the interval between spline knots, in samples; faster changes of the residuals are treated as
+/// noise.
 const MIN_SAMPLES_PER_KNOT: f64 = 3.0;
 
 /// Assumed integration error of the residuals, as a fraction of σ₀, the noise scale before any fit. Noise smaller

@@ -114,8 +114,8 @@ impl NoiseFloor {
     }
 }
 
-/// Lag-1 autocorrelation, its standard error, and the standard deviation (m) of the noise along one axis; `None` if
-/// there are too few residuals.
+/// Noise of one group of channels along one axis: lag-1 autocorrelation, standard error of the autocorrelation, and
+/// standard deviation, m. `None` if there are too few residuals.
 fn of_axis(
     flights: &[&FlightSeries],
     group: (usize, &[usize]),

@@ -32,7 +32,8 @@ pub(super) struct WhitenedProducts {
 }
 
 impl Series {
-    /// Creates a series without samples, whose samples will have `count` values: residual and derivatives.
+    /// Creates an empty series. Each sample added to it must have `count` values: the residual, then its derivatives
+    /// with respect to the flight's local parameters.
     pub fn new(count: usize) -> Self {
         Self {
             count,

@@ -101,7 +101,8 @@ impl ScoreTestModel {
         Ok(step)
     }
 
-    /// Residuals of a flight after a step of its global and local parameters, linearized about the present values, m.
+    /// Residuals, m, of a flight after the given steps of the global parameters and of the flight's local parameters,
+    /// by linearization at the point `at`.
     fn residuals_after_step(
         &self,
         at: LinearizationPoint<'_>,

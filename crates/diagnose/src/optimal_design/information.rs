@@ -25,7 +25,7 @@ pub(super) fn information(model: &ScoreTestModel, blocks: &[NormalBlock]) -> Opt
 /// A fitted hypothesis, given by the differences of its coefficients from their null values.
 pub(super) struct Alternative {
     columns: Vec<ColumnId>,
-    /// Fitted minus null value of the coefficient of each column.
+    /// For each of `columns`: fitted value minus null value of the coefficient to which the column belongs, SI.
     departures: Vec<f64>,
 }
 

@@ -77,7 +77,8 @@ pub(crate) fn curves(
         .collect()
 }
 
-/// Medians of a coefficient in one interval of the abscissa, and the number of samples.
+/// Medians of a coefficient in one interval of the abscissa in the models without and with the extension, and number of
+/// samples of the model without the extension in this interval.
 struct Interval {
     before: f64,
     after: f64,
@@ -126,7 +127,8 @@ fn within(points: &[(f64, f64)], from: f64, width: f64) -> Vec<f64> {
     points[first..last].iter().map(|p| p.1).collect()
 }
 
-/// Pairs (`over`, `quantity`) at all samples of the flights where both values are finite.
+/// Pairs of the values of the model quantities named `over` and `quantity`, at all samples of the flights at which both
+/// values are finite.
 fn points(quantity: &str, over: &str, flights: &[FlightEvidence]) -> Vec<(f64, f64)> {
     let mut points = Vec::new();
     for flight in flights {

@@ -90,7 +90,7 @@ fn unattributed_answer(report: &Report) -> String {
     }
 }
 
-/// Sentences on the agreement between flights, and on the discordant flights.
+/// Sentences on the flights that agree on the first explanation, and on the discordant flights.
 fn agreement(consensus: &Consensus) -> String {
     let mut text = format!(
         " {} flights agree on it (sign-flip test, p ≤ {}).",

@@ -20,7 +20,8 @@ use crate::power::detectable;
 use crate::score_test::{MIN_TOLERANCE, ScoreTest, ln_p_to_z};
 use crate::selection::{Hypothesis, Search, StepwiseModel};
 
-/// Builds the report of a search, before the model is extended.
+/// Builds the report of a diagnosis from the result of the search for missing effects. The fields on the extended model
+/// and its fit remain empty; they are set later.
 pub(crate) fn build_report(
     context: Context<'_>,
     (before, residuals): (&Fit, Option<&LackOfFit>),
@@ -136,7 +137,8 @@ fn flight_before(flight: &FlightReport) -> FlightGain {
     }
 }
 
-/// Coefficients of `fit`, with their values in the earlier fit `before` if given.
+/// Estimates of all coefficients in `fit`, by name. If the fit of the model without the extension is given as `before`,
+/// each coefficient also contains its value in that fit.
 fn coefficients(fit: &Fit, before: Option<&Fit>) -> BTreeMap<String, Coefficient> {
     let each = fit.report.coefficients.iter().map(|(name, c)| {
         let earlier = before.and_then(|before| before.report.coefficients.get(name));

@@ -87,7 +87,8 @@ pub(crate) fn display_names(effects: &[String]) -> String {
     names.join(" with ")
 }
 
-/// Adds a note that the extension is not offered because it predicts worse.
+/// Adds a note to the report: the extended model is not offered, because it predicts other flights worse than the model
+/// under test.
 pub(crate) fn note_not_offered(report: &mut Report, extension: &ExtendedModel) {
     let names = display_names(&extension.effects);
     report.notes.push(format!(

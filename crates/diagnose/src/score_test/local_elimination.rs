@@ -17,8 +17,8 @@ pub(crate) struct GlobalEquations {
     pub gradient: DVector<f64>,
 }
 
-/// Normal equations of the global columns in which the states of one tested per-flight candidate are eliminated as
-/// well.
+/// Normal equations of the global columns after eliminating, in each flight, the local parameters and also the states
+/// of one tested candidate effect (a state with one value for each flight).
 #[derive(Clone, Debug)]
 pub(super) struct PerFlightCandidate {
     pub equations: GlobalEquations,
@@ -46,7 +46,8 @@ impl GlobalEquations {
         }
     }
 
-    /// Adds the Gaussian priors of the global parameters, linearized at the parameter values `values`.
+    /// Returns the sum of these normal equations and the contributions of the Gaussian priors of the global parameters,
+    /// linearized at the parameter values `values`.
     pub fn with_priors(&self, model: &ScoreTestModel, values: &DVector<f64>) -> Self {
         let mut sum = self.clone();
         for (i, global) in model.problem.globals.iter().enumerate() {

@@ -91,7 +91,7 @@ pub(crate) struct OneStepEstimate {
 }
 
 impl ScoreTest {
-    /// Result for a candidate without tested columns.
+    /// Result of a score test without tested columns, which has no degrees of freedom.
     const EMPTY: ScoreTest = ScoreTest {
         statistic: 0.0,
         dof: 0,
@@ -186,8 +186,8 @@ impl ScoreTests {
         })
     }
 
-    /// Joint score test of the columns `own`. `values` are the values of all global parameters and term coefficients at
-    /// the linearization point.
+    /// Joint score test of the coefficients with the columns `own` of the normal equations. `values` are the values of
+    /// all global parameters and term coefficients at the linearization point.
     fn test_columns(&mut self, own: &[ColumnId], values: &DVector<f64>) -> ScoreTest {
         let tested = self.partition.tested.iter().enumerate();
         let at: Vec<usize> = tested
@@ -270,8 +270,8 @@ impl ScoreTests {
         least_p(each.filter_map(|(id, test)| Some((id, test.as_ref()?))))
     }
 
-    /// Decrease of the weighted sum of squares by jointly fitting all tested columns for which `wanted` is true, to
-    /// second order.
+    /// Decrease of the weighted sum of squares, to second order, by jointly fitting the coefficients of all tested
+    /// columns for which `wanted` returns true, together with the nuisance parameters.
     pub fn joint_statistic(&self, wanted: impl Fn(ColumnId) -> bool) -> f64 {
         let tested = self.partition.tested.iter().enumerate();
         let at = tested.filter(|(_, column)| wanted(**column));
@@ -325,7 +325,8 @@ impl PerFlightCandidate {
     }
 }
 
-/// Decrease of the sum of squares by fitting the given columns, to second order.
+/// Decrease of the weighted sum of squares, to second order, by fitting the parameters of the given columns of the
+/// normal equations; the parameters of all other columns remain fixed.
 fn decrease(equations: &GlobalEquations, columns: &[ColumnId]) -> f64 {
     let gradient = select_vector(&equations.gradient, columns);
     let matrix = select(&equations.matrix, columns, columns);

@@ -33,7 +33,7 @@ const MAX_PARENTS: usize = 3;
 /// flights do not decide whether the model lacks this candidate too.
 const ALPHA_UNDECIDED: f64 = 0.05;
 
-/// State of the search over hypotheses.
+/// State of the search for hypotheses, each a combination of candidate effects that the model under test may lack.
 pub(crate) struct Search<'a> {
     context: Context<'a>,
     /// Noise model with which residuals are weighted.
@@ -59,7 +59,8 @@ pub(crate) struct TestsAtPoint {
 }
 
 impl ScoreTestModel {
-    /// Score tests of all candidates and library terms; no candidate is among the nuisance parameters.
+    /// Score tests of all candidates and library terms at the linearization point `at`. Only the parameters of the
+    /// model under test are nuisance parameters.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated.
@@ -82,8 +83,8 @@ impl ScoreTestModel {
 }
 
 impl<'a> Search<'a> {
-    /// Estimates the noise, tests all candidates at the fit of the model under test, and fits the strongest
-    /// candidates one by one.
+    /// Estimates the noise and tests all candidate effects at the fit of the model under test. Then fits each of the
+    /// strongest candidates separately, as a hypothesis of one effect.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated, or the caller cancelled.
@@ -159,9 +160,9 @@ impl<'a> Search<'a> {
         expected < fitted + CHI2_MARGIN + CHI2_MARGIN_RELATIVE * (self.squares - fitted)
     }
 
-    /// Fits the strongest candidates one by one. The noise is estimated again with the first candidate included; if
-    /// it changes, all tests are repeated with the new noise. Returns no hypothesis if no candidate is significant
-    /// then.
+    /// Fits the model under test with each of the strongest candidate effects separately. The noise is estimated again
+    /// with the first candidate included; if the estimate changes, all tests are repeated with the new noise. Returns
+    /// no hypothesis if no candidate or library term is significant in the repeated tests.
     fn fit_single_effects(
         &mut self,
         model: &mut ScoreTestModel,
@@ -244,8 +245,8 @@ impl<'a> Search<'a> {
         Ok(true)
     }
 
-    /// Stores the adequate hypotheses as accepted; if none is adequate, stores all as rejected. The stored hypotheses
-    /// are sorted by the sum of squares.
+    /// Stores those of the hypotheses `fitted` that are adequate in `self.accepted`; if none is adequate, stores all of
+    /// them in `self.rejected`. The stored hypotheses are sorted by the sum of squares, in ascending order.
     fn classify(
         &mut self,
         model: &ScoreTestModel,

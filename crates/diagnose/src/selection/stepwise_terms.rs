@@ -292,7 +292,8 @@ fn fit_terms(
     Ok(both.min_by(|a, b| a.squares.total_cmp(&b.squares)))
 }
 
-/// Score tests at the fit of an extended model; `None` if the fit used other flights than `model`.
+/// Computes the score tests at `fit`, the fit of `extension`, and returns them with both arguments. `None` if the fit
+/// used other flights than `model`.
 fn step(
     context: Context<'_>,
     model: &ScoreTestModel,
@@ -324,7 +325,8 @@ fn step(
     }))
 }
 
-/// The strongest term and its statistic; `None` if the term is not significant or already selected.
+/// The library term with the smallest p-value, and its score statistic. `None` if the log p-value is not below
+/// `reject`, or the term is already in `selected`.
 fn next_term(tests: &ScoreTests, reject: f64, selected: &[TermId]) -> Option<(TermId, f64)> {
     let (term, test) = tests.strongest_term()?;
     (test.ln_p < reject && !selected.contains(&term)).then_some((term, test.statistic))

@@ -52,7 +52,8 @@ impl Validated {
         })
     }
 
-    /// Whether the hypothesis improves predictions. True if no flight can be predicted.
+    /// Whether the extension reduces the out-of-sample prediction error by more than the standard error of the
+    /// reduction. True if no flight can be predicted.
     pub fn is_accepted(&self) -> bool {
         self.gain
             .as_ref()

@@ -33,7 +33,7 @@ pub fn read_file_in_wind(
     read_text(path, |file, text| read_in_wind(file, text, &[], vocabulary))
 }
 
-/// Reads a text file of bounded size and passes its name and text to `read`.
+/// Reads a text file and passes its name and text to `read`; a file larger than [`MAX_FILE_BYTES`] is an error.
 pub(crate) fn read_text<V>(
     path: &Path,
     read: impl FnOnce(&str, &str) -> Result<V, ReleaseError>,

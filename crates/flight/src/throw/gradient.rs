@@ -97,8 +97,9 @@ impl BoundMotion<'_> {
         self.states_moved(state, &wanted)
     }
 
-    /// Minimum-norm changes of the state that cause the changes of the motion in the columns of `wanted` (rows as in
-    /// [`jacobian`](Self::jacobian)).
+    /// Minimum-norm changes of the state that cause given changes of the motion. Each column of `wanted` is one change
+    /// of the motion, with the rows of [`jacobian`](Self::jacobian); the same column of the result is the change of the
+    /// state.
     pub fn states_moved(&self, state: &[f64], wanted: &DMatrix<f64>) -> DMatrix<f64> {
         let mut jacobian = self.jacobian(state);
         let mut wanted = wanted.clone();

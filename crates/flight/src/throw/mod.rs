@@ -244,9 +244,9 @@ impl ThrownModel {
         self.motion.release_parameters(release)
     }
 
-    /// Computes the state of the model that has the motion of a throw from above the point `ground` (x, y), m. The
-    /// body's first axis points forward. `parameters` are in the order of the model's [`Layout`](codegen::Layout);
-    /// states that the motion does not determine have their default values.
+    /// Computes the state of the model that has the motion of a throw, with the mass centre above the point `ground`
+    /// (x, y), m. The body's first axis points forward. `parameters` are in the order of the model's
+    /// [`Layout`](codegen::Layout); states that the motion does not determine have their default values.
     ///
     /// # Errors
     /// [`ThrowError`] if the throw is invalid, it states an attitude that the body lacks, or no state has its motion.
@@ -341,8 +341,9 @@ impl ThrownModel {
         self.motion.bind(parameters).jacobian(state)
     }
 
-    /// Minimum-norm changes of the state that cause the changes of the motion in the columns of `wanted`, whose rows
-    /// are those of [`motion_jacobian`](Self::motion_jacobian).
+    /// Minimum-norm changes of the state that cause given changes of the motion. Each column of `wanted` is one change
+    /// of the motion, with the rows of [`motion_jacobian`](Self::motion_jacobian); the same column of the result is the
+    /// change of the state.
     pub fn states_moved(
         &self,
         state: &[f64],

@@ -183,8 +183,8 @@ impl BoundMotion<'_> {
         Some(e1 * r1.transpose() + e2 * r2.transpose() + e3 * r3.transpose())
     }
 
-    /// Differences between the motion at a state and the motion `wanted`; velocities and rates are divided by their
-    /// wanted magnitudes (at least 1 m/s and 1 rad/s).
+    /// Differences between the motion at a state and the motion `wanted`. Differences of velocity are divided by the
+    /// wanted speed or 1 m/s, whichever is greater, those of angular velocity by the wanted rate or 1 rad/s.
     pub fn differences(&self, state: &[f64], wanted: &Motion) -> Vec<f64> {
         let found = self.motion(state);
         let speed = wanted.velocity.norm().max(1.0);

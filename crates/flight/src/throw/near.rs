@@ -7,7 +7,8 @@ use super::motion::{MotionModel, POINT_VECTORS, VECTORS};
 use super::{RPM, Throw, ThrowError, ThrownModel};
 use crate::functions::{EvaluationPoint, Workspace};
 
-/// Maximum number of unknowns: for a body, six for its velocities, and six or seven for its position and attitude.
+/// Maximum number of unknowns of a linear system in the search: all states of a rigid body whose attitude is a
+/// quaternion (3 of position, 4 of attitude, 6 of velocities).
 const UNKNOWNS: usize = 13;
 /// Maximum number of steps of Newton's method.
 const MAX_STEPS: usize = 20;
@@ -16,7 +17,8 @@ const WIDEST_TURN: f64 = 0.5;
 /// Offset of an attitude state to either side in the central differences of the body axes, rad for an angle,
 /// dimensionless for a quaternion component.
 const DIFFERENCE_STEP: f64 = 1e-5;
-/// Maximum difference, relative to the scale of the motion, between two motions that count as equal.
+/// Tolerance for a state to have the wanted motion: maximum difference of a component of the body axes, and of
+/// position, velocity and angular velocity relative to 1 plus the sum of their magnitudes in SI units.
 const SAME: f64 = 1e-9;
 
 /// Finds the states of throws that are near a known throw.
@@ -24,7 +26,8 @@ pub struct NearThrows<'m> {
     thrown: &'m ThrownModel,
     /// State with the motion of the known throw, at which the search starts.
     near: Vec<f64>,
-    /// Indices of the attitude states (`attitude`), and of the states in which the motion is linear (`linear`).
+    /// Indices of the attitude states (field `attitude`), and of the states on which the motion depends linearly (field
+    /// `linear`).
     attitude: Vec<usize>,
     linear: Vec<usize>,
     parameters: Vec<f64>,
@@ -60,8 +63,8 @@ impl<'m> NearThrows<'m> {
         }
     }
 
-    /// Writes the state with the motion of a throw from above the point `ground` (x, y), m, to `state`; see
-    /// [`ThrownModel::state`].
+    /// Writes to `state` the state in which the body has the motion of `throw` and its mass centre is above the point
+    /// `ground` (x, y), m; see [`ThrownModel::state`].
     ///
     /// # Errors
     /// [`ThrowError`] as for [`ThrownModel::state`].
@@ -85,8 +88,9 @@ impl<'m> NearThrows<'m> {
         Ok(())
     }
 
-    /// Finds the state with the motion of `throw` above the point `ground` (x, y), m, by Newton's method and writes it
-    /// to `state`; `None` if the method does not apply to the model or does not converge to the motion.
+    /// Finds by Newton's method the state in which the body has the motion of `throw` and its mass centre is above the
+    /// point `ground` (x, y), m, and writes it to `state`; `None` if the method does not apply to the model or does not
+    /// converge.
     fn find(&mut self, throw: &Throw, ground: [f64; 2], state: &mut [f64]) -> Option<()> {
         let motion = &self.thrown.motion;
         let turns = motion.has_attitude();

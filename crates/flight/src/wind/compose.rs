@@ -117,7 +117,8 @@ fn insert(e: &mut Expr, lets: &HashMap<&str, &Expr>) {
     e.children_mut(&mut |child| insert(child, lets));
 }
 
-/// Effects that together define `gust_velocity`: the strength of the gusts and their sinusoids.
+/// The two effects that together define the wind `gust_velocity`: one defines standard deviations and length scales of
+/// the gusts, the other the sinusoids that are scaled by them.
 fn gust_effects(gusts: &Gusts, mean: &MeanWind<'_>) -> Result<[EffectTree; 2], LoadError> {
     let strength = match gusts.strength {
         GustStrength::LowAltitude => {

@@ -13,7 +13,7 @@ fn expr(kind: ExprKind) -> Expr {
     }
 }
 
-/// Identifier node with the given text.
+/// Syntax-tree node of an identifier with the given text, without a location in a file.
 pub(super) fn identifier(text: &str) -> Name {
     Name {
         text: text.to_owned(),

@@ -7,9 +7,9 @@ use toml::de::DeTable;
 use super::{GustStrength, Gusts, Profile, ReferenceWind, WindField};
 use crate::release::{Reader, ReleaseError, Value, number_of};
 
-/// Maximum number of rows of a wind table.
+/// Maximum number of rows of a wind table; a longer table is a fault.
 const MAX_ROWS: usize = 500;
-/// Maximum absolute value of a component in a wind table, m/s.
+/// Maximum absolute value of a component in a wind table, m/s; a greater one is a fault.
 const MAX_SPEED: f64 = 200.0;
 /// Default height of gusts, m: 10 ft, the minimum height of the low-altitude gust model.
 const GUST_HEIGHT: f64 = 3.048;

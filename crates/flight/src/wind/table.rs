@@ -5,7 +5,7 @@ use model_spec::syntax::ast::{EffectPart, Expr, ExprKind};
 
 use super::nodes::{add_let, add_table, call, inertial_vector, name};
 
-/// Names of the tables for the three components of the wind.
+/// Names, in the effect that adds the wind to a model, of the three tables of a wind component over the height.
 const COMPONENTS: [&str; 3] = ["wind_table_1", "wind_table_2", "wind_table_3"];
 
 /// Statements of the model language that define the height `wind_height` and, from a table over this height, the wind

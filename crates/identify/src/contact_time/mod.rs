@@ -108,7 +108,8 @@ pub fn contact_time(
 
 /// A deviation of the samples from free motion.
 enum Departure<'a> {
-    /// A velocity jump; contains the index of the first sample after it and the comparison that detected it.
+    /// A velocity jump; contains the index of the first sample after the jump, and the comparison of free motion with
+    /// motion that has this jump.
     Contact(usize, &'a Comparison),
     /// An outlier in a single sample; contains the sample index.
     Outlier(usize),

@@ -43,8 +43,8 @@ impl Quadratic {
         extended
     }
 
-    /// Copy of the sum of squares to which, for each row of `rows`, the square of the scalar product of the row and the
-    /// last unknowns is added. `None` if the matrix has more columns than there are unknowns.
+    /// Copy of the sum of squares to which |`rows` · u|² is added, where the vector u contains the last unknowns, as
+    /// many as `rows` has columns. `None` if `rows` has more columns than there are unknowns.
     pub fn with_last(&self, rows: &DMatrix<f64>) -> Option<Self> {
         let count = rows.ncols();
         let first = self.right.len().checked_sub(count)?;

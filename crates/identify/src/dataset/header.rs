@@ -9,7 +9,8 @@ use super::sensor::Sensor;
 use super::words::{listed, meant, shown};
 use crate::input_error::InputError;
 
-/// Column indices of a flight's table.
+/// Indices of the columns of a flight's table that hold the time, the coordinates of each marker and the sensor
+/// readings, and the total number of columns.
 pub(super) struct Header {
     pub width: usize,
     pub time: usize,

@@ -42,7 +42,8 @@ impl Lines<'_> {
         }
     }
 
-    /// Returns an error for a record with an unclosed quote, which would otherwise extend over the following rows.
+    /// Returns an error if `record`, whose text ends at the byte offset `end`, has an unclosed quote, which would
+    /// otherwise extend over the following rows of the table.
     fn quotes_are_closed(&self, end: usize, record: &StringRecord) -> Result<(), InputError> {
         let text = self.places.text;
         let raw = &text[self.places.record(self.start).min(end)..end.min(text.len())];

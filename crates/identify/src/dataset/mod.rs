@@ -107,7 +107,8 @@ pub struct Flight {
 }
 
 impl Flight {
-    /// Number of measured values: three for each measured position of a marker and for each reading of a sensor.
+    /// Number of measured values, counted as three for each measured position of a marker and three for each reading of
+    /// a sensor channel, whatever the number of its components.
     pub fn measurements(&self) -> usize {
         let positions = self.positions.iter().flatten().flatten().count();
         let readings = self.readings.iter().flatten().flatten().count();

@@ -26,7 +26,7 @@ const UP_Z: Axis = Axis {
 /// Direction of the vertical relative to the axes of the tables.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Up {
-    /// The vertical is this axis of the tables.
+    /// This axis of the tables points vertically upwards.
     Axis(Axis),
     /// The vertical is unknown and is estimated in the fit.
     Unknown,
@@ -105,7 +105,8 @@ impl Recording {
     }
 }
 
-/// Reads a text that must be one of `choices`, with its byte range; `None` if the key is absent.
+/// Reads the text under a key of `table`, which must be one of `choices`. Also returns the byte range of the text in
+/// the file; the result is `None` if the key is absent.
 fn choice(
     fields: &Fields<'_>,
     table: &DeTable<'_>,

@@ -17,7 +17,8 @@ const FASTEST: f64 = 1e3;
 /// the measured distance exceeds `WIDEST`, m, the coordinates are rejected as not being in metres.
 const STRETCHED: f64 = 30.0;
 const WIDEST: f64 = 1.0;
-/// Maximum number of samples times markers in one flight, which bounds the memory used.
+/// Maximum product of the number of samples of a flight and the number of its markers and sensor channels; it bounds
+/// the memory used.
 const MOST: usize = 1 << 23;
 
 /// Texts of an error: what was found, and what was expected.
@@ -55,7 +56,8 @@ pub(super) fn coordinate(name: &dyn Display, value: f64) -> Result<(), Wrong> {
     Err((format!("{name} = {value}"), expected))
 }
 
-/// Checks a complete flight: at least one measured value, coordinates in metres, times in seconds.
+/// Checks a flight after all of its samples have been read: it must have at least one measured value, and the distances
+/// and speeds of markers must be plausible for coordinates in metres and times in seconds.
 pub(super) fn whole(file: &Path, flight: &Flight, markers: &[Marker]) -> Result<(), InputError> {
     let wrong = |found: String, expected: &str| Err(InputError::of_file(file, found, expected));
     if flight.measurements() == 0 {

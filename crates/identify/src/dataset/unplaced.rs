@@ -14,8 +14,7 @@ use crate::statistics::median;
 pub(super) struct Unplaced {
     /// Index of the marker.
     pub marker: usize,
-    /// Location of the marker's entry in the file, as an error whose texts are filled in if the position cannot be
-    /// estimated.
+    /// Error located at the marker's entry in the file; its texts are filled in if the position cannot be estimated.
     pub place: InputError,
 }
 
@@ -86,7 +85,9 @@ fn place_all(
     Ok(template.origin_error())
 }
 
-/// Estimates the unknown positions of some markers from the known positions of the remaining markers.
+/// Estimates the unknown positions of some markers from the known positions of the remaining markers. An error if the
+/// known positions do not determine the attitude of the body, or if a marker of unknown position is never measured
+/// together with them.
 fn place_some(
     markers: &mut [Marker],
     unplaced: &[Unplaced],

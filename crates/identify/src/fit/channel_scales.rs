@@ -8,12 +8,13 @@ use crate::path_noise::path_noise;
 use crate::problem::FitProblem;
 use crate::statistics::{median, robust_sigma};
 
-/// Minimum noise of a channel relative to the median magnitude of its values. It prevents values that are rounded in
-/// tables from appearing noiseless.
+/// Minimum noise of a channel relative to the median magnitude of its values; smaller estimates of the noise are raised
+/// to it. It prevents values that are rounded in tables from appearing noiseless.
 const MIN_RELATIVE_NOISE: f64 = 1e-6;
 
-/// Sets the scale of each channel other than markers so that its scaled noise equals `problem.sigma0`, the noise of a
-/// marker coordinate, which must be set before.
+/// Sets the scale of each sensor channel so that the scaled noise of the channel equals `problem.sigma0`, which must be
+/// set before: the noise of a marker coordinate or, without markers, of a pose sensor's coordinate. Channels with this
+/// noise retain their scale.
 pub fn set_scales<'o>(
     problem: &mut FitProblem,
     flights: impl Iterator<Item = &'o Observations> + Clone,

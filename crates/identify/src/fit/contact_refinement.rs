@@ -254,8 +254,8 @@ impl Search<'_> {
         scale.is_some_and(|scale| scale <= LIKE_RATIO * self.usual)
     }
 
-    /// Finds the first contact between the samples `from` and `to`, and the initial state fitted to the samples before
-    /// the contact.
+    /// Finds the first contact of the flight `whole` between the samples `from` and `to`. Returns it with the initial
+    /// state fitted to the samples before the range in which it was found; `None` if there is no contact.
     fn contact(
         &self,
         whole: &Observations,
@@ -284,7 +284,8 @@ impl Search<'_> {
         None
     }
 
-    /// Truncates a flight at a contact and fits its initial state; `None` if the remaining samples do not determine it.
+    /// Truncates the flight `whole` at a contact and fits its initial state to the remaining samples, starting from
+    /// `local`; `None` if these samples do not determine it.
     fn ended(&self, mut whole: Observations, onset: &Onset, local: DVector<f64>) -> Option<Moved> {
         let (sample, jump) = (onset.sample, onset.jump);
         let time = whole.origin + whole.times[sample];
@@ -302,7 +303,8 @@ impl Search<'_> {
         })
     }
 
-    /// Initial state fitted to the first `samples` samples; `None` if they do not determine it.
+    /// Initial state of the flight `whole`, fitted to its first `samples` samples from the initial guess `start`;
+    /// `None` if these samples do not determine it.
     fn fitted(
         &self,
         whole: &Observations,

@@ -25,7 +25,8 @@ const FIRST_SEGMENT: f64 = 0.15;
 /// Minimum number of samples in the first segment of a flight.
 const MIN_FIRST_SAMPLES: usize = 12;
 
-/// Minimum initial estimate of the noise of one coordinate, m, at the level of rounding in tables.
+/// Minimum initial estimate of the noise of one coordinate, m, to which smaller estimates are raised. It is at the
+/// level of rounding in tables.
 const MIN_SIGMA0: f64 = 1e-7;
 
 /// Ratio of the noise floor (scatter about smooth paths) to the noise estimated from the rigidity of the markers, below

@@ -71,8 +71,8 @@ pub fn multistart(
     }
 }
 
-/// Residual scale (robust standard deviation of residuals) with which that of each flight is compared, m: the median of
-/// `scales`, at least `sigma0`; or `sigma0` if the median is far above the noise.
+/// Reference for the residual scales of the flights (robust standard deviations of their residuals) `scales`, m: their
+/// median, or `sigma0` if the median is below `sigma0` or more than `MISFIT_RATIO` × `sigma0`.
 fn reference_scale(scales: &[f64], sigma0: f64) -> f64 {
     let median = median(&mut scales.to_vec());
     match median > MISFIT_RATIO * sigma0 {
@@ -104,9 +104,10 @@ fn restart(
     Some((local, note))
 }
 
-/// Fits the initial state of one flight from each of its initial guesses, at given global parameters, up to the whole
-/// length of the flight. Returns the best fit: residual scale (m), initial state, and number of additional turns per
-/// sampling interval. `None` if every fit fails.
+/// Fits the initial state of one flight at given global parameters, once from each of its initial guesses. Each fit
+/// starts with a short initial segment of the flight, which is extended step by step to the whole flight. Returns the
+/// fit with the smallest residual scale (robust standard deviation of the residuals): this scale (m), the initial
+/// state, and the number of additional turns per sampling interval. `None` if every fit fails.
 pub fn fly_to_the_end(
     problem: &FitProblem,
     global: &DVector<f64>,
@@ -130,8 +131,8 @@ pub fn fly_to_the_end(
     best
 }
 
-/// Fits the initial state of one flight to an initial part of the flight whose duration doubles up to the whole length;
-/// `None` if a fit fails.
+/// Fits the initial state of one flight to a short initial segment of the flight, whose number of samples is then
+/// doubled for each further fit, up to the whole flight; `None` if a fit fails.
 fn continue_horizon(
     problem: &FitProblem,
     global: &DVector<f64>,

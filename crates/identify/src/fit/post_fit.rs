@@ -36,7 +36,7 @@ pub struct ChannelSum {
     pub outliers: usize,
 }
 
-/// Sums over the residuals of every channel of a flight.
+/// For each channel of a flight, the sum of its squared residuals, and the numbers of values and outliers.
 fn channel_sums(problem: &FitProblem, observations: &Observations, path: &Path) -> Vec<ChannelSum> {
     let series = path.residuals.iter().zip(&problem.channels).enumerate();
     let sums = series.map(|(channel, (series, own))| {

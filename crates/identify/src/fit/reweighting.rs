@@ -46,8 +46,9 @@ pub struct Reweighted {
     pub status: FitStatus,
 }
 
-/// Alternates noise estimates and least squares until they agree. `cache` contains the residuals at the present state;
-/// all its flights can be predicted. Flights whose samples do not determine their initial state are excluded.
+/// Alternates noise estimates and least squares until the noise estimated from the residuals equals the noise by which
+/// they were weighted. `cache` contains the residuals at the present state; it contains no flights that cannot be
+/// predicted. Flights whose samples do not determine their initial state are excluded.
 ///
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
@@ -81,7 +82,9 @@ fn undetermined_flights(solution: &Solution) -> Vec<FailedFlight> {
         .collect()
 }
 
-/// Alternates noise estimates and least squares until they agree; `None` if a flight was excluded in the process.
+/// Alternates noise estimates and least squares until the noise estimated from the residuals equals the noise by which
+/// they were weighted, within a tolerance, or a limit of the number of rounds is reached. `None` if a flight was
+/// excluded in the process.
 fn agree(
     problem: &FitProblem,
     state: &mut State,

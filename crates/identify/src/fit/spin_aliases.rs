@@ -64,8 +64,8 @@ pub fn resolve_spin_aliases(
     }
 }
 
-/// Copy of the state in which each flight starts from its initial guess with `alias` additional turns per sampling
-/// interval, if it has such a guess.
+/// Copy of the state in which the initial state of each flight is its initial guess with `alias` additional turns per
+/// sampling interval. Flights without such a guess retain their initial state, as do all flights if `alias` is 0.
 fn with_alias(state: &State, alternatives: &[Vec<InitialGuess>], alias: i32) -> State {
     let mut state = state.clone();
     for (index, guesses) in alternatives.iter().enumerate() {

@@ -58,7 +58,8 @@ impl State {
         }
     }
 
-    /// Sets the unknowns to the iterate of a solution and adds its number of steps.
+    /// Sets the global parameters and initial states to those of a least-squares solution, and adds the solution's
+    /// number of steps to `steps`.
     pub fn take(&mut self, solution: &Solution) {
         self.global.clone_from(&solution.iterate.global);
         self.local.clone_from(&solution.iterate.local);

@@ -99,8 +99,9 @@ pub fn may_come_back(excluded: &ExcludedFlight) -> bool {
     }
 }
 
-/// Observations and initial state of an excluded flight, if its residual scale (robust standard deviation of its
-/// residuals) at the given global parameters is similar to that of the other flights, `usual`, m; `None` otherwise.
+/// Observations and fitted initial state of an excluded flight, if its residual scale (robust standard deviation of its
+/// residuals) at the given global parameters is at most `LIKE_RATIO` × `usual`, the residual scale of the other
+/// flights, m; `None` otherwise.
 fn like_the_others(
     problem: &FitProblem,
     flight: &crate::dataset::Flight,

@@ -88,8 +88,9 @@ pub fn impact(path: &[PathPoint]) -> Option<Impact> {
     })
 }
 
-/// Median of the velocity jumps that are fitted at intervals distributed over the path, most of which contain no
-/// impact, m/s. `noise` is the standard deviation of one coordinate, m.
+/// Median magnitude of the velocity jumps that are fitted at intervals between points of the path, m/s; most of these
+/// intervals contain no impact. The intervals precede evenly spaced points with indices in `candidates`. `noise` is the
+/// standard deviation of one coordinate, m.
 fn usual_jump(path: &[PathPoint], candidates: std::ops::RangeInclusive<usize>, noise: f64) -> f64 {
     let step = candidates.clone().count().div_ceil(USUAL);
     let kinks = candidates
@@ -122,8 +123,8 @@ struct Kink {
     /// Velocity change that acceleration alone would cause within the interval that is tested for an impact, m/s. The
     /// larger one of the accelerations before and after the interval is used.
     impulse: f64,
-    /// Residual variance of the two parabolas, at least the noise variance, m². `smooth` is the residual variance of a
-    /// single polynomial through all points, m².
+    /// Residual variance of the two parabolas, or the noise variance if that is greater, m². `smooth` is the residual
+    /// variance of a single polynomial through the points of both parabolas, m².
     squares: f64,
     smooth: f64,
 }
@@ -274,7 +275,8 @@ mod tests {
     use crate::ground_contact::tests::jitter;
 
     /// Simulated path of a body thrown at `speed`, m/s, with an upward acceleration `lift`, m/s², that decays with the
-    /// time constant `fading`, s. With `bounce`, the body bounces before a sample with the given restitution.
+    /// time constant `fading`, s. `bounce` contains the index of the first sample after a bounce and the coefficient of
+    /// restitution; `None` for no bounce.
     fn path(
         speed: f64,
         (lift, fading): (f64, f64),

@@ -104,8 +104,8 @@ pub fn variance_limit(variances: impl Iterator<Item = f64>) -> f64 {
     limit.max(MIN_OUTLIER_VARIANCE)
 }
 
-/// Finds the first contact on a path; `None` if there is none. `posed` contains the points of the path that have an
-/// attitude; it is empty for a point mass.
+/// Finds the first contact of a body from the path of its origin and from its attitude; `None` if there is none.
+/// `posed` contains the points of the path that have an attitude; it is empty for a point mass.
 pub fn contact(path: &[PathPoint], posed: &[Posed]) -> Option<Contact> {
     let of_path = impact_detection::impact(path).map(|impact| Contact {
         sample: path[impact.index].0,

@@ -12,10 +12,10 @@ pub const SCALE: f64 = 0.1;
 /// Prior standard deviation of the fourth time derivative of the position, m/s⁴. The value allows for a lift of several
 /// g that decays within half a second.
 const SNAP: f64 = 300.0;
-/// Prior standard deviation of the amplitudes of the sine and cosine terms in the position, whose frequency is the
-/// wobble rate, m.
+/// Prior standard deviation, m, of the coefficients of the sine and the cosine at the wobble rate in the position.
 const WOBBLE: f64 = 0.002;
-/// Prior standard deviation of the cubic coefficient in the polynomial of the axis direction in (time / `SCALE`).
+/// Prior standard deviation of the cubic coefficient of the polynomial in time / `SCALE` that describes the drift of
+/// the axis (a unit vector); dimensionless.
 const BEND: f64 = 0.02;
 /// Minimum variance by which gains (decreases of a sum of squares) are divided, as a fraction of the residual variance
 /// of motion whose velocity changes within the tested interval. It prevents outliers, which increase that variance,
@@ -72,7 +72,8 @@ impl Character {
         (self.noise[part] / deviation).powi(2)
     }
 
-    /// Regression row of free motion for the position of a point, with times relative to `about`, s.
+    /// Regression row for the position of a point in free motion: values of a polynomial and of a sine and cosine at
+    /// the wobble rate, at the time of the point relative to `about`, s.
     pub fn position_row(&self, point: &Point, about: f64) -> Row<7> {
         let u = (point.time - about) / SCALE;
         let (sine, cosine) = (self.rate * (point.time - about)).sin_cos();
@@ -84,8 +85,8 @@ impl Character {
         }
     }
 
-    /// Regression row of free motion for the direction of the most steady body axis at a point, with times relative to
-    /// `about`, s.
+    /// Regression row for the direction of the most steady body axis at a point in free motion: values of a polynomial
+    /// and of a sine and cosine at the wobble rate, at the time of the point relative to `about`, s.
     pub fn axis_row(&self, point: &Point, about: f64) -> Row<6> {
         let u = (point.time - about) / SCALE;
         let (sine, cosine) = (self.rate * (point.time - about)).sin_cos();
@@ -116,15 +117,15 @@ impl Character {
         [0, 1].map(|part| self.noise[part].powi(2).max(LOCAL_PART * variances[part]))
     }
 
-    /// Gains (see `Comparison::gains`) of `of`, the test of an interval with the noise in `other`, converted to the
-    /// noise in `self`.
+    /// Converts the gains of the test `of` of an interval, which were computed with the noise standard deviations of
+    /// `other`, to the noise standard deviations of `self`.
     pub fn gains(&self, of: &Comparison, other: &Character) -> [f64; 2] {
         let (here, there) = (self.units(of.variances), other.units(of.variances));
         [0, 1].map(|part| of.gains[part] * there[part] / here[part])
     }
 
-    /// Regression rows of motion that changes at the time `about`, s: velocity and acceleration change, and so do the
-    /// drift and the wobble of the axis. One row for the position of a point, and one for its axis.
+    /// Regression rows for the position of a point and for its axis, in motion that is disturbed at the time `about`,
+    /// s: velocity and acceleration change, and so do the drift and the wobble of the axis.
     pub fn disturbed_rows(&self, point: &Point, about: f64) -> (Row<9>, Row<9>) {
         let since = (point.time - about).max(0.0);
         let (u, (sine, cosine)) = (since / SCALE, (self.rate * since).sin_cos());

@@ -5,7 +5,8 @@
 
 use nalgebra::{SMatrix, SVector, Vector3};
 
-/// Relative increase of the diagonal of the normal matrix, so that it is invertible if functions are nearly collinear.
+/// Relative increase of the diagonal of the normal matrix, which makes the matrix invertible if basis functions are
+/// nearly collinear.
 const RIDGE: f64 = 1e-9;
 
 /// One measured vector and the values of the basis functions at its time.
@@ -19,14 +20,14 @@ pub struct Row<const N: usize> {
     pub value: Vector3<f64>,
 }
 
-/// Solution of a regression.
+/// Least-squares fit of `N` basis functions of time to measured vectors.
 #[derive(Clone, Debug)]
 pub struct Regression<const N: usize> {
     /// Coefficients of the basis functions; one column per component of the vector.
     pub coefficients: SMatrix<f64, N, 3>,
     /// Sum of squared whitened residuals, plus the penalty by the priors of the coefficients.
     pub squares: f64,
-    /// Degrees of freedom of the residuals, at least 3.
+    /// Degrees of freedom of the residuals; a value below 3 is replaced by 3.
     pub freedom: f64,
     /// For each whitened row, the squared residual divided by 1 − leverage: the decrease of the sum of squares if the
     /// row is removed.
@@ -36,7 +37,7 @@ pub struct Regression<const N: usize> {
     correlation: f64,
 }
 
-/// Minimum of 1 − leverage used as a divisor; smaller values are rounding errors.
+/// Minimum of 1 − leverage as a divisor: smaller values, which are rounding errors, are replaced by this one.
 const LEAST_PART: f64 = 0.05;
 
 impl<const N: usize> Regression<N> {
@@ -45,8 +46,9 @@ impl<const N: usize> Regression<N> {
         self.squares / self.freedom
     }
 
-    /// Squared innovation: squared distance of a row from its prediction by the regression and the previous row,
-    /// divided by the variance of that prediction for noise of variance 1.
+    /// Squared innovation of the measured vector of `row`, which was not fitted: squared distance of the whitened
+    /// vector from its prediction by the regression, divided by the variance of this distance along one axis for noise
+    /// of variance 1. `previous` is the preceding row, whose noise is correlated with that of `row`.
     pub fn innovation(&self, previous: &Row<N>, row: &Row<N>) -> f64 {
         let whitening = Whitening::of(Some(previous.sample), row.sample, self.correlation);
         let functions = whitening.apply(Some(previous.functions), row.functions);
@@ -99,7 +101,7 @@ impl<const N: usize> Design<N> {
         })
     }
 
-    /// Solves the regression of measured vectors, one per row.
+    /// Fits the basis functions to measured vectors, one for each row of the design.
     pub fn solve(&self, values: impl Iterator<Item = Vector3<f64>>) -> Regression<N> {
         let mut origin = None;
         let mut previous = None;
@@ -148,8 +150,8 @@ struct Whitening {
 }
 
 impl Whitening {
-    /// Transformation of a row, given its sample index and that of the previous row; `previous` is `None` for the first
-    /// row.
+    /// Whitening of a row with the sample index `sample`. `previous` is the sample index of the preceding row, `None`
+    /// for the first row; `correlation` is that of the noise of successive samples.
     fn of(previous: Option<usize>, sample: usize, correlation: f64) -> Self {
         let fresh = 1.0 - correlation * correlation;
         let shared = previous.map_or(0.0, |previous| {
@@ -162,7 +164,7 @@ impl Whitening {
         }
     }
 
-    /// Subtracts the noise that is expected from the previous row, and scales the rest to the common variance.
+    /// Whitens `row`: subtracts the fraction `shared` of the row `previous`, and multiplies the difference by `scale`.
     fn apply<const M: usize>(
         self,
         previous: Option<SVector<f64, M>>,

@@ -19,9 +19,9 @@ const LEAST_BEFORE: usize = 32;
 /// Minimum number of points (samples with a pose) after an interval that is tested for a contact; the motion after a
 /// contact is fitted to them. Intervals nearer to the end of the flight are not tested.
 const LEAST_AFTER: usize = 4;
-/// Lower limits of the usual gains of position and axis. A gain is the decrease of the sum of squared residuals if a
-/// contact is assumed in an interval; the usual gain is typical of intervals of the flight without a contact. The
-/// limits differ because a contact adds different numbers of coefficients to position and axis.
+/// Lower limits to which smaller usual gains of position and axis are raised. A gain is the decrease of the sum of
+/// squared residuals if a contact is assumed in an interval; the usual gain is typical of intervals of the flight
+/// without a contact. The limits differ because a contact adds different numbers of coefficients to position and axis.
 const LEAST_USUAL: [f64; 2] = [8.0, 12.0];
 /// Minimum number of earlier intervals for the usual gain (see `LEAST_USUAL`) to be the median of the gains of these
 /// intervals. With fewer, the usual gain is the lower quartile over the whole flight.

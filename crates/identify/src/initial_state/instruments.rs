@@ -17,16 +17,19 @@ const AVERAGED: f64 = 0.15;
 /// Initial speeds of the body that are tried if no speed is measured, m/s.
 const SPEEDS: [f64; 3] = [6.0, 12.0, 22.0];
 
-/// Angles of the initial velocity below the plane perpendicular to the spin axis that are tried, rad.
+/// Trial values of the angle, rad, between the initial velocity and the plane perpendicular to the spin axis; the
+/// velocity points to the lower side of this plane.
 const ANGLES: [f64; 2] = [0.05, 0.25];
 
-/// Initial tilt of the body about a horizontal axis that is tried, rad.
+/// Magnitude of the tilt in the tilted initial attitudes that are tried: rotations about the x and y axes in both
+/// senses, rad.
 const TILT: f64 = 0.35;
 
 /// Angular rate above which the body is considered to spin about an axis, rad/s.
 const SPINS: f64 = 5.0;
 
-/// Returns the motions at the first sample that are tried as initial guesses.
+/// Returns the motions at the first sample that are tried as initial guesses of a flight without measured positions.
+/// They are compatible with the first readings of its instruments.
 ///
 /// # Errors
 /// [`FlightError::NoMatchingState`] if no instrument has a reading.
@@ -104,7 +107,7 @@ fn attitudes() -> Vec<UnitQuaternion<f64>> {
     all.chain(upright.iter().map(|tilt| *tilt * over)).collect()
 }
 
-/// Median of each component of the vectors.
+/// Vector whose components are the medians of the components of the given vectors.
 fn middle(vectors: impl Iterator<Item = Vector3<f64>>) -> Vector3<f64> {
     let all: Vec<Vector3<f64>> = vectors.collect();
     let component = |axis: usize| median(&mut all.iter().map(|v| v[axis]).collect::<Vec<f64>>());

@@ -99,8 +99,8 @@ fn target(motion: &RigidMotion, probes: &[[f64; 3]]) -> DVector<f64> {
     DVector::from_vec(all)
 }
 
-/// Initial states from which the search starts: the model's default state, in every orientation that results from
-/// quarter turns of the model's frames.
+/// Initial states from which the search for the state with a given motion starts: the model's default state, and its
+/// copies in every orientation that results from quarter turns of the model's rotating frames.
 fn guesses(problem: &FitProblem, observations: &Observations) -> Vec<DVector<f64>> {
     use model_spec::model::FrameKind;
     let plain =

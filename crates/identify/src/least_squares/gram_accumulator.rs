@@ -55,8 +55,8 @@ impl GramAccumulator {
         self.local.len() + self.global.len()
     }
 
-    /// Adds the row `scale * (row − phi * previous)`, where `before` is (phi, previous), and adds `extra` to the sum of
-    /// squares. Without `before`, phi is 0.
+    /// Adds the row `scale * (row − phi * previous)` to the Gram matrix, where `before` is (phi, previous), or the row
+    /// `scale * row` if `before` is `None`. Adds `extra`, a term due to a robust loss, to the sum of squares.
     pub fn add(&mut self, row: &[f64], before: Option<(f64, &[f64])>, scale: f64, extra: f64) {
         let to = &mut self.batch[self.filled..][..self.width];
         let row = &row[..self.width];
@@ -127,7 +127,8 @@ impl Kernel for AddInnovation<'_> {
     }
 }
 
-/// SIMD kernel that adds `rowsᵀ rows` to `sums`, at least in the upper triangle.
+/// SIMD kernel that adds the upper triangle of `rowsᵀ rows` to `sums`. Of the entries below the diagonal, only some are
+/// added; they are not used.
 struct AddSquares<'a> {
     rows: &'a [f64],
     width: usize,
@@ -158,8 +159,8 @@ impl Kernel for AddSquares<'_> {
     }
 }
 
-/// Adds the products of the rows' elements to a tile of the Gram matrix `sums`: from row `first` and column `column`
-/// on, `VECTORS` SIMD vectors wide. Returns the number of columns of the tile.
+/// Adds the products of the rows' elements to one tile of the Gram matrix `sums`. The tile begins at row `first` and
+/// column `column`, and is `VECTORS` SIMD vectors wide. Returns the number of columns of the tile.
 #[inline(always)]
 fn add_block<T: Lanes, const VECTORS: usize>(
     rows: &[f64],

@@ -34,8 +34,8 @@ impl Solution {
         self.stop_reason == StopReason::Converged
     }
 
-    /// Whether the last step, which was not evaluated, is negligible by itself, so that another evaluation would change
-    /// nothing.
+    /// Whether the predicted reduction of the sum of squares by the last step is negligible according to `criteria`, so
+    /// that another iteration would change nothing. The residuals after that step were not evaluated.
     pub(crate) fn last_step_is_negligible(&self, criteria: StoppingCriteria) -> bool {
         let negligible = |reduction| criteria.is_negligible(reduction, self.squares);
         self.converged() && self.predicted_reduction.is_some_and(negligible)

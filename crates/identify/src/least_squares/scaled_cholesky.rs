@@ -30,7 +30,8 @@ pub(crate) struct ScaledCholesky {
 }
 
 impl ScaledCholesky {
-    /// Factors a matrix after adding `damping` to its scaled diagonal; `None` if the result is not positive definite.
+    /// Scales a matrix to a unit diagonal, adds `damping` to this diagonal, and factors the result; `None` if the
+    /// result is not positive definite.
     pub fn new(matrix: &DMatrix<f64>, damping: f64) -> Option<Self> {
         let scale = jacobi_scale(matrix, MIN_ROOT, 1.0);
         let mut scaled = scaled(matrix, &scale);

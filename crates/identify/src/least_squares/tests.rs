@@ -3,7 +3,8 @@ use nalgebra::DVector;
 use super::*;
 use crate::ids::LocalId;
 
-/// Normal equations for the unknowns `by`, of a problem with one local and one global parameter.
+/// Selects from `block`, the normal equations of a problem with one local and one global parameter, those of the
+/// unknowns `by`.
 fn of(block: NormalBlock, by: Unknowns) -> NormalBlock {
     match by {
         Unknowns::All => block,
@@ -100,7 +101,8 @@ fn a_strong_prior_wins() {
     assert!((solution.iterate.global[0] - 0.7).abs() < 1e-6);
 }
 
-/// Rosenbrock's function, a curved valley `local = global²` that descends to the minimum at (1, 1).
+/// Test problem whose sum of squares is Rosenbrock's function, with a curved valley `local = global²` that descends to
+/// the minimum at (1, 1).
 struct Rosenbrock;
 
 fn far_from_the_end_of_the_valley() -> Iterate {
@@ -148,7 +150,8 @@ fn a_curved_valley_is_crossed_in_one_step() {
     assert!(solution.iterations <= 4, "{}", solution.iterations);
 }
 
-/// A valley with sharp bends, so that steps along it are short, plus a residual that no step decreases.
+/// Test problem whose sum of squares has a valley with sharp bends, so that steps along it are short, and a constant
+/// residual that no step decreases.
 struct Misfit;
 
 impl LeastSquaresProblem for Misfit {

@@ -50,7 +50,8 @@ pub fn residuals(
     Ok(residuals_of(problem, observations, unknowns.0, &states))
 }
 
-/// Residuals for given model states of the first samples, which are concatenated sample by sample.
+/// Residuals at the first samples of a flight, given the model states at these samples, concatenated sample by sample,
+/// in `trajectory`.
 pub fn residuals_of(
     problem: &FitProblem,
     observations: &Observations,

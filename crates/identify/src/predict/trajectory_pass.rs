@@ -14,10 +14,10 @@ use crate::error::FlightError;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 
-/// Minimum integration tolerance, m, limited by rounding errors.
+/// Minimum integration tolerance, m, to which smaller tolerances are raised because rounding errors limit the accuracy.
 const MIN_TOLERANCE: f64 = 1e-10;
 
-/// Maximum integration tolerance, m.
+/// Maximum integration tolerance, m, to which larger tolerances are reduced.
 const MAX_TOLERANCE: f64 = 1e-3;
 
 /// Maximum number of integration steps, to which [`STEPS_PER_SAMPLE`] per sample is added; a trajectory that needs more
@@ -27,7 +27,8 @@ const STEPS: usize = 1_000;
 /// Number of integration steps per sample that is added to [`STEPS`] to give the maximum number of steps.
 const STEPS_PER_SAMPLE: usize = 20;
 
-/// Integration options for a tolerance in m, which is clamped to the allowed range, and a number of samples.
+/// Integration options for a flight of `samples` samples. `tolerance`, m, is clamped to the range from `MIN_TOLERANCE`
+/// to `MAX_TOLERANCE`.
 pub(super) fn integration_options(tolerance: f64, samples: usize) -> IntegrationOptions {
     IntegrationOptions {
         method: Method::Tsit5,
@@ -163,7 +164,7 @@ impl TrajectoryPass<'_> {
     }
 }
 
-/// Merges ranges that are adjacent to their predecessor.
+/// Merges each range that begins at the end of the preceding range with that range.
 fn joined(ranges: impl Iterator<Item = Range<usize>>) -> Vec<Range<usize>> {
     let mut joined: Vec<Range<usize>> = Vec::new();
     for range in ranges {

@@ -234,14 +234,16 @@ pub struct Estimate {
     pub std_error: f64,
 }
 
-/// A direction of the global parameters that is practically not identifiable.
+/// A direction in the space of the global parameters along which the data practically do not determine the estimates.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct NonIdentifiable {
-    /// Names of the coefficients with large components in the direction, largest first.
+    /// Names of the parameters with large components in the non-identifiable direction, in the order of decreasing
+    /// component.
     pub combination: Vec<String>,
-    /// Components of the direction by coefficient, each in units of the coefficient's typical magnitude.
+    /// Large components of the non-identifiable direction, by the name of the parameter, each in units of the
+    /// parameter's typical magnitude.
     pub weights: BTreeMap<String, f64>,
-    /// Standard error along the direction, in units of the typical magnitudes.
+    /// Standard error along the non-identifiable direction, in units of the parameters' typical magnitudes.
     pub relative_error: f64,
     /// Explanation of the non-identifiability, as text.
     pub why: String,

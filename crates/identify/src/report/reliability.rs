@@ -8,7 +8,8 @@ use crate::wording::count;
 /// noise floor, stays below this limit: an AR(1) noise of coefficient 0.9 leads to a lower ratio.
 const MAX_NOISE_RATIO: f64 = 5.0;
 
-/// Minimum noise floor with which residuals are compared, m, because tables are rounded and integration has errors.
+/// Minimum noise floor with which the rms residual is compared, m. Smaller noise floors are raised to this value,
+/// because rounding in tables and integration errors also contribute to the residuals.
 const MIN_NOISE_FLOOR: f64 = 1e-5;
 
 /// Fraction of the flights to be fitted that are excluded, above which the fit is not reliable.

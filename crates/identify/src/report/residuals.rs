@@ -13,7 +13,8 @@ const LAGS: usize = 25;
 /// Number of bins of the histogram of whitened residuals.
 const BINS: usize = 2000;
 
-/// Upper limit of the magnitude of whitened residuals in the histogram, in standard deviations.
+/// Limit of the histogram of whitened residuals on either side of 0, in standard deviations. Residuals beyond it are
+/// counted in the outermost bins.
 const HISTOGRAM_LIMIT: f64 = 10.0;
 
 /// Number of quantiles in the report, for a Q–Q plot.
@@ -188,8 +189,8 @@ fn quantiles(bins: &[u32]) -> Vec<[f64; 2]> {
     each.collect()
 }
 
-/// Value below which `wanted` of the binned values lie. The search resumes at `from` (bin, number of values below the
-/// bin), since quantiles are requested in increasing order.
+/// Quantile of the values counted in `bins`: the value below which the number `wanted` of them lies. Quantiles are
+/// requested in increasing order, so the search resumes at `from` (bin, number of values below the bin).
 fn binned_quantile(bins: &[u32], wanted: f64, from: &mut (usize, f64)) -> f64 {
     let width = 2.0 * HISTOGRAM_LIMIT / BINS as f64;
     for (index, &count) in bins.iter().enumerate().skip(from.0) {

@@ -53,7 +53,7 @@ pub struct Distances {
     pub pairs: Vec<(usize, usize)>,
     /// Measured distances `samples[sample][pair]`, m; NaN if a marker of the pair is missing.
     pub samples: Vec<Vec<f64>>,
-    /// Distance of each pair in the template, m.
+    /// Distance of each pair according to the template (the declared positions of the markers), m.
     pub declared: Vec<f64>,
     /// Median measured distance of each pair, m; NaN for a pair that is never measured.
     pub medians: Vec<f64>,
@@ -110,8 +110,8 @@ impl Distances {
         })
     }
 
-    /// Median ratio of measured to declared distances; `None` if the ratio of a pair differs from the median by more
-    /// than [`RATIO_SPREAD`].
+    /// Median over the pairs of the ratio of the median measured distance to the declared distance; `None` if the ratio
+    /// of any pair deviates from this median by a relative amount of [`RATIO_SPREAD`] or more.
     pub fn ratio(&self) -> Option<f64> {
         let pairs = self.medians.iter().zip(&self.declared);
         let ratios: Vec<f64> = pairs
@@ -126,7 +126,7 @@ impl Distances {
     }
 
     /// Whether the measured distance, m, of pair number `pair` is grossly wrong: its deviation from the declared
-    /// distance exceeds the limits [`GROSS`], [`GROSS_DISTANCE`] and [`GROSS_NOISE`].
+    /// distance exceeds all three limits [`GROSS`], [`GROSS_DISTANCE`] and [`GROSS_NOISE`].
     pub fn is_gross(&self, measured: f64, pair: usize) -> bool {
         let declared = self.declared[pair];
         let limit = (GROSS * declared)

@@ -215,7 +215,8 @@ impl<'a> FreeFall<'a> {
         (FaultKind::TimeUnit, format!("{detail}{told}"), mend)
     }
 
-    /// Whether the distances between markers have already shown that lengths are in metres.
+    /// Whether the dataset has more than one marker: an earlier check of the distances between markers has then already
+    /// shown that lengths are in metres.
     fn template_gives_lengths(&self) -> bool {
         self.dataset.markers.len() > 1
     }
@@ -389,7 +390,8 @@ impl<'a> FreeFall<'a> {
     }
 }
 
-/// Track of a flight with all positions multiplied by `matrix`.
+/// Track of a flight up to the first ground contact, computed after multiplication of all measured marker positions by
+/// `matrix`.
 pub fn changed(problem: &FitProblem, flight: &Flight, matrix: &Matrix3<f64>) -> Track {
     let change = |point: [f64; 3]| <[f64; 3]>::from(matrix * Vector3::from(point));
     let rows: Vec<Vec<Option<[f64; 3]>>> = flight

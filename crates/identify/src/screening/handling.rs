@@ -84,7 +84,7 @@ impl<'a> Examined<'a> {
         parabola(&self.track.points[from..to], self.track.noise)
     }
 
-    /// Force per mass other than gravity, m/s², from the acceleration of a parabola fitted to points of the track.
+    /// Force per mass other than gravity, m/s²; `motion` is a parabola fitted to points of the track.
     fn force(&self, motion: &Parabola) -> Vector3<f64> {
         motion.acceleration - self.gravity
     }
@@ -167,8 +167,8 @@ impl<'a> Examined<'a> {
         from
     }
 
-    /// Whether the body is braked, from point `first` to the end, by a force that far exceeds gravity and the
-    /// aerodynamic force, as in a catch (see [`CATCH`]).
+    /// Whether the body is braked, from point `first` of the track to the end, by a force that far exceeds gravity and
+    /// the aerodynamic force, as in a catch (see [`CATCH`]). `motion` is the parabola fitted to these points.
     fn is_caught(&self, motion: &Parabola, first: usize) -> bool {
         let g = self.gravity.norm();
         let force = self.force(motion).norm();

@@ -25,8 +25,8 @@ const ERROR_RATIO: f64 = 0.2;
 /// instead of for a range of times.
 const WHOLE: f64 = 0.9;
 
-/// Range of consecutive samples in which the distances fit better after a permutation of the labels, and the
-/// log-likelihood ratio in this range.
+/// Range of consecutive samples in which the measured distances between markers match the declared distances better
+/// after a permutation of the labels, and the log-likelihood ratio of permuted to declared labels in this range.
 struct Stretch {
     first: usize,
     last: usize,
@@ -95,8 +95,8 @@ pub fn check(distances: &Distances, flight: &Flight, markers: &[Marker]) -> Opti
     })
 }
 
-/// Permutations other than the identity, in the order of the number of labels that they move: all permutations of few
-/// markers, exchanges of two among many.
+/// Permutations of the labels of `count` markers other than the identity, in the order of the number of labels that
+/// they move. For more than [`ALL_PERMUTATIONS`] markers, only the exchanges of two labels.
 fn permutations(count: usize) -> Vec<Vec<usize>> {
     let identity: Vec<usize> = (0..count).collect();
     let mut found = Vec::new();

@@ -130,7 +130,8 @@ fn frozen(dataset: &Dataset, flight: usize, marker: usize) -> Option<DataFault> 
     )
 }
 
-/// Runs of at least two consecutive identical positions, and the number of sampling intervals within these runs.
+/// Runs of at least two consecutive identical positions in a marker's track of (sample, position), and the number of
+/// sampling intervals within these runs.
 fn runs(track: &[(usize, [f64; 3])]) -> (Vec<Run>, usize) {
     let (mut runs, mut still, mut start) = (Vec::new(), 0, 0);
     for end in 1..=track.len() {
@@ -147,7 +148,8 @@ fn runs(track: &[(usize, [f64; 3])]) -> (Vec<Run>, usize) {
     (runs, still)
 }
 
-/// Median distance that the marker moves in `intervals` sampling intervals, m; intervals without motion are ignored.
+/// Median distance, m, between two positions of a marker's track that are `intervals` entries apart; pairs of identical
+/// positions are ignored.
 fn moves_by(track: &[(usize, [f64; 3])], intervals: usize) -> f64 {
     let pairs = track.iter().zip(&track[intervals.min(track.len())..]);
     let moved = pairs.map(|((_, a), (_, b))| {
@@ -158,7 +160,8 @@ fn moves_by(track: &[(usize, [f64; 3])], intervals: usize) -> f64 {
     median(&mut moved)
 }
 
-/// Resolution of a track, m: the smallest nonzero difference between coordinates of successive samples.
+/// Resolution of a marker's track, m: the smallest nonzero change of a coordinate between successive entries; 0 if
+/// there is none.
 fn resolution(track: &[(usize, [f64; 3])]) -> f64 {
     let pairs = track.windows(2);
     let steps = pairs.flat_map(|pair| [0, 1, 2].map(|k| (pair[1].1[k] - pair[0].1[k]).abs()));

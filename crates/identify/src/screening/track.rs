@@ -16,7 +16,8 @@ pub const MIN_POINTS: usize = 6;
 /// Target standard error of the acceleration in a time window, relative to the mean acceleration of the flight; it
 /// determines the length of the windows.
 const WINDOW_ERROR: f64 = 0.04;
-/// Minimum and maximum number of time windows into which a flight is divided.
+/// Minimum and maximum number of time windows into which a flight is divided; the length of the windows is clamped
+/// accordingly.
 const WINDOWS: [usize; 2] = [4, 14];
 
 /// Measured pose or position of the body's origin in one sample.
@@ -57,8 +58,8 @@ pub struct Parabola {
 }
 
 impl Track {
-    /// Computes the path of the origin: from poses fitted to the markers for a body with an attitude, otherwise from
-    /// the positions of a point mass's markers.
+    /// Computes the path of the body's origin from measured marker positions (`rows`, one row per sample): for a body
+    /// with an attitude from poses fitted to the markers, for a point mass from the marker positions themselves.
     pub fn of(
         markers: &[[f64; 3]],
         has_attitude: bool,
@@ -97,8 +98,8 @@ impl Track {
         Self { points, noise }
     }
 
-    /// Computes the path of the origin up to the body's first contact with the ground, and that contact; `None`
-    /// without a contact.
+    /// Computes the path of the body's origin, without the points from the first contact with the ground on. Also
+    /// returns this contact; it is `None` if no contact is detected.
     pub fn until_contact(
         problem: &FitProblem,
         times: &[f64],
@@ -130,8 +131,9 @@ impl Track {
         (0..3).map(extent).fold(0.0, f64::max)
     }
 
-    /// Divides the path into consecutive windows, long enough for the noise level, and fits a parabola to each.
-    /// Returns the range of points and the parabola of each window.
+    /// Divides the path into consecutive time windows and fits a parabola to each. The noisier the path, the longer the
+    /// windows, so that the acceleration has a standard error of about `WINDOW_ERROR`. Returns the range of points and
+    /// the parabola of each window.
     pub fn windows(&self) -> Vec<(std::ops::Range<usize>, Parabola)> {
         let count = self.points.len();
         let Some(whole) = parabola(&self.points, self.noise) else {

@@ -100,7 +100,7 @@ fn usual_side(problem: &FitProblem) -> Option<f64> {
 }
 
 /// Magnitudes of the differences between measured and modelled accelerations, m/s², in evenly spaced time windows of a
-/// flight, at most as many as the second number of [`COMPARED`].
+/// flight. The maximum number of windows is the second number of [`COMPARED`].
 fn misfits(problem: &FitProblem, observations: &Observations, track: &Track) -> Vec<f64> {
     let windows = track.windows();
     let step = windows.len().div_ceil(COMPARED.1).max(1);
@@ -123,8 +123,8 @@ fn misfits(problem: &FitProblem, observations: &Observations, track: &Track) -> 
     each.collect()
 }
 
-/// Component-wise median of the angular velocities between successive points, rad/s, inertial frame; `None` without
-/// attitudes.
+/// Component-wise median of the angular velocities between successive points of a track, rad/s, inertial frame; `None`
+/// if there are no two successive points with attitudes.
 fn rates(points: &[Point]) -> Option<Vector3<f64>> {
     let pairs = points.windows(2).filter_map(|pair| {
         let turn: UnitQuaternion<f64> = pair[1].attitude? * pair[0].attitude?.inverse();

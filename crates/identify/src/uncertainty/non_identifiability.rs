@@ -100,8 +100,8 @@ fn why(
     }
 }
 
-/// Text with the minimum and maximum over the flights of the quantities that occur in the same expressions as the named
-/// coefficients; `None` if there are none.
+/// Text with the minimum and maximum over the flights of up to three auxiliary variables or states that occur in the
+/// same expressions as the coefficients `names`; `None` if there are no such quantities.
 fn excitation(model: &Model, names: &[&str], ranges: &ExcitationRange) -> Option<String> {
     let mut met: Vec<&str> = Vec::new();
     let expressions = model.aux_variables.iter().map(|quantity| &quantity.value);
@@ -138,7 +138,8 @@ fn excitation(model: &Model, names: &[&str], ranges: &ExcitationRange) -> Option
     (!ranges.is_empty()).then(|| format!("in them {}", ranges.join(", ")))
 }
 
-/// Text with a range and its unit; angles are in degrees.
+/// Text with the minimum `low` and maximum `high` of the auxiliary variable or state `name`, and the unit of an
+/// auxiliary variable; angles are converted to degrees.
 fn range(model: &Model, name: &str, low: f64, high: f64) -> String {
     let angle = model_spec::unit::Unit::RADIAN;
     let quantity = model

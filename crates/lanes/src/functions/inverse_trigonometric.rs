@@ -11,8 +11,9 @@ const MAX_SUM: f64 = 1e300;
 /// π/4 minus the `f64` nearest to π/4.
 const FRAC_PI_4_REST: f64 = 3.061_616_997_868_383e-17;
 
-/// Tangent above which `atan2` computes the angle relative to π/4. The result then exceeds 1/2 rad, so that the
-/// relative effect of rounding errors halves.
+/// Maximum tangent for which `atan2` evaluates the polynomial for the angle itself. For a larger tangent it evaluates
+/// the polynomial for the difference of the angle from π/4; the angle then exceeds 1/2 rad, which limits the relative
+/// effect of rounding errors in the sum.
 const MAX_DIRECT_TANGENT: f64 = 0.5625;
 
 /// Polynomial coefficients of (atan(q)/q - 1)/z in powers of z = q², q up to `MAX_DIRECT_TANGENT`, by Remez exchange;

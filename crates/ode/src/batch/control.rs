@@ -92,7 +92,7 @@ impl Control {
         }
     }
 
-    /// Sets the size and the end time of the next step of every lane.
+    /// Sets the size and the end time of the next step in the first `lanes` lanes; the size is 0 in idle lanes.
     #[inline(always)]
     pub(crate) fn set_steps(&mut self, lanes: usize) {
         for lane in 0..lanes {
@@ -159,8 +159,8 @@ impl Control {
         }
     }
 
-    /// Counts the step of a lane as rejected and proposes a shorter one. Returns false if the shorter step is below the
-    /// minimum step size.
+    /// Counts the step of a lane as rejected and proposes a shorter step; `error` is the error norm of the rejected
+    /// step. Returns false if the size of the shorter step does not exceed the minimum step size.
     #[inline(always)]
     pub(crate) fn reject(&mut self, lane: usize, error: f64) -> bool {
         self.rejected[lane] += 1;

@@ -58,7 +58,8 @@ pub(crate) fn error_norm<T: Lanes>(
     h * sum_5 * both.if_zero(zero, T::splat(1.0) / both.sqrt())
 }
 
-/// Error estimates of the components `start..end` (at most [`BLOCK`] components), divided by the step size.
+/// Error estimates, divided by the step size, of the components `start..end` (at most [`BLOCK`] components) with the
+/// stage weights `row`; the remaining elements are 0.
 // A function, since a closure need not be inlined.
 #[inline(always)]
 fn errors<T: Lanes>(stages: &Stages<T>, row: Row, start: usize, end: usize) -> [T; BLOCK] {
@@ -111,8 +112,8 @@ pub(crate) fn euler_steps<T: Lanes>(norms: [T; 2], max_step: f64) -> T {
     T::from_fn(|lane| first_step(norms[0].lane(lane), norms[1].lane(lane), max_step))
 }
 
-/// Initial step size of one lane, from the norm `rate` of its derivative and the norm `change` of the change of the
-/// derivative over the Euler step.
+/// Initial step size of one lane; `rate` is the norm of the derivative at the initial state, and `change` is the norm
+/// of the change of the derivative over the trial Euler step of size `euler_step`.
 #[inline(always)]
 pub(crate) fn initial_step(
     euler_step: f64,

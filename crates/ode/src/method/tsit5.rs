@@ -184,7 +184,7 @@ impl<X: StateVector> Stepper<X> for Tsit5<X> {
     }
 }
 
-/// Weights of the dense-output rows in the order-4 interpolant at the fraction `s` of the step, which needs no
+/// Weights of the dense-output rows at the fraction `s` of the step, for the order-4 interpolant, which needs no
 /// additional stages. The caller must multiply all weights but the first by the step size.
 pub(crate) fn weights(s: f64) -> [f64; ROWS] {
     let mut weights = [1.0; ROWS];
@@ -194,7 +194,8 @@ pub(crate) fn weights(s: f64) -> [f64; ROWS] {
     weights
 }
 
-/// Weight of each stage in the order-4 interpolant, as the coefficients of s, s², s³ and s⁴.
+/// Weight of each stage in the order-4 interpolant, as the coefficients of s, s², s³ and s⁴, where s is the fraction of
+/// the step.
 pub(crate) const INTERPOLANT: [[f64; 4]; ROWS - 1] = [
     first_weight(),
     even_weight(0.1017, 2.196_656_833_824_975_4, 1.294_985_250_737_463),

@@ -33,7 +33,8 @@ pub struct ExtendedLaw<T> {
 }
 
 impl<T: Real> ExtendedLaw<T> {
-    /// Loads and accelerations of a body at the physical state `at`; `time` is the time since release, s.
+    /// Loads and accelerations of a body at the physical state `at` under the law and its effects; `time` is the time
+    /// since release, s.
     pub fn motion(&self, at: &Physical<T>, time: T) -> Motion<T> {
         self.motion_with(at, time, Vector3::zeros(), Vector3::zeros())
     }

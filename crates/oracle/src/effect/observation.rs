@@ -68,7 +68,7 @@ pub(super) enum Observation {
     TimeOffset,
     /// The marker with this index, from 0, is elsewhere on the body than measured.
     Misplaced(usize),
-    /// The measured coordinates of all markers along the body axis have a common error.
+    /// The measured positions of all markers on the body have a common error along the body axis.
     Height,
     /// The measured distances of all markers from the body axis have a common relative error.
     Radius,

@@ -51,8 +51,8 @@ pub(super) fn mass_properties<T: Real>(constants: &[T]) -> MassProperties<T> {
     body(constants).mass_properties()
 }
 
-/// Mass, inertia, dimensions and environment of a disc or discus, from the first seven of its `constants`, which the
-/// two laws have in common.
+/// Mass, inertia, dimensions and environment of a disc or discus, from the first seven of its `constants`, which are
+/// the same for the laws [`Law::Disc`](super::Law::Disc) and [`Law::Discus`](super::Law::Discus).
 pub(super) fn body<T: Real>(constants: &[T]) -> Body<T> {
     let &[mass, axial, diametral, diameter, area, density, gravity, ..] = constants else {
         unreachable!("bound to names that begin with {:?}", &CONSTANTS[..7])

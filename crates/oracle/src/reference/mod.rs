@@ -76,7 +76,8 @@ impl Law {
         self != Self::Ball
     }
 
-    /// Loads and accelerations of a body in air of velocity `air`, m/s; constants in the order of [`Law::constants`].
+    /// Loads on a body and its accelerations by this law at the physical state `at`, in air of velocity `air`, m/s;
+    /// `constants` are in the order of [`Law::constants`].
     pub fn motion<T: Real>(self, constants: &[T], at: &Physical<T>, air: Vector3<T>) -> Motion<T> {
         match self {
             Self::Disc => disc::motion(constants, at, air),
@@ -85,7 +86,8 @@ impl Law {
         }
     }
 
-    /// Mass and inertia in the body frame; constants in the order of [`Law::constants`].
+    /// Mass, and inertia in the body frame, of a body under this law; `constants` are in the order of
+    /// [`Law::constants`].
     pub fn mass_properties<T: Real>(self, constants: &[T]) -> MassProperties<T> {
         match self {
             Self::Disc | Self::Discus => disc::mass_properties(constants),

@@ -41,7 +41,8 @@ struct Effect {
 
 #[derive(Serialize)]
 struct Row {
-    /// Name of the effect and its number of rows; `None` in further rows of the same effect.
+    /// Name of the effect, and number of table rows that the effect occupies; `None` in the second and further rows of
+    /// an effect.
     effect: Option<(String, usize)>,
     site: String,
     variables: String,

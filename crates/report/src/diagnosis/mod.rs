@@ -58,7 +58,7 @@ impl std::fmt::Debug for Fits<'_> {
 pub struct Made {
     /// Self-contained HTML page.
     pub html: String,
-    /// File name and SVG text of each figure, in the order of the page.
+    /// File name and SVG text of each figure, in the order in which the figures appear on the page.
     pub figures: Vec<(String, String)>,
     /// File name and CSV text of the data of each figure, in the same order as `figures`.
     pub tables: Vec<(String, String)>,

@@ -20,8 +20,9 @@ pub(crate) fn what(unit: &str) -> &'static str {
     }
 }
 
-/// Groups state indices into panels. States in a group have equal units and, except for m and m/s, peak magnitudes
-/// within a factor `apart`; a group has at most four states.
+/// Divides states, given by index, into groups, each to be drawn in one panel. The states of a group have equal units
+/// and, unless the unit is m or m/s, peak magnitudes in `rows` (samples of all states) that differ at most by the
+/// factor `apart`. A group has at most four states.
 pub(crate) fn groups(states: &[StateLabel<'_>], rows: &[Vec<f64>], apart: f64) -> Vec<Vec<usize>> {
     let reach = |i: usize| rows.iter().map(|row| row[i].abs()).fold(0.0, f64::max);
     let mut groups: Vec<Vec<usize>> = Vec::new();

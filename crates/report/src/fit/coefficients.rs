@@ -37,7 +37,8 @@ struct Picture {
     model: Option<f64>,
 }
 
-/// Rows of the coefficient table in the order of the model, followed by coefficients that the model does not declare.
+/// Rows of the coefficient table: first the coefficients in the order of declaration in the model, then those that the
+/// model does not declare.
 pub(super) fn rows(page: &FitPage<'_>) -> Vec<Row> {
     let sources = sources(page.model.reference.as_deref());
     let found = page.coefficients().into_iter();

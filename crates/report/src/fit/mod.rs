@@ -31,14 +31,15 @@ pub struct FitPage<'a> {
 }
 
 impl FitPage<'_> {
-    /// Index of a coefficient or parameter in the order of declaration; names that the model does not declare come
-    /// last.
+    /// Position of the coefficient or parameter `name` in the order of declaration in the model; for a name that the
+    /// model does not declare, the total number of coefficients and parameters, so that it is sorted last.
     fn place(&self, name: &str) -> usize {
         let known = self.model.coefficients.iter().chain(&self.model.params);
         known.take_while(|known| known.name != name).count()
     }
 
-    /// Coefficients of the fit with their names, in the order of the model, including fixed ones.
+    /// Names and estimates of all coefficients of the fit, including fixed ones, in the order of declaration in the
+    /// model.
     fn coefficients(&self) -> Vec<(&str, &Coefficient)> {
         let all = self.report.coefficients.iter();
         let mut all: Vec<(&str, &Coefficient)> = all.map(|(n, c)| (n.as_str(), c)).collect();
@@ -67,7 +68,7 @@ pub fn html(page: &FitPage<'_>) -> String {
     page::written(page, &Figures::of(page))
 }
 
-/// Draws all figures of the HTML report, in the order of the page.
+/// Draws all figures of the HTML report, in the order in which they appear on the page.
 pub fn figures(page: &FitPage<'_>) -> Vec<Figure> {
     Figures::of(page).in_order()
 }
@@ -109,7 +110,7 @@ impl Figures {
         }
     }
 
-    /// Returns all figures in the order of the page.
+    /// Returns all figures in the order in which they appear on the page.
     fn in_order(self) -> Vec<Figure> {
         let all = [
             self.precision.into_iter().collect(),

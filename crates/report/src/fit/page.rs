@@ -127,7 +127,8 @@ pub(crate) fn rendered(template: &str, context: Value) -> String {
         })
 }
 
-/// Converts a serializable value to a template value. The template engine escapes the strings of this value.
+/// Converts a serializable value to a value for the HTML templates. The template engine escapes all strings in it as
+/// plain text.
 pub(crate) fn plain_values(of: &impl Serialize) -> Value {
     Value::from(Serde(of))
 }

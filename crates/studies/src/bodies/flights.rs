@@ -11,7 +11,7 @@ use crate::error::StudyError;
 /// Number of intervals into which a flight is divided for sampling.
 const SAMPLES: usize = 1000;
 
-/// Turn and fade of one disc, thrown level (zero hyzer and nose angle) by a right-handed backhand, down to the ground.
+/// Turn and fade of one disc in a simulated flight down to the ground, launched at 10° with zero hyzer and nose angle.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct TurnAndFade {
     /// Name of the disc's model.

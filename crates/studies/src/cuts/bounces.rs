@@ -25,10 +25,10 @@ const LIMIT: Duration = Duration::from_secs(60);
 const DURATION: f64 = 1.0;
 const RATE: f64 = 120.0;
 
-/// Range in which the time of the first ground contact has to lie, s.
+/// Range of the time of the first ground contact, s. Throws with a contact at another time or without one are redrawn.
 const TOUCH: (f64, f64) = (0.3, 0.85);
 
-/// Ranges of the launches: slow to moderate throws, level or downward.
+/// Ranges of the launch conditions: slow to moderate throws, level or downward.
 const LOW: Throws = Throws {
     speed: (6.0, 18.0),
     launch: (-0.35, 0.0),

@@ -17,7 +17,8 @@ const FLIGHTS: usize = 20;
 /// Time limit of fitting one dataset.
 const LIMIT: Duration = Duration::from_secs(60);
 
-/// Ranges of launches: fast and slow throws at angles of attack up to about 35 degrees, upwards and downwards.
+/// Ranges of the launch conditions: fast and slow throws at angles of attack up to about 35 degrees, upwards and
+/// downwards.
 const WILD: Throws = Throws {
     speed: (5.0, 32.0),
     launch: (-0.6, 1.0),
@@ -28,7 +29,8 @@ const WILD: Throws = Throws {
     wobble: 6.0,
 };
 
-/// Ranges of launches: fast throws at a high angle of attack, with an initial lift of several times the weight.
+/// Ranges of the launch conditions: fast throws at a high angle of attack, with an initial lift of several times the
+/// weight.
 const LIFTED: Throws = Throws {
     speed: (18.0, 30.0),
     launch: (-0.1, 0.3),

@@ -27,12 +27,12 @@ pub struct Outcome {
     /// Whether the report lists an effect that was added to the simulated flights as not identifiable from these
     /// flights.
     pub not_identifiable: bool,
-    /// Size of the effect added to the simulated flights / minimum detectable size: the minimum over these effects, 0
-    /// if one is not identifiable. `None` if the ratio is not known, as for effects outside the built-in effects
-    /// catalogue.
+    /// Minimum, over the effects added to the simulated flights, of the size of the effect / the minimum detectable
+    /// size; 0 if one of the effects is not identifiable. `None` if the ratio is not known, as for effects outside the
+    /// built-in effects catalogue.
     pub detectability: Option<f64>,
-    /// z-equivalent (two-sided standard normal quantile of the p-value) of the score test of the effect added to the
-    /// simulated flights, the minimum over these effects; `None` if none of them was tested.
+    /// Minimum, over the effects added to the simulated flights, of the z-equivalent (two-sided standard normal
+    /// quantile of the p-value) of the score test; `None` if none of these effects was tested.
     pub z: Option<f64>,
     /// Counts of the flights that contradict the effect found in most flights, and that the report therefore lists as
     /// discordant.

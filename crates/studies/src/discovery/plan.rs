@@ -36,14 +36,14 @@ const SHARE: Share = Share {
     input_errors: 10,
 };
 
-/// Number of random pairs of effects.
+/// Number of random pairs of effects that the study adds to simulated flights.
 const PAIRS: usize = 12;
 
 /// Seed with which the random pairs of effects are drawn.
 const PAIR_SEED: u64 = 12;
 
-/// Combinations that are drawn: number of effects in a combination, and number of random combinations with that many
-/// effects.
+/// Random combinations of effects that the study adds to simulated flights: number of effects in a combination, and
+/// number of combinations with that many effects.
 const SEVERAL: [(usize, usize); 2] = [(2, 10), (3, 10)];
 
 /// Seed with which the random combinations of two or three effects are drawn.
@@ -95,8 +95,8 @@ impl Planner {
         found.expect("a noise of that name").clone()
     }
 
-    /// Builds a row with effects of strong size under white noise. `share` is its number of runs as a percentage of
-    /// `seeds`.
+    /// Builds a row with effects of strong size under white noise. `share` is the number of runs of the row as a
+    /// percentage of the planner's `seeds`.
     fn row(&self, group: Group, body: Body, effects: &[&'static str], share: usize) -> Row {
         Row {
             group,
@@ -223,7 +223,7 @@ pub fn plan(seeds: usize) -> Vec<Row> {
     rows
 }
 
-/// Draws random pairs of effects that act at different sites, without repetition.
+/// Draws [`PAIRS`] different random pairs from the effects `names`. The two effects of a pair act at different sites.
 fn pairs(names: &[&'static str]) -> Vec<[&'static str; 2]> {
     let mut random = ChaCha12Rng::seed_from_u64(PAIR_SEED);
     let mut pairs: Vec<[&'static str; 2]> = Vec::new();
@@ -242,8 +242,8 @@ fn pairs(names: &[&'static str]) -> Vec<[&'static str; 2]> {
     pairs
 }
 
-/// Draws `count` different random combinations of `number` effects that act at different sites. Effects whose influence
-/// on flights equals that of another cause are left out.
+/// Draws `count` different random combinations of `number` effects from `names`. The effects of a combination act at
+/// different sites. Effects whose influence on flights equals that of another cause are not drawn.
 fn combinations(names: &[&'static str], number: usize, count: usize) -> Vec<Vec<&'static str>> {
     let mut random = ChaCha12Rng::seed_from_u64(SEVERAL_SEED + number as u64);
     let imitated = |name: &str| CONFOUNDED.iter().any(|(of, _)| *of == name);

@@ -68,8 +68,8 @@ pub(super) struct RowRates {
     pub(super) mean_set_size: Option<f64>,
     /// Number of runs whose answer is a single wrong hypothesis.
     pub(super) uniquely_wrong: usize,
-    /// Median over the runs of the ratio of the size of the effect in the simulated flights to the minimum detectable
-    /// size; `None` if no run has this ratio.
+    /// Median over the runs of the ratio of effect size in the simulated flights to minimum detectable size (the
+    /// smallest ratio of a run with several effects); `None` if no run has this ratio.
     pub(super) detectability: Option<f64>,
     /// Median over the runs of the ratio of two prediction errors on held-out flights: model extended by the effects
     /// that the diagnosis found / model with the effects added to the simulated flights. `None` if no run has this

@@ -170,8 +170,8 @@ impl Row {
         key.to_lowercase()
     }
 
-    /// Whether all `words` occur in the row's key or in the label of its group. Case is ignored, and hyphens match
-    /// underscores.
+    /// Whether each of the space-separated `words` occurs in the row's key or in the label of the row's group. Case is
+    /// ignored, and hyphens match underscores.
     pub fn has(&self, words: &str) -> bool {
         let text = format!("{} {}", self.key(), self.group.label());
         words

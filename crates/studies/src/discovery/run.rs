@@ -76,7 +76,8 @@ pub fn rejections(results: &[RowResult]) -> Vec<Vec<Option<String>>> {
 struct Models(Mutex<BTreeMap<String, Model>>);
 
 impl Models {
-    /// Returns a clone of a built-in model with built-in effects, which is loaded at the first call.
+    /// Returns a clone of the built-in model `model` combined with the built-in effects `effects`. Each combination is
+    /// loaded only once.
     ///
     /// # Panics
     /// If the effects cannot be combined with the model.

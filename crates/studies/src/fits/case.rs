@@ -1,4 +1,4 @@
-//! One random fit: effects of the catalogue and their sizes, drawn from a seed.
+//! One case of the study: effects of the built-in effects catalogue and their sizes, drawn from a seed.
 
 use identify::dataset::Dataset;
 use identify::synthesize::Corruption;
@@ -25,10 +25,11 @@ const MAX_MULTIPLE: f64 = 12.0;
 /// which the forces are declared is undefined there; a strong negative lift can hold the disc at 90°.
 const MAX_ANGLE: f64 = 1.3;
 
-/// Number of flights that are simulated in each step of the search for the size of an effect.
+/// Number of flights simulated per step of the search for the effect size that gives the drawn marker displacement.
 const PROBE_FLIGHTS: usize = 4;
 
-/// Relative deviation of the displacement from the wanted one at which the search for the size of an effect ends.
+/// The search for the size of an effect ends when the marker displacement deviates from the drawn one by less than this
+/// fraction.
 const CLOSE: f64 = 0.25;
 
 /// Maximum number of iterations of the search for an effect size.
@@ -38,22 +39,24 @@ const STEPS: usize = 7;
 /// numbered from 1.
 const SIZE_STREAM: u64 = u64::MAX - 3;
 
-/// Effects added to the simulated flights of one random fit.
+/// One case of the study: simulated flights with randomly drawn effects, which are then fitted with these effects in
+/// the model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FitCase {
     /// Seed of the effects, the throws and the noise.
     pub seed: u64,
     /// Names of the effects added to the simulated flights, with their values, SI.
     pub effects: Vec<(String, Vec<f64>)>,
-    /// Displacement of the markers by all effects together, RMS over the coordinates, m. Flights with and without the
-    /// effects start from the same releases.
+    /// RMS difference, m, between the marker coordinates of flights with all effects and of flights without effects
+    /// that start from the same releases.
     pub displacement: f64,
 }
 
 impl FitCase {
-    /// Draws the effects of the random fit with a given seed: one to three effects of the disc, each with a log-uniform
-    /// displacement as far as the coefficients' bounds allow. The values of all effects are halved until together they
-    /// displace the markers by at most one metre and no disc exceeds the maximum angle of attack.
+    /// Draws the effects that are added to the flights of one case: one to three effects of the disc. The RMS marker
+    /// displacement that an effect causes is drawn log-uniformly; values outside the bounds of their coefficients are
+    /// clipped, which makes the displacement smaller. The values of all effects are then halved until all effects
+    /// together displace the markers by at most one metre and no disc exceeds the maximum angle of attack.
     ///
     /// # Panics
     /// If the built-in disc does not load.
@@ -129,8 +132,9 @@ fn effects(random: &mut impl Rng) -> (Vec<&'static str>, Model) {
     }
 }
 
-/// Values of an effect, proportional to its strong values `strong` and within their bounds, that displace the markers
-/// by about `wanted` (m, RMS over the coordinates). They are found by a bracketed search.
+/// Searches, by bracketing, for the multiple of `strong` (an effect's strong values) with which the effect displaces
+/// the markers by about `wanted` (m, RMS over the coordinates) from the flights `exact` without effects. Values are
+/// clipped to the bounds of their coefficients.
 fn sized(
     model: &Model,
     name: &str,
@@ -163,8 +167,8 @@ fn sized(
     at(multiple)
 }
 
-/// Multiplies `strong` by `multiple` and restricts each value to the bounds of its coefficient. If the bounds exclude
-/// one sign, the value gets the other.
+/// Multiplies `strong` by `multiple` and clips each value to 0.9 times the bounds of its coefficient. A value whose
+/// sign the bounds exclude gets the other sign.
 fn within_bounds(model: &Model, name: &str, strong: &[f64], multiple: f64) -> Vec<f64> {
     let effect = model.effects.iter().find(|effect| effect.name == name);
     let coefficients = effect.map_or(&[][..], |effect| &effect.coefficients);
@@ -183,7 +187,7 @@ fn within_bounds(model: &Model, name: &str, strong: &[f64], multiple: f64) -> Ve
     each.collect()
 }
 
-/// Simulates the first `flights` flights of a seed, without noise.
+/// Simulates the first `flights` throws of a seed, with the given effects and without noise.
 fn flights(effects: &[(String, Vec<f64>)], flights: usize, seed: u64) -> Dataset {
     let plan = Plan { flights, ..TWELVE };
     seeded::dataset(&plan, &listed(effects), seed)

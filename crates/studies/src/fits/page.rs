@@ -49,7 +49,7 @@ struct Row {
     what: String,
 }
 
-/// Renders docs/fits.md from the outcomes of the random fits.
+/// Renders docs/fits.md from the outcomes of fits of datasets with randomly drawn effects.
 ///
 /// # Errors
 /// [`StudyError::Page`] if the template cannot be rendered with the results.
@@ -108,7 +108,8 @@ fn class(name: String, of: &[&FitOutcome]) -> Class {
     }
 }
 
-/// Sort key of failed fits, in descending order: fits without a result first, then those with the largest residuals.
+/// Key by which the page sorts failed fits in descending order: RMS residual / expected RMS residual, or infinity for a
+/// fit without a result.
 fn severity(outcome: &FitOutcome) -> f64 {
     outcome.ratio.unwrap_or(f64::INFINITY)
 }

@@ -44,8 +44,8 @@ impl FitOutcome {
     }
 }
 
-/// Runs the random fits of `seeds`, `threads` of them in parallel, which share the processors equally. Calls `progress`
-/// after each fit with the numbers of finished fits and of all fits.
+/// Fits one dataset with randomly drawn effects for each of `seeds`, `threads` fits in parallel, which share the
+/// processors equally. Calls `progress` after each fit with the numbers of finished fits and of all fits.
 pub fn fits(
     seeds: &[u64],
     threads: usize,
@@ -61,7 +61,7 @@ pub fn fits(
     })
 }
 
-/// Simulates the flights of a random fit, and fits them on `threads` threads.
+/// Simulates the flights of a case, and fits them on `threads` threads with a model that contains the added effects.
 ///
 /// # Panics
 /// If the built-in effects do not load.

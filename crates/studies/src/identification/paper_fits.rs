@@ -109,7 +109,7 @@ pub fn paper_fits(seeds: u64) -> PaperFits {
     }
 }
 
-/// Truncates every flight after `duration` (s).
+/// Returns a copy of a dataset without the samples of each flight after the time `duration` (s).
 fn truncated(dataset: &Dataset, duration: f64) -> Dataset {
     let mut dataset = dataset.clone();
     for flight in &mut dataset.flights {

@@ -29,8 +29,8 @@ pub(super) fn scatter(fits: &PaperFits) -> String {
     figure("Estimates of single seeds", &panels)
 }
 
-/// Dots of one coefficient's estimates in a column. Horizontal offsets by multiples of the golden ratio keep the dots
-/// apart.
+/// Dots for the estimates of one coefficient in one scenario, at most [`MAX_DOTS`], in the plot column with the given
+/// index. Horizontal offsets by multiples of the golden ratio keep the dots apart.
 fn dots(column: usize, scenario: &Scenario, coefficient: usize) -> Dots {
     let offset = |index: usize| 0.6 * ((index as f64 * 0.618_034).fract() - 0.5);
     let estimates = scenario.estimates[coefficient].iter().take(MAX_DOTS);

@@ -7,15 +7,15 @@ use rand::{Rng, RngExt};
 /// Distribution of throws: each quantity is uniform over a range (minimum, maximum).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Throws {
-    /// Speed at release, m/s.
+    /// Range of the speed at release, m/s.
     pub speed: (f64, f64),
-    /// Launch angle of the velocity above the horizontal, rad.
+    /// Range of the launch angle (velocity above the horizontal), rad.
     pub launch: (f64, f64),
-    /// Angle of attack, positive nose up, rad.
+    /// Range of the angle of attack at release, positive nose up, rad.
     pub nose: (f64, f64),
-    /// Hyzer angle: tilt of the disc about its velocity, rad.
+    /// Range of the hyzer angle (tilt of the disc about its velocity), rad.
     pub hyzer: (f64, f64),
-    /// Magnitude of the spin, rad/s.
+    /// Range of the magnitude of the spin, rad/s.
     pub spin: (f64, f64),
     /// Fraction of the throws with positive spin about the disc's upward axis (counter-clockwise seen from above).
     pub counter_clockwise: f64,

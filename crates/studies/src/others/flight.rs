@@ -10,8 +10,8 @@ pub const DURATION: f64 = 2.0;
 /// Number of output times of a flight, including the release and the end.
 const INSTANTS: usize = 41;
 
-/// Integrates a flight from the time, states and parameters in `from`. Returns the values at equal time intervals;
-/// `None` if the integration fails.
+/// Integrates the model's equations from the time, states and parameters in `from`. Returns the time, states and
+/// parameters at equally spaced times, release and end included; `None` if the integration fails.
 pub fn fly(model: &Model, from: &Point<f64>) -> Option<Vec<Point<f64>>> {
     let mut at = from.clone();
     let mut moving = ode::rhs_from_fn(&[], |t, x: &Vec<f64>, dx: &mut Vec<f64>| {

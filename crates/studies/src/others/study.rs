@@ -141,8 +141,8 @@ pub fn judge(simulator: &Simulator) -> Result<Verdicts, StudyError> {
     })
 }
 
-/// Component (index from 0), in its own frame, of a vector-valued auxiliary variable of a model. `point` has the
-/// model's time, states and parameters. `None` if the model has no vector of that name.
+/// Value of one component (index from 0) of the vector-valued auxiliary variable `name`, in the frame of its
+/// definition, at the time, states and parameters in `point`. `None` if the model has no vector of that name.
 fn started(model: &Model, point: &Point<f64>, name: &str, component: usize) -> Option<f64> {
     let tree = Tree::new(model, point);
     let index = { model.aux_variables.iter() }.position(|v| v.name == name)?;
@@ -180,8 +180,8 @@ fn stage(
     })
 }
 
-/// For each balance law of the body that the model describes, the maximum difference of the law's two sides over the
-/// points of a flight.
+/// For each balance law of the body that the model describes, the maximum magnitudes, over the points of a flight, of
+/// the law's right-hand side and of the difference between its two sides.
 fn laws(model: &Model, flight: &[Point<f64>]) -> Vec<LawInFlight> {
     let mut out: Vec<LawInFlight> = Vec::new();
     for point in flight {
@@ -210,8 +210,9 @@ fn laws(model: &Model, flight: &[Point<f64>]) -> Vec<LawInFlight> {
     out
 }
 
-/// Rates stated by the model and rates implied by the laws of motion over the points of a flight, for the states where
-/// they differ. Empty if no rates satisfy all laws.
+/// Maximum magnitudes, over the points of a flight, of the rates that the model's equations state, of the rates that
+/// the laws of motion imply, and of their difference, for the states where the two rates differ. Empty if no rates
+/// satisfy all laws.
 fn rates(model: &Model, flight: &[Point<f64>]) -> Vec<RateInFlight> {
     let mut out: Vec<RateInFlight> = model
         .states
@@ -241,9 +242,9 @@ fn rates(model: &Model, flight: &[Point<f64>]) -> Vec<RateInFlight> {
     out
 }
 
-/// States whose stated rates differ between the models `before` and `after` at the points of a flight of `before`:
-/// name, maximum magnitude of the rate in `before`, maximum magnitude of the difference. Empty if the models have
-/// different numbers of states.
+/// States to which the equations of the models `before` and `after` give different rates at the points of a flight of
+/// `before`: name, maximum magnitude of the rate in `before`, maximum magnitude of the difference (in the state's unit
+/// per second). Empty if the models have different numbers of states.
 fn moved(before: &Model, flight: &[Point<f64>], after: &Model) -> Vec<(String, f64, f64)> {
     let stated = |model: &Model, name: &str| -> Option<Expr> {
         let state = model.states.iter().position(|s| s.name == name)?;

@@ -8,26 +8,27 @@ pub(super) struct Scene {
     pub(super) time: f64,
     pub(super) position: Vector3<f64>,
     pub(super) velocity: Vector3<f64>,
-    /// Axes of the body, as columns; the identity for a point mass.
+    /// Columns: the body axes as unit vectors in inertial axes; the identity for a point mass.
     pub(super) axes: nalgebra::Matrix3<f64>,
     pub(super) angular_velocity: Vector3<f64>,
 }
 
-/// Rate that is added to a state, as a function of the time (s) and of a lookup of state values by name.
+/// Term that is added to the time derivative of a state, in the state's unit per second. The arguments are the time (s)
+/// and a function that returns the value of a state by its name.
 type AddedRate = fn(f64, &dyn Fn(&str) -> f64) -> f64;
 
 /// How a hidden effect of size 1 changes the motion or the measurement.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Action {
-    /// Additional acceleration of the centre of mass, m/s².
+    /// Additional acceleration of the centre of mass, m/s², inertial axes.
     Force(fn(&Scene) -> Vector3<f64>),
-    /// Additional angular acceleration, rad/s².
+    /// Additional angular acceleration, rad/s², inertial axes.
     Moment(fn(&Scene) -> Vector3<f64>),
     /// Velocity that is added to the velocity of the air, m/s, inertial axes.
     Wind(fn(&Scene) -> Vector3<f64>),
     /// Name of a parameter of the model, and the relative change of this parameter as a function of the time, s.
     Parameter(&'static str, fn(f64) -> f64),
-    /// Name of a state, and the rate that is added to the state's derivative.
+    /// Name of a state, and the term that is added to the time derivative of this state.
     Rate(&'static str, AddedRate),
     /// The time stamps of the measurements run faster than true time, by a fraction equal to the size.
     Clock,

@@ -17,7 +17,7 @@ pub struct Subject {
     pub kind: &'static str,
     /// Factor on all coefficients of the model, so that the true values differ from the initial values of a fit.
     pub(super) truth: f64,
-    /// Positions of the markers in the body, m.
+    /// Positions of the markers in the body frame, m.
     pub(super) markers: &'static [[f64; 3]],
     /// Observed duration of a flight, s.
     pub(super) duration: f64,

@@ -22,7 +22,7 @@ const RATE: f64 = 120.0;
 /// Number of flights per dataset, and how many of them are held out.
 const FLIGHTS: (usize, usize) = (16, 4);
 
-/// A model with its true coefficients, and a hidden effect with its size.
+/// The simulated reality: a model with its true coefficients, and an optional hidden effect with its size.
 struct World<'w> {
     model: &'w Model,
     chart: Option<Chart>,
@@ -151,7 +151,8 @@ impl World<'_> {
         })
     }
 
-    /// Measured position of a marker, m, including a hidden effect on observations.
+    /// Measured position of the marker with the index `index`, m, without noise. Includes a hidden effect that acts on
+    /// the measured positions.
     fn position(
         &self,
         states: &[f64],

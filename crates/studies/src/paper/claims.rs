@@ -39,13 +39,13 @@ pub struct Outcome {
     pub delta_x: f64,
     /// Height gained, m; negative if the flight ends below its start.
     pub delta_z: f64,
-    /// Angle phi at the end, rad.
+    /// Euler angle phi (first rotation, about axis 1) at the end, rad.
     pub phi: f64,
-    /// Angle theta at the end, rad.
+    /// Euler angle theta (second rotation, about axis 2) at the end, rad.
     pub theta: f64,
     /// Spin gammadot at the end, rad/s.
     pub gammadot: f64,
-    /// Change of |gammadot| between release and end, as a fraction of its value at release.
+    /// Change of the spin magnitude |gammadot| between release and end / spin magnitude at release.
     pub gammadot_change_fraction: f64,
     /// Time of maximum height, s.
     pub time_of_highest_z: f64,

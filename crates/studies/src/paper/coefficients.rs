@@ -15,7 +15,7 @@ pub(super) struct Coefficients {
     pub(super) pitching_moment: f64,
     /// Pitch damping C_Mq.
     pub(super) pitch_damping: f64,
-    /// Roll damping, the value of C_Mq about the roll axis.
+    /// Roll damping: the coefficient that takes the place of C_Mq in the moment about the roll axis.
     pub(super) roll_damping: f64,
     /// Roll moment due to spin: C_Rr in s, or the factor of the advance ratio under [`RollSpin::SpinRatio`].
     pub(super) roll_spin: f64,
@@ -24,7 +24,7 @@ pub(super) struct Coefficients {
 }
 
 /// Converts a printed row of Table 1 to coefficients, with an assumed order of columns and assumed signs and units; `d`
-/// in m, `g` in m/s².
+/// is the diameter of the disc, m, and `g` the gravitational acceleration, m/s².
 pub(super) fn coefficients(
     row: &[f64; 8],
     columns: Columns,

@@ -7,7 +7,7 @@ pub type Columns = [u8; 4];
 /// Order of the four lift and drag columns as printed in Table 1.
 pub(super) const PRINTED: Columns = [0, 1, 2, 3];
 
-/// Returns all 24 orders of the columns, sorted.
+/// Returns all 24 orders of the four lift and drag columns of Table 1, sorted.
 pub(super) fn orders() -> Vec<Columns> {
     let mut orders = Vec::with_capacity(24);
     for code in 0..256_u16 {
@@ -22,7 +22,8 @@ pub(super) fn orders() -> Vec<Columns> {
     orders
 }
 
-/// Minimum number of transpositions of two columns that produce an order. Each transposition counts as one hypothesis.
+/// Minimum number of transpositions of two columns that convert the printed order to the given one. Each transposition
+/// counts as one hypothesis.
 pub(super) fn interchanges(order: Columns) -> usize {
     let mut order = order;
     let mut count = 0;

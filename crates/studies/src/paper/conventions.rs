@@ -44,7 +44,8 @@ pub struct Conventions {
 }
 
 impl Conventions {
-    /// Conventions as printed: the moments M1 and M2 add `C_Mα̇` times the rates, and a positive C_Nr slows the spin.
+    /// Signs and units as printed: the pitching and rolling moments contain `+C_Mα̇` times the respective angular rate,
+    /// and a positive C_Nr slows the spin.
     pub const PRINTED: Self = Self {
         pitch_damping_reversed: false,
         roll_damping_reversed: false,

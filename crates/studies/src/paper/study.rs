@@ -123,7 +123,8 @@ impl Study {
     }
 
     /// Misfit of one simulated flight, and the number of outcomes stated for this flight that it meets within the
-    /// tolerance. `outcome` is `None` if the integration failed; every deviation then counts as the maximum.
+    /// tolerance. `outcome` is `None` if the integration failed; every deviation then counts as [`MAX_DEPARTURE`]
+    /// tolerances.
     fn judge(&self, flight: &str, outcome: Option<&Outcome>) -> (f64, usize) {
         let claims = self.claims.iter().filter(|claim| claim.flight == flight);
         claims.fold((0.0, 0), |(misfit, held), claim| {

@@ -19,7 +19,7 @@ pub(super) fn rows(text: &str, header: usize) -> impl Iterator<Item = (usize, &s
     lines.map(|(index, line)| (index + 1, line))
 }
 
-/// All comma-separated cells of a line that are numbers.
+/// Parses the comma-separated cells of a line as numbers; cells that are not numbers are skipped.
 pub(super) fn numbers(line: &str) -> Vec<f64> {
     let cells = line.split(',');
     cells.filter_map(|cell| cell.trim().parse().ok()).collect()

@@ -15,11 +15,11 @@ use crate::oracle_flights::{reference_of, sample_times};
 /// Distribution of the throws of a ball: each quantity is uniform over a range (minimum, maximum).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Throws {
-    /// Speed at release, m/s.
+    /// Range of the speed at release, m/s.
     pub speed: (f64, f64),
-    /// Launch angle of the velocity above the horizontal, rad.
+    /// Range of the launch angle (velocity above the horizontal), rad.
     pub launch: (f64, f64),
-    /// Magnitude of the spin, rad/s. Its direction is uniform over the sphere.
+    /// Range of the magnitude of the spin, rad/s. The direction of the spin is uniform over the sphere.
     pub spin: (f64, f64),
 }
 

@@ -49,7 +49,7 @@ impl SeededWorld {
     }
 
     /// Simulated marker positions, m, indexed `[sample][marker]`, at `times` (s). These are time stamps of the
-    /// measurements, which may run at another rate than true time. Without noise.
+    /// measurements, which may run at another rate than true time. The positions contain no noise.
     pub(super) fn observe(
         &self,
         start: Physical<f64>,
@@ -88,7 +88,8 @@ impl SeededWorld {
         )
     }
 
-    /// Accelerations of the body, and the rate (rad/s) of the lagged angle of attack.
+    /// Linear and angular acceleration of the body with all added effects, and the time derivative (rad/s) of the
+    /// lagged angle of attack, which is 0 if no effect outside the built-in effects catalogue is added.
     fn derivatives(&self, body: &Physical<f64>, time: f64, lagged_alpha: f64) -> Derivatives {
         if self.unlisted.is_empty() {
             return Derivatives {
@@ -113,8 +114,8 @@ impl SeededWorld {
         }
     }
 
-    /// Flow about the body in the wind of the simulated law of motion. Wind that an [`UnlistedEffect`] adds is not
-    /// included.
+    /// Relative flow of the air (from which the angle of attack follows) in the wind of the simulated law of motion.
+    /// Wind that an [`UnlistedEffect`] adds is not included.
     fn scene<'s>(&'s self, body: &'s Physical<f64>, time: f64) -> Flow<'s, f64> {
         let world = &self.world;
         Flow::new(

@@ -122,7 +122,8 @@ pub fn sensor_flights(model: &Model, plan: &Plan<'_>, observed: &Observed, seed:
     }
 }
 
-/// Appends the simulated readings of a sensor at the position `place` on the body (m, body axes) to `readings`.
+/// Appends what a sensor at the position `place` on the body (m, body axes) reads in one sample, with noise, to
+/// `readings`.
 fn read(
     kind: SensorKind,
     (body, motion): (&Physical<f64>, &Motion<f64>),

@@ -119,7 +119,7 @@ pub(super) fn judge(
     }
 }
 
-/// Flights that the report names as faulty, excluded or truncated, with the reason, by file name.
+/// Maps the file name of each flight that the report names as faulty, excluded or truncated to the reason.
 fn named(report: &FitReport) -> BTreeMap<String, String> {
     let mut named = BTreeMap::new();
     for fault in &report.data_faults {

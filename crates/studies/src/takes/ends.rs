@@ -40,7 +40,8 @@ impl Hand {
         self.part * self.half
     }
 
-    /// State of the body at a time (s) from the start of the hand's motion, up to the release.
+    /// State of the body at a time (s) after the start of the hand's motion. Times after the release give the state at
+    /// the release.
     pub fn at(&self, time: f64) -> Physical<f64> {
         let since = (time - self.held).clamp(0.0, self.push());
         let rate = std::f64::consts::PI / self.half;
@@ -62,7 +63,8 @@ impl Hand {
     }
 }
 
-/// State of a body `since` seconds after a net caught it in the state `taken`; the net decelerates it uniformly (m/s²).
+/// State of a body `since` seconds after a net caught it in the state `taken`; the net stops the body with the constant
+/// `deceleration` (m/s²).
 pub(super) fn in_net(taken: &Physical<f64>, deceleration: f64, since: f64) -> Physical<f64> {
     let stop = taken.velocity.norm() / deceleration;
     let t = since.min(stop);
@@ -74,7 +76,8 @@ pub(super) fn in_net(taken: &Physical<f64>, deceleration: f64, since: f64) -> Ph
     }
 }
 
-/// Attitude after a rotation at the state's constant angular velocity for `seconds`.
+/// Attitude of the body after it has rotated for `seconds` at its constant angular velocity; the angle is negative for
+/// negative `seconds`.
 fn rotated(body: &Physical<f64>, seconds: f64) -> Quaternion<f64> {
     let turn = UnitQuaternion::from_scaled_axis(body.angular_velocity * seconds);
     let turn = Quaternion {

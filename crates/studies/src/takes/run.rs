@@ -70,8 +70,8 @@ pub struct SessionResult {
 pub struct FitErrors {
     /// Errors of the estimated coefficients.
     pub coefficients: Vec<CoefficientError>,
-    /// Error of the height of the centre of mass, and its standard error, m; `None` if the fit does not estimate the
-    /// height.
+    /// Error (estimated − true) of the height of the centre of mass, and the standard error of the estimate, m; `None`
+    /// if the fit does not estimate the height.
     pub height: Option<(f64, f64)>,
 }
 

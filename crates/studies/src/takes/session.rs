@@ -19,14 +19,14 @@ const RATES: [f64; 5] = [120.0, 150.0, 200.0, 250.0, 300.0];
 /// After the catch by the net or the first ground contact: time for which the body remains visible, s, and then the
 /// time without the body, until the next throw, s.
 const AFTER: (f64, f64) = (0.3, 0.7);
-/// Minimum duration of a flight to the ground, s.
+/// Minimum time from the release to the ground contact of a low throw, s. Throws with a shorter time are redrawn.
 const SHORTEST: f64 = 0.35;
-/// Fraction of single marker positions that are missing.
+/// Probability that a single marker position in a sample is missing from the recording.
 const GAPS: f64 = 0.02;
 /// Minimum time after the release, and before the end of a flight, during which the body is not occluded as a whole, s.
 const IN_SIGHT: f64 = 0.1;
 
-/// Ranges of launches: low, downward throws that reach the ground.
+/// Ranges of the launch conditions: low, downward throws that reach the ground.
 const LOW: Throws = Throws {
     speed: (8.0, 18.0),
     launch: (-0.3, 0.0),
@@ -174,8 +174,8 @@ fn hidden(end: f64, r: &mut ChaCha12Rng) -> Option<(f64, f64)> {
     (r.random_bool(1.0 / 3.0) && to > from).then_some((at, at + length))
 }
 
-/// Rotates markers about the third axis so that the marker with the index `first` lies in the plane of the first and
-/// third axes.
+/// Rotates marker positions about the disc's axis (third body axis) so that the marker with the index `first` lies in
+/// the plane of the first and third body axes, as in an estimated marker template.
 pub(super) fn turned(markers: &[[f64; 3]], first: usize) -> Vec<[f64; 3]> {
     let [x, y, _] = markers[first];
     let angle = y.atan2(x);

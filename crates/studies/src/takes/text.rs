@@ -45,7 +45,8 @@ fn in_mm([x, y, z]: [f64; 3]) -> [f64; 3] {
     [1e3 * x, 1e3 * z, -1e3 * y]
 }
 
-/// Appends the coordinates of a row, each after a separator; `gap` stands for a missing coordinate.
+/// Appends the marker coordinates of one sample, mm, to the text of a file, each preceded by `separator`. `gap` is
+/// written for each coordinate of a missing marker.
 fn add_cells(text: &mut String, row: &[Option<[f64; 3]>], separator: char, gap: &str) {
     for position in row {
         match position.map(in_mm) {

@@ -20,7 +20,8 @@ pub struct Launches {
     /// Pitch at launch that gives the maximum range, and the one that gives the maximum time of flight, deg. Path and
     /// disc are pitched together (zero angle of attack).
     pub along: (f64, f64),
-    /// Same as `along` for a horizontal launch direction: the pitch is the angle of attack.
+    /// Pitch of the disc at a horizontal launch (equal to the angle of attack) that gives the maximum range, and the
+    /// one that gives the maximum time of flight, deg.
     pub level: (f64, f64),
     /// Results of horizontal launches as a function of the tilt of the disc (hyzer angle).
     pub tilts: Tilts,
@@ -49,8 +50,8 @@ const EFFECTS: [&str; 2] = ["constant_pitching_moment", "zero_lift_drag_angle"];
 /// Values of the roll coefficient C_Rr that are tried with the wind tunnel's other coefficients, s.
 const ROLLS: [f64; 7] = [-4e-4, -2e-4, 0.0, 2e-4, 4e-4, 6e-4, 8e-4];
 
-/// Coefficients with round values near the table of Potts and Crowther (2002), "Frisbee aerodynamics": lift, drag about
-/// -4 degrees, pitching moment (C_M0 nose-up positive).
+/// Coefficients with round values near the table of Potts and Crowther (2002), "Frisbee aerodynamics": lift, drag (a
+/// parabola with its minimum at -4 degrees), and pitching moment (C_M0 nose-up positive).
 const TUNNEL: [(&str, f64); 9] = [
     ("C_L0", 0.20),
     ("C_La", 2.96),

@@ -12,7 +12,8 @@ use super::axes::{Axis, AxisKind, Names, Target};
 /// Maximum size of the `report.json` of a fit, bytes.
 const MAX_BYTES: u64 = 64 << 20;
 
-/// Varied quantities for the coefficients of a fit, and the correlations of the coefficients as (name, name, value).
+/// The coefficients estimated by a fit, as quantities that the sweep varies (axes), and the correlations of their
+/// estimates as (name, name, correlation).
 #[derive(Default)]
 pub(super) struct FitAxes {
     pub axes: Vec<Axis>,

@@ -6,7 +6,8 @@ use super::bytes::{Bytes, Order};
 use super::parameter::{Parameter, Shape, part};
 use super::{Wrong, wrong};
 
-/// Maximum number of groups and parameters in a C3D file; bounds the memory used.
+/// Maximum total number of groups and parameters in a C3D file; a greater number is an error, which bounds the memory
+/// used.
 const MOST: usize = 20_000;
 
 /// C3D parameters by group and name, both in upper case.
@@ -190,8 +191,8 @@ impl<'a> Parameters<'a> {
         Ok(first.or(whole))
     }
 
-    /// Labels of at most `points` points, from the parameters LABELS, LABELS2, …, each of which contains at most 255
-    /// labels.
+    /// Labels from the parameters LABELS, LABELS2, …, each of which contains at most 255 labels. Only the first
+    /// `points` labels are returned; there may be fewer.
     pub fn labels(&self, points: usize) -> Result<Vec<String>, Wrong> {
         let mut labels = Vec::new();
         for number in 1.. {

@@ -9,7 +9,8 @@ use crate::options::ReadOptions;
 use crate::take::{Point, Take};
 use crate::words::shown;
 
-/// Maximum of the number of frames times the number of points; bounds the memory used.
+/// Maximum of the number of frames times the number of points; a larger recording is an error, which bounds the memory
+/// used.
 const MOST: usize = 1 << 23;
 /// Maximum absolute value of a coordinate, m; a greater one is an error.
 const FARTHEST: f64 = 1e4;

@@ -25,7 +25,7 @@ struct Track {
 /// Columns of a table, as its header line names them.
 #[derive(Default)]
 struct Header {
-    /// Labels and their columns, in the order of the file.
+    /// Label and columns of each point or body, in the order of the file.
     tracks: Vec<(String, Track)>,
     time: Option<(usize, Option<TimeUnit>)>,
     frame: Option<usize>,

@@ -155,7 +155,7 @@ fn heads(sheet: &mut Sheet<'_>) -> Result<Heads, Fault> {
     Err(sheet.fault(0, shown(sheet.cell(0)), EXPECTED))
 }
 
-/// Type and name of a track, with the track's columns.
+/// Type and name of a track in the header, with the columns of the track.
 type Named = ((String, String), Track);
 
 /// Columns of each track, in the order of the file.
@@ -201,8 +201,8 @@ fn tracks(heads: &Heads, sheet: &Sheet<'_>) -> Result<Vec<Named>, Fault> {
     Ok(tracks)
 }
 
-/// Adds points and bodies to the layout. Measured positions of a rigid body's markers are preferred; positions that
-/// Motive solved for are used only for markers without measured ones.
+/// Adds the columns of the points and bodies in `tracks` to the layout. Measured positions of a rigid body's markers
+/// are preferred; positions that Motive solved for are used only for markers without measured ones.
 fn fill(
     layout: &mut Layout,
     tracks: &[Named],

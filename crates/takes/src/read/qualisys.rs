@@ -141,7 +141,7 @@ pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<
     layout.samples(&mut sheet, |_| false)
 }
 
-/// Count that the header line with a given keyword states; `None` if the file has no such line.
+/// Count that the header line beginning with a given keyword states; `None` if the header has no such line.
 fn count(
     keywords: &BTreeMap<String, (usize, Vec<String>)>,
     keyword: &str,

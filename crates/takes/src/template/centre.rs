@@ -36,11 +36,11 @@ const UPWARDS: f64 = 0.2;
 pub(super) struct Centre {
     /// Unit vector along the spin axis, in the direction that points upwards at the beginning of most flights.
     pub axis: Vector3<f64>,
-    /// Covariance of the unit vector `axis`.
+    /// Covariance of the components of the unit vector `axis` (dimensionless).
     pub axis_covariance: Matrix3<f64>,
     /// Point of the spin axis at height 0, m; heights are measured along the axis from the mean of the markers.
     pub foot: Vector3<f64>,
-    /// Covariance of `foot`, m².
+    /// Covariance of the point `foot` of the spin axis, m².
     pub foot_covariance: Matrix3<f64>,
     /// Derivative of `foot` with respect to the height of the centre of mass along the axis (dimensionless).
     pub slope: Vector3<f64>,
@@ -51,8 +51,8 @@ pub(super) struct Centre {
     pub turns: f64,
 }
 
-/// Poses of the rigid set of markers in one flight, with their noise and the degree of the polynomial that is fitted to
-/// trajectories.
+/// Poses of the body in one flight, with the noise of each pose and the degree of the polynomials that are fitted to
+/// trajectories of body points.
 struct Motion {
     times: Vec<f64>,
     centres: DMatrix<f64>,
@@ -62,8 +62,8 @@ struct Motion {
     turns: f64,
 }
 
-/// Properties of the markers used for a pose from which the covariance of the pose follows, per unit variance of a
-/// measured coordinate.
+/// Quantities that determine the covariance of one pose of the body, per unit variance of a measured coordinate; they
+/// depend only on the markers used for the pose.
 struct PoseNoise {
     /// Number of markers used for the pose.
     count: f64,
@@ -161,8 +161,8 @@ pub(super) fn centre(shape: &Shape, flights: &[FreeFlight<'_>]) -> Result<Centre
     })
 }
 
-/// Unit vector of the spin axis, derived from the sums over the flights; `None` if the body does not spin about one
-/// axis.
+/// Unit vector of the spin axis: eigenvector of the matrix B of the normal equations in `sums` for the least
+/// eigenvalue; `None` if the body does not spin about one axis.
 fn axis_of(sums: &Sums) -> Option<Vector3<f64>> {
     let eigen = SymmetricEigen::new(sums.raw - sums.noise);
     let mut order = [0, 1, 2];
@@ -287,8 +287,8 @@ impl Motion {
         motion
     }
 
-    /// Maximum degree of the polynomial that may be fitted to a trajectory of this flight, limited by the numbers of
-    /// turns and samples.
+    /// Maximum degree of the polynomials fitted to trajectories of this flight, limited by the numbers of turns and
+    /// samples.
     fn most(&self) -> usize {
         let by_turns = (DEGREES_PER_TURN * self.turns) as usize;
         let by_samples = self.times.len() / 4;
@@ -351,7 +351,8 @@ impl Motion {
         to.weight += weights.iter().sum::<f64>();
     }
 
-    /// Chooses the degree of the polynomial by the Bayesian information criterion for the trajectory of a body point.
+    /// Sets the degree of the polynomials that are fitted to trajectories of this flight: the degree with the smallest
+    /// Bayesian information criterion for the trajectory of the body point `point`.
     fn choose_degree(&mut self, point: &Vector3<f64>) {
         let weights = self.weights(point);
         let path = self.path(point);

@@ -10,12 +10,12 @@ use super::{CentreHeight, EstimatedMarker, EstimatedTemplate};
 const WORST_HEIGHT: f64 = 0.01;
 /// Minimum distance from the third axis, m, of the marker that the first axis points to.
 const OFF_AXIS: f64 = 0.005;
-/// Number of parameters that determine the body frame in addition to the marker coordinates: point of the spin axis at
-/// height 0 (3), direction of the axis (3), height of the centre of mass (1).
+/// Number of parameters, in addition to the marker coordinates, on which the body frame depends: point of the spin axis
+/// at height 0 (3), direction of the axis (3), height of the centre of mass (1).
 const MORE: usize = 7;
 
-/// Assembles the template from the shape and the centre of mass; `stated` is the user's height of the centre of mass,
-/// m.
+/// Assembles the template from the shape and the centre of mass; `stated` is the height of the centre of mass that the
+/// user states, m. If it is `None`, the estimated height is used if it is accurate enough, otherwise 0.
 pub(super) fn template(
     labels: &[String],
     shape: &Shape,
@@ -94,7 +94,8 @@ fn greatest(covariance: &Matrix3<f64>) -> f64 {
     covariance.symmetric_eigenvalues().max().max(0.0).sqrt()
 }
 
-/// Index of the first marker that lies off the spin axis, or of the marker farthest from the axis if none does.
+/// Index of the marker that the first body axis points to: the first one that is farther than [`OFF_AXIS`] from the
+/// spin axis, or the farthest one if there is none. `height` is that of the centre of mass along the axis, m.
 fn first_marker(shape: &Shape, centre: &Centre, height: f64) -> usize {
     let foot = centre.foot + centre.slope * height;
     let distance = |point: &Vector3<f64>| {

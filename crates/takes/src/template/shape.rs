@@ -12,8 +12,9 @@ use crate::throws::fitted;
 const PASSES: (usize, usize) = (60, 8);
 /// Maximum change of any marker position in one iteration, m, at which the estimate of the shape counts as converged.
 const CONVERGED: f64 = 1e-9;
-/// Factors `a` and `b` of the maximum sum of squared residuals of a sample, σ² (f + a √(2f) + b), where f is the number
-/// of degrees of freedom and σ the standard deviation of a coordinate.
+/// Factors a and b of the maximum sum of squared residuals of a pose, σ² (f + a √(2f) + b), where f is the number of
+/// degrees of freedom and σ the standard deviation of a coordinate. If the sum is greater, a marker position is removed
+/// as an outlier.
 const MISFIT: (f64, f64) = (4.0, 8.0);
 /// Lower bound of the estimated standard deviation of a measured coordinate, m; without it, samples without noise would
 /// count as outliers.
@@ -235,8 +236,8 @@ impl Placed {
     }
 }
 
-/// Poses of the samples. Outlying positions are left out one by one while the remaining ones fix the pose; if no
-/// acceptable pose remains, the sample is left out.
+/// Poses of the samples of a flight. While the residuals of a sample are too large, the marker position is removed
+/// whose removal reduces them most; a sample whose remaining positions do not fix the pose is left out.
 fn placed(points: &[Vector3<f64>], rows: &[Row], sigma: f64) -> Vec<Placed> {
     let place = |(sample, row): (usize, &Row)| {
         let all: Vec<bool> = row.iter().map(Option::is_some).collect();
@@ -254,7 +255,8 @@ fn placed(points: &[Vector3<f64>], rows: &[Row], sigma: f64) -> Vec<Placed> {
     rows.iter().enumerate().filter_map(place).collect()
 }
 
-/// Recomputes each pose for the marker positions `points`, from the markers that the pose in `poses` uses.
+/// Recomputes each pose in `poses` for the marker positions `points`, from the same markers. Poses that cannot be
+/// computed are left out.
 fn replaced(
     points: &[Vector3<f64>],
     rows: &[Vec<Row>],
@@ -285,8 +287,9 @@ fn pooled_sigma(poses: &[Vec<Placed>], points: usize) -> f64 {
     (squares / (freedom - (3.0 * points as f64 - 6.0)).max(1.0)).sqrt()
 }
 
-/// Marker positions in the body-fixed axes that the poses define: median (`by_median`) or mean of each marker's
-/// position over the samples, shifted so that the mean of all markers is 0.
+/// Marker positions in the body-fixed axes that the poses define, m: the mean, or if `by_median` the median, of each
+/// marker's position over the samples, shifted so that the mean of all markers is 0. A marker that no pose uses has its
+/// position in `points`.
 fn means(
     points: &[Vector3<f64>],
     rows: &[Vec<Row>],

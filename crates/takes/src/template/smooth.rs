@@ -6,14 +6,16 @@ use nalgebra::DMatrix;
 pub(super) struct Smooth {
     /// Square roots of the samples' weights.
     roots: Vec<f64>,
-    /// Orthonormal columns that span the polynomials multiplied by the square roots of the weights; one row per sample.
+    /// Orthonormal basis of the weighted polynomials, whose values are multiplied by the square roots of the weights:
+    /// one row per sample, one column per basis function.
     basis: DMatrix<f64>,
     /// Matrix that converts the coefficients of a polynomial in the columns of `basis` to those in the Legendre
     /// polynomials.
     coefficients: DMatrix<f64>,
-    /// First and second derivatives of the Legendre polynomials with respect to time at the samples, 1/s and 1/s².
+    /// First and second derivatives of the Legendre polynomials with respect to time, 1/s and 1/s²: one row per sample,
+    /// one column per degree from 0.
     derivatives: [DMatrix<f64>; 2],
-    /// Values of the Legendre polynomials at the samples.
+    /// Values of the Legendre polynomials: one row per sample, one column per degree from 0.
     values: DMatrix<f64>,
 }
 

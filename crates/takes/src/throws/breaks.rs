@@ -10,8 +10,8 @@ use super::norm;
 use super::track::Track;
 use super::windows::{GRAVITY, SLOW, allowed};
 
-/// Number of standard errors by which a fitted jump of the velocity or a fitted acceleration must exceed its bound to
-/// end a flight.
+/// Number of standard errors by which a fitted jump of the velocity or a fitted acceleration must exceed the bound that
+/// applies to it, such as [`TOUCH`] or [`IMPACT`], for the flight to end there.
 const CERTAIN: f64 = 4.5;
 /// Minimum jump of the velocity at an impact, m/s; air changes the velocity by less within a sample or two.
 const IMPACT: f64 = 1.0;

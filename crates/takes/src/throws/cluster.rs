@@ -4,7 +4,8 @@ use crate::take::Take;
 
 use super::norm;
 
-/// Approximate number of samples in which the distances between points are compared.
+/// Approximate number of samples, equally spaced over the recording, in which the distance between two points is
+/// compared to decide whether both belong to one rigid body.
 const COMPARED: usize = 300;
 /// Maximum difference between the 90 % and the 10 % quantile of the distance between two points of a rigid body, m.
 const RIGID: f64 = 0.012;

@@ -218,7 +218,8 @@ pub(super) fn fit(
     })
 }
 
-/// Mean acceleration over a range of the track, m/s², from a fitted quadratic; `None` if the range has too few samples.
+/// Mean acceleration over the track indices `places`, m/s², from a quadratic in time fitted to the trajectory `path`;
+/// `None` if there are too few samples.
 pub(super) fn mean_acceleration(
     track: &Track,
     path: &[[f64; 3]],

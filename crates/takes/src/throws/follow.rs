@@ -14,7 +14,7 @@ const CONSECUTIVE: usize = 2;
 /// Rate of change of the acceleration in free flight, m/s³, that is tolerated when a sample is compared with its
 /// prediction from a quadratic.
 const JERK: f64 = 60.0;
-/// Lower bound of the estimated standard deviation of a measured position, m.
+/// Lower bound to which an estimated standard deviation of a measured position is raised, m.
 const FINEST: f64 = 5e-5;
 
 /// Reason why a flight was not followed further; all indices are track indices.
@@ -128,7 +128,8 @@ fn extend(
     }
 }
 
-/// Whether the sample at index `place` agrees with the extrapolated quadratic through the samples `recent`.
+/// Whether the sample at the track index `place` agrees with its prediction: the extrapolation of a quadratic in time
+/// fitted to the samples with the track indices `recent`. `noise` is the standard deviation of a measured position, m.
 fn is_predicted(
     track: &Track,
     path: &[[f64; 3]],

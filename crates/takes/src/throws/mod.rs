@@ -25,7 +25,7 @@ use track::Track;
 pub(crate) use track::fitted;
 use windows::{Window, windows};
 
-/// Limits for the search for throws.
+/// Limits on the duration of flights and of gaps in them, for the search for throws in a recording.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ThrowOptions {
     /// Minimum duration of a free flight, s.

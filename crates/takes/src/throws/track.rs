@@ -149,7 +149,7 @@ impl Track {
     }
 }
 
-/// Positions of points relative to their mean.
+/// Positions of points relative to the mean of these points.
 fn centred(points: Vec<Vector3<f64>>) -> Vec<Vector3<f64>> {
     let mean = points.iter().sum::<Vector3<f64>>() / points.len() as f64;
     points.into_iter().map(|point| point - mean).collect()
@@ -164,7 +164,8 @@ fn extent(points: &[Vector3<f64>]) -> f64 {
     values[1].max(0.0).sqrt()
 }
 
-/// Refines a rigid set of points: mean position of each point over the samples, in the axes of the set `first`.
+/// Refined positions of a rigid set of points relative to the mean of the points, m: each point's mean over the
+/// samples, after the rotation of each sample to the axes of the initial estimate `first`.
 fn refined(
     first: &[Vector3<f64>],
     samples: impl Iterator<Item = Vec<Option<Vector3<f64>>>>,

@@ -26,7 +26,7 @@ const PUSH: f64 = 2.5;
 const SMOOTH: f64 = 2.5;
 /// Prior standard deviation of each coordinate of [`Window::offset`], m.
 const OFFSET: f64 = 0.1;
-/// Lower bound of the estimated standard deviation of a measured position, m.
+/// Lower bound to which an estimated standard deviation of a measured position is raised, m.
 const FINEST: f64 = 5e-5;
 /// Standard deviation of a measured position, m, that is assumed for the weight of the prior on [`Window::offset`].
 const TYPICAL: f64 = 1e-3;

@@ -231,9 +231,9 @@ fn seed<T: Real>(
     out
 }
 
-/// Directional derivative of each row for the variable with index `j`, from the Jacobians in `got`. The error bound is
-/// the sum of the absolute entries, because the direction is tangent to the unit sphere of quaternions only up to
-/// rounding.
+/// Derivative of each state derivative and observation component with respect to the variable with index `j`, computed
+/// from the Jacobian in `got`; for a state, along [`direction`]. The magnitude, to which errors are relative, is the
+/// sum of the absolute values of the Jacobian entries that are used.
 fn along(got: &Derivatives, model: &Model, point: &Point<f64>, j: usize) -> Vec<ErrorBound> {
     let mut direction = direction(model, point, j);
     direction.resize(got.entries.first().map_or(0, Vec::len), 0.0);
@@ -260,9 +260,10 @@ fn error(expected: f64, magnitude: f64, got: ErrorBound) -> f64 {
     .relative_error(got.value)
 }
 
-/// Magnitude to which the error of a Jacobian entry is compared if the entry has no terms in the model's vector
-/// expressions. Compiled code that computes in another frame may have terms in this entry that cancel up to rounding.
-/// Their magnitude is estimated as that of the row's value, divided by max(|variable|, 1).
+/// Magnitude by which the error of a Jacobian entry is divided if the derivative of the model's vector expressions has
+/// no nonzero terms. The compiled code may compute such an entry as a sum of terms that cancel up to rounding, because
+/// it computes in another frame. The magnitude of these terms is estimated as the magnitude of the differentiated
+/// value, divided by max(|variable|, 1).
 fn cancelled(value: ErrorBound, variable: f64) -> f64 {
     value.magnitude / variable.max(1.0)
 }

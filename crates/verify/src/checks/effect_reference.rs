@@ -17,7 +17,8 @@ use oracle::{BindError, Point};
 /// Name of this check in reports: built-in effects against their reference implementations.
 pub const EFFECT_REFERENCE: &str = "effects: reference";
 
-/// Compares each model whose effects are all built in with its reference implementation.
+/// Compares the state derivatives and the observation of each model whose effects are all built in with those of its
+/// reference implementation.
 pub fn check(with: &[Model], options: &Options) -> Row {
     let catalogued: Vec<&Model> = with.iter().filter(|model| catalogued(model)).collect();
     if catalogued.is_empty() {
@@ -35,8 +36,8 @@ pub fn check(with: &[Model], options: &Options) -> Row {
     Row::judged(EFFECT_REFERENCE, catalogued.len(), &worst, TOLERANCE)
 }
 
-/// Maximum relative difference between a model with effects and its reference implementation; `None` if the model
-/// claims no reference law.
+/// Maximum relative difference between the state derivatives and observation of a model with effects and those of its
+/// reference implementation; `None` if the model claims no reference law.
 ///
 /// # Errors
 /// [`BindError`] if the model cannot be bound to the reference, see [`ExtendedReference::bind`].

@@ -17,10 +17,10 @@ use oracle::{Point, derivatives};
 /// Name of this check in reports: effects at their null values against the model without effects.
 pub const EFFECTS: &str = "effects at null values";
 
-/// Returns a list of models with effects (optional model extensions), and the model without effects. If the loaded
-/// model has effects, the list contains only that model. Otherwise it contains one model for each effect that can be
-/// added, and one model with all these effects together except those declared in the model file. `None` if the source
-/// does not load without effects.
+/// Returns (models with effects, model without effects); effects are optional model extensions. If the loaded model has
+/// effects, it is the only model with effects. Otherwise there is one model for each effect that can be added, and one
+/// with all of these effects together except those declared in the model file. `None` if the source does not load
+/// without effects.
 pub fn variants(loaded: &Loaded) -> Option<(Vec<Model>, Model)> {
     let source = loaded.sources.first()?;
     let apply = |with: &[&str]| from_text(&source.name, &source.text, with).ok();
@@ -49,7 +49,8 @@ pub fn variants(loaded: &Loaded) -> Option<(Vec<Model>, Model)> {
     Some((alone, without))
 }
 
-/// Compares each model with effects at their null values with the model without effects.
+/// Checks for each model of `with` that its effects change nothing at their null values: the state derivatives equal
+/// those of the model `without` effects, and are computed with no more operations.
 pub fn check(without: &Model, with: &[Model], options: &Options) -> Row {
     if with.is_empty() {
         return Row::skipped(EFFECTS, "no effects for this model");

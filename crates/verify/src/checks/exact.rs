@@ -78,7 +78,8 @@ pub fn compare(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     Row::counted(EXACT, POINTS, &faults, &says)
 }
 
-/// Replaces the loads of a model by a free force and a free moment, which are inputs in inertial components.
+/// Returns the model with all loads replaced by one force and one moment that can be chosen freely: they are the last
+/// two inputs, in inertial components. A point mass gets no moment. Stated equations and the clock are removed.
 pub fn free_loads(model: &Model) -> Model {
     let mut model = model.clone();
     let mut load = |name: &str| {

@@ -95,7 +95,7 @@ fn in_long_arithmetic(model: &Model, compiled: &Compiled, options: &Options, why
 
 /// Result of comparing compiled code with the model's vector expressions (the law) at one point of the prime field.
 enum Compared {
-    /// Descriptions of the entries that differ; empty if all agree.
+    /// Names of the values and Jacobian entries in which compiled code and law differ; empty if all agree.
     At(Vec<String>),
     /// A value of the model's vector expressions (the law) does not exist in the field.
     NoLaw,

@@ -13,7 +13,8 @@ use oracle::{MassProperties, Motion, PlacedFrame, Point, Tree, inertia_in_n, mas
 /// Name of this check in reports: balances of momentum, angular momentum and energy.
 pub const IDENTITIES: &str = "momentum and energy";
 
-/// Checks dp/dt = F, dH/dt = M, dE/dt = F·v + M·ω and dr/dt = v at random points.
+/// Checks the balances of momentum dp/dt = F, angular momentum dH/dt = M, energy dE/dt = F·v + M·ω and position
+/// dr/dt = v at random points.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     let model = subject.model;
     if subject.is_known_by_claim() {
@@ -122,8 +123,9 @@ fn of_claim(subject: &Subject<'_>, options: &Options) -> Row {
 
 /// Force and moment, and mass properties, at a point. Force and moment are those of the model's body or, without one,
 /// those of the reference law. The mass properties are those of the reference law, so that a wrong mass in the model is
-/// detected. Those of the body are used without a reference law, and if `with_own` is true (the coefficients added by
-/// the model's author are not at their null values). `None` if the required body or reference law does not exist.
+/// detected. The mass properties of the body are used only if there is no reference law, or if `with_own` is true (the
+/// coefficients added by the model's author are not at their null values). `None` if the required body or reference law
+/// does not exist.
 fn loads(
     subject: &Subject<'_>,
     point: &Point<ErrorBound>,

@@ -119,7 +119,8 @@ fn evaluated<'a>(compiled: &'a Compiled, point: &Point<f64>) -> Option<Vec<Evalu
 }
 
 /// Whether a value `found` by the compiled code differs from the value `expected` from the model's vector expressions
-/// by more than constants rounded to f64 explain. `terms`: bounds of the terms of the code and of the expressions.
+/// by more than [`TOLERANCE`], which allows for constants rounded to f64. The difference is relative to the largest
+/// magnitude in `terms` (terms of the code, terms of the expressions) and of `expected`.
 fn differs(found: Big, expected: Big, terms: [ErrorBound; 2]) -> bool {
     let difference = (found - expected).re().abs();
     let size = terms

@@ -35,7 +35,8 @@ pub struct Cost {
     pub entries_removed: Vec<String>,
 }
 
-/// Compiles both models and compares their operations and Jacobian entries.
+/// Compiles both models and compares the operation counts of their functions and the nonzero entries of their
+/// Jacobians.
 pub fn cost(old: &Everything<'_>, new: &Everything<'_>, pairing: &Pairing) -> Cost {
     let (a, b) = (codegen::compile(old.model), codegen::compile(new.model));
     let functions = ["f", "f_jac", "f_jac_par"];
@@ -79,7 +80,8 @@ struct Entry {
 }
 
 impl Entry {
-    /// Corresponding entry of the old model; `None` if its row or column has no counterpart.
+    /// Converts this Jacobian entry of the new model to the corresponding entry of the old model; `None` if its row or
+    /// column has no counterpart there.
     fn mapped(self, pairing: &Pairing) -> Option<Self> {
         let columns = match self.by_state {
             true => &pairing.states,
@@ -129,10 +131,11 @@ pub struct Time {
 
 /// Number of pairs of time measurements (old model, new model).
 const ROUNDS: usize = 201;
-/// Number of points evaluated in one measurement.
+/// Number of points at which the state derivatives are evaluated in one time measurement.
 const POINTS: usize = 64;
 
-/// Compiles and measures both models in alternation, so that a disturbance of the machine affects both.
+/// Measures the computing time of the state derivatives of both models. The models are measured in alternation, so that
+/// a disturbance of the machine affects both.
 pub fn time(old: &Everything<'_>, new: &Everything<'_>, pairing: &Pairing) -> Time {
     let mut random = Random::new(0, "time");
     let here: Vec<_> = (0..POINTS)

@@ -184,8 +184,9 @@ fn in_numbers(
     worst
 }
 
-/// Magnitude by which a difference of output `k` is divided: `sizes[k]`, the magnitude of its terms, or for an
-/// auxiliary variable or load, the maximum absolute value of its components, at least [`FLOOR`].
+/// Divisor that makes a difference of output `k` relative. For a state derivative or component of the observation:
+/// `sizes[k]`, the sum of the magnitudes of its terms. For an auxiliary variable or load: the maximum absolute value of
+/// its components, or [`FLOOR`] if that is larger. For a validity limit: 0.
 fn size(model: &Everything<'_>, sizes: &[f64], values: &[f64], k: usize) -> f64 {
     if let Some(size) = sizes.get(k) {
         return *size;
@@ -197,7 +198,8 @@ fn size(model: &Everything<'_>, sizes: &[f64], values: &[f64], k: usize) -> f64 
     })
 }
 
-/// Sum of the magnitudes of the terms of each derivative and of the observation; empty if they cannot be evaluated.
+/// Sum of the magnitudes of the terms of each state derivative, followed by that of each component of the observation;
+/// empty if the state derivatives cannot be evaluated.
 fn magnitudes(model: &Model, point: &Point<f64>) -> Vec<f64> {
     let lifted = point.lift::<ErrorBound>();
     let tree = Tree::new(model, &lifted);

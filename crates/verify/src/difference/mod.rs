@@ -45,7 +45,7 @@ use values::Everything;
 pub struct DifferenceOptions {
     /// Duration, s, of the flights that are simulated with both models and compared.
     pub seconds: f64,
-    /// Whether to measure the computing time of the derivatives.
+    /// Whether to measure the computing time of the state derivatives.
     pub time: bool,
     /// Whether to compare the operation counts, the Jacobian entries and simulated flights of the models.
     pub consequences: bool,
@@ -103,7 +103,7 @@ pub struct Difference {
     pub restated: Vec<Restated>,
     /// Operation counts and Jacobian entries; `None` if not requested.
     pub cost: Option<Cost>,
-    /// Computing time of the derivatives; `None` if not requested.
+    /// Computing time of the state derivatives; `None` if not requested.
     pub time: Option<Time>,
     /// Differences between simulated flights of the two models; empty if not requested.
     pub flights: Vec<FlightShift>,

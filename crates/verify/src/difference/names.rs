@@ -19,7 +19,8 @@ impl Names {
         }
     }
 
-    /// Name in the old model of the item `new`; the same name if it was not renamed.
+    /// Name in the old model of the item of the given class of statements that is named `new` in the new model; returns
+    /// `new` if the item was not renamed.
     pub fn old(&self, class: &'static str, new: &str) -> String {
         let found = self.renamed.get(&(class, new.to_owned()));
         found.map_or_else(|| new.to_owned(), Clone::clone)
@@ -38,7 +39,8 @@ impl Names {
     }
 }
 
-/// Names in a text, including the frame names in `in_F`.
+/// Words of a text that may be names of the model. A word `in_F` also gives `F` (name of a frame), and a word `w_x`,
+/// `w_y` or `w_z` also gives `w` (name of an input with these components).
 pub fn words(text: &str) -> Vec<&str> {
     let is_name = |c: char| c.is_alphanumeric() || c == '_';
     let mut out: Vec<&str> = Vec::new();
@@ -55,7 +57,7 @@ pub fn words(text: &str) -> Vec<&str> {
     out
 }
 
-/// Replaces every name of the new model in the text by the name in the old model.
+/// Replaces the new name of every renamed item in the text by its name in the old model.
 pub fn renamed_text(text: &str, names: &Names) -> String {
     let is_name = |c: char| c.is_alphanumeric() || c == '_';
     let mut out = String::with_capacity(text.len());

@@ -127,7 +127,7 @@ impl Pairing {
     }
 
     /// Pairs the states and parameters that have no counterpart yet with those of the same kind and unit in the other
-    /// model. Pairs are formed in ascending order of the number of row values that differ, see [`Effects::conflicts`].
+    /// model. Pairs with the most similar influence on the equations are formed first, see [`Effects::conflicts`].
     fn by_effect(&mut self, old: &Everything<'_>, new: &Everything<'_>) {
         let (olds, news) = self.open(old.model, new.model);
         if olds.is_empty() || news.is_empty() {
@@ -168,7 +168,7 @@ impl Pairing {
         }
     }
 
-    /// Unpaired symbols (states and parameters) of the old and of the new model.
+    /// Lists the symbols (states and parameters) of the old model, and those of the new model, that are not paired yet.
     fn open(&self, old: &Model, new: &Model) -> (Vec<Symbol>, Vec<Symbol>) {
         let states = (0..old.states.len()).filter(|&i| self.new_state(i).is_none());
         let count = parameters(&Point::defaults(old)).len();
@@ -326,8 +326,9 @@ impl Effects {
         }
     }
 
-    /// Number of row values that differ between this model, for its unpaired state or parameter with index `here`, and
-    /// the model `other`, for its unpaired state or parameter with index `there`; 0 if the two may correspond.
+    /// Dissimilarity of the unpaired symbol (state or parameter) with index `here` of this model and that with index
+    /// `there` of the model `other`: number of row values that differ between the two models when these symbols are
+    /// examined. 0 means that the symbols may correspond.
     fn conflicts(&self, here: usize, other: &Self, there: usize) -> usize {
         let differ = |a: &[f64], b: &[f64]| {
             let unequal = a.iter().zip(b).filter(|(a, b)| !is_close(**a, **b));

@@ -49,8 +49,9 @@ fn same_outputs(
     compared.iter().all(|c| c.sameness != Sameness::Changed)
 }
 
-/// Maps the names of the new model to those of the old: states, constants and inputs by the pairing, named quantities
-/// and loads by equal functions, frames by equal declarations.
+/// Names of the items that are renamed in the new model `b`, with their names in the old model `a`. States, constants
+/// and inputs correspond by `pairing`, auxiliary variables and loads if they compute equal functions, frames if their
+/// declarations are equal.
 pub fn renamed(a: &Everything<'_>, b: &Everything<'_>, pairing: &Pairing) -> Names {
     let mut names = Names::default();
     for Renamed { from, to } in pairing.renamed(a, b) {

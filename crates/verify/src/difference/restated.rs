@@ -12,13 +12,14 @@ pub struct Restated {
     pub name: String,
     /// Attribute that changed: `unit`, `value` or `bounds`.
     pub what: &'static str,
-    /// Attribute in the old model, as text.
+    /// Unit, default value or bounds (as given by `what`) in the old model, as text.
     pub old: String,
-    /// Attribute in the new model, as text.
+    /// Unit, default value or bounds (as given by `what`) in the new model, as text.
     pub new: String,
 }
 
-/// Lists the differing units, values and bounds of corresponding constants, inputs and states.
+/// Lists the units, default values and bounds that differ between paired constants, inputs and states of the old model
+/// `a` and the new model `b`.
 pub fn restated(a: &Everything<'_>, b: &Everything<'_>, pairing: &Pairing) -> Vec<Restated> {
     let mut out = Vec::new();
     let mut note = |name: &str, what, old: String, new: String| {

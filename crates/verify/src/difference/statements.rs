@@ -151,7 +151,7 @@ pub fn causes(
 }
 
 impl Statement {
-    /// Describes the statement as the cause of a difference: its title and the differing terms.
+    /// Describes the statement as the cause of a difference between the models: class, name and differing terms.
     fn cause(&self) -> String {
         match self.change {
             Change::Added => format!("{} added", self.what),
@@ -219,7 +219,8 @@ pub fn keyed(file: &File) -> Vec<(Key, &Item)> {
     items.filter_map(|item| Some((key(item)?, item))).collect()
 }
 
-/// Expression of a statement; `None` for a statement that has none.
+/// The expression on the right-hand side of a statement; `None` for a statement of a kind that has none or several,
+/// such as a declaration.
 pub fn value(item: &Item) -> Option<&Expr> {
     match &item.kind {
         ItemKind::Let(l) => Some(&l.value),
@@ -240,8 +241,8 @@ pub struct Reach {
 }
 
 impl Reach {
-    /// Determines the dependences of the statements of a file. `rows` contains the rows with their kinds, see
-    /// [`super::rows`].
+    /// Determines which statements of a file depend on which others. `rows` contains the name and the kind of each row
+    /// (state derivative, component of the observation, validity limit), see [`super::rows`].
     pub fn of_file(file: &File, rows: &[(String, super::rows::RowKind)]) -> Self {
         let items = keyed(file);
         let by_name = |name: &str| -> Vec<Key> {

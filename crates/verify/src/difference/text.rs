@@ -4,7 +4,7 @@ use super::{Change, Difference, FlightShift, RowChange, Sameness, Statement};
 use std::fmt::Write;
 
 impl Difference {
-    /// Summarises the comparison in one sentence.
+    /// Summarises in one sentence whether the models are the same function, and which rows differ.
     pub fn sentence(&self) -> String {
         let changed = self.changed_rows();
         if changed.is_empty() {
@@ -22,7 +22,8 @@ impl Difference {
         format!("another function: {}", changed.join(", "))
     }
 
-    /// Names of the rows that agree in floating-point numbers but are not decided exactly.
+    /// Names of the rows (such as state derivatives) that agree in floating-point numbers, but whose equality could not
+    /// be proved in exact arithmetic.
     fn not_decided(&self) -> Vec<&str> {
         let rows = self.rows.iter();
         rows.filter(|row| row.sameness == Some(Sameness::Agrees))
@@ -30,7 +31,8 @@ impl Difference {
             .collect()
     }
 
-    /// Names of the rows that are exactly the same function.
+    /// Names of the rows (such as state derivatives) that are the same function in both models, as proved in exact
+    /// arithmetic.
     pub(super) fn same_rows(&self) -> Vec<&str> {
         let rows = self.rows.iter();
         rows.filter(|row| row.sameness == Some(Sameness::Same))
@@ -38,7 +40,7 @@ impl Difference {
             .collect()
     }
 
-    /// Formats the whole comparison as text.
+    /// Formats all results of the comparison as text for a terminal.
     pub fn text(&self) -> String {
         let mut out = format!(
             "{} → {}: {}\n",
@@ -153,7 +155,7 @@ impl RowChange {
 }
 
 impl Statement {
-    /// Class and name of the statement, preceded by the old ones if they changed.
+    /// Class and name of the statement; if they changed, in the form `old class and name → new class and name`.
     pub(super) fn title(&self) -> String {
         match &self.was {
             Some(was) => format!("{was} → {}", self.what),

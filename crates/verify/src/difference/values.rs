@@ -36,7 +36,7 @@ pub struct Named {
 }
 
 impl<'a> Everything<'a> {
-    /// Compiles a program of all values of a model.
+    /// Compiles a model to one program that computes all outputs described at [`Self::code`].
     pub fn of(model: &'a Model) -> Self {
         let mut extended = model.clone();
         let mut sources: Vec<(&'static str, String, usize)> = Vec::new();
@@ -103,7 +103,8 @@ impl<'a> Everything<'a> {
     }
 }
 
-/// Appends an auxiliary variable to a model and returns its index. A vector is expressed in the inertial frame.
+/// Appends an auxiliary variable with the expression `value` to a model and returns its index. A vector stated in
+/// another frame is converted to the inertial frame, so that it can be compared.
 fn add(model: &mut Model, value: Expr) -> usize {
     let index = model.aux_variables.len();
     let span = value.span;

@@ -45,7 +45,8 @@ impl<'a> Original<'a> {
         }
     }
 
-    /// Reason why a mutant is proved equivalent to the original; `None` if equivalence is not proved.
+    /// Text that states how a mutant is proved to have the same derivatives and observation as the original; `None` if
+    /// equivalence is not proved.
     pub fn same(&self, mutant: &Values) -> Option<&'static str> {
         let (here, there) = (&self.values.layout, &mutant.layout);
         let named = here.states == there.states && here.parameters == there.parameters;
@@ -127,7 +128,7 @@ fn binary(op: Binary, a: u32, b: u32) -> Key {
 }
 
 impl Interner {
-    /// Value numbers of the outputs of a program.
+    /// Value numbers of the outputs of a program. Equal numbers mean that the outputs are the same expression.
     fn outputs(&mut self, program: &Program) -> Vec<u32> {
         let mut temps: Vec<u32> = Vec::with_capacity(program.statements.len());
         for statement in &program.statements {

@@ -9,7 +9,7 @@ use serde::Serialize;
 /// Numbers of mutants that the checks kill, by mutation operator and check, and the mutants that no check kills.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct MutationMatrix {
-    /// Names of the checks, in ascending order of cost.
+    /// Names of the checks, in ascending order of computing effort.
     pub checks: Vec<&'static str>,
     /// One row per mutation operator.
     pub rows: Vec<MutationRow>,

@@ -39,9 +39,9 @@ impl Names {
         self.frames.iter().filter(move |f| *f != name)
     }
 
-    /// Plausible replacements of a name in statement `item`: for a constant, two constants of the same unit and one of
-    /// another unit; for an auxiliary variable, those declared at most two auxiliary variables away and before the
-    /// statement.
+    /// Plausible replacements of a name that occurs in the statement with index `item`. For a constant: at most two
+    /// constants of the same unit and one of another unit. For an auxiliary variable: those declared before this
+    /// statement, at most two positions away in the list of auxiliary variables.
     pub fn exchanges(&self, name: &str, item: usize) -> Vec<String> {
         let mut out = Vec::new();
         if let Some(at) = self.constants.iter().position(|(n, _)| n == name) {

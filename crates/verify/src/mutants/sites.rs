@@ -2,7 +2,8 @@
 
 use model_spec::syntax::ast::{BinaryOp, BodyPartKind, Expr, ExprKind, Item, ItemKind};
 
-/// Root expressions of a statement that describe physics; validity limits and check cases are excluded.
+/// Root expressions in a statement that are mutated, by mutable reference. Empty for statements whose expressions do
+/// not describe physics, such as validity limits and check cases.
 pub fn roots(item: &mut Item) -> Vec<&mut Expr> {
     match &mut item.kind {
         ItemKind::Let(l) => vec![&mut l.value],
@@ -40,7 +41,8 @@ pub fn place(item: &Item) -> String {
     }
 }
 
-/// Direct subexpressions of an expression, by mutable reference.
+/// Direct subexpressions of an expression that are mutated separately, by mutable reference. The exponent of a power is
+/// not included.
 pub fn children(e: &mut Expr) -> Vec<&mut Expr> {
     match &mut e.kind {
         ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Derivative(_) => Vec::new(),

@@ -122,7 +122,8 @@ impl Changes<'_> {
     }
 }
 
-/// Adds the mutations of a table: one changed value per knot, and another interpolation of the same knots.
+/// Adds the mutations of an interpolated table to `out`: one changed value per knot, and another interpolation of the
+/// same knots.
 fn table(out: &mut Changes<'_>, table: &Table) {
     let mut change = |operator, how: String, change: &dyn Fn(&mut Table)| {
         out.push(operator, how, |item| {

@@ -37,8 +37,8 @@ impl<'a> Editor<'a> {
         Self { model, factors }
     }
 
-    /// Generates all single changes of `e` and its subexpressions. `term` is the source text of the term of a sum in
-    /// which `e` occurs; the descriptions of the changes quote this text.
+    /// Generates all corrections that make one change in `e` or in one of its subexpressions. `term` is the source text
+    /// of the term of a sum in which `e` occurs; the descriptions of the changes quote this text.
     pub fn edits(&self, e: &Expr, term: &str) -> Vec<Edit> {
         let mut out = Vec::new();
         self.here(e, term, &mut out);
@@ -150,7 +150,8 @@ impl<'a> Editor<'a> {
         }
     }
 
-    /// Generates the corrections of `(a ± b ± …)/d` in which only the leading terms are divided by `d`.
+    /// Generates the corrections of `(a ± b ± …)/d` in which only the leading terms are divided by `d`, for example
+    /// `a/d ± b`. Each correction is passed to `push` as (rank, description, corrected expression).
     fn divisor_of_some(&self, sum: &Expr, divisor: &Expr, push: &mut impl FnMut(u8, String, Expr)) {
         let (ExprKind::Add(left, _) | ExprKind::Sub(left, _)) = &sum.kind else {
             return;

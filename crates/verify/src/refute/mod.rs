@@ -122,8 +122,9 @@ fn implied(model: &Model, point: &Point<ErrorBound>) -> Option<Vec<Option<ErrorB
     implied.solves_the_others.then_some(implied.rates)
 }
 
-/// Auxiliary variables that are defined as the derivative of a state because other equations use this derivative. For
-/// each: its index, and the reference rate of the state, taken from `truth` (rates by state).
+/// Auxiliary variables whose expression is the right-hand side of the equation of a state. A model has such a variable
+/// if other equations use the derivative of this state. For each: its index, and the reference rate of the state, taken
+/// from `truth` (rates by state).
 fn used_derivatives(
     model: &Model,
     truth: &[Option<ErrorBound>],
@@ -245,7 +246,7 @@ impl Bench<'_> {
 }
 
 /// Factors that a misprinted term may lack (name, expression): 2, 1/2, the parameters, sines and cosines of frame
-/// angles, and the inverses of the parameters, sines and cosines.
+/// angles, and the inverses of the parameters, sines and cosines. The expressions have the source location of `at`.
 fn factors(model: &Model, at: &Expr) -> Vec<(String, Expr)> {
     let scalar = |kind| Expr {
         kind,

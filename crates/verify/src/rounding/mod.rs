@@ -69,7 +69,8 @@ pub struct Error {
     pub fuses: bool,
     /// Name of the function.
     pub function: &'static str,
-    /// Section of the function's values: `f`, `J`, `Jp`, `y`, `dy/dx` or `dy/dp`.
+    /// Section of the function's results: `f` (state derivatives), `J`, `Jp` (their Jacobians with respect to states
+    /// and parameters), `y` (observation), `dy/dx` or `dy/dp` (its Jacobians).
     pub values: &'static str,
     /// Number of compared values.
     pub compared: usize,
@@ -101,7 +102,7 @@ pub struct Rounding {
 const MEASURE: &str =
     "ulp of the magnitude: spacing of f64 at the sum of the magnitudes of the terms of a value";
 
-/// Values of a function at one point, computed with [`big::PRECISION`] bits.
+/// Results of a compiled function at one point, computed with [`big::PRECISION`] bits.
 struct Exact {
     /// Index of the function in [`Compiled::functions`].
     function: usize,
@@ -110,7 +111,7 @@ struct Exact {
     values: Vec<(f64, f64, f64)>,
 }
 
-/// Measures the rounding errors of every backend and of every statement.
+/// Measures the rounding errors of every backend and the bits that every statement of the model loses.
 pub fn measure(
     subject: &Subject<'_>,
     compiled: &Compiled,

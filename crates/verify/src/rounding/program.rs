@@ -126,7 +126,8 @@ fn unary<T: Real>(program: &Program, op: Unary, a: T) -> T {
 /// argument's terms, below which rounding may change the result of the branch.
 const NEAR: f64 = 1e-9;
 
-/// Signed distance of an operation's argument to its branch point; `None` for an operation without branches.
+/// Signed distance of an operation's argument to its branch point, such as 0 for abs; `None` for an operation without
+/// branches. `of` returns the value of an operand.
 fn gap<T: Real>(op: Op, of: impl Fn(Operand) -> T) -> Option<T> {
     match op {
         Op::Unary(Unary::RecipOrZero, a) | Op::IfZero(a, ..) => Some(of(a)),
@@ -145,9 +146,9 @@ fn gap<T: Real>(op: Op, of: impl Fn(Operand) -> T) -> Option<T> {
     }
 }
 
-/// Outputs of a program with the magnitudes of their terms, and whether the argument of a branch is so close to its
-/// branch point that rounding may change the result. If `exact` inputs are given, an argument that equals the branch
-/// point also in 256-bit arithmetic does not count.
+/// Outputs of a program with the magnitudes of their terms, and whether the argument of a branch (such as that of abs)
+/// is so close to its branch point that rounding may change the result. If inputs for 256-bit arithmetic are given in
+/// `exact`, arguments that equal the branch point in this arithmetic do not count as close.
 pub fn magnitudes(
     program: &Program,
     inputs: &Inputs<ErrorBound>,

@@ -107,8 +107,8 @@ pub fn losses(model: &Model, points: &[(String, Point<f64>)]) -> Vec<Loss> {
 }
 
 /// Parameter vector for the model built by [`separated`], in this order: parameters, scalar auxiliary variables,
-/// coefficients, inputs, vector auxiliary variables. `all` is the parameter vector of the original model; `given` are
-/// the values of the auxiliary variables, with `lets` components each.
+/// coefficients, inputs, vector auxiliary variables. `all` is the parameter vector of the original model. `given`
+/// yields the components of all auxiliary variables in turn; `lets` is the number of components of each variable.
 fn rearranged<T: Copy>(
     model: &Model,
     lets: &[usize],
@@ -176,8 +176,8 @@ fn line(text: &str, span: Span) -> usize {
 }
 
 /// Builds a model in which every statement becomes an auxiliary variable and reads the original auxiliary variables as
-/// inputs, so that its rounding error is separate from theirs. Also returns the statements, in the order of these
-/// auxiliary variables.
+/// inputs. The rounding error of a statement then does not include the errors of the auxiliary variables that it uses.
+/// Also returns the statements, in the order of the auxiliary variables of the built model.
 fn separated(model: &Model) -> (Model, Vec<Statement>) {
     let mut alone = model.clone();
     let mut statements: Vec<Statement> = Vec::new();

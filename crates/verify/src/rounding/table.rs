@@ -8,7 +8,7 @@ use crate::table::plain_table;
 const LISTED: usize = 10;
 
 impl Loss {
-    /// Describes the loss in one sentence.
+    /// Describes in one sentence how many bits the statement loses, and where.
     pub fn sentence(&self) -> String {
         format!(
             "{}, line {}: `{}` loses {:.0} of 53 bits at {} (median {:.0}): {}",
@@ -18,8 +18,8 @@ impl Loss {
 }
 
 impl Rounding {
-    /// Formats tables of the errors by backend and function, and a list of the statements that lose digits. Backends
-    /// with equal errors share a table.
+    /// Formats tables of the rounding errors by backend and function, and a list of the statements that lose digits.
+    /// Backends with equal errors share a table.
     pub fn table(&self) -> String {
         let [random, flown] = self.points;
         let mut text = format!(

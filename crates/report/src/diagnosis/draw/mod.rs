@@ -51,7 +51,7 @@ impl Figures {
         }
     }
 
-    /// Returns all figures in the order of the page.
+    /// Returns all figures in the order in which they appear on the page.
     pub(super) fn into_all(self) -> Vec<Drawn> {
         let mut all: Vec<Drawn> = Vec::new();
         all.extend(self.finding);

@@ -69,7 +69,7 @@ pub(super) fn residuals(page: &DiagnosisPage<'_>) -> Vec<Drawn> {
     figures.collect()
 }
 
-/// Flights with the given role, among the flights that are drawn.
+/// Flights with the given role, among the first `MOST_FLIGHTS` flights; the figures show no others.
 fn of(evidence: &[FlightEvidence], role: Role) -> Vec<&FlightEvidence> {
     let drawn = evidence.iter().take(MOST_FLIGHTS);
     drawn.filter(|f| f.role == role).collect()

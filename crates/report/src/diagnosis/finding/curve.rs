@@ -69,8 +69,8 @@ enum Abscissa {
     Time,
 }
 
-/// Curve of the first scalar quantity that one of the effects changes; `None` if the effects change no scalar
-/// quantity that depends on a scalar variable, or the curve is flat.
+/// Computes the curve of the first scalar auxiliary variable that one of the named effects changes and that depends on
+/// a scalar variable; flat curves are skipped. `None` if there is no such auxiliary variable.
 pub(super) fn of<'n>(fits: &Fits<'_>, effects: impl IntoIterator<Item = &'n str>) -> Option<Curve> {
     let after = fits.after?;
     let model = &after.problem().model;
@@ -86,8 +86,8 @@ pub(super) fn of<'n>(fits: &Fits<'_>, effects: impl IntoIterator<Item = &'n str>
     })
 }
 
-/// Scalar variable on which the auxiliary variable with index `at` depends; preferably one that the effect with index
-/// `effect` declares. `None` if the auxiliary variable depends on no scalar variable.
+/// Scalar variable on which the auxiliary variable with index `at` depends. If there are several, one is preferred that
+/// the effect with index `effect` lists among its variables; `None` if there is none.
 fn abscissa(after: &Fit, at: usize, effect: usize) -> Option<Abscissa> {
     let model = &after.problem().model;
     let mut found = Vec::new();
@@ -109,8 +109,8 @@ fn abscissa(after: &Fit, at: usize, effect: usize) -> Option<Abscissa> {
     first.or(usable.first()).map(|(abscissa, _)| *abscissa)
 }
 
-/// Collects the scalar variables that an expression reads. A variable that the effect defines is replaced by the
-/// variables in its definition.
+/// Appends to `found` the scalar variables that the expression `expr` reads. A variable that the effect with index
+/// `effect` defines is replaced by the variables in its definition.
 fn collect<'m>(model: &'m Model, expr: &'m Expr, effect: usize, found: &mut Vec<&'m ExprKind>) {
     match &expr.kind {
         ExprKind::AuxVariable(k) if model.aux_variables[*k].effect == Some(effect) => {

@@ -10,18 +10,19 @@ use serde::Serialize;
 use super::DiagnosisPage;
 use crate::fit::Drawn;
 
-/// Sentences of the opening section.
+/// Sentences of the opening section of the diagnosis report.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(super) struct Finding {
     /// Sentences that state which effect the model lacks, and the size of the effect.
     pub(super) what: String,
-    /// Sentences that state how certain the finding is.
+    /// Sentences that state how certain it is that the model lacks this effect.
     pub(super) sure: String,
     /// Sentences that recommend the next step to the user.
     pub(super) next: String,
 }
 
-/// Writes the opening section and draws its figure; the figure is `None` if there is nothing to draw.
+/// Writes the opening section of the diagnosis report and draws its figure; the figure is `None` if there is nothing to
+/// draw.
 pub(super) fn finding(page: &DiagnosisPage<'_>) -> (Finding, Option<Drawn>) {
     let report = page.report;
     let effects = || {

@@ -175,7 +175,8 @@ fn clearest(cause: &Cause) -> Option<(&CauseEffect, &String, f64)> {
     known.max_by(|a, b| a.2.total_cmp(&b.2))
 }
 
-/// Sentences that state how certain the finding is.
+/// Sentences that state how certain the result of the diagnosis is: how far the estimate is from zero, and whether
+/// another candidate effect could also explain the flights.
 pub(super) fn sure(report: &Report) -> String {
     let tested = count(report.candidates.len(), "effect");
     let threshold = words::sigmas(report.threshold.z);
@@ -265,7 +266,7 @@ pub(super) fn sure(report: &Report) -> String {
     }
 }
 
-/// Sentences that recommend the next step.
+/// Sentences that recommend to the user what to do after the diagnosis.
 pub(super) fn next(page: &DiagnosisPage<'_>) -> String {
     let report = page.report;
     if !page.reasons_against.is_empty() {

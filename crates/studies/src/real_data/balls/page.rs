@@ -118,7 +118,7 @@ struct DiagnosisRow {
     summary: String,
 }
 
-/// Score test of the effect `magnus` in a diagnosis.
+/// Result of the score test of the effect `magnus` in a diagnosis of the table-tennis flights.
 #[derive(Serialize)]
 struct MagnusScore {
     statistic: f64,
@@ -238,7 +238,7 @@ fn lift_rows(balls: &Balls) -> Vec<LiftRow> {
     rows.collect()
 }
 
-/// Mean lift coefficient / mean advance ratio of the flights whose advance ratio is in `low..high`.
+/// Mean lift coefficient / mean advance ratio over the flights whose advance ratio is at least `low` and below `high`.
 fn slope<'l>(lifts: impl Iterator<Item = &'l Lift>, low: f64, high: f64) -> f64 {
     let within = lifts.filter(|lift| (low..high).contains(&lift.advance_ratio()));
     let (lift, ratio) = within.fold((0.0, 0.0), |(lift, ratio), each| {

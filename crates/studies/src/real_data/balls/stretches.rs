@@ -12,7 +12,8 @@ pub(super) fn number(file: &str) -> u32 {
     digits.parse().unwrap_or(0)
 }
 
-/// Whether a file is in one of the stretches in which the lift agrees with the stated spin.
+/// Whether the number in the file name of a flight is in one of the two ranges in which every lift agrees with the
+/// stated spin.
 pub fn is_agreeing(file: &str) -> bool {
     let number = number(file);
     let mut stretches = AGREEING.iter();

@@ -19,10 +19,10 @@ const DIFFERENCE: f64 = 0.05;
 /// Maximum number of Gauss–Newton steps.
 const MAX_STEPS: usize = 8;
 
-/// Maximum number of halvings of a step.
+/// Number of step lengths that are tried in a Gauss–Newton step: the full step, then repeated halves of it.
 const MAX_HALVINGS: usize = 6;
 
-/// Decrease of the weighted sum of squares below which the fit ends.
+/// The fit ends when a step decreases the sum of squared weighted residuals by less than this value.
 const MIN_DECREASE: f64 = 1e-3;
 
 /// Result of fitting a launch to its measured track.
@@ -33,9 +33,9 @@ pub struct LaunchFit {
     pub rms: [f64; 2],
     /// Changes of the launch quantities by the fit (fitted − stated), in units of their stated uncertainties.
     pub changes: [f64; 7],
-    /// Factors on lift, drag and pitching moment of the table; 1 if they were not fitted.
+    /// Factors on the tabulated lift, drag and pitching moment; 1 if the factors were not fitted.
     pub factors: [f64; 3],
-    /// Standard errors of the factors; 0 if they were not fitted.
+    /// Standard errors of the factors on lift, drag and pitching moment; 0 if the factors were not fitted.
     pub factor_errors: [f64; 3],
 }
 
@@ -86,8 +86,9 @@ fn factors(unknowns: &[f64]) -> Factors {
     std::array::from_fn(|k| 1.0 + FACTOR_UNCERTAINTY * unknown(k))
 }
 
-/// Minimises the sum of squared residuals by Gauss–Newton, starting from 0. Steps are halved until the sum decreases.
-/// Returns the unknowns and their covariance; `None` if the normal equations are singular.
+/// Minimises the sum of squared residuals by Gauss–Newton, starting from 0. A step that does not decrease the sum is
+/// halved repeatedly; the minimisation ends if no tried step decreases the sum. Returns the unknowns and their
+/// covariance; `None` if the normal equations are singular.
 fn minimised(
     count: usize,
     residuals: impl Fn(&[f64]) -> DVector<f64> + Sync,

@@ -23,7 +23,7 @@ struct Section {
 #[derive(Serialize)]
 struct ThrowRow {
     number: u32,
-    /// Position of the last point of the track, m.
+    /// Horizontal position (x, y) of the last point of the measured track, m.
     end: [f64; 2],
     stated_rms: Option<f64>,
     mean: [f64; 2],

@@ -28,18 +28,18 @@ pub(super) fn disc(file: &Path) -> Result<Disc, StudyError> {
     })
 }
 
-/// Text after the first occurrence of `key:`; `None` if there is none.
+/// Remainder of `text` after the first occurrence of `key:`; `None` if `key:` does not occur.
 fn after<'t>(text: &'t str, key: &str) -> Option<&'t str> {
     let key = format!("{key}:");
     Some(text.split_once(&key)?.1)
 }
 
-/// Parses the number after a key; `None` if there is none.
+/// Parses the number that follows the first occurrence of `key:` in `text`; `None` if no number follows.
 fn number(text: &str, key: &str) -> Option<f64> {
     after(text, key)?.split_whitespace().next()?.parse().ok()
 }
 
-/// Parses the bracketed list of numbers after a key; `None` if there is none.
+/// Parses the first bracketed list of numbers after the first `key:` in `text`; `None` if there is no valid list.
 fn list(text: &str, key: &str) -> Option<Vec<f64>> {
     let list = after(text, key)?.split_once('[')?.1;
     let cells = list.split(']').next()?.split(',');

@@ -14,7 +14,7 @@ use crate::error::StudyError;
 /// Number of random launches simulated for each throw.
 pub(super) const DRAWS: usize = 100;
 
-/// Simulations and fits of one throw.
+/// Simulations and fits of one filmed disc-golf throw.
 pub(super) struct ThrowResult {
     pub(super) throw: Throw,
     pub(super) band: Band,

@@ -30,7 +30,7 @@ const MIN_ALPHA: f64 = 1e-4;
 /// Factors by which the tabulated coefficients of lift, drag and pitching moment are multiplied.
 pub(super) type Factors = [f64; 3];
 
-/// Simulates throws of one disc with tabulated coefficients.
+/// Simulates throws of one disc with tabulated aerodynamic coefficients.
 pub(super) struct Simulator<'a> {
     model: &'a Model,
     reference: Reference,
@@ -117,8 +117,8 @@ impl<'a> Simulator<'a> {
         positions.collect()
     }
 
-    /// Parameters, wind (m/s) and coefficients of the model that reproduce the tabulated coefficients, multiplied by
-    /// `factors`, at the body's angle of attack.
+    /// Parameters and coefficients of the model, and the wind (m/s). The coefficients are set so that the model's lift,
+    /// drag and pitching moment at the body's angle of attack equal the tabulated values multiplied by `factors`.
     fn constants_at(
         &self,
         body: &Physical<f64>,

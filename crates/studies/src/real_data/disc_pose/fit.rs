@@ -22,7 +22,7 @@ pub(super) const BODY: [(&str, f64); 7] = [
     ("g", 9.81),
 ];
 
-/// Assumed moment of inertia about a diameter, kg·m², by which the fitted I_a is divided.
+/// Assumed moment of inertia about a diameter, kg·m², by which the fitted I_a is divided to obtain the ratio I_a/I_d.
 const I_D: f64 = 0.00063;
 
 /// Priors of the aerodynamic coefficients: name, mean, standard deviation, SI.
@@ -85,7 +85,8 @@ pub(in super::super) struct DiscPose {
 }
 
 impl DiscPose {
-    /// Reads the tables of poses in a folder, and fits the throws together, alone, and with one throw left out.
+    /// Reads the tables of poses in a folder. Fits all throws together, each throw alone, and, for each throw, all
+    /// throws but this one.
     pub(in super::super) fn of(folder: &Path) -> Result<Self, StudyError> {
         let poses = Poses::read(folder)?;
         let model = model_spec::load::load("disc_quaternion", &[])?;
@@ -187,8 +188,8 @@ pub(super) fn ratio(report: &FitReport) -> Ratio {
     }
 }
 
-/// Summary of one throw. `report` is its part of the fit of all throws, `joint` the ratio I_a/I_d of that fit, and
-/// `alone` the ratio from a fit of this throw only.
+/// Summary of one throw. `report` contains this throw's results in the fit of all throws, `joint` the ratio I_a/I_d of
+/// that fit, and `alone` the ratio from a fit of this throw only.
 fn throw(flight: &Flight, report: &FlightReport, joint: f64, alone: Option<Ratio>) -> Throw {
     let rate = |name: &str| {
         let own = report.initial.get(name);

@@ -44,7 +44,7 @@ pub(super) struct Diagnosed {
     /// Spin-damping coefficient `C_Nr` from the fit of the model without an added effect, and its standard error,
     /// N·m·s.
     pub(super) c_nr: [f64; 2],
-    /// Number of samples used.
+    /// Number of sensor samples of the flight that were fitted and diagnosed.
     pub(super) samples: usize,
 }
 

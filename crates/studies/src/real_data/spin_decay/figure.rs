@@ -11,7 +11,8 @@ use super::results::SpinDecay;
 /// and the form that the data do not reject.
 const DRAWN: [Form; 3] = [Form::Linear, Form::Quadratic, Form::Falling];
 
-/// Draws the measured rate and the residuals of three forms as SVG.
+/// Draws two panels as SVG: the measured spin over time, and the residuals (measured − fitted) of three forms of the
+/// decay.
 pub(in super::super) fn spin_decay_figure(data: &SpinDecay) -> String {
     let samples = || data.record.times.iter().zip(&data.record.rates);
     let left = DRAWN.iter().filter_map(|form| {

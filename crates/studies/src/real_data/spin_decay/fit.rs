@@ -26,14 +26,16 @@ pub struct DecayFit {
     pub aic: f64,
 }
 
-/// Fit with the minimum AIC over a grid of lag-1 correlations; `None` if the record does not determine the unknowns.
+/// Fit of a form to a spin record: the one with the minimum AIC over a grid of lag-1 correlations of the noise; `None`
+/// if the record does not determine the unknowns.
 pub(super) fn fit(form: Form, record: &Record) -> Option<DecayFit> {
     let correlations = (0..CORRELATIONS).map(|step| step as f64 / CORRELATIONS as f64);
     let fits = correlations.filter_map(|ar1| fit_with(form, record, ar1));
     fits.min_by(|a, b| a.aic.total_cmp(&b.aic))
 }
 
-/// Fit with a given lag-1 correlation; `None` if the record does not determine the unknowns.
+/// Fit of a form to a spin record, with a given lag-1 correlation of the noise; `None` if the record does not determine
+/// the unknowns.
 fn fit_with(form: Form, record: &Record, ar1: f64) -> Option<DecayFit> {
     let count = record.times.len();
     let first = (1.0 - ar1 * ar1).sqrt();

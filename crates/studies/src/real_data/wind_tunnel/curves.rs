@@ -33,7 +33,8 @@ impl Curve {
         Self { multiples, shapes }
     }
 
-    /// Least-squares curve through one coefficient of the rows; `None` if there are fewer rows than basis functions.
+    /// Fits a linear combination of the basis functions `shapes` to one coefficient in the rows of an aerodynamic table
+    /// by least squares; `None` if there are fewer rows than basis functions.
     pub(super) fn fitted(
         rows: &[Measured],
         coefficient: Coefficient,
@@ -54,13 +55,13 @@ impl Curve {
         })
     }
 
-    /// Value of the curve at an angle of attack, rad.
+    /// Value of the curve, which is a dimensionless coefficient, at the angle of attack `alpha`, rad.
     pub(super) fn at(&self, alpha: f64) -> f64 {
         let each = self.multiples.iter().zip(self.shapes);
         each.map(|(multiple, shape)| multiple * shape(alpha)).sum()
     }
 
-    /// RMS residual (table − curve) of one coefficient over the rows.
+    /// RMS residual (table − curve) of one coefficient over the given rows of an aerodynamic table.
     pub(super) fn rms(&self, rows: &[Measured], coefficient: Coefficient) -> f64 {
         let residuals = rows
             .iter()

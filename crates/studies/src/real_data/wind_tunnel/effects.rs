@@ -56,8 +56,8 @@ const FORMS: [&Form; 9] = [
     &MOMENT_EVEN,
 ];
 
-/// Name of each curve, the form that the model has, and the absolute difference of the coefficient from the table above
-/// which this form counts as deviating.
+/// For lift, drag and pitching moment: name, the model's form of the curve, and the absolute difference between the
+/// curve and the tabulated coefficient above which the curve counts as deviating from the table.
 const DEPARTURES: [(&str, &Form, f64); 3] = [
     ("Lift", &LIFT, 0.1),
     ("Drag", &DRAG, 0.05),

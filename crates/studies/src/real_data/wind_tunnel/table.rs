@@ -45,7 +45,7 @@ pub(in super::super) fn interpolated(rows: &[Measured], alpha: f64) -> [f64; 3] 
     }
 }
 
-/// Rows whose angle of attack is between two limits, degrees.
+/// Rows of a table whose angle of attack is from `low` to `high`, degrees, limits included.
 pub(super) fn between(rows: &[Measured], low: f64, high: f64) -> Vec<Measured> {
     let within = |row: &&Measured| (low - 1e-9..=high + 1e-9).contains(&row.alpha.to_degrees());
     rows.iter().filter(within).copied().collect()

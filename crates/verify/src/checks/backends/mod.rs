@@ -22,8 +22,8 @@ pub const FMA: &str = "FMA and non-FMA";
 /// Name of the check that the program contains generated code of the model's current text.
 pub const GENERATED: &str = "generated code";
 
-/// Maximum difference caused by fused multiply-add, relative to the largest result of the function. The value allows
-/// for cancellation of 1e4 rounding errors.
+/// Maximum allowed difference caused by fused multiply-add, relative to the largest absolute result of the function.
+/// The value allows for an amplification of rounding errors by 1e4 through cancellation.
 const FMA_TOLERANCE: f64 = 1e-12;
 
 /// Results of one backend at a list of points.
@@ -37,7 +37,7 @@ pub struct Run {
     pub results: Vec<Vec<f64>>,
 }
 
-/// Name and number of results of each function, in the order of the concatenated results.
+/// Name and number of results of each compiled function, in the order in which a [`Run`] concatenates the results.
 pub fn functions(compiled: &Compiled) -> Vec<(&'static str, usize)> {
     compiled
         .functions()
@@ -111,8 +111,8 @@ fn first(runs: &[Run], fuses: bool) -> Option<&Run> {
     runs.iter().find(|run| run.fuses == fuses)
 }
 
-/// Compares the results of every backend bit for bit with those of the first backend that fuses multiply and add as
-/// well, or that does not either.
+/// Checks that the results of all backends that fuse multiply and add agree bit for bit, and likewise those of all
+/// backends that do not.
 pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
     let mut worst = Worst::default();
     for run in runs {
@@ -150,8 +150,8 @@ pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
     }
 }
 
-/// Compares the first backend run that fuses multiply and add with the first one that does not. Errors are relative to
-/// the largest result of the function.
+/// Compares the results of the first backend that fuses multiply and add with those of the first backend that does not.
+/// Errors are relative to the largest absolute result of the function at the point.
 pub fn check_fma(compiled: &Compiled, runs: &[Run]) -> Row {
     let (Some(plain), Some(fused)) = (first(runs, false), first(runs, true)) else {
         return Row::skipped(FMA, "no backend fuses on this machine");
