@@ -114,8 +114,9 @@ fn node(graph: &mut ExprGraph, step: Step, x: NodeId, y: NodeId) -> NodeId {
     }
 }
 
-/// Value and derivative of a step for the operands `x` and `y`, by the plain definition of its operation; `None` within
-/// 1e-3 of a point where the operation is not smooth.
+/// Value and derivative of the operation `step` for the operands `x` and `y`, computed with dual numbers by the
+/// textbook definition of the operation. `None` if the operands are within 1e-3 of a point where the operation is not
+/// smooth.
 fn value(step: Step, x: Dual64, y: Dual64) -> Option<Dual64> {
     let smooth = |margin: f64| margin.abs() > 1e-3;
     let one = Dual64::from(1.0);

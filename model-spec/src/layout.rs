@@ -23,7 +23,8 @@ index_type!(
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Names and default values of states and parameters, in the order of the arrays of compiled code.
+/// Names and default values of states and parameters, in the order of the state vector and the parameter vector that
+/// the compiled model uses.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layout {
     /// Names of the states, in state-vector order.

@@ -53,12 +53,12 @@ pub struct Model {
     pub forces: Vec<Load>,
     /// Moments about the centre of mass, N m; each may have its components in any frame.
     pub moments: Vec<Load>,
-    /// Stated differential equations `der(state) = …`, in order of the states. In a model with a body, they cover only
-    /// the states whose derivatives do not follow from the body's equations of motion.
+    /// Differential equations that the model file writes explicitly (`der(STATE) = …`), in order of the states. In a
+    /// model with a body, they cover only the states whose derivatives do not follow from the body's equations of
+    /// motion.
     pub equations: Vec<Equation>,
-    /// Claimed physical meaning of the stated equations: expressions for the mass, motion and loads of a body.
-    /// `hyzer verify` checks whether the equations agree with these expressions. `None` if the model file states no
-    /// claim.
+    /// Claimed physical meaning of [`Model::equations`]: expressions for the mass, motion and loads of a body. `hyzer
+    /// verify` checks whether the equations agree with these expressions. `None` if the model file contains no claim.
     pub claim: Option<Claim>,
     /// The observed point, whose coordinates are specified with each observation; `None` if the model observes no
     /// marker.
@@ -253,10 +253,10 @@ impl Load {
     }
 }
 
-/// A stated differential equation `der(state) = value`.
+/// A differential equation that the model file writes explicitly: `der(state) = value`.
 #[derive(Clone, Debug)]
 pub struct Equation {
-    /// Index into [`Model::states`] of the state whose derivative the equation states.
+    /// Index into [`Model::states`] of the state whose derivative the equation defines.
     pub state: usize,
     /// Derivative of the state with respect to time.
     pub value: Expr,
@@ -264,7 +264,7 @@ pub struct Equation {
     pub span: Span,
 }
 
-/// The observed point, which is fixed in a frame.
+/// Marker: the point whose position is observed. It is fixed in a frame of the model.
 #[derive(Clone, Debug)]
 pub struct Marker {
     /// Name of the marker.

@@ -46,7 +46,7 @@ use crate::syntax::ast::{
     ParameterClass, Quantity, UnitExpr,
 };
 
-/// Literature reference of every effect generated from a term, and documentation of the coefficient of that effect.
+/// Text that effects generated from a term have as literature reference and as documentation of the coefficient.
 const FOUND: &str = "found in measured flights";
 
 index_type!(
@@ -184,9 +184,9 @@ impl TermLibrary {
         &BUILT_IN
     }
 
-    /// Returns the first built-in term library that is compatible with the model, or else one generated from the
-    /// quantities of the model, and the model with the effect [`TermLibrary::loads`] of that library applied. `None` if
-    /// the model has neither a body nor a stated equation to which a term can be added.
+    /// Returns the first compatible built-in term library, or else one generated from the model's quantities. The
+    /// second result is the model with the effect [`TermLibrary::loads`] of that library applied. `None` if the model
+    /// has neither a body nor an equation `der(STATE) = …` to which a term can be added.
     pub fn for_model(model: &Model) -> Option<(Arc<TermLibrary>, ModelTree)> {
         let (tree, binding) = (ModelTree::of(model), Binding::new(model));
         let with_loads = |library: &TermLibrary| {
@@ -348,9 +348,9 @@ impl TermLibrary {
 }
 
 impl Variable {
-    /// Creates a variable. Its definition is the right-hand side of the `let` in the effect `loads` that has the name
-    /// `entry.quantity`. Without such a `let`, it is the name `entry.quantity` itself, which the model must then
-    /// declare.
+    /// Creates a variable for the quantity named `entry.quantity`. If the effect `loads` declares this quantity by a
+    /// `let`, the definition of the variable is the right-hand side of the `let`. Otherwise the definition is the name
+    /// itself, which the model must then declare.
     fn new(entry: VariableEntry, loads: &EffectTree) -> Variable {
         let defined = loads.tree().parts.iter().find_map(|part| match part {
             EffectPart::Add(item) => match &item.kind {

@@ -10,8 +10,8 @@ use crate::graph::{ExprGraph, Node, NodeId};
 /// Greedy rule that selects the next vertex to eliminate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum EliminationOrder {
-    /// Selects the vertex whose elimination adds the fewest multiplications, less a weighted number of the edges that
-    /// it removes (variant of the Markowitz rule).
+    /// Selects the vertex with the lowest cost of elimination: the number of added multiplications minus a weighted
+    /// number of removed edges (variant of the Markowitz rule).
     FewestProducts,
     /// Selects the vertex whose elimination leaves the fewest edges (minimum fill).
     FewestEdges,

@@ -206,9 +206,9 @@ impl ExprGraph {
             })
     }
 
-    /// Looks in the product of the factors `flat` for a sum that contains `NonZero(X)`, the indicator of X ≠ 0, and is
-    /// multiplied by X or `NonZero(X)`, so that the indicator is redundant. If there is such a sum, replaces
-    /// `NonZero(X)` by 1 in it, moves all factors to `pending` and returns true; otherwise returns false.
+    /// Simplifies one sum among the factors `flat` of a product by removing redundant indicators `NonZero(X)` of X ≠ 0
+    /// from its terms. An indicator is redundant if X or `NonZero(X)` is also a factor of the product, which is then 0
+    /// where X = 0. If a sum was simplified, moves all factors to `pending` and returns true; otherwise returns false.
     fn unmask(&mut self, flat: &mut Vec<(NodeId, i32)>, pending: &mut Vec<(NodeId, i32)>) -> bool {
         if !self.has_masks {
             return false;

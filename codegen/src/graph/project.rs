@@ -51,8 +51,8 @@ impl ExprGraph {
         id
     }
 
-    /// Sums that are bases of negative powers in products, where the product is the node `id` or at most `depth`
-    /// operand levels below it. Such a sum may be the squared length of a vector. The result is sorted.
+    /// Sums that may be the squared length of a vector: those that are the base of a negative power in a product.
+    /// Searches the node `id` and its operands, at most `depth` levels deep. The result is sorted.
     fn lengths(&self, id: NodeId, depth: u32) -> Vec<NodeId> {
         let mut found = Vec::new();
         let mut pending = vec![(id, depth)];
@@ -73,9 +73,9 @@ impl ExprGraph {
         found
     }
 
-    /// Expands the product of the constant `c` and the node `term`, and appends the resulting terms to `open`. A factor
-    /// is expanded if it is a sum in which one of the `components` is a factor of a term; nested sums are expanded at
-    /// most `depth` levels deep.
+    /// Expands the product of the constant `c` and the node `term`, and appends the resulting terms to `open`. Only
+    /// those sums among the factors are expanded in which one of the nodes `components` (the components of a vector)
+    /// occurs as a factor of a term. Nested sums are expanded at most `depth` levels deep.
     fn open_term(
         &mut self,
         c: Number,
@@ -116,8 +116,9 @@ impl ExprGraph {
         }
     }
 
-    /// Whether a node is a sum in which one of `components` is a factor of a term, either directly or within a factor
-    /// that is such a sum itself, at most `depth` levels deep.
+    /// Whether a node is a sum in which one of the nodes `components` occurs as a factor of a term. A component may
+    /// also occur in a nested sum: a factor of a term that is a sum itself. Nested sums are searched at most `depth`
+    /// levels deep.
     fn holds(&self, id: NodeId, components: &[NodeId], depth: u32) -> bool {
         let Node::Sum(terms, _) = self.node(id) else {
             return false;

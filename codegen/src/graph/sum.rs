@@ -110,8 +110,9 @@ impl ExprGraph {
         }
     }
 
-    /// Contracts sums of squares: sin² + cos² = 1, and Σ s² · P = X · P, where X = Σ s² and P has a negative power of
-    /// X. Returns the shorter sum as terms and constant; `None` if no identity applies.
+    /// Contracts a sum of terms by one of two identities: sin² + cos² = 1, and Σ s² · P = X · P, where X is the sum Σ
+    /// s² and P is a product that contains a negative power of X. Returns the terms and the constant of the shorter
+    /// sum; `None` if no identity applies.
     fn contract(
         &mut self,
         terms: &[(Number, NodeId)],

@@ -17,9 +17,9 @@ pub fn expression(model: &Model, expr: &Expr) -> String {
     tree::piece(model, expr).text
 }
 
-/// LaTeX formula `left = right` of an auxiliary variable, a force, a moment or a stated derivative `der(u)`; `None` for
-/// an unknown name. If a force and a moment have the same name, `force aero` and `moment aero` select one of them; the
-/// name without prefix refers to the force.
+/// LaTeX formula `left = right` of an auxiliary variable, a force, a moment, or the derivative `der(u)` of a state for
+/// which the model contains an equation; `None` for an unknown name. If a force and a moment have the same name, `force
+/// aero` and `moment aero` select one of them; the name without prefix refers to the force.
 pub fn definition(model: &Model, name: &str) -> Option<String> {
     sides(model, name).map(|(left, right)| format!("{left} = {right}"))
 }

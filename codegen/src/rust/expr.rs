@@ -14,7 +14,7 @@ pub(super) enum Binding {
     Atom,
 }
 
-/// Tokens of an expression with the precedence of its outermost operator.
+/// Tokens of an expression, together with the precedence of the outermost operator of the expression.
 #[derive(Clone, Debug)]
 pub(super) struct Expr {
     pub tokens: TokenStream,

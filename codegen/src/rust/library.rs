@@ -354,8 +354,9 @@ fn model(names: &[String]) -> String {
     )
 }
 
-/// Text of `scalar.rs`: one function over `f64` for each model function, generic over the model, which runs with the
-/// widest instruction set of the processor.
+/// Text of `scalar.rs`. For each model function, such as `f_jac`, the file contains a function on `f64` slices that is
+/// generic over the model. The function runs with the instruction set that the processor supports, selected at run
+/// time.
 fn scalar() -> String {
     let head = inner_doc(
         "The functions for `f64`, compiled for each instruction set that [`lanes::dispatch_scalar`] selects from.",

@@ -4,8 +4,9 @@ use super::ident::ident;
 use super::{constants, helpers, signature, table_names};
 use proc_macro2::Ident;
 
-/// Whether a name cannot be a local variable of a generated function: it is not a Rust identifier, it is an argument
-/// name, or it is the name of an item in scope, which a `let` would match as a pattern or shadow.
+/// Whether a name cannot be a local variable of a generated function, because it is not a Rust identifier, or because
+/// it is the name of an argument or of another item in scope. A `let` with the name of a constant would be a pattern
+/// that matches the constant; one with the name of a function would shadow the function.
 pub(super) fn is_reserved(name: &str) -> bool {
     syn::parse_str::<Ident>(name).is_err()
         || signature::is_argument(name)

@@ -46,7 +46,8 @@ pub(super) fn contract_fma(mut program: Program) -> Program {
     without(program, &fused)
 }
 
-/// Factors of a product that has a single use and is not an auxiliary variable of the model; `None` for other operands.
+/// The two factors of `operand`, if it is a product that can be fused into a multiply-add: its result is used only once
+/// and is not an auxiliary variable of the model. `None` for other operands.
 fn product(program: &Program, uses: &[u32], operand: Operand) -> Option<(Operand, Operand)> {
     let Operand::Temp(t) = operand else {
         return None;

@@ -18,7 +18,8 @@ pub struct Hoisted {
     parameters: Vec<String>,
 }
 
-/// Graph node, in terms of parameters, of each hoisted definition of one function.
+/// For each hoisted definition of one function (a definition that depends on parameters only and is computed in
+/// `prepare` instead), the graph node that expresses its value in terms of parameters.
 pub(super) type HoistedNodes = FastMap<DefId, NodeId>;
 
 impl Hoisted {
@@ -35,8 +36,9 @@ impl Hoisted {
         &self.names
     }
 
-    /// Returns an operand with the value of a hoisted definition or, if `minus`, of its negative. Unless the value is a
-    /// constant or a parameter, it becomes a result of `prepare` if it is not one already.
+    /// Returns an operand with the value of a hoisted definition or, if `minus`, of the negative of that definition. A
+    /// constant or a parameter is returned as such; any other value becomes a result of `prepare`, unless it is one
+    /// already.
     pub(super) fn operand(
         &mut self,
         ssa: &Ssa,
@@ -90,7 +92,7 @@ impl Hoisted {
     }
 }
 
-/// Returns the graph node of a hoisted definition, in terms of parameters.
+/// Returns the graph node that expresses the value of the hoisted definition `id` in terms of parameters.
 fn expression(ssa: &Ssa, graph: &mut ExprGraph, nodes: &mut HoistedNodes, id: DefId) -> NodeId {
     if let Some(&node) = nodes.get(&id) {
         return node;

@@ -9,8 +9,8 @@ use std::cmp::Reverse;
 /// Issue width of the processor model: maximum number of operations started per clock cycle.
 const WIDTH: u32 = 2;
 
-/// Number of live values above which register pressure takes precedence over latency, as processors have 16 or 32
-/// registers.
+/// Number of live values from which on the next statement is chosen by the effect on the number of live values first,
+/// and by latency second, because processors have only 16 or 32 registers.
 const MOST: usize = 20;
 
 /// Reorders the statements by list scheduling: of the ready statements, issues the one with the longest latency path to

@@ -18,8 +18,9 @@ use std::f64::consts::PI;
 
 /// Schedules the definitions reachable from the roots as a program.
 ///
-/// `results` contains names of the roots in order, and may be empty. If `hoisted` is given, expressions that
-/// depend only on parameters become results of `prepare` and are read as operands.
+/// `results` contains names of the roots in order, and may be empty. If `hoisted` is given, expressions that depend
+/// only on parameters are hoisted: they become results of `prepare`, which the program reads as inputs. If `None`, the
+/// program computes these expressions.
 pub fn schedule(
     ssa: &Ssa,
     graph: &mut ExprGraph,
@@ -75,7 +76,8 @@ struct Uses {
 }
 
 impl Uses {
-    /// Counts the uses of each definition; if `hoisting`, uses by hoisted definitions are not counted.
+    /// Counts the uses of each definition. If `hoisting`, uses by definitions that depend on parameters only are not
+    /// counted, since these definitions are computed in `prepare`.
     fn of(ssa: &Ssa, order: &[DefId], hoisting: bool) -> Uses {
         let mut uses = Uses {
             count: ssa.side_table(0),

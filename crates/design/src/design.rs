@@ -204,8 +204,8 @@ struct Task<'t> {
     bounds: &'t Bounds,
 }
 
-/// Starting throw: its coordinates in the unit box (the free quantities, each scaled from its bounds to 0 to 1), and
-/// (constraint violation, objective) for each side of the obstacle.
+/// Starting throw: its point in the unit box, whose coordinates are the free quantities scaled linearly from their
+/// ranges to [0, 1]; and for each side of the obstacle (constraint violation, objective).
 type Tried = (DVector<f64>, Vec<(f64, f64)>);
 
 /// Result of simulating the starting throws: those that could be flown to the ground, `points`, and their number,
@@ -267,9 +267,9 @@ impl Task<'_> {
             .values(path, obstacle.and_then(|obstacle| Some((obstacle, side?))))
     }
 
-    /// At most `count` starting points of the descents for one side of the obstacle, the best point first; points
-    /// within [`APART`] of a better one are skipped. `side` is an index into the values that each of `points` has per
-    /// side.
+    /// Starting points of the descents for one side of the obstacle, at most `count`, the best first. Points within
+    /// [`APART`] of a better one are skipped. `side` is the index of the side in the second element of each of
+    /// `points`.
     fn chosen(&self, points: &[Tried], side: usize, count: usize) -> Vec<DVector<f64>> {
         let mut order: Vec<usize> = (0..points.len()).collect();
         // The sort is stable: equal points stay in the order of the starts.

@@ -20,7 +20,8 @@ pub enum Goal {
     /// The path is level at the point, neither falling nor climbing, and passes it as slowly as possible, like an
     /// aircraft that flares.
     Flare(Vector3<f64>),
-    /// The throw lands at the point; of all such throws, the one whose release scatter spreads the landings least.
+    /// The throw lands at the point. Of all such throws, the one whose landings spread least if the release, wind and
+    /// parameters scatter.
     Spread(Vector3<f64>),
 }
 

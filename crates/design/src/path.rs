@@ -127,9 +127,9 @@ impl<'f> Path<'f> {
         found
     }
 
-    /// Time between `from` and `until`, s, at which the distance to the point `to` is minimal, so that the time
-    /// derivative of its square is 0; one of the two ends if this derivative has no change of sign from negative to
-    /// positive.
+    /// Time between `from` and `until`, s, at which the path is nearest to the point `to`. It is the time at which the
+    /// derivative of the squared distance changes sign from negative to positive; without such a change of sign it is
+    /// one of the two ends of the interval.
     fn refined(
         &self,
         mut from: f64,

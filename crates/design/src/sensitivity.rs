@@ -36,7 +36,8 @@ pub struct OneUnit {
     pub miss: f64,
 }
 
-/// Effects on the landing of all quantities that the throw states and its body can have, in the order of [`FIELDS`].
+/// Effects of the quantities of a throw on its landing, in the order of [`FIELDS`]. Quantities that the throw leaves
+/// open, or that the body cannot have (such as the spin of a point mass), are omitted.
 ///
 /// # Errors
 /// [`ThrowFlightError`] if the throw cannot be flown.

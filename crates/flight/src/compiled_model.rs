@@ -105,10 +105,10 @@ impl CompiledModel {
         })
     }
 
-    /// Compiles the model to a tape (interpreted bytecode) whose observed quantity is the auxiliary variable `variable`
-    /// instead of a marker position: a vector by its components in its own frame, a scalar as the first of three
-    /// components. The tape has derivatives with respect to `parameters` only, which are given by their indices in the
-    /// parameter vector of the model's [`Layout`]. `None` if the model has no such variable.
+    /// Compiles the model to a tape (interpreted bytecode) that observes the auxiliary variable `variable` instead of a
+    /// marker position. A vector is observed by its components in the frame in which the model defines it, a scalar as
+    /// the first of three components. The tape has derivatives with respect to `parameters` only, which are given by
+    /// their indices in the parameter vector of the model's [`Layout`]. `None` if the model has no such variable.
     pub fn observing(
         model: &Model,
         variable: &str,

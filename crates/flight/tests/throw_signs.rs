@@ -30,12 +30,13 @@ fn state(model: &Model, throw: &Throw) -> Vec<f64> {
     state.unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// The body as the oracle reads a state.
+/// Physical state of the body according to the reference evaluation in the crate `oracle`.
 fn body(model: &Model, states: &[f64]) -> Physical<f64> {
     Chart::declared(model).expect("a chart").physical(states)
 }
 
-/// Body at times of the oracle's flight, s, by the classic Runge-Kutta method.
+/// Physical state of the body at the given times of a flight, s. The flight is computed with the reference evaluation
+/// of the crate `oracle` and the classic Runge-Kutta method.
 fn flown(name: &str, throw: &Throw, times: &[f64]) -> Vec<Physical<f64>> {
     const STEP: f64 = 5e-4;
     let model = model(name);

@@ -35,9 +35,9 @@ pub struct Observations {
     pub channels: usize,
     /// Number of points from which the pose is determined, as in [`FitProblem::markers`].
     pub markers: usize,
-    /// Measured positions, as `stand_ins[sample * markers + point]`, m, of the points from which the pose is
-    /// determined, if they include body-fixed points whose positions follow from the pose that a sensor measures; empty
-    /// if all points are markers.
+    /// Positions of the points from which the pose is determined, as `stand_ins[sample * markers + point]`, m; `None`
+    /// for a point that is not measured. The points are the markers, followed by body-fixed points whose positions are
+    /// computed from the pose that a sensor measures. Empty if all points are markers.
     pub stand_ins: Vec<Option<[f64; 3]>>,
     /// Parameters of the flight in the order of the compiled model's parameter vector, SI. Global parameters have their
     /// initial values here.
@@ -196,8 +196,8 @@ impl Observations {
         arc
     }
 
-    /// Copy of this arc (a range of the samples of `flight`) that contains the range `samples` of `flight` instead. It
-    /// has the manifold and the known values of this arc.
+    /// Copy of this arc, a range of the samples of `flight`, that contains the samples in the range `samples` of
+    /// `flight` instead. The parameters, the known states and the state manifold remain those of this arc.
     pub(crate) fn longer(&self, flight: &Observations, samples: Range<usize>) -> Observations {
         let points = samples.start * self.channels..samples.end * self.channels;
         let stand_ins = samples.start * self.markers..samples.end * self.markers;
@@ -261,8 +261,9 @@ fn row<'f>(
     }))
 }
 
-/// Measured positions of the points from which the pose is determined, in one sample: the markers, then, for each pose
-/// sensor, body-fixed points whose positions follow from the measured pose.
+/// Positions, in one sample, of the points from which the pose is determined, m. The points are the markers, followed
+/// by several body-fixed points for each pose sensor, whose positions are computed from the measured pose. `None` for a
+/// point that is not measured in this sample.
 fn stand_ins(
     problem: &FitProblem,
     flight: &Flight,

@@ -194,9 +194,9 @@ pub fn robust_scale(local_residuals: &Residuals) -> [f64; 3] {
     })
 }
 
-/// Standard deviations with which local residuals (differences of residuals from the line through their neighbours) are
-/// compared to find outliers, m, by flight, noise group of channels, and axis: the robust standard deviation of the
-/// flight itself (in `own`), or the median over all flights if that is greater.
+/// Standard deviations of local residuals with which outliers are detected, m, by flight, noise group of channels, and
+/// axis: the robust standard deviation of the flight itself (in `own`), or the median over all flights if that is
+/// greater. A local residual is the difference of a residual from the line through the neighbouring residuals.
 pub fn judged_scales(own: &[Vec<[f64; 3]>]) -> Vec<Vec<[f64; 3]>> {
     let groups = own.first().map_or(0, Vec::len);
     let median_of = |group: usize| {
@@ -214,9 +214,9 @@ pub fn judged_scales(own: &[Vec<[f64; 3]>]) -> Vec<Vec<[f64; 3]>> {
     own.iter().map(of_flight).collect()
 }
 
-/// Values that are outliers for the standard deviations `scales`, m, of the local residuals (differences of residuals
-/// from the line through their neighbours) by noise group: their indices `sample * channels + channel` as in
-/// `Observations::outlier`, and their local residuals, m.
+/// Returns the outliers of a flight: the index `sample * channels + channel` of each value, as in
+/// `Observations::outlier`, and its local residual, m (difference of a residual from the line through the neighbouring
+/// residuals). `scales` contains the standard deviations of the local residuals by noise group, m.
 pub fn outlier_candidates(
     local_residuals: &Residuals,
     scales: &[[f64; 3]],
@@ -243,9 +243,9 @@ pub fn is_outlier(local_residual: &[f64; 3], scale: [f64; 3]) -> bool {
     (0..3).any(|axis| local_residual[axis].abs() > OUTLIER_LIMIT * scale[axis])
 }
 
-/// Outlier flags, indexed by `sample * channels + channel` as in `Observations::outlier`, for the local residuals
-/// (differences of residuals from the line through their neighbours) and their standard deviations `scales`, m, by
-/// noise group.
+/// Outlier flags of the values of a flight, indexed by `sample * channels + channel` as in `Observations::outlier`.
+/// `local_residuals` contains the differences of the residuals from the line through the neighbouring residuals, m, and
+/// `scales` their standard deviations by noise group, m.
 pub fn outlier_mask(
     local_residuals: &Residuals,
     scales: &[[f64; 3]],

@@ -34,9 +34,9 @@ pub struct FitProblem {
     pub model: Arc<Model>,
     /// The compiled model, with its equations of motion and the measurement equation of a point.
     pub body: Arc<CompiledModel>,
-    /// Positions of the points from which the pose is determined, in the frame in which markers are fixed, m: the
-    /// markers and, if these do not determine the attitude, body-fixed points whose positions follow from the pose that
-    /// a sensor measures.
+    /// Points from which the pose is determined: their positions in the frame in which markers are fixed, m. The first
+    /// points are the markers. If the markers do not determine the attitude, body-fixed points follow, whose measured
+    /// positions are computed from the pose that a sensor measures.
     pub markers: Vec<[f64; 3]>,
     /// Measurement channels: the markers, then the channels of the sensors. Each channel has its own residuals.
     pub channels: Vec<Channel>,
@@ -167,8 +167,8 @@ impl FitProblem {
         channels.all(|channel| matches!(channel.kind, ChannelKind::Marker(_)))
     }
 
-    /// Whether the pose is determined from markers only, without body-fixed points whose positions follow from the pose
-    /// that a pose sensor measures.
+    /// Whether the pose is determined from markers only. Otherwise, it is also determined from body-fixed points, whose
+    /// positions are computed from the pose that a sensor measures.
     pub(crate) fn is_shown_by_markers(&self) -> bool {
         let markers = self.channels.iter();
         let markers = markers.filter(|channel| matches!(channel.kind, ChannelKind::Marker(_)));

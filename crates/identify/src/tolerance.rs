@@ -2,14 +2,15 @@
 
 use model_spec::model::Model;
 
-/// Integration tolerance for whitened residuals of any number of flights, in units of the initial noise estimate
-/// `sigma0`. The integration error of a disc after one second is then far below 1/1000 of the noise; that of a
-/// fast-spinning body with a quaternion is below 1/50.
+/// Integration tolerance, in units of the initial noise estimate `sigma0`, for computing the whitened residuals of any
+/// number of flights. The integration error of a disc after one second is then far below 1/1000 of the noise; that of a
+/// fast-spinning body whose attitude is a quaternion is below 1/50.
 pub const FINE_TOLERANCE: f64 = 0.007;
 
-/// Integration tolerance, in units of the initial noise estimate `sigma0`, for whitened residuals of up to
-/// [`FEW_FLIGHTS`] flights without a quaternion. Integration errors stay below 1/1000 of the noise. Summed over more
-/// flights, these errors would exceed the decrease of the sum of squares in the last steps of a fit.
+/// Integration tolerance, in units of the initial noise estimate `sigma0`, for computing the whitened residuals of at
+/// most [`FEW_FLIGHTS`] flights, of a model whose state contains no quaternion. Integration errors stay below 1/1000 of
+/// the noise. Summed over more flights, these errors would exceed the decrease of the sum of squares in the last steps
+/// of a fit.
 const FEW_FLIGHTS_TOLERANCE: f64 = 0.02;
 
 /// Number of flights up to which [`FEW_FLIGHTS_TOLERANCE`] applies. For more flights, the tolerance decreases as the

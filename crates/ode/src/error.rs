@@ -7,8 +7,8 @@ use std::fmt;
 pub struct IntegrationError {
     /// Time of failure, in the time unit of the right-hand side.
     pub time: f64,
-    /// Name and value of each component of the last accepted state that the error norm of the step-size control
-    /// includes; empty if the input was invalid.
+    /// Last accepted state, as name and value of each component. Components that the error norm of the step-size
+    /// control does not include, such as sensitivities, are omitted. Empty if the input was invalid.
     pub states: Vec<(String, f64)>,
     /// Return code: reason of the failure.
     pub cause: IntegrationFailure,

@@ -68,8 +68,8 @@ pub(crate) fn is_valid(options: &IntegrationOptions, duration: f64) -> bool {
     invalid_option(options, duration).is_none()
 }
 
-/// Builds an integration error from the return code `cause`, the time, and the error-controlled components of the state
-/// `x`.
+/// Builds an integration error from the return code `cause`, the time and the state `x`. The error contains only the
+/// components of the state that the error norm of the step-size control includes.
 #[cold]
 pub(crate) fn failure<D: OdeRhs>(
     rhs: &D,

@@ -14,8 +14,8 @@ use crate::step_control::{PiGains, PiMemory, initial_step};
 /// Minimum step size as a fraction of the largest absolute time of the integration.
 pub(crate) const MIN_RELATIVE_STEP: f64 = 1e-14;
 
-/// Relative slack of the final step: a step whose size is within this fraction of the time remaining until the final
-/// time is extended to the final time, which avoids a tiny last step.
+/// Fraction of the time that remains until the final time at the start of a step. A step that would leave less than
+/// this fraction is extended to the final time, which avoids a tiny last step.
 pub(crate) const FINAL_STEP_SLACK: f64 = 1e-10;
 
 /// Final time and state of an integration.

@@ -23,7 +23,8 @@ pub(crate) struct PiGains {
 #[derive(Clone, Copy)]
 pub(crate) struct PiMemory {
     pub log2_last_error: f64,
-    /// Maximum ratio of the next step size to the current step size: 1 after a rejected step.
+    /// Maximum ratio of the next step size to the current step size: 1 after a rejected step, else the upper bound of
+    /// the method.
     pub max_factor: f64,
 }
 

@@ -11,8 +11,9 @@ use crate::tree::Tree;
 use model_spec::model::{ClaimedAttitude, ClaimedRotation};
 use nalgebra::{Matrix3, Vector3};
 
-/// Mass, motion and loads, at one point, of the body that a model with stated equations claims to describe; vectors are
-/// in inertial components. The model's equations should satisfy the laws of motion of this body.
+/// Mass, motion, force and moment, at one point, of the body that a model claims to describe. Such a model writes its
+/// equations of motion explicitly; they should satisfy the laws of motion of this body. Vectors are in inertial
+/// components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ClaimedBody<T> {
     /// Mass, kg.

@@ -13,12 +13,11 @@ use num_traits::{One, Zero};
 /// Minimum ratio of a singular value of the scaled linear system to the greatest one for the singular value to count as
 /// nonzero.
 const RANK: f64 = 1e-10;
-/// Component of a state in an undetermined combination of rates (a singular vector with singular value 0) up to which
-/// the component counts as 0. A state with a greater component counts as undetermined, even if rounding causes the
-/// component.
+/// Bound on the components of an undetermined combination of rates (a singular vector with singular value 0). A state
+/// with a component of greater absolute value counts as undetermined, even if rounding causes the component.
 const FREE: f64 = 1e-12;
-/// Residual of a law of motion above which the law counts as unsatisfied, relative to the sum of the magnitudes of the
-/// law's terms.
+/// Residual of a law of motion above which the law counts as unsatisfied, relative to the sum of the absolute values of
+/// the law's terms.
 const RESIDUAL: f64 = 1e-10;
 
 /// Rates of a model's states at one point, as implied by the laws of motion of the body that the model claims to
@@ -28,7 +27,7 @@ pub struct ClaimedRates {
     /// Derivative of each state with respect to true time, in contrast to recorded time (the time stamps of the
     /// measurements); `None` if the laws do not determine it.
     pub rates: Vec<Option<ErrorBound>>,
-    /// Laws that no rates satisfy, each with its residual relative to the sum of the magnitudes of its terms.
+    /// Laws that no rates satisfy, each with its residual divided by the sum of the absolute values of the law's terms.
     pub unsatisfied: Vec<(BalanceLaw, f64)>,
     /// Whether the unsatisfied equations contain no rate of a state, so that the rates satisfy all other equations.
     pub solves_the_others: bool,
@@ -155,7 +154,8 @@ impl System {
         })
     }
 
-    /// Sum of the magnitudes of the terms in each row of the linear system; `rates` are the magnitudes of the rates.
+    /// Sum of the absolute values of the terms in each row of the linear system; `rates` are bounds on the absolute
+    /// values of the rates.
     fn terms(&self, rates: impl Iterator<Item = f64> + Clone) -> Vec<f64> {
         let of_row = |(a, b): (&Vec<ErrorBound>, &ErrorBound)| {
             let of_rates = a.iter().zip(rates.clone());

@@ -40,10 +40,10 @@ pub enum BindError {
     },
 }
 
-/// Reason why the oracle cannot derive a model's equations of motion.
+/// Reason why the reference evaluation in this crate cannot derive a model's equations of motion.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Unsupported {
-    /// The model states its equations instead of declaring a body.
+    /// The model writes its equations of motion explicitly, instead of declaring a body from which they can be derived.
     #[error("its equations are stated")]
     StatedEquations,
     /// Mass or inertia is not a rational function of the constants.

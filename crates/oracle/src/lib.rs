@@ -9,8 +9,9 @@
 //!   effects.
 //! - **Vector tree**: [`Tree`] evaluates the expressions of a model, [`derivatives`] its equations of motion;
 //!   [`free_load_derivatives`] evaluates those of a rigid body under given loads, in any field.
-//! - **Claims**: [`ClaimedBody`] contains the quantities of the body that stated equations are claimed to describe,
-//!   with the laws of motion for them; [`claimed_rates`] solves these laws for the rates of the states.
+//! - **Claims**: a model that writes its equations of motion explicitly may claim that they describe a certain body.
+//!   [`ClaimedBody`] contains the quantities of this body and the laws of motion for them; [`claimed_rates`] solves
+//!   these laws for the rates of the states.
 //! - **Coordinates**: a [`Chart`] maps the states of a model to a [`Physical`] state and back.
 //!
 //! Everything is generic over the [`scalar`] type, so that one source text yields values, running error bounds,

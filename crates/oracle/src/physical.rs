@@ -29,7 +29,7 @@ impl<T: Field> Physical<T> {
     }
 }
 
-/// Loads on a body and its accelerations; all vectors are in inertial components.
+/// Forces and moments on a body, and the accelerations of the body; all vectors are in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion<T> {
     /// Sum of the forces, N.

@@ -125,7 +125,7 @@ impl<'a, T: Real> Tree<'a, T> {
     }
 
     /// Seconds of true time per second of recorded time (the time stamps of the measurements) at the point; 1 if the
-    /// model declares no clock.
+    /// model does not declare that the two rates differ.
     pub fn clock(&self) -> T {
         let stated = self.model.clock.as_ref();
         stated.map_or_else(|| T::lit(1.0), |clock| self.scalar(&clock.value))

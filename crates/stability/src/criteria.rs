@@ -34,8 +34,8 @@ pub struct AxisDerivatives {
     /// Frequency ν of the nutation without aerodynamic moments, rad/s: I_a r/I_d with the axial and the diametral
     /// moment of inertia I_a and I_d and the spin r.
     pub gyroscopic: f64,
-    /// Aerodynamic moment about d2, the axis to the left in the plane of the body, at the state about which the motion
-    /// is linearised, divided by the diametral moment of inertia, 1/s².
+    /// Aerodynamic moment about d2, the axis to the left and normal to the body axis, divided by the diametral moment
+    /// of inertia, 1/s²; at the state about which the motion is linearised.
     pub moment: f64,
 }
 
@@ -48,9 +48,9 @@ pub struct Criteria {
     pub gyroscopic_factor: f64,
     /// Gyroscopic condition: whether ν² + δ² + 2 a δ > κ, with the symbols of [`AxisDerivatives`].
     pub gyroscopic: bool,
-    /// Condition for the decay of the slow motion of the axis: whether a (ν² + δ²) > κ δ, with the symbols of
-    /// [`AxisDerivatives`]. Lift then turns the flight path towards the plane of the body faster than damping lets the
-    /// axis drift.
+    /// Condition for the decay of the slow motion of the body axis: whether a (ν² + δ²) > κ δ, with the symbols of
+    /// [`AxisDerivatives`]. Lift then turns the flight path towards the plane normal to the axis faster than damping
+    /// lets the axis drift.
     pub slow: bool,
     /// Condition for the decay of the wobble: whether (2 δ + a)(ν² + δ² + 2 a δ − κ) > a (ν² + δ²) − κ δ, with the
     /// symbols of [`AxisDerivatives`].
@@ -60,8 +60,8 @@ pub struct Criteria {
     pub nutation: f64,
     /// Decay rate of the nutation, δ − κ (a − δ)/(2 ν²), 1/s, with the symbols of [`AxisDerivatives`].
     pub nutation_decay: f64,
-    /// Rate at which the plane of the body rolls, −M/(I_a r), rad/s, with the moment M about the left axis d2, the
-    /// axial moment of inertia I_a and the spin r: closed form of Crowther and Potts for straight flight.
+    /// Rate at which the body axis tilts sideways (roll), −M/(I_a r), rad/s, with the moment M about the left axis d2,
+    /// the axial moment of inertia I_a and the spin r: closed form of Crowther and Potts for straight flight.
     pub roll_rate: f64,
 }
 

@@ -5,8 +5,8 @@ use nalgebra::{Complex, DMatrix, DVector, Vector3};
 
 use crate::linearise::Linearised;
 
-/// Size of the elements in a coordinate's column of the linearised system, relative to the norm of the system's matrix,
-/// below which the column counts as 0, so that no rate of change depends on the coordinate.
+/// Bound on the elements of a column of the linearised system's matrix, relative to the norm of the matrix. If all
+/// elements are below the bound, no rate of change depends on the coordinate of the column.
 const IGNORABLE: f64 = 1e-9;
 
 /// Kind of a mode, by the variables that change most in it.

@@ -72,8 +72,9 @@ fn motion(of: &DVector<f64>, spin: f64) -> Motion {
     }
 }
 
-/// Accelerations of a body minus those of a steady flight with the motion `motion(of, spin)`, in units of 10 m/s² and
-/// 10 rad/s², and the state with this motion; `None` if no state has the motion or a residual is not finite.
+/// Residuals of the condition for a steady flight with the motion `motion(of, spin)`: accelerations of the body minus
+/// those of the steady flight, in units of 10 m/s² and 10 rad/s². Also returns the state with this motion. `None` if no
+/// state has the motion or a residual is not finite.
 fn residual(
     body: &BoundBody<'_>,
     of: &DVector<f64>,

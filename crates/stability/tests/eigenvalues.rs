@@ -178,7 +178,7 @@ fn the_nutation_is_the_one_of_simulated_flights() {
     assert!(worst.0 < 0.01 && worst.1 < 0.01, "{worst:?}");
 }
 
-/// Discs of all sorts, some of which fall over: each with a speed, a spin and coefficients of its own.
+/// A disc with random speed, spin and coefficients; some of these discs are unstable.
 fn disc_of_grid<'b>(body: &'b Body, random: &mut ChaCha8Rng) -> (BoundBody<'b>, Throw) {
     let layout = body.compiled.layout();
     let mut between = |low: f64, high: f64| low + (high - low) * random.random::<f64>();

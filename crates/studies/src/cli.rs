@@ -21,14 +21,15 @@ pub struct Cli {
 /// Subcommands of `hyzer-studies`, one per study.
 #[derive(Subcommand)]
 pub enum Study {
-    /// Compare the paper's statements about its two flights with simulations under every reading of its tables
+    /// Compare what Hubbard & Hummel (2000) state about their two flights with simulations, under every interpretation
+    /// of their tables of coefficients
     #[command(after_help = "Example:\n  hyzer-studies paper --out docs/paper.md")]
     Paper(Paper),
     /// Find the laws of motion that the equations of other simulators violate, and the changes that correct them
     #[command(after_help = "Example:\n  hyzer-studies others --out docs/others.md")]
     Others(Paper),
-    /// Coverage of a fit's confidence intervals on flights simulated by the oracle, and separate fits of the paper's
-    /// two flights
+    /// Coverage of a fit's confidence intervals on flights of the reference simulator (`oracle`), and separate fits of
+    /// the two flights of Hubbard & Hummel (2000)
     #[command(after_help = "Example:\n  hyzer-studies identification --seeds 20")]
     Identification(Identification),
     /// Fits of measured flights, and comparison with a wind tunnel's table of coefficients
@@ -36,7 +37,7 @@ pub enum Study {
         after_help = "Example:\n  hyzer-studies real-data --data ../shared/data --out docs/real-data.md"
     )]
     RealData(RealData),
-    /// How often the diagnosis finds effects that were added to flights simulated by the oracle
+    /// How often the diagnosis finds effects that were added to flights of the reference simulator (`oracle`)
     #[command(
         after_help = "Example:\n  hyzer-studies discovery --seeds 40 --only 'stall strong' --details"
     )]
@@ -44,7 +45,8 @@ pub enum Study {
     /// How often fits of one to three effects reach the noise level from the model's default initial values
     #[command(after_help = "Example:\n  hyzer-studies fits --seeds 100 --only stall")]
     Fits(Runs),
-    /// Whether effects hidden in flights of a user's own models are detected, and attributed to the right site
+    /// Whether effects hidden in simulated flights of models that a user could write are detected, and attributed to
+    /// the right term of the model
     #[command(after_help = "Example:\n  hyzer-studies own-models --only 'glider strong'")]
     OwnModels(Runs),
     /// Whether typical laboratory mistakes are reported, harmless, or make results that are marked as unreliable;
@@ -54,7 +56,8 @@ pub enum Study {
     /// Fits and diagnoses with poses, gyroscopes, accelerometers and speeds, alone and together with markers
     #[command(after_help = "Example:\n  hyzer-studies sensors --seeds 20")]
     Sensors(Runs),
-    /// Truncation at ground contact: flights that touch nothing, and flights that bounce
+    /// Whether fits truncate flights at ground contact: simulated flights that do not touch the ground, and simulated
+    /// flights that bounce
     #[command(after_help = "Example:\n  hyzer-studies cuts --seeds 10")]
     Cuts(Runs),
     /// Compare throws found by `design` with what Crowther and Potts report of a disc, and Frohlich of the discus
@@ -65,7 +68,8 @@ pub enum Study {
         after_help = "Example:\n  hyzer-studies bodies --data ../shared/data --out docs/bodies.md"
     )]
     Bodies(Bodies),
-    /// From recordings of throws in the file formats of laboratories to a marker template and coefficients
+    /// Import of simulated recordings of throws in the file formats of laboratories, and estimation of the marker
+    /// template and the coefficients from them
     #[command(after_help = "Example:\n  hyzer-studies takes --seeds 20 --python python3")]
     Takes(Takes),
 }

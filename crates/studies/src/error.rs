@@ -45,7 +45,8 @@ pub enum StudyError {
     /// A model or an effect cannot be loaded.
     #[error(transparent)]
     Model(#[from] model_spec::load::LoadError),
-    /// A built-in file with the launch conditions (release) of one of the paper's flights cannot be parsed.
+    /// A built-in file with the launch conditions (release) of one of the flights of Hubbard & Hummel (2000) cannot be
+    /// parsed.
     #[error(transparent)]
     Release(#[from] flight::release::ReleaseError),
     /// A dataset cannot be read.

@@ -20,8 +20,8 @@ pub struct Engine {
     observe_layout: Entries,
 }
 
-/// Positions (row, column), in the dense Jacobian, of the entries of the sparse Jacobians that a compiled function
-/// computes.
+/// Maps the sparse Jacobians computed by a compiled function to a dense Jacobian: for each computed entry, its row and
+/// column there.
 #[derive(Clone, Debug, Default)]
 pub struct Entries {
     rows: usize,

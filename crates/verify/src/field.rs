@@ -164,8 +164,9 @@ pub fn on_circle(t: Prime) -> (Prime, Prime) {
     )
 }
 
-/// Value at `a` of a function without algebraic relations in the prime field, such as exp: a pseudo-random element that
-/// depends on function and argument, and is even or odd if the function is.
+/// Stand-in for the value at `a` of a function that has no counterpart in the prime field, such as exp: a pseudo-random
+/// element determined by `function` and `a`. Of the properties of the function, only the parity f(−a) = ±f(a) is
+/// preserved.
 pub fn call(function: MathFunction, a: Prime) -> Prime {
     let of_function = MathFunction::ALL.iter().position(|&f| f == function);
     let tag = of_function.map_or(u64::MAX, |k| k as u64);
@@ -182,9 +183,9 @@ pub fn table(fingerprint: u64, order: u8, a: Prime) -> Prime {
     symbol(0x100 + u64::from(order), &[Prime::new(fingerprint), a])
 }
 
-/// Element of the prime field for a numeric literal: the rational number that rounds to the literal, else a rational
-/// multiple of the pseudo-random element that represents π, else a pseudo-random element that depends on the literal's
-/// bits.
+/// Element of the prime field for a numeric literal. It is the rational number that rounds to the literal, if one with
+/// a suitable denominator is found. Otherwise, for a rational multiple of π, it is this multiple of the pseudo-random
+/// element that represents π. Otherwise it is a pseudo-random element determined by the literal's bits.
 pub fn literal(c: f64) -> Prime {
     let number = |c: f64| symbol(3, &[Prime::new(c.to_bits())]);
     constant(c)
@@ -239,9 +240,9 @@ fn power(a: Prime, mut exponent: u64) -> Prime {
     product
 }
 
-/// Angle atan2(y, x) as a pseudo-random element of the prime field that depends on its sine and cosine, and this (sine,
-/// cosine). The angle is odd in y and does not change if x and y are scaled together. `None` if x² + y² has no square
-/// root in the field.
+/// The angle atan2(y, x) with its (sine, cosine). The angle is a pseudo-random element of the prime field that is
+/// determined by the sine and cosine. It is odd in y and does not change if x and y are multiplied by the same nonzero
+/// square of the field. `None` if x² + y² has no square root in the field.
 pub fn angle(y: Prime, x: Prime) -> Option<Angle> {
     let length = root(x * x + y * y)?.inverse();
     let (sine, cosine) = (y * length, x * length);

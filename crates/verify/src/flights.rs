@@ -200,9 +200,9 @@ fn any_release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>>
     Some(point)
 }
 
-/// Changes a point so that no air acts. The parameter `rho` (air density) is set to 0, and every coefficient to 0 or,
-/// if its bounds exclude 0, to the bound closest to 0. Only coefficients that the reference law does not contain are
-/// instead set to their null values, at which they have no effect.
+/// Changes a point so that no air acts. The parameter `rho` (air density) is set to 0. Every extra coefficient (see
+/// [`Subject::extras`]) is set to its null value, at which it has no effect. Every other coefficient is set to 0 or, if
+/// its bounds exclude 0, to the bound closest to 0.
 pub(crate) fn airless(subject: &Subject<'_>, point: &mut Point<f64>) {
     for (constant, value) in subject.model.params.iter().zip(&mut point.params) {
         if constant.name == "rho" {

@@ -38,7 +38,7 @@ pub struct Report {
     pub seed: u64,
     /// Results of the checks, one row each.
     pub rows: Vec<Row>,
-    /// Stated equations that disagree with the reference, with the terms at fault.
+    /// Equations der(state) = … of the model file that disagree with the reference, with the terms at fault.
     pub refuted: Vec<Refutation>,
     /// Mutation matrix; `None` if mutants were not requested.
     pub mutants: Option<crate::mutants::MutationMatrix>,

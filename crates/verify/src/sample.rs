@@ -6,11 +6,11 @@ use model_spec::unit::{Base, Unit};
 use nalgebra::Vector3;
 use oracle::{Point, Tree};
 
-/// Maximum number of draws of a point within the validity limits. If none succeeds, the last point is moved towards the
-/// default point until it is within the limits.
+/// Maximum number of draws of a point within the validity limits. If none succeeds, the distance between the default
+/// point and the last point drawn is halved until the result is within the limits, see [`HALVINGS`].
 const DRAWS: usize = 1000;
-/// Exclusive upper bound of the number of halvings of the distance between a drawn point outside the validity limits
-/// and the default point.
+/// Limit of the number of halvings of the distance between the default point and a drawn point outside the validity
+/// limits. At most `HALVINGS` − 1 halvings are tried; then the default point is used.
 const HALVINGS: i32 = 20;
 
 /// Draws a point within the validity limits. States have magnitudes typical of flights, one in four up to 1000 times

@@ -115,8 +115,9 @@ impl<'a> Subject<'a> {
         Some(there)
     }
 
-    /// Index and null value of each extra coefficient: a coefficient that is not in the reference law or, without a
-    /// reference law, one of an effect. At its null value a coefficient does not change the law.
+    /// Index and null value of each extra coefficient. A coefficient is extra if the reference law does not contain it
+    /// or, without a reference law, if it belongs to an effect. At its null value a coefficient does not change the
+    /// equations.
     pub fn extras(&self) -> Vec<(usize, f64)> {
         match &self.reference {
             Some(reference) => reference.null_values(self.model),
@@ -154,9 +155,9 @@ impl<'a> Subject<'a> {
         point
     }
 
-    /// Row of the report for a check that requires a reference law, for a model that claims none. If the model declares
-    /// a body, from which its equations are derived, or claims a body for its stated equations, the check is skipped
-    /// because other checks apply. Otherwise the verdict is "unverified".
+    /// Row of the report for a check that requires a reference law, for a model that claims none. The check is skipped
+    /// if other checks apply: the model declares a body, from which its equations are derived, or it claims which body
+    /// its explicitly written equations describe. Otherwise the verdict is "unverified".
     pub fn without_reference(&self, check: &'static str) -> Row {
         if self.model.body.is_some() {
             return Row::skipped(check, "the model claims no reference");
@@ -192,14 +193,15 @@ impl<'a> Subject<'a> {
     }
 }
 
-/// Equations of motion of a model, evaluated by the oracle from the model's vector expressions.
+/// Equations of motion of a model, evaluated by the reference simulator (crate `oracle`) from the model's vector
+/// expressions.
 pub struct Interpreted<'a>(&'a Model);
 
 impl<'a> Interpreted<'a> {
     /// Interprets a model.
     ///
     /// # Errors
-    /// [`Unsupported`] if the oracle cannot derive the model's equations of motion.
+    /// [`Unsupported`] if the reference simulator (crate `oracle`) cannot derive the model's equations of motion.
     pub fn new(model: &'a Model) -> Result<Self, Unsupported> {
         derivatives(model, &Point::defaults(model)).map(|_| Self(model))
     }

@@ -69,10 +69,10 @@ impl Checker<'_> {
         }
     }
 
-    /// Reports an error if the path from the inertial to the body-fixed frame is neither three rotations (successive
-    /// ones about different axes) nor one quaternion, if a frame is not on this path, or if the `angular velocity` that
-    /// the body states is incompatible with the path: a quaternion requires it, in the body-fixed frame, and three
-    /// rotations do not permit it.
+    /// Checks how the attitude of the body is described. The path from the inertial to the body-fixed frame must
+    /// consist of three rotations, successive ones about different axes, or of one quaternion, and every frame must be
+    /// on this path. With a quaternion, the body must declare `angular velocity` states in the body-fixed frame; with
+    /// three rotations, it must not. Reports an error otherwise.
     pub fn attitude(&mut self, body: &ast::Body, parts: &Parts<'_>) {
         let Some(rotation) = self.model.body.as_ref().and_then(|b| b.rotation.as_ref()) else {
             return;

@@ -11,8 +11,9 @@ use crate::syntax::ast::{self, BodyClass, ClaimPart, ClaimPartKind, ItemKind};
 use crate::unit::Unit;
 
 impl<'a> Checker<'a> {
-    /// Checks the `claim` block of the file, which declares the physical meaning of the stated equations, and adds it
-    /// to the model. Reports a second claim, and a claim in a model that declares a body.
+    /// Checks the `claim` block of the file and adds it to the model. The block declares which expressions are the
+    /// mass, motion and loads of a body in a model that writes its equations `der(STATE) = …` explicitly. Reports a
+    /// second claim, and a claim in a model that declares a body.
     pub fn claim(&mut self) {
         let file = self.file;
         let mut claims = file.items.iter().filter_map(|item| match &item.kind {
@@ -88,9 +89,8 @@ impl<'a> Checker<'a> {
         self.diagnostics.len() == before
     }
 
-    /// Reports a use of `der(…)` in a statement of a claim (declaration of the physical meaning of the stated
-    /// equations). Such a claim would hold for any equations, because the value of `der(…)` is computed from the
-    /// equations.
+    /// Reports a use of `der(…)` in a statement of a claim. A claim declares the physical meaning of the model's
+    /// equations. With `der(…)`, it would hold for any equations, because the value of `der(…)` is computed from them.
     fn without_derivatives(&mut self, part: &'a ClaimPart) {
         let mut found: Option<(&str, Span)> = None;
         for e in part.kind.expressions() {

@@ -88,10 +88,9 @@ impl<'a> Checker<'a> {
         );
     }
 
-    /// Unit of the declared quantity `name`, as a [`Measure`] and as a [`Term`] for unit inference. If no unit is
-    /// stated, the quantity is dimensionless, but the term is an unknown if this run of the checker infers missing
-    /// units. If the stated unit is `[?]` or invalid, the term is a new unknown and the `bool` is `true`; otherwise the
-    /// `bool` is `false`.
+    /// Unit of the declared quantity `name`, as a [`Measure`] and as a [`Term`] for unit inference. The `bool` is
+    /// `true` if the written unit is `[?]` or invalid; the term is then a new unknown. Without a written unit, the term
+    /// is 1, or an unknown if this run of the checker infers missing units.
     fn declared_unit(&mut self, name: &Name, unit: Option<&UnitExpr>) -> (Measure, Term, bool) {
         let Some(unit) = unit else {
             let term = self.unitless.term(name.span);
@@ -179,9 +178,9 @@ impl<'a> Checker<'a> {
         self.define(&constant.name, symbol);
     }
 
-    /// SI value of a parameter's lower or upper bound. A bound without a unit has the unit `of`, in which the default
-    /// value is stated. `None`, with an error reported, if the bound states a unit that differs from `of`, or states
-    /// any unit although the parameter's unit is to be inferred (`inferred`).
+    /// SI value of a parameter's lower or upper bound. A bound without a unit has the unit `of` of the default value. A
+    /// bound with a unit of another dimension is an error. `inferred` states that the parameter's unit is to be
+    /// inferred; any unit of the bound is then an error. On an error, reports it and returns `None`.
     fn bound(&mut self, bound: &ast::Quantity, of: &Measure, inferred: bool) -> Option<f64> {
         let Some(unit) = &bound.unit else {
             return Some(of.of(&bound.number).0);

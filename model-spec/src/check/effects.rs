@@ -60,7 +60,8 @@ impl Checker<'_> {
         }
     }
 
-    /// Reports a quantity that an effect needs, if it has another kind (scalar or vector) or another unit in the model.
+    /// Reports a quantity that an effect needs, if its kind (scalar or vector) or unit in the model differs from the
+    /// kind or unit that the effect requires.
     fn needed(&mut self, effect: &Name, need: &Need) {
         let (is_vector, unit) = match self.scope.find(&need.name.text) {
             Some(Symbol::Param(i)) => (false, self.model.params[i].unit),

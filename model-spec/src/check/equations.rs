@@ -38,8 +38,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Appends to `definitions` each stated equation `der(STATE) = …` whose left-hand side `der(STATE)` also occurs in
-    /// an expression of the file, so that the expression can refer to its value.
+    /// Appends to `definitions` each equation `der(STATE) = …` whose left-hand side also occurs in an expression of the
+    /// file. The value of the derivative is then available to that expression.
     fn used_derivatives(&mut self, definitions: &mut Vec<Defining<'a>>) {
         let file = self.file;
         let mut used: HashSet<usize> = HashSet::new();
@@ -159,7 +159,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Checks all forces, moments, stated differential equations, the clock rate and the measurement equation, and adds
+    /// Checks all forces, moments, equations `der(STATE) = …`, the clock rate and the measurement equation, and adds
     /// them to the model.
     pub fn equations(&mut self) {
         let file = self.file;

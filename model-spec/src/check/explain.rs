@@ -249,9 +249,9 @@ impl Checker<'_> {
         }
     }
 
-    /// Suggests a factor for one of the expressions `terms`, which must have equal units but have two different ones,
-    /// so that the units agree. Each element of `groups` holds the indices into `terms` of expressions with equal
-    /// units. `None` if no single factor achieves this, or if there are more than two groups.
+    /// Suggests a factor that makes the units of the expressions `terms` equal. Each element of `groups` holds the
+    /// indices into `terms` of expressions with equal units. The factor is suggested for an expression of the smaller
+    /// of two groups. `None` if no declared quantity is such a factor, or if there are not exactly two groups.
     fn advice(&self, terms: &[Typed], groups: &[Vec<usize>]) -> Option<String> {
         let [a, b] = groups else { return None };
         // The unit of the group with more terms is assumed to be the expected one.

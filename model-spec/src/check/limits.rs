@@ -67,9 +67,9 @@ impl Checker<'_> {
         self.attitude_limit();
     }
 
-    /// Adds the validity limit that avoids gimbal lock: a lower bound of the cosine of the second of the three attitude
-    /// angles, or of the sine of this angle if the first and third rotations are about axes of the same number, such as
-    /// 3-1-3. Adds nothing if the attitude is not given by three angles or the model already states such a limit.
+    /// Adds the validity limit that avoids gimbal lock, if the attitude is given by three angles and the model does not
+    /// already contain such a limit. It is a lower bound of the cosine of the second angle. If the first and third
+    /// rotations are about axes of the same number, as in the sequence 3-1-3, it is a lower bound of the sine instead.
     fn attitude_limit(&mut self) {
         let Some(rotation) = self.model.body.as_ref().and_then(|b| b.rotation.as_ref()) else {
             return;

@@ -111,7 +111,8 @@ enum UnitOf {
     Faulty,
 }
 
-/// Expression with resolved names, shape and frame, and its unit, which may contain unknown factors.
+/// Expression with resolved names, shape and frame, and its unit, which may contain units that are still to be
+/// inferred.
 #[derive(Clone, Debug)]
 struct Typed {
     expr: model::Expr,

@@ -207,8 +207,8 @@ impl Checker<'_> {
         })
     }
 
-    /// Resolves `der(STATE)` in an expression to the right-hand side of the state's equation; `None`, with an error
-    /// reported, if the state has no stated equation.
+    /// Resolves `der(STATE)` in an expression to the right-hand side of the equation `der(STATE) = …`; `None`, with an
+    /// error reported, if the file contains no such equation.
     pub fn derivative(&mut self, state: &ast::Name, span: Span) -> Option<Typed> {
         let found = self.scope.find(&state.text);
         let derived = match found {

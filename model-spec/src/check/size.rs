@@ -210,8 +210,8 @@ impl Sizes {
     }
 
     /// Size of an operand `e` of a sum or product; `each` is the number of components of the operand (1 for a scalar, 3
-    /// for a vector). If `e` is an auxiliary variable, the terms or factors of its definition are added to the number
-    /// of operations again, because the compiler copies the definition into the sum or product.
+    /// for a vector). If `e` is an auxiliary variable, the compiler copies its definition into the sum or product. The
+    /// operations of the copy are therefore added to the total of the model.
     fn merged(&mut self, e: &Expr, each: u64) -> Size {
         let size = self.of(e);
         if matches!(e.kind, ExprKind::AuxVariable(_)) {

@@ -8,7 +8,8 @@ use std::cell::RefCell;
 use crate::diagnostic::Span;
 use crate::unit::Unit;
 
-/// Maximum number of unknown units in one product; a unit with more is an error.
+/// Maximum number of different unknown units (units to be inferred) in one [`Term`]; a unit with more unknowns is an
+/// error.
 const MAX_UNKNOWNS: usize = 32;
 
 /// Maximum magnitude of numerator and denominator of a unit exponent, so that sums of such fractions stay within `i64`.
@@ -128,8 +129,8 @@ impl Term {
         Term::one().times_power(self, power)
     }
 
-    /// Converts the product to a unit; `None` if it has unknown factors, or an exponent that is out of range or not a
-    /// multiple of 1/2.
+    /// Converts the product to a unit; `None` if it contains unknown units, or an exponent that is out of range or not
+    /// a multiple of 1/2.
     pub fn unit(&self) -> Option<Unit> {
         if !self.unknowns.is_empty() {
             return None;
@@ -153,7 +154,7 @@ impl Term {
         self.unknowns.iter().map(|u| u.0)
     }
 
-    /// Copy of the product without its unknown factors.
+    /// Copy of the product without the unknown units: only the powers of base units.
     pub fn known_part(&self) -> Term {
         Term {
             base: self.base,
@@ -172,7 +173,8 @@ struct Unknown {
     at: Option<Span>,
 }
 
-/// The unknown units of a model, with the solutions found so far.
+/// The unknown units of a model, which are to be inferred, and their values as far as unit inference has determined
+/// them.
 #[derive(Default)]
 pub(super) struct Units {
     unknowns: Vec<Unknown>,

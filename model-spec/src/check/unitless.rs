@@ -48,9 +48,9 @@ impl Unitless {
 }
 
 impl<'a> Checker<'a> {
-    /// Records the declarations without a unit. If units are inferred, this creates their unknown units, which must
-    /// precede those of declarations with `[?]`: `Units::equate` solves for the unknown that was created last, so that
-    /// it solves for the units written as `[?]` first.
+    /// Records the declarations without a unit. If units are inferred, creates an unknown unit for each. This must
+    /// happen before the unknown units of declarations with `[?]` are created: of two unknowns, `Units::equate` solves
+    /// for the one created later, and the units written as `[?]` are to be determined first.
     pub fn declare_unitless(&mut self) {
         let file = self.file;
         for item in &file.items {

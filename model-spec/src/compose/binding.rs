@@ -24,7 +24,7 @@ const BODY: &str = "a body or a point";
 /// Requirement, as shown in messages, of an effect that uses moments, angular rates or the body-fixed frame.
 const TURNING: &str = "a body that turns";
 
-/// A requirement for the application of an effect that the model does not meet.
+/// Reason why an effect cannot be applied to a model: a requirement of the effect that the model does not meet.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Unmet {
     /// The effect is restricted to certain models by `on MODEL, …`, and this model is not one of them.

@@ -17,8 +17,8 @@ pub enum Origin {
     Specific,
     /// A built-in effect that is written for models of any kind.
     General,
-    /// The effect is not written in any file: it is generated from a stated equation of the model, and adds a term to
-    /// the derivative that this equation states.
+    /// The effect is not written in any file: it is generated from an equation `der(STATE) = …` of the model, and adds
+    /// a term to its right-hand side.
     Equation,
 }
 
@@ -55,11 +55,11 @@ pub struct KnownEffect {
 }
 
 /// Returns all effects that can be found by name for a checked model: effects of the model's file, specific and general
-/// built-in effects, and effects generated for the model's stated equations. If several effects have the same name,
-/// only the first is returned.
+/// built-in effects, and effects generated for the equations `der(STATE) = …` of the model. If several effects have the
+/// same name, only the first is returned.
 ///
-/// [`KnownEffect::refused`] states whether a diagnosis considers the effect as possibly missing from the model. This is
-/// determined from names and units, without applying the effect.
+/// [`KnownEffect::refused`] is `None` for an effect that a diagnosis considers as possibly missing from the model. This
+/// is determined from names and units, without applying the effect.
 pub fn known_effects(model: &Model) -> Vec<KnownEffect> {
     let tree = ModelTree::of(model);
     let binding = Binding::new(model);

@@ -118,8 +118,9 @@ impl ModelTree {
         own.chain(built_in.map(|(name, _)| *name))
     }
 
-    /// Finds an effect by file path, or by name (with `_` or `-` between words) among the effects of the model's file,
-    /// the built-in effects, and the effects generated for the model's stated equations, in this order.
+    /// Finds an effect by file path, or by name (with `_` or `-` between words). A name is searched among the effects
+    /// of the model's file, then the built-in effects, then the effects generated for the equations `der(STATE) = …` of
+    /// the model.
     ///
     /// # Errors
     /// [`LoadError::UnknownEffect`] if no effect has the name; for a path, the errors of [`EffectTree::load`].

@@ -7,11 +7,13 @@ use super::EffectTree;
 use crate::source::Span;
 use crate::syntax::ast::{Equation, ExprKind, File, ItemKind, State, UnitExpr, UnitFactor};
 
-/// Maximum number of stated equations for which effects are generated; further equations get no effects.
+/// Maximum number of explicitly written equations `der(STATE) = …` per model for which [`rate_effects`] generates
+/// effects; further equations are skipped.
 const MAX_EQUATIONS: usize = 24;
 
-/// Generates three effects per stated equation, each of which adds a term to the derivative of the state. Equations
-/// whose right-hand side is only the name of a state are skipped. No effects are generated for a model with a body.
+/// Generates three effects for each explicitly written equation `der(STATE) = …` of a model without a body. Each effect
+/// adds a term to the derivative: a constant, a multiple of time, or a multiple of the state. Equations whose
+/// right-hand side is only the name of a state are skipped. For a model with a body, the result is empty.
 pub(super) fn rate_effects(file: &File) -> Vec<EffectTree> {
     let has_body = file
         .items
@@ -46,7 +48,8 @@ fn states(file: &File) -> Vec<&State> {
     .collect()
 }
 
-/// All stated equations of a file. If an applied effect has replaced an equation, only the replacement is included.
+/// All equations `der(STATE) = …` of a file. If an applied effect has replaced an equation, only the replacement is
+/// included.
 fn equations(file: &File) -> impl Iterator<Item = &Equation> {
     file.items.iter().filter_map(|item| match &item.kind {
         ItemKind::Equation(equation) => Some(equation),
@@ -59,9 +62,9 @@ fn is_state(equation: &Equation, states: &BTreeSet<&str>) -> bool {
     matches!(&equation.value.kind, ExprKind::Name(name) if states.contains(name.as_str()))
 }
 
-/// Generates three effects for the equation of a state. Each adds one term to the derivative of the state: a constant,
-/// a multiple of time, or a multiple of the state. The smallest effect size of interest of each coefficient (the
-/// departure from 0 that matters in practice) is 0.001 in the unit of the coefficient.
+/// Generates the three effects for the equation of one state. Each adds one term with a new coefficient to the
+/// derivative of the state: a constant, a multiple of time, or a multiple of the state. For each coefficient, the
+/// smallest departure from 0 that matters in practice is set to 0.001 in the unit of the coefficient.
 fn of_equation(state: &State) -> impl Iterator<Item = EffectTree> {
     let name = &state.name.text;
     let per = |seconds: i32| format!("[{}]", per_second(state.value.unit.as_ref(), seconds));

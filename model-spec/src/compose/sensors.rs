@@ -13,8 +13,8 @@ use super::ModelTree;
 use super::instrument::Instrument;
 
 impl ModelTree {
-    /// Returns the model with an auxiliary variable for each of `instruments`. If the model does not declare that
-    /// variable, the default definition of the measured quantity is added.
+    /// Returns the model with an auxiliary variable for each of `instruments`, which predicts the measured value. Its
+    /// name is [`Instrument::name`]. If the model does not declare this variable, a default definition of it is added.
     ///
     /// # Errors
     /// [`LoadError::Faults`] if the default definition for an instrument is invalid in the model, such as that of a

@@ -41,9 +41,9 @@ impl ModelTree {
     /// other default values, given in SI units. After a check of the copy, the default values equal the given values
     /// bit for bit.
     ///
-    /// A value keeps the unit of its declaration unless no literal in that unit represents it exactly; then it is
-    /// written in SI units. Bounds that a value violates are removed. Check cases that rely on a replaced default get
-    /// `set` statements with the previous value.
+    /// Each value is written in the unit of its declaration. If no literal in that unit represents the value exactly,
+    /// it is written in SI units. Bounds that a value violates are removed. A check case that relies on a replaced
+    /// default gets a `set` statement with the previous value, so that its expected results remain valid.
     ///
     /// ```
     /// use model_spec::ModelTree;

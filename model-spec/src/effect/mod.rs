@@ -10,14 +10,14 @@ use crate::syntax::ast::{Applied, Effect, EffectPart, File, Input, Item, ItemKin
 pub(crate) use replace::PREVIOUS;
 pub(crate) use standard::{FRAMES, INERTIA, MASS};
 
-/// Sites: names of the components of a model that an effect can state as changed by it (`site NAME;`).
+/// Permitted names in `site NAME;`, the statement by which an effect names the component of the model that it changes.
 pub const SITES: [&str; 15] = [
     "lift", "drag", "side", "roll", "pitch", "spin", "wind", "gravity", "vertical", "scale",
     "clock", "marker", "inertia", "noise", "unknown",
 ];
 
-/// Kinds of variables on which an effect can state that its magnitude depends (`variables NAME, …;`); `none` states
-/// that it depends on none.
+/// Permitted names in `variables NAME, …;`, the statement by which an effect names the kinds of variables on which its
+/// magnitude depends; `none` if it depends on no variable.
 pub const VARIABLES: [&str; 9] = [
     "alpha", "spin", "speed", "rates", "height", "time", "position", "attitude", "none",
 ];

@@ -29,9 +29,9 @@ struct Standard {
     frames: HashMap<&'static str, String>,
 }
 
-/// Returns a copy of an effect in which the standard names ([`MASS`], [`INERTIA`], [`FRAMES`]) are replaced by the
-/// model's expressions and frame names, and needed quantities that the model lacks by their fallback expressions. A
-/// standard name that the model or the effect declares is not replaced.
+/// Returns a copy of an effect that refers to the quantities of the model in `file`. The standard names ([`MASS`],
+/// [`INERTIA`], [`FRAMES`]) are replaced by expressions and frame names of the model, except names that the model or
+/// the effect declares. Needed quantities that the model lacks are replaced by their fallback expressions.
 ///
 /// # Errors
 /// One diagnostic per needed quantity that the model does not declare and that has no fallback expression.

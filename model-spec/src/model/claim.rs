@@ -1,13 +1,15 @@
-//! Claim of a model with stated equations: which expressions are the mass, motion and loads of a body.
+//! Claim of a model: which expressions are the mass, motion and loads of a body, if the model file writes the
+//! differential equations explicitly.
 
 use super::Expr;
 use crate::source::Span;
 
-/// Physical meaning of stated equations: expressions for the mass, motion and loads of a body. The claim does not
-/// change the equations; `hyzer verify` checks whether the equations agree with the claim.
+/// Claimed physical meaning of the differential equations that a model file writes explicitly (`der(STATE) = …`):
+/// expressions for the mass, motion and loads of a body. The claim does not change the equations; `hyzer verify` checks
+/// whether they agree with it.
 #[derive(Clone, Debug)]
 pub struct Claim {
-    /// Name of the body that the stated equations are claimed to describe.
+    /// Name of the body that the equations of the model are claimed to describe.
     pub name: String,
     /// Mass, kg; depends only on parameters and coefficients.
     pub mass: Expr,
@@ -26,7 +28,7 @@ pub struct Claim {
 /// Rotational motion of a rigid body as stated in a [`Claim`].
 #[derive(Clone, Debug)]
 pub struct ClaimedRotation {
-    /// Body-fixed frame, or axis of revolution, that states the orientation of the body.
+    /// Body-fixed frame, or axis of revolution, by which the claim gives the orientation of the body.
     pub attitude: ClaimedAttitude,
     /// Index into [`Model::frames`](super::Model::frames) of the frame in which the inertia tensor is constant.
     pub inertia_frame: usize,

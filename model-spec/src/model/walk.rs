@@ -100,9 +100,9 @@ impl Model {
         raw.split_whitespace().collect::<Vec<_>>().join(" ")
     }
 
-    /// Indices of the states whose initial values have a default, so that the data of a flight need not state them. In
-    /// a model with a body, these are all states except position, velocity, attitude and angular velocity of the body;
-    /// in a model without a body, the states that effects add.
+    /// Indices of the states whose initial values the data of a flight may omit; the default value of the state is then
+    /// used. In a model with a body, these are all states except position, velocity, attitude and angular velocity of
+    /// the body. In a model without a body, these are the states that effects add.
     pub fn added_states(&self) -> Vec<usize> {
         let of_effects = |state: &usize| {
             self.effects

@@ -89,7 +89,7 @@ pub enum ItemKind {
     Let(Let),
     /// Declaration of a load: `force NAME = …;` or `moment NAME = …;`
     Load(Load),
-    /// Stated differential equation: `der(STATE) = …;`
+    /// Differential equation: `der(STATE) = …;`
     Equation(Equation),
     /// Declaration of the observed point: `marker NAME in FRAME;`
     Marker(Marker),
@@ -101,7 +101,7 @@ pub enum ItemKind {
     Limit(Limit),
     /// Check case: `check "title" { … }`
     Check(Check),
-    /// Declaration of the physical meaning of the stated equations: `claim body NAME { … }` or `claim point NAME { … }`
+    /// Claimed physical meaning of the equations: `claim body NAME { … }` or `claim point NAME { … }`
     Claim(Claim),
     /// Declaration of an effect: `effect NAME { … }`
     Effect(Effect),
@@ -332,10 +332,10 @@ pub struct Load {
     pub value: Expr,
 }
 
-/// A stated differential equation: `der(STATE) = …`.
+/// A differential equation: `der(STATE) = …`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equation {
-    /// Name of the state whose derivative is stated.
+    /// Name of the state whose derivative the equation defines.
     pub state: Name,
     /// Derivative of the state with respect to time.
     pub value: Expr,

@@ -1,12 +1,13 @@
 //! Generation of a term library for a model that is compatible with no built-in library, from the model's quantities
 //! and their units.
 //!
-//! For a body, the channels are the forces along, upward across and leftward across the relative wind, divided by the
-//! weight on Earth, and the moments about the axes of the inertia frame, divided by ten times the moments of inertia
-//! per s². Otherwise they are the stated equations, divided by the state's unit per second. The variables are: speed,
-//! height, rates and direction of the relative wind for a body, or the states of stated equations; scalar auxiliary
-//! variables that vary during a flight and depend on no coefficient; and time. Each variable is divided by a typical
-//! magnitude of its unit.
+//! For a body, the channels (quantities to which terms can be added) are the forces along, upward across and leftward
+//! across the relative wind, divided by the weight on Earth, and the moments about the axes of the inertia frame,
+//! divided by ten times the moments of inertia per s². For a model without a body, the channels are the derivatives in
+//! its equations `der(STATE) = …`, divided by the state's unit per second. The variables are: for a body, its speed,
+//! height, angular rates and the direction of the relative wind, otherwise the states; scalar auxiliary variables that
+//! vary during a flight and depend on no coefficient; and time. Each variable is divided by a typical magnitude of its
+//! unit.
 
 use std::fmt::Write;
 
@@ -23,8 +24,8 @@ const MAX_NAMED: usize = 3;
 /// Maximum number of states of a model without a body that become variables of the generated term library.
 const MAX_STATES: usize = 6;
 
-/// Maximum number of stated differential equations to whose derivatives the generated term library can add terms;
-/// further equations are skipped.
+/// Maximum number of explicitly written equations `der(STATE) = …` of a model to which terms of the generated library
+/// can be added; further equations are skipped.
 const MAX_EQUATIONS: usize = 8;
 
 /// `needs` statement of every generated effect that uses `air_velocity`, the velocity of the body relative to the air.
@@ -43,8 +44,9 @@ struct Variable {
     rank: u8,
 }
 
-/// Generates a term library for a model. `None` if there is nothing to which a term can be added: the model has no
-/// body, and the right-hand side of each of its own stated equations is only the name of a state.
+/// Generates a term library for a model. `None` if there is nothing to which a term can be added. This is the case if
+/// the model has no body, and each of its own equations only equates a derivative with a state, as in `der(phi) =
+/// phidot`.
 pub(super) fn library(model: &Model) -> Option<LibraryFile> {
     let (mut loads, channels) = match &model.body {
         Some(body) => channels_of_body(model, body),
@@ -215,7 +217,8 @@ fn variables_of_body(model: &Model, body: &Body) -> Vec<Variable> {
     variables
 }
 
-/// Variables from the first [`MAX_STATES`] states of a model with stated equations, without states of effects.
+/// Variables of the term library for a model without a body: one for each of the first [`MAX_STATES`] states that the
+/// model declares itself, not through effects.
 fn variables_of_states(model: &Model) -> Vec<Variable> {
     let of_effects = model.added_states();
     let own = model.states.iter().enumerate();
@@ -230,9 +233,10 @@ fn variables_of_states(model: &Model) -> Vec<Variable> {
         .collect()
 }
 
-/// Up to [`MAX_NAMED`] variables, taken from the scalar auxiliary variables that vary during a flight and depend on no
-/// coefficient: dimensionless quantities first, then rates in rad/s or 1/s, then other quantities, each in the order of
-/// the file. Forces and moments are excluded; in a model with a body, also speeds and lengths.
+/// Selects up to [`MAX_NAMED`] variables of the term library from the scalar auxiliary variables that vary during a
+/// flight and depend on no coefficient. Forces and moments are excluded; in a model with a body, also speeds and
+/// lengths. Dimensionless quantities come first, then rates in rad/s or 1/s, then others, each in the order of the
+/// file.
 fn named_quantities(model: &Model) -> Vec<Variable> {
     let traits = traits(model);
     let loads = [Unit::NEWTON, Unit::NEWTON_METRE];

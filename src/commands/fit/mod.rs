@@ -79,8 +79,8 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
     Ok(Answer::No)
 }
 
-/// Maximum numbers of flights shown in figures: of fitted flights in the order of the dataset, of further fitted
-/// flights with the largest residuals, and of held-out flights.
+/// Maximum numbers of flights shown in figures: first, of fitted flights, taken in the order of the dataset; second, of
+/// the remaining fitted flights, taken in descending order of their residuals; third, of held-out flights.
 const DRAWN: (usize, usize, usize) = (6, 3, 3);
 
 pub(super) fn drawn(fitted: &identify::Fit) -> Vec<usize> {

@@ -12,7 +12,7 @@ const MAX_BYTES: u64 = 4 << 20;
 const MAX_ROWS: usize = 1000;
 /// Maximum number of columns in a file.
 const MAX_COLUMNS: usize = 200;
-/// Maximum relative difference between the two statements of the speed in a row, one in mph and one in km/h.
+/// Maximum relative difference between the two speeds given in a row, one in mph and one in km/h.
 const SPEED_DIFFERENCE: f64 = 0.01;
 
 /// Speed columns, with the factor that converts the value to m/s.

@@ -34,8 +34,8 @@ pub struct Found {
     pub flight: Vec<Instant>,
     /// Steady (trimmed) flight with the same spin as at release, and its modes; `None` if no steady flight is found.
     pub trim: Option<(::stability::Trim, ::stability::Modes)>,
-    /// Modes and stability criteria at release if the speed and spin of the throw are replaced by those of a grid, one
-    /// entry per grid point.
+    /// Modes and stability criteria at release for each point of a grid of speed and spin, which replace the speed and
+    /// spin of the throw.
     pub map: Vec<Instant>,
 }
 

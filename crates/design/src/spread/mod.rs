@@ -52,23 +52,24 @@ pub struct Spread {
     pub agreement: Option<Agreement>,
 }
 
-/// Comparison of the linear with the sampled spread.
+/// Comparison of two computations of the spread of the landings: linear propagation of the scatter, and sampling.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Agreement {
-    /// Mahalanobis distance of the sampled mean from the linear mean: their distance in units of the linear standard
-    /// deviation in its direction.
+    /// Mahalanobis distance between the mean landing of the sampled flights and that of the linear propagation, with
+    /// the covariance of the linear propagation; dimensionless.
     pub shift: f64,
-    /// Minimum and maximum, over all directions, of the ratio of the sampled to the linear standard deviation.
+    /// Ratio of the standard deviation of the sampled landings to that of the linear propagation, in the horizontal
+    /// directions in which this ratio is smallest and largest.
     pub ratios: (f64, f64),
     /// Sampling standard errors of `shift` and of a ratio in `ratios`.
     pub errors: (f64, f64),
-    /// Whether the linear and the sampled spread agree: `shift` and the ratios differ from 0 and 1 by less than the
-    /// larger of [`TOLERATED`] and three standard errors.
+    /// Whether the linear and the sampled spread agree: `shift` differs from 0, and both `ratios` differ from 1, by at
+    /// most [`TOLERATED`] or three of their standard errors, whichever is larger.
     pub agrees: bool,
 }
 
-/// Maximum shift in standard deviations, and maximum relative difference of standard deviations, at which linear and
-/// sampled spread agree.
+/// Tolerance for agreement of the linear with the sampled spread: maximum distance between their means, in standard
+/// deviations, and maximum relative difference of their standard deviations.
 pub const TOLERATED: f64 = 0.15;
 
 /// Spread of the landings of a throw. `(aim, circle)` are the aim on the ground and the radius of the landing circle,

@@ -27,8 +27,8 @@ pub struct Sampled {
     /// Number of draws that cannot be flown: a quantity of the throw is out of its range, or the flight leaves the
     /// model's limits.
     pub failed: usize,
-    /// Bands of the paths at increasing distances along the line from release to the mean landing of the linear
-    /// spread.
+    /// Quantile bands of the sampled paths, at increasing distances along the line from the release to the mean landing
+    /// of the linear spread.
     pub bands: Vec<Band>,
 }
 

@@ -7,8 +7,8 @@ use crate::context::ColumnId;
 /// Maximum number of iterations that alternate between the common estimate and the set of concordant flights.
 const MAX_ITERATIONS: usize = 20;
 
-/// Minimum change of a flight's weighted sum of squares, χ², that the common estimate must predict before the flight
-/// can be discordant; flights below it carry too little information.
+/// A flight can be discordant only if the common estimate is expected to change its weighted sum of squares, χ², by at
+/// least this amount. Flights with a smaller expected change carry too little information to contradict the estimate.
 const MIN_EXPECTED_CHI2: f64 = 10.0;
 
 /// A flight is discordant if the value estimated from this flight alone is less than this fraction of the common value,

@@ -31,8 +31,9 @@ const MIN_CONCORDANT: f64 = 0.5;
 
 /// Result of the search for hypotheses on which the flights agree.
 pub(crate) struct Consensus {
-    /// Hypotheses that explain at least half of the excess χ² of all flights, best fit first. Empty if no hypothesis
-    /// does so, but one explains at least half of the excess χ² of its concordant flights.
+    /// Hypotheses that explain at least half of the excess χ² of all flights, best fit first. Can be empty: a result
+    /// without such a hypothesis exists if a hypothesis explains at least half of the excess χ² of the flights that
+    /// remain after its discordant flights are excluded.
     pub hypotheses: Vec<Hypothesis>,
     /// Fraction, 0 … 1, of the excess χ² (weighted sum of squares minus its expectation for pure noise) that the best
     /// hypothesis explains, over all flights, or over the concordant flights if `hypotheses` is empty.
@@ -88,8 +89,9 @@ struct Agreed {
     p_value: f64,
 }
 
-/// Result for a candidate that explains most of the excess χ² (misfit beyond noise) of its concordant flights:
-/// explained fraction, p-value of the sign-flip test, and indices of the discordant flights.
+/// Result for a candidate that most flights support. The candidate explains at least half of the excess χ² (misfit
+/// beyond noise) of these flights. Contents: explained fraction, p-value of the sign-flip test, and indices of the
+/// discordant flights, which contradict the candidate.
 struct ConcordantMajority {
     explained: f64,
     p_value: f64,
@@ -134,9 +136,10 @@ fn agreed_hypotheses(
     Ok(agreed)
 }
 
-/// Finds, among the hypotheses in `agreed` whose effect has one coefficient, the one that explains the largest fraction
-/// of the excess χ² (misfit beyond noise) of its concordant flights. `None` if no fraction reaches [`MIN_EXPLAINED`],
-/// or too few flights are concordant.
+/// Finds the hypothesis in `agreed` that explains most once the flights that contradict it are excluded: the largest
+/// fraction of the excess χ² (misfit beyond noise) of the remaining, concordant flights. Considers only hypotheses
+/// whose effect has one coefficient. `None` if no fraction reaches [`MIN_EXPLAINED`], or too
+/// few flights are concordant.
 fn explained_without_discordant(
     model: &ScoreTestModel,
     test: &SignFlipTest,

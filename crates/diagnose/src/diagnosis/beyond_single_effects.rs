@@ -44,9 +44,9 @@ impl Analysis<'_> {
         Ok(())
     }
 
-    /// Adds library terms to the stepwise regression. With an accepted hypothesis, adds fewer terms than the
-    /// hypothesis has unknowns, since the terms may replace it. Otherwise adds up to `most` terms, if these are
-    /// expected to explain as much as the best rejected hypothesis.
+    /// Adds library terms to the stepwise regression, as alternatives to the hypotheses. If a hypothesis is accepted,
+    /// the number of terms remains below the number of its unknowns. Otherwise up to `most` terms are selected, but
+    /// none is added if the next term is expected to explain much less than the best rejected hypothesis.
     fn extend_terms(&mut self, most: usize) -> Result<(), DiagnosisError> {
         let (search, Some(stepwise)) = (&self.search, &mut self.stepwise) else {
             return Ok(());
@@ -66,9 +66,8 @@ impl Analysis<'_> {
         stepwise.extend(self.context, &self.model, search, &self.before, most)
     }
 
-    /// Selects library terms with the candidates `effects` included in the model. The result replaces the earlier
-    /// selection of library terms if only the result is adequate, or if both or neither are adequate and the result has
-    /// the smaller sum of squares.
+    /// Selects library terms with the candidates `effects` included in the model. Of this selection and the earlier one
+    /// without these candidates, the better is stored, as determined by [`StepwiseModel::better`].
     fn search_terms_beside(&mut self, effects: &[CandidateId]) -> Result<(), DiagnosisError> {
         let (context, model, search) = (self.context, &self.model, &self.search);
         let Some(single) = model.fit_hypothesis(effects, &self.base, &search.noise) else {

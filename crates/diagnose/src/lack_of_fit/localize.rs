@@ -30,8 +30,9 @@ pub struct SmoothMisfit {
     pub p: f64,
 }
 
-/// Maximum of the splines fitted to the residuals of one coordinate of a flight: the coordinate for which the splines
-/// exceed noise most. `None` if there is no residual. The fields `file` and `p` are to be set by the caller.
+/// Largest smooth deviation of a flight. Splines are fitted to the residuals of each measured coordinate; the result is
+/// the maximum of the splines of the coordinate for which they explain most beyond noise. `None` if there is no
+/// residual. The caller must set the fields `file` and `p` of the result.
 pub(super) fn greatest_misfit(
     flight: &FlightSeries,
     basis: &SplineBasis,

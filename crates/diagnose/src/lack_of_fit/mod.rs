@@ -44,8 +44,8 @@ const KNOTS_PER_PERIOD: f64 = 4.0;
 /// noise.
 const MIN_SAMPLES_PER_KNOT: f64 = 3.0;
 
-/// Assumed integration error of the residuals, as a fraction of σ₀, the noise scale before any fit. Noise smaller
-/// than this error cannot be distinguished from 0.
+/// Assumed numerical integration error of the residuals, as a fraction of σ₀, the noise standard deviation estimated
+/// from the samples before any fit. Noise smaller than this error cannot be distinguished from 0.
 const INTEGRATION_ERROR: f64 = 0.02;
 
 /// Maximum number of flights whose largest smooth deviation is described in the report.

@@ -35,8 +35,8 @@ struct Projection {
     /// projected columns with the residuals.
     left: DMatrix<f64>,
     left_gradient: DVector<f64>,
-    /// Sum of squares of the residuals, before the splines are projected out. Also before this projection: `local`
-    /// (Gram matrix of the local columns) and `gradient` (products of the local columns with the residuals).
+    /// Sum of squares of the residuals. Like `local` (Gram matrix of the local columns) and `gradient` (products of the
+    /// local columns with the residuals), this is the value before the splines are projected out.
     total: f64,
     local: DMatrix<f64>,
     gradient: DVector<f64>,

@@ -22,7 +22,8 @@ const MAX_KNOTS: usize = 9;
 /// Maximum number of flights whose load histories are estimated.
 const MAX_FLIGHTS: usize = 12;
 
-/// Initial standard deviation of the load coefficient's first value and of its increments between knots.
+/// Value with which the expectation maximization starts, for two standard deviations of a load coefficient: that of its
+/// value at the first knot, and that of its increments between knots.
 const INITIAL_SIGMA: f64 = 0.03;
 
 /// Number of iterations of the expectation maximization.

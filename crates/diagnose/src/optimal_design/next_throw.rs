@@ -24,8 +24,9 @@ const SEED: u64 = 1;
 /// Minimum separation, in standard deviations, at which two hypotheses count as distinguished.
 const SUFFICIENT_SEPARATION: f64 = 3.0;
 
-/// Minimum ratio of the separation of the two closest hypotheses after a throw to their present separation (at least
-/// 1), for a throw whose separation is below [`SUFFICIENT_SEPARATION`] to be proposed.
+/// Minimum factor by which the best throw must increase the separation of the two closest hypotheses; otherwise the
+/// report states that no throw helps. The factor is relative to the present separation, or to 1 if that is smaller. It
+/// does not apply to a throw that reaches [`SUFFICIENT_SEPARATION`].
 const MIN_IMPROVEMENT: f64 = 1.3;
 
 /// Name of the vector input from which a model that describes the body as a point mass reads the angular velocity,

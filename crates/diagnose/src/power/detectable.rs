@@ -5,15 +5,15 @@ use serde::{Deserialize, Serialize};
 use crate::context::{CandidateId, CandidateParameter, ColumnId, ScoreTestModel};
 use crate::score_test::{ScoreTests, ln_p_to_z};
 
-/// Maximum fraction of a column's squared norm that remains after eliminating the initial states, for the column to
-/// count as confounded with the initial states.
+/// A column of the Jacobian counts as confounded with the initial states if at most this fraction of its squared norm
+/// remains after the initial states are eliminated.
 const MAX_LOCAL_TOLERANCE: f64 = 1e-9;
 
 /// Standard normal quantile of the probability 0.9, the power of the test at which an effect counts as detectable.
 const Z_OF_POWER: f64 = 1.281_551_565_544_6;
 
-/// Minimum length of a candidate column's projection on a nuisance parameter, relative to the longest projection, for
-/// the parameter to be named as confounding.
+/// Nuisance parameters are named as confounded with a candidate if the projection of the candidate's Jacobian column on
+/// theirs has at least this fraction of the length of the longest such projection.
 const MIN_SHARE: f64 = 0.25;
 
 /// Maximum number of confounding parameters named for one effect.
@@ -101,8 +101,9 @@ fn detectable_size<Id>(
     (size.is_finite() && size < MAX_FRACTION_OF_BOUNDS * width).then_some(size)
 }
 
-/// Names of the model parameters with the largest projections of the candidate's columns, in descending order; only
-/// `initial states` if the initial states reproduce a column entirely.
+/// Names of the model parameters that are most confounded with the candidate `id`, in descending order: those on whose
+/// Jacobian columns the candidate's columns have the longest projections. If the initial states of the flights
+/// reproduce a column of the candidate entirely, the result is only `initial states`.
 fn confounded_with(model: &ScoreTestModel, tests: &ScoreTests, id: CandidateId) -> Vec<String> {
     let own = model.columns_of(id);
     let mut shares: Vec<(&str, f64)> = Vec::new();

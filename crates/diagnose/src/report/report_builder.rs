@@ -278,8 +278,8 @@ fn cause(model: &ScoreTestModel, search: &Search<'_>, hypothesis: &Hypothesis) -
     }
 }
 
-/// Section of the report on a lack of fit that no candidate explains. `histories` are the load histories by channel
-/// of the term library.
+/// Section of the report on a lack of fit that no candidate explains. `histories` are the estimated additional forces
+/// and moments over time: one list for each component that the term library distinguishes, with one entry per flight.
 pub(crate) fn unattributed_report(
     model: &ScoreTestModel,
     search: &Search<'_>,
@@ -376,9 +376,9 @@ fn extension_effects(extension: &ExtendedModel, after: &Fit) -> Vec<CauseEffect>
     effects.collect()
 }
 
-/// Replaces standard errors by cluster-robust (by flight) standard errors where the latter are larger, and the
-/// estimates of the first cause by the estimates of `after`, the fit of the extended model. This is needed if the cause
-/// does not explain the entire misfit, because the remaining misfit is correlated within a flight.
+/// Replaces standard errors in the report by cluster-robust (by flight) standard errors where these are larger, because
+/// misfit that the extension does not explain is correlated within a flight. Also replaces the estimates of the first
+/// cause by those of `after`, the fit of the extended model.
 pub(crate) fn use_clustered_errors(report: &mut Report, after: &Fit) {
     let fitted = |name: &str| {
         let found = after.report.coefficients.get(name)?;

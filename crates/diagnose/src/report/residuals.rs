@@ -9,8 +9,9 @@ use crate::text::{millimetres, three_figures};
 /// Maximum number of flights whose largest smooth deviation is described in the sentence on the lack of fit.
 const MAX_DEPARTURES: usize = 3;
 
-/// Replaces the lack-of-fit test in the report by that of the extended model, and updates the fraction that the first
-/// cause explains.
+/// Replaces the lack-of-fit test in the report by `residuals`, the test of the extended model; `None` leaves the report
+/// unchanged. Also updates the fraction of the misfit beyond noise that the first cause explains, and the RMS residual
+/// in excess of the noise that remains.
 pub(crate) fn add_residuals(report: &mut Report, residuals: Option<LackOfFit>) {
     if let (Some(before), Some(after)) = (&report.lack_of_fit, &residuals)
         && let Some(first) = report.causes.first_mut()

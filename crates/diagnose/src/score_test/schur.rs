@@ -15,13 +15,16 @@ pub(super) fn inverse_sqrt(value: f64) -> f64 {
 #[derive(Clone, Debug)]
 pub(super) struct EffectiveScore {
     /// Effective information of the tested columns: the Schur complement H_tt − H_tn H_nn⁻¹ H_nt, with rows and columns
-    /// scaled. H is the Hessian of half the sum of squares; `t` denotes tested, `n` nuisance columns.
+    /// multiplied by the argument `scale` of [`EffectiveScore::new`]. H is the Hessian of half the sum of squares; `t`
+    /// denotes tested, `n` nuisance columns.
     pub information: DMatrix<f64>,
-    /// Effective score −(g_t − H_tn H_nn⁻¹ g_n) of the tested columns `t`, with each entry scaled. H and g are the
-    /// Hessian and the gradient of half the sum of squares; `n` denotes nuisance columns.
+    /// Effective score −(g_t − H_tn H_nn⁻¹ g_n) of the tested columns `t`, with each entry multiplied by the argument
+    /// `scale` of [`EffectiveScore::new`]. H and g are the Hessian and the gradient of half the sum of squares; `n`
+    /// denotes nuisance columns.
     pub score: DVector<f64>,
     /// Projection coefficients H_nn⁻¹ H_nt, where H is the Hessian of half the sum of squares: one row for each
-    /// nuisance column `n`, one scaled column for each tested column `t`.
+    /// nuisance column `n`, one column for each tested column `t`. The columns are multiplied by the argument `scale`
+    /// of [`EffectiveScore::new`].
     pub nuisance_projection: DMatrix<f64>,
     /// Step −H_nn⁻¹ g_n of the nuisance parameters `n` with the tested parameters fixed, from the Hessian H and the
     /// gradient g of half the sum of squares.

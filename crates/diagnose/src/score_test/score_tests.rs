@@ -297,8 +297,9 @@ impl ScoreTests {
         })
     }
 
-    /// Function that returns the standard error of a nuisance column's parameter, SI; 0 for other columns. Nuisance
-    /// parameters include the unknowns of a hypothesis that is conditioned on.
+    /// Returns a function that maps a column of the normal equations to the standard error, SI, of the nuisance
+    /// parameter to which the column belongs; 0 for columns of tested parameters. Unknowns of effects that are included
+    /// in the null hypothesis are nuisance parameters.
     pub fn nuisance_std_errors(&self) -> impl Fn(ColumnId) -> f64 {
         let covariance = pseudo_inverse(&self.nuisance_information);
         move |column| {

@@ -8,8 +8,8 @@ use crate::context::{CandidateId, Context, LinearizationPoint, ScoreTestModel, T
 use crate::error::{DiagnosisError, if_possible};
 use crate::score_test::{ScoreTest, ScoreTests};
 
-/// Maximum amount by which the expected sum of squares, χ², of a hypothesis may exceed the smallest expected one for
-/// the hypothesis to be fitted.
+/// A hypothesis is fitted only if its sum of squares, χ², expected from linearization exceeds the smallest expected sum
+/// of all hypotheses by less than this amount plus that of [`CHI2_MARGIN_RELATIVE`].
 const CHI2_MARGIN: f64 = 30.0;
 
 /// Addition to [`CHI2_MARGIN`] that allows for linearization error, as a fraction of the largest expected decrease of
@@ -365,8 +365,8 @@ fn penalized(test: &ScoreTest) -> f64 {
     test.statistic - 2.0 * test.dof as f64
 }
 
-/// Hypotheses of one candidate whose score statistic, minus 2 for each degree of freedom, is near the largest; in
-/// descending order.
+/// Hypotheses of a single candidate effect that are worth fitting: those whose score statistic, minus 2 for each degree
+/// of freedom, is near the largest. In descending order of this value; at most [`MAX_REFITS`].
 fn strongest_singles(tests: &ScoreTests) -> Vec<Vec<CandidateId>> {
     let each = tests.candidates.iter_enumerated();
     let mut decreases: Vec<(CandidateId, f64)> = each

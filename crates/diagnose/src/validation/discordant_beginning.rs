@@ -3,8 +3,8 @@
 use identify::dataset::Role;
 use identify::{CONDITIONING_FRACTION, Fit};
 
-/// Maximum increase by an extension of the weighted sum of squares, χ², of a flight's conditioning segment, the first
-/// 30 % of its samples; a larger increase contradicts the extension.
+/// A flight contradicts an extension if the extension increases the weighted sum of squares, χ², of the first 30 % of
+/// the flight's samples (its conditioning segment) by more than this amount.
 const MAX_CHI2_INCREASE: f64 = 10.0;
 
 /// Rule that selects the held-out flights to which an extension is applied.

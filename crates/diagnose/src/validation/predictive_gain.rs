@@ -76,9 +76,9 @@ impl PredictiveGain {
 /// making the same predictions.
 const SAME_ERROR: f64 = 1e-3;
 
-/// A flight is set apart (excluded from the statistics, because neither model predicts it) if the smaller of its two
-/// RMS errors exceeds this multiple of the median of that error over the flights, or of the noise if the noise is
-/// larger.
+/// Factor of the limit above which a flight is set apart (excluded from the statistics, because neither model predicts
+/// it). The error compared with the limit is the smaller of the flight's RMS errors without and with the extension. The
+/// limit is this factor times the larger of two values: the median of this error over the flights, and the noise.
 const SET_APART: f64 = 6.0;
 
 /// Minimum number of predicted flights; with fewer flights, no flight is set apart.

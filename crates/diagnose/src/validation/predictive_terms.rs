@@ -10,9 +10,10 @@ use crate::context::Context;
 use crate::error::{DiagnosisError, if_possible};
 use crate::selection::{FittedTerms, StepwiseModel};
 
-/// Number of the first selected library terms that are retained: the first term, and each following term until one does
-/// not reduce the out-of-sample prediction error by more than the standard error of the reduction. `noise_floor_m` is
-/// the noise of one coordinate, m.
+/// Number of selected library terms that are retained, counted in the order of their selection. The first term is
+/// always retained. A further term is retained if it reduces the out-of-sample prediction error by more than the
+/// standard error of the reduction; the first term that does not, and all after it, are dropped.
+/// `noise_floor_m` is the noise of one coordinate, m.
 ///
 /// # Errors
 /// [`DiagnosisError::Fit`] if the caller cancelled.

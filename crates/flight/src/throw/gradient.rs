@@ -15,8 +15,8 @@ use super::{FIELDS, RPM, Throw};
 const STEP: f64 = 0.01;
 /// Weights of the sixth-order central difference formula, for the differences over 1, 2 and 3 steps to either side.
 const WEIGHTS: [f64; 3] = [45.0 / 60.0, -9.0 / 60.0, 1.0 / 60.0];
-/// Ratio of a singular value to the greatest one below which the corresponding change of the state, such as a change of
-/// the length of a quaternion, counts as having no effect on the motion of the body.
+/// Minimum ratio of a singular value of the Jacobian to the greatest one. A change of the state with a smaller singular
+/// value, such as a change of the length of a quaternion, counts as having no effect on the motion of the body.
 const RANK_TOLERANCE: f64 = 1e-9;
 
 impl BoundMotion<'_> {

@@ -17,8 +17,9 @@ const WIDEST_TURN: f64 = 0.5;
 /// Offset of an attitude state to either side in the central differences of the body axes, rad for an angle,
 /// dimensionless for a quaternion component.
 const DIFFERENCE_STEP: f64 = 1e-5;
-/// Tolerance for a state to have the wanted motion: maximum difference of a component of the body axes, and of
-/// position, velocity and angular velocity relative to 1 plus the sum of their magnitudes in SI units.
+/// Tolerance for a state to have the wanted motion. It applies to each component of the body axes, and to each
+/// component of position, velocity and angular velocity divided by 1 plus the sum of the magnitudes of these vectors in
+/// SI units.
 const SAME: f64 = 1e-9;
 
 /// Finds the states of throws that are near a known throw.
@@ -37,7 +38,7 @@ pub struct NearThrows<'m> {
     workspace: Workspace,
 }
 
-/// Vectors that describe the motion at a state, in the order that the comment of [`VECTORS`] lists.
+/// Vectors that describe the motion at a state, in the order listed at [`VECTORS`].
 #[derive(Clone, Copy)]
 struct Vectors([Vector3<f64>; VECTORS]);
 

@@ -16,8 +16,8 @@ use super::{GustStrength, Gusts, Profile, WindField, table};
 const TWENTY_FEET: f64 = 6.096;
 
 impl WindField {
-    /// Composes the model with this wind. The parameters of the wind follow those of the model; with their default
-    /// values the wind has no effect, and [`parameters`](WindField::parameters) returns their actual values.
+    /// Adds this wind to the model. The parameters of the wind follow those of the model. With their default values the
+    /// wind has no effect; [`parameters`](WindField::parameters) returns the values that represent this wind.
     ///
     /// # Errors
     /// [`LoadError::Faults`] if the model defines neither a velocity of the air `air` nor a velocity through it
@@ -117,8 +117,8 @@ fn insert(e: &mut Expr, lets: &HashMap<&str, &Expr>) {
     e.children_mut(&mut |child| insert(child, lets));
 }
 
-/// The two effects that together define the wind `gust_velocity`: one defines standard deviations and length scales of
-/// the gusts, the other the sinusoids that are scaled by them.
+/// The two effects that together define the gust velocity `gust_velocity`. The first one defines the standard
+/// deviations and length scales of the gusts, the second one the sinusoids, which are scaled by these quantities.
 fn gust_effects(gusts: &Gusts, mean: &MeanWind<'_>) -> Result<[EffectTree; 2], LoadError> {
     let strength = match gusts.strength {
         GustStrength::LowAltitude => {

@@ -13,8 +13,8 @@ const MAX_ROWS: usize = 500;
 const MAX_SPEED: f64 = 200.0;
 /// Default height of gusts, m: 10 ft, the minimum height of the low-altitude gust model.
 const GUST_HEIGHT: f64 = 3.048;
-/// Valid keys of the table `[wind]` of a release file; those after `table` describe a mean wind that follows a formula
-/// of the height.
+/// Valid keys of the table `[wind]` of a release file. The keys after `table` describe a mean wind that is a formula of
+/// the height (a logarithmic law or a power law).
 const KEYS: [&str; 9] = [
     "constant",
     "gusts",

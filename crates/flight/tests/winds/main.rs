@@ -74,7 +74,7 @@ fn compiled(model: &Model) -> CompiledModel {
     CompiledModel::with_derivatives_by(model, Vec::new())
 }
 
-/// Value of a named vector of the model at a time and state, in its own frame.
+/// Components of a named vector of the model at a time and state, in the frame in which the model defines the vector.
 fn vector(model: &Model, parameters: &[f64], name: &str, t: f64, state: &[f64]) -> [f64; 3] {
     let observing = CompiledModel::observing(model, name, Vec::new()).expect("a quantity");
     let bound = observing.bind(parameters.to_vec());

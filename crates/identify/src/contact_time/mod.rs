@@ -42,18 +42,18 @@ const MIN_GAIN: f64 = 60.0;
 const MIN_GROWTH: f64 = 4.0;
 /// An earlier jump is preferred to the best jump if its decrease of the sum of squares is smaller by at most this
 /// value, the 90 % quantile of χ² with one degree of freedom. A contact time that is too late leaves disturbed samples
-/// in the data, which is worse than the loss of undisturbed samples by one that is too early.
+/// in the data; this is worse than the loss of undisturbed samples due to a contact time that is too early.
 const UNDECIDED: f64 = 2.71;
-/// Confirmation of a contact by later samples: number of additional samples with which the jump is tested again, and
-/// minimum factor by which they must increase the gain (decrease of the sum of squares) after an abrupt increase (see
-/// `OUTLIER`). Additional samples do not increase the gain that an outlier causes.
+/// Confirmation of a contact by later samples. The jump is tested again with this number of additional samples (first
+/// value). If its gain (decrease of the sum of squares) increased abruptly before (see `OUTLIER`), the additional
+/// samples must increase the gain by this factor (second value). They do not increase a gain that an outlier causes.
 const CONFIRMING: (usize, f64) = (2, 1.2);
 /// Gain: decrease of the sum of squares by a velocity jump. If one additional sample increases the gain by more than
 /// this value, that sample is considered to contain an outlier, unless the following samples confirm a contact (see
 /// `CONFIRMING`).
 const OUTLIER: f64 = 26.0;
-/// Maximum number of marker positions that are excluded as outliers from the free flight before the first tried jump,
-/// and maximum number of attempts to exclude further ones at later samples.
+/// Maximum number of marker positions before the first tried jump that are excluded as outliers. Also the maximum
+/// number of passes of the search for a contact; a pass that finds an outlier instead of a contact excludes it.
 const MOST_OUTLIERS: usize = 12;
 
 /// A contact with the ground or another object.

@@ -43,8 +43,8 @@ impl Quadratic {
         extended
     }
 
-    /// Copy of the sum of squares to which |`rows` · u|² is added, where the vector u contains the last unknowns, as
-    /// many as `rows` has columns. `None` if `rows` has more columns than there are unknowns.
+    /// Copy of the sum of squares with the additional term |`rows` · u|². The vector u contains the last unknowns, one
+    /// for each column of `rows`. `None` if `rows` has more columns than there are unknowns.
     pub fn with_last(&self, rows: &DMatrix<f64>) -> Option<Self> {
         let count = rows.ncols();
         let first = self.right.len().checked_sub(count)?;

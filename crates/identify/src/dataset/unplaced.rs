@@ -86,8 +86,8 @@ fn place_all(
 }
 
 /// Estimates the unknown positions of some markers from the known positions of the remaining markers. An error if the
-/// known positions do not determine the attitude of the body, or if a marker of unknown position is never measured
-/// together with them.
+/// known positions do not determine the attitude of the body, or if a marker of unknown position is never measured in
+/// the same sample as enough markers of known position.
 fn place_some(
     markers: &mut [Marker],
     unplaced: &[Unplaced],

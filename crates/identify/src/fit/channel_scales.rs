@@ -12,9 +12,9 @@ use crate::statistics::{median, robust_sigma};
 /// to it. It prevents values that are rounded in tables from appearing noiseless.
 const MIN_RELATIVE_NOISE: f64 = 1e-6;
 
-/// Sets the scale of each sensor channel so that the scaled noise of the channel equals `problem.sigma0`, which must be
-/// set before: the noise of a marker coordinate or, without markers, of a pose sensor's coordinate. Channels with this
-/// noise retain their scale.
+/// Sets the scale of each sensor channel so that the scaled noise of the channel equals `problem.sigma0`, the noise of
+/// a position coordinate, which must be set before. If there are no markers, `sigma0` is the noise of the positions of
+/// pose sensors; the channels of these positions then retain their scale.
 pub fn set_scales<'o>(
     problem: &mut FitProblem,
     flights: impl Iterator<Item = &'o Observations> + Clone,

@@ -42,13 +42,13 @@ const STANDS_OUT: f64 = 1.2;
 /// Second condition for a flight to be left out of the reference fit, besides `STANDS_OUT`: minimum number of standard
 /// errors by which its residual scale must exceed the median scale.
 const SURELY: f64 = 4.0;
-/// A flight is searched for a contact if its residual scale exceeds the median scale by more than this ratio (first
-/// value) and by more than this number of standard errors (second value), both in the reference fit, which leaves out
-/// flights that may contain contacts.
+/// Limits for the residual scale of a flight in the reference fit, which leaves out flights that may contain contacts:
+/// its ratio to the median scale (first value), and its excess over the median scale in standard errors (second value).
+/// A flight that exceeds both limits is searched for a contact.
 const SUSPICIOUS: (f64, f64) = (1.05, 3.0);
-/// Maximum ratio of the median residual scale (over flights, of the robust standard deviation of their residuals) to
-/// the initial noise estimate `sigma0`, at which the model is accurate enough to reveal contacts that were not found
-/// from the poses.
+/// Maximum median over the flights of their residual scales (robust standard deviations of the residuals), in units of
+/// the initial noise estimate `sigma0`, at which the model is considered accurate. Only an accurate model reveals
+/// contacts that were not found from the poses.
 const FLYING_RATIO: f64 = 1.3;
 
 /// Observations of a flight whose last used sample was changed, with the initial state fitted to them.
@@ -154,8 +154,8 @@ pub fn refine_contacts(
     exclude_failed(state, residuals, options)
 }
 
-/// Reference fit: fits the flights whose residual scale is not far above `usual`, m, without the other flights. Returns
-/// the fitted flights and their residuals; `None` if this would leave out no flight or more than half of the flights.
+/// Reference fit: fits only the flights whose residual scale is not far above `usual`, m. Returns these flights with
+/// their residuals; `None` if no flight or more than half of the flights would be left out.
 fn fitted_without(
     problem: &FitProblem,
     state: &State,
@@ -190,8 +190,9 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Searches a fitted flight for its contact. Returns the flight truncated at the contact, or its whole length if a
-    /// contact found before is not confirmed; `None` if the last used sample of the flight does not change.
+    /// Searches a fitted flight for its contact, and returns the flight truncated there. If the search does not confirm
+    /// the contact at which the flight is truncated already, the flight is returned with its whole length. `None` if
+    /// the last used sample of the flight does not change.
     fn moved(
         &self,
         flight: &Flight,
@@ -231,8 +232,9 @@ impl Search<'_> {
         })
     }
 
-    /// Truncates a flight, which was excluded because no fit predicts its whole length, at its contact. `None` if no
-    /// contact is found or if the residuals before the contact are larger than those of the fitted flights.
+    /// Truncates an excluded flight at its contact. The flight was excluded because no fit predicts its whole length.
+    /// `None` if no contact is found or if the residuals before the contact are larger than those of the fitted
+    /// flights.
     fn like_the_others(&self, flight: &Flight) -> Option<Moved> {
         let whole = Observations::new(self.problem, flight).ok()?;
         let guesses = refined_guesses(self.problem, &whole, self.global, self.options).ok()?;

@@ -183,9 +183,10 @@ pub fn unevaluated_step(
     Ok(None)
 }
 
-/// Fits the first samples of all flights, up to `horizon`, s, until the residuals are small enough for a longer
-/// horizon. Parameters without a prior get a weak one, because short horizons do not determine all parameters. `spread`
-/// computes the residual scale of all flights, m, which is used as the scale of the loss.
+/// Fits the first samples of all flights, up to `horizon`, s. The fit is repeated with a smaller scale of the robust
+/// loss until the residuals are small enough for a longer horizon, or no longer decrease. Parameters without a prior
+/// get a weak prior, because short horizons do not determine all parameters. `spread` computes the scale of the loss,
+/// m, from the residuals of all flights.
 pub fn fit_horizon(
     problem: &FitProblem,
     state: &mut State,

@@ -15,9 +15,9 @@ use crate::statistics::median;
 /// decreasing probability.
 const ALIASES: [i32; 3] = [0, -1, 1];
 
-/// Maximum ratio of the median residual scale (over flights, of the robust standard deviation of their residuals) of
-/// the fit with one spin alias to that of the best alias tried before, for the new alias to be preferred. An alias is a
-/// number of additional turns between samples.
+/// Maximum ratio of the residual scale of a fit to that of the best fit so far, for the new fit to be preferred. Each
+/// fit assumes another spin alias (number of additional turns between samples). The residual scale of a fit is the
+/// median over the flights of the robust standard deviations of their residuals.
 const ACCEPTED_RATIO: f64 = 0.9;
 
 /// Fits all flights by horizon continuation once for each spin alias (number of additional turns between samples), and

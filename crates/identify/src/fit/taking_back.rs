@@ -86,9 +86,9 @@ pub fn take_back(
     Ok(reweighted)
 }
 
-/// Whether an excluded flight may be included again: only if its fit was the reason for the exclusion, and not its
-/// samples. A suspected wrong unit of time is an exception, because an acceleration that the other flights do not have
-/// can cause the same suspicion.
+/// Whether an excluded flight may be included again. It may if it was excluded because of its fit, but not if it was
+/// excluded because of its samples. A flight with a suspected wrong unit of time is an exception and may be included,
+/// because an acceleration that the other flights do not have can cause the same suspicion.
 pub fn may_come_back(excluded: &ExcludedFlight) -> bool {
     match &excluded.reason {
         FlightError::UnlikeTheOthers { .. }

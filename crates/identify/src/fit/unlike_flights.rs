@@ -14,9 +14,9 @@ use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 
-/// Ratio of a flight's residual scale (robust standard deviation of its residuals) to the median over all flights, or
-/// to the initial noise estimate `sigma0` if that is greater, above which the flight is a suspect: the other flights
-/// are then fitted without it.
+/// A flight is a suspect if its residual scale (robust standard deviation of its residuals) exceeds this multiple of
+/// the median over all flights, or of the initial noise estimate `sigma0` if that is greater. The other flights are
+/// then fitted without the suspects.
 const SUSPECT_RATIO: f64 = 3.0;
 
 /// Ratio of a flight's residual scale (robust standard deviation of its residuals) to that of the other flights, fitted

@@ -191,9 +191,10 @@ fn kink(path: &[PathPoint], index: usize, noise: f64) -> Option<Kink> {
     })
 }
 
-/// Removes up to `MOST_OUTLIERS` points without which a single polynomial fits the points of both sides. The removal of
-/// an outlier has this effect; the removal of one point next to an impact has not. `noise` is the standard deviation of
-/// one coordinate, m.
+/// Removes up to `MOST_OUTLIERS` outliers from the points on the two sides of an interval that is tested for an impact.
+/// A point is an outlier if a single polynomial fits the points of both sides far better without it. After an impact,
+/// the removal of a single point does not improve the fit in this way. `noise` is the standard deviation of one
+/// coordinate, m.
 fn leave_out_outliers(sides: &mut [Vec<(f64, Vector3<f64>)>; 2], noise: f64) {
     for _ in 0..MOST_OUTLIERS {
         let all: Vec<_> = sides.iter().flatten().copied().collect();

@@ -111,21 +111,23 @@ impl Character {
         [0.0, 0.0, 0.0, self.precision(1, BEND), 0.0, 0.0]
     }
 
-    /// Variances by which the gains (decreases of the sum of squared residuals) of position, m², and axis are divided.
-    /// `variances` are the residual variances of the motion that changes within the tested interval.
+    /// Variances by which the gains (decreases of the sum of squared residuals) of position, m², and axis are divided:
+    /// the noise variance, or `LOCAL_PART` × the residual variance if that is greater. `variances` contains the
+    /// residual variances of position, m², and axis for motion that may change within the tested interval.
     pub fn units(&self, variances: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|part| self.noise[part].powi(2).max(LOCAL_PART * variances[part]))
     }
 
-    /// Converts the gains of the test `of` of an interval, which were computed with the noise standard deviations of
-    /// `other`, to the noise standard deviations of `self`.
+    /// Gains of the test `of`, divided by variances that follow from the noise of `self`. The gains in `of` are divided
+    /// by variances that follow from the noise of `other` (see `units`).
     pub fn gains(&self, of: &Comparison, other: &Character) -> [f64; 2] {
         let (here, there) = (self.units(of.variances), other.units(of.variances));
         [0, 1].map(|part| of.gains[part] * there[part] / here[part])
     }
 
-    /// Regression rows for the position of a point and for its axis, in motion that is disturbed at the time `about`,
-    /// s: velocity and acceleration change, and so do the drift and the wobble of the axis.
+    /// Regression rows for the position of a point and for its axis, in motion that a contact disturbs at the time
+    /// `about`, s. The contact changes the velocity and the acceleration of the position, and the drift and the wobble
+    /// of the axis.
     pub fn disturbed_rows(&self, point: &Point, about: f64) -> (Row<9>, Row<9>) {
         let since = (point.time - about).max(0.0);
         let (u, (sine, cosine)) = (since / SCALE, (self.rate * since).sin_cos());

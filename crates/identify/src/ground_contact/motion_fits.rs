@@ -42,8 +42,8 @@ impl MotionFits {
         }
     }
 
-    /// Fits free motion to the positions and to the axes of points, with times relative to `about`, s; `None` if the
-    /// points do not determine it.
+    /// Fits free motion to the given points, separately to their positions and to the directions of their body axes.
+    /// Times are relative to `about`, s. `None` if the points do not determine the motion.
     pub fn free(
         &mut self,
         points: &[&Point],
@@ -64,8 +64,8 @@ impl MotionFits {
         ))
     }
 
-    /// Fits motion whose velocity and wobble change at the time `about`, s, to the positions and to the axes of points;
-    /// `None` if the points do not determine it.
+    /// Fits motion whose velocity and wobble change at the time `about`, s, to the given points, separately to their
+    /// positions and to the directions of their body axes. `None` if the points do not determine the motion.
     fn disturbed(
         &mut self,
         points: &[&Point],

@@ -46,9 +46,10 @@ impl<const N: usize> Regression<N> {
         self.squares / self.freedom
     }
 
-    /// Squared innovation of the measured vector of `row`, which was not fitted: squared distance of the whitened
-    /// vector from its prediction by the regression, divided by the variance of this distance along one axis for noise
-    /// of variance 1. `previous` is the preceding row, whose noise is correlated with that of `row`.
+    /// Squared innovation of the measured vector of `row`, to which the regression was not fitted. The innovation is
+    /// the difference between the whitened vector and its prediction by the regression. Its squared length is divided
+    /// by the variance that each of its components has for noise of variance 1. `previous` is the preceding row, whose
+    /// noise is correlated with that of `row`.
     pub fn innovation(&self, previous: &Row<N>, row: &Row<N>) -> f64 {
         let whitening = Whitening::of(Some(previous.sample), row.sample, self.correlation);
         let functions = whitening.apply(Some(previous.functions), row.functions);

@@ -163,8 +163,9 @@ fn quarter_turns() -> Vec<[f64; 4]> {
     all
 }
 
-/// Levenberg–Marquardt iteration from one initial state. Returns the remaining distance of the probe points from their
-/// target positions and velocities, m, and the state; `None` if the iteration fails.
+/// Levenberg–Marquardt iteration for the state at which the body-fixed points `probes` have the positions and
+/// velocities in `target`, starting from `state`. Returns the remaining distance from `target`, m, and the final state;
+/// `None` if the iteration fails.
 fn descend(
     problem: &FitProblem,
     observations: &Observations,

@@ -192,7 +192,8 @@ fn evaluate(
 /// Normal equations of all flights at an iterate.
 struct Linearization {
     blocks: Vec<NormalBlock>,
-    /// A damping and the Schur complements computed for it; the first step with that damping consumes them.
+    /// A damping, and the Schur complements of all flights that were computed for it in advance. The first step with
+    /// this damping uses the complements and replaces them by `None`.
     complements: (f64, Option<Vec<Option<SchurComplement>>>),
 }
 

@@ -7,9 +7,9 @@ pub struct StoppingCriteria {
     pub ftol_abs: f64,
     /// Predicted reduction, as a fraction of the sum of squares, below which a step is negligible.
     pub ftol_rel: f64,
-    /// Factor on the negligible reduction (see `ftol_abs` and `ftol_rel`): a step with a predicted reduction below this
-    /// product may be accepted as the last one without evaluating its residuals, if the step after it is predicted to
-    /// be negligible.
+    /// Upper limit of the predicted reduction of a last step that is accepted without evaluating its residuals, in
+    /// units of the negligible reduction (see `ftol_abs` and `ftol_rel`). The step after it must be predicted to be
+    /// negligible.
     pub accept_unevaluated: f64,
     /// Maximum number of steps.
     pub max_steps: usize,
@@ -81,9 +81,10 @@ impl StoppingCriteria {
             && predicted_reduction < SLOW * squares
     }
 
-    /// Whether a step may be accepted, without evaluation, as the last one: its predicted reduction is negligible; or
-    /// it is small, and that of the next step, extrapolated by the ratio to the `previous` predicted reduction, is
-    /// negligible.
+    /// Whether a step may be accepted as the last one without evaluating its residuals. This is so if its predicted
+    /// reduction is negligible. It is also so if its predicted reduction is at most `accept_unevaluated` × the
+    /// negligible one, and that of the next step is negligible. The latter is extrapolated from `predicted_reduction`
+    /// and from `previous`, the predicted reduction of the preceding step.
     pub(super) fn is_reached(
         &self,
         predicted_reduction: f64,

@@ -31,7 +31,8 @@ pub struct FitReport {
     /// Reasons why the fit is not reliable; empty if it is.
     pub why: Vec<String>,
     /// Root mean square residual of one coordinate over the fitted flights, outliers excluded, m. Without measured
-    /// positions: root mean square of the residuals of all sensors, each divided by its noise, × 1 mm.
+    /// positions, it is the root mean square of the residuals of all sensors, each divided by the noise of its channel,
+    /// multiplied by 1 mm to give a length.
     pub rms_m: f64,
     /// Whether positions of the body are measured, by markers or pose sensors.
     #[serde(default = "yes")]

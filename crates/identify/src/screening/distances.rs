@@ -7,11 +7,11 @@ use crate::statistics::{median, robust_sigma};
 /// Maximum number of markers whose mutual distances are compared; more would add little information and much
 /// computation.
 pub const MOST_MARKERS: usize = 8;
-/// Maximum relative deviation of the ratio of measured to declared distance of any pair of markers from the median
-/// ratio of all pairs, at which the ratios count as consistent.
+/// Limit for a scale error common to all pairs of markers. The ratio of measured to declared distance of each pair may
+/// deviate from the median ratio of all pairs by less than this fraction.
 const RATIO_SPREAD: f64 = 0.1;
-/// Maximum relative deviation of the ratio of measured to true lengths from the ratio expected for a wrong unit, at
-/// which this unit is accepted as the explanation.
+/// Tolerance for recognising a wrong unit of length: maximum relative deviation of the ratio of measured to true
+/// lengths from the ratio that this unit would give.
 const UNIT_TOLERANCE: f64 = 0.05;
 /// Minimum deviation of a measured distance from the declared distance, relative to the latter, at which the measured
 /// distance counts as grossly wrong. The limits [`GROSS_DISTANCE`] and [`GROSS_NOISE`] must be exceeded too.

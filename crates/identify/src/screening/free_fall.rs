@@ -18,23 +18,23 @@ const LEAST_DEVIATION: f64 = 0.5;
 /// Minimum deviation of the fitted constant acceleration from gravity at which a fault of all flights is reported, in
 /// units of the standard error of the deviation.
 const LEAST_SIGNIFICANCE: f64 = 8.0;
-/// Minimum ratio of two median residual accelerations at which a fault of all flights is reported: that of the
-/// regression whose constant acceleration is fixed at gravity, to that of the regression with a fitted constant
-/// acceleration.
+/// Minimum improvement by fitting the constant acceleration at which a fault of all flights is reported: the median
+/// residual acceleration of the regression with the constant fixed at gravity, divided by that of the regression with a
+/// fitted constant.
 const LEAST_RATIO: f64 = 1.7;
 /// Minimum cosine of the angle between a measured acceleration and gravity at which the acceleration counts as directed
 /// downwards: cos 30°.
 const ALONG: f64 = 0.866;
-/// Range of the ratio of the fitted constant acceleration to gravity in which no fault is reported, because aerodynamic
-/// loads that the regression does not include may explain the deviation. A time scale wrong by a factor of 2 gives a
-/// ratio of 4 or 1/4.
+/// Range of the ratio of the fitted constant acceleration to gravity in which no fault is reported: aerodynamic loads
+/// that the regression does not include may explain such a ratio. For comparison, times that are wrong by a factor of 2
+/// give a ratio of 4 or 1/4.
 const USUAL_FACTORS: std::ops::Range<f64> = 0.38..2.6;
 /// Minimum misfit (unexplained acceleration) of a single flight at which corrections of its data are tried: the larger
 /// of the first number times gravity and the second number times the median misfit of all flights.
 const SINGLE_MISFIT: (f64, f64) = (0.25, 4.0);
-/// Maximum misfit (unexplained acceleration) of a single flight at which a correction of its data is accepted: the
-/// first number times the misfit before the correction, and the larger of the second number times the median misfit of
-/// all flights and the third number times gravity. Neither may be exceeded.
+/// Limits of the misfit (unexplained acceleration) of a single flight after a correction of its data. The correction is
+/// accepted if the misfit is less than the first number times the misfit before the correction. It must also be less
+/// than the second number times the median misfit of all flights, or less than the third number times gravity.
 const MENDED_MISFIT: (f64, f64, f64) = (0.3, 2.5, 0.15);
 /// Maximum misfit (unexplained acceleration) of a single flight after any accepted correction, in units of gravity. It
 /// rejects a correction that merely shrinks all lengths: the accelerations then tend to 0 and the misfit to gravity.
@@ -42,8 +42,8 @@ const MOST_MENDED: f64 = 0.4;
 /// Minimum magnitude of the vertical component of the unit normal of the markers' plane at which it is clear which side
 /// of the body is up.
 const UPRIGHT: f64 = 0.3;
-/// Maximum ratio of the misfit (unexplained acceleration) of a flight's mirror image to that of the recorded flight, at
-/// which a flight with the body apparently upside down is reported as mirrored.
+/// Limit for reporting a flight as mirrored, which is considered if its body appears upside down: maximum ratio of the
+/// misfit (unexplained acceleration) of the mirror image of the flight to that of the recorded flight.
 const TURNED_MISFIT: f64 = 0.7;
 /// Maximum ratio of the median residual acceleration to the median standard error of the measured accelerations at
 /// which noise alone explains the residuals; gravity is then not questioned.
@@ -138,9 +138,9 @@ impl<'a> FreeFall<'a> {
         self.single(&fixed)
     }
 
-    /// Fault that all flights have in common: kind, description and instruction for correcting it. `fixed` is the
-    /// regression with the constant acceleration fixed at gravity, `free` that with a fitted one; the result is `None`
-    /// if the fitted constant acceleration is not clear evidence of a fault.
+    /// Fault that all flights have in common: kind, description and instruction for correcting it. `None` if the fitted
+    /// constant acceleration is not clear evidence of a fault. In the regression `fixed` the constant acceleration is
+    /// fixed at gravity, in `free` it is fitted.
     fn of_all(&self, fixed: &Regression, free: &Regression) -> Option<(FaultKind, String, String)> {
         let g = self.gravity.norm();
         let deviation = free.gravity - self.gravity;
@@ -221,9 +221,9 @@ impl<'a> FreeFall<'a> {
         self.dataset.markers.len() > 1
     }
 
-    /// Whether the fitted drag, which depends on the unit of length but not on that of time, agrees better with a wrong
-    /// unit of length than with wrong times as the reason for an acceleration of `ratio` times gravity. `None` if the
-    /// drag of the model is unknown or the fitted drag is not positive.
+    /// Whether a wrong unit of length explains an acceleration of `ratio` times gravity better than wrong times do.
+    /// This follows from the fitted drag coefficient (1/m), which depends on the unit of length but not on that of
+    /// time. `None` if the drag of the model is unknown or the fitted drag is not positive.
     fn drag_suggests_lengths(&self, ratio: f64, free: &Regression) -> Option<bool> {
         let expected = super::gravity::drag(self.problem)?;
         let found = -*free.coefficients.first()?;
@@ -234,8 +234,8 @@ impl<'a> FreeFall<'a> {
         })
     }
 
-    /// Faults of single flights whose accelerations, without the aerodynamic loads fitted to all flights, agree with
-    /// gravity only after a correction of units, times or axes.
+    /// Faults of single flights. The accelerations of such a flight, minus the aerodynamic loads fitted to all flights,
+    /// deviate from gravity, and a correction of units, times or axes removes the deviation.
     fn single(&self, fixed: &Regression) -> Vec<DataFault> {
         let g = self.gravity.norm();
         let misfit = |rows: &[Row]| self.misfit(fixed, rows);
@@ -263,9 +263,10 @@ impl<'a> FreeFall<'a> {
         faults
     }
 
-    /// Fault of flight number `index` if the normal of its markers' plane points up and that of all other flights down,
-    /// or vice versa, and the mirror image of the flight has a clearly smaller misfit (deviation of the accelerations
-    /// from gravity). `before` is the misfit of the recorded flight, m/s².
+    /// Fault of flight number `index` if the body is upside down in this flight alone and the flight appears mirrored.
+    /// Upside down: the normal of the plane of its markers points up and that of all other flights down, or vice versa.
+    /// Mirrored: the misfit (deviation of the accelerations from gravity) of its mirror image is clearly smaller than
+    /// `before`, m/s², the misfit of the recorded flight.
     fn turned_over(&self, fixed: &Regression, index: usize, before: f64) -> Option<DataFault> {
         let own = self.upright[index]?;
         let others = self
@@ -371,8 +372,8 @@ impl<'a> FreeFall<'a> {
         None
     }
 
-    /// Of all units of length other than the metre, the one for which the flight has the smallest misfit if its
-    /// positions are in this unit: (misfit, m/s²; length of the unit, m; name). The function `misfit` returns the
+    /// Most probable wrong unit of length of a flight: (misfit, m/s²; length of the unit, m; name). Of all units other
+    /// than the metre, it is the one whose correction gives the smallest misfit. The function `misfit` returns the
     /// misfit after multiplication of the positions by a matrix. `None` if the distances between markers have already
     /// shown that lengths are in metres.
     fn length(

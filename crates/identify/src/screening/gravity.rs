@@ -9,11 +9,12 @@ use crate::problem::FitProblem;
 /// Half of the duration of the simulation from which an acceleration is computed, s; so short that the speed of a fall
 /// from rest stays too low for aerodynamic forces to matter.
 const FALL: f64 = 1e-2;
-/// Maximum relative difference of accelerations from rest at which gravity counts as independent of position and
-/// attitude.
+/// Maximum relative difference between the accelerations of bodies released from rest at different positions and
+/// attitudes, at which gravity counts as independent of position and attitude.
 const SAME: f64 = 1e-2;
-/// Displacements from the default state at which the acceleration from rest is computed, to test that it does not
-/// depend on position or attitude: angles change by up to this value in rad, coordinates by up to 3 m times this value.
+/// Displacements from the default state at which the acceleration of a body released from rest is computed, to test
+/// whether it depends on position or attitude. Angles change by up to this value in rad, coordinates by up to 3 m times
+/// this value.
 const VARIATIONS: [f64; 3] = [0.0, 0.4, -0.9];
 
 /// Acceleration of the body's origin from rest in still air, m/s². `None` if the acceleration is zero or depends on

@@ -10,9 +10,9 @@ use crate::statistics::median;
 /// Lengths, in points of the track, of the intervals at the start and at the end of a flight that are examined for
 /// contact with a hand or the ground.
 const LENGTHS: [usize; 8] = [6, 9, 13, 20, 32, 52, 90, 160];
-/// Minimum component, along the velocity, of the force per mass other than gravity that counts as a push by a hand: the
-/// first number in units of gravity, the second in units of the magnitude of this force per mass. Both limits must be
-/// exceeded; aerodynamic forces in moderate wind do not exceed both.
+/// Limits at which a force counts as a push by a hand. The force per mass other than gravity is considered: its
+/// component along the velocity must exceed the first number times gravity, and the second number times its own
+/// magnitude. Aerodynamic forces in moderate wind do not exceed both limits.
 const PUSH: (f64, f64) = (1.0, 0.5);
 /// Margin, in units of the standard error, by which a measured force per mass must exceed its limit (in [`PUSH`],
 /// [`CATCH`] or [`REST_FORCE`]) to count as detected.
@@ -20,11 +20,12 @@ const SIGNIFICANT: f64 = 6.0;
 /// Maximum speed of a body at rest: the smaller of the first number in m/s and the second number times the flight's
 /// median speed.
 const REST: (f64, f64) = (0.5, 0.08);
-/// Minimum force per mass (without gravity) on a supported body at rest, in units of gravity.
+/// Minimum force per mass (without gravity), in units of gravity, at which a slow body counts as at rest in a hand or
+/// on the ground, because a support carries its weight.
 const REST_FORCE: f64 = 0.7;
-/// Minimum braking force per mass that counts as a catch: the first number in units of gravity, the second in units of
-/// the force per mass extrapolated, with the square of the speed, from the earlier part of the flight. Both limits must
-/// be exceeded.
+/// Limits at which a braking force counts as a catch. The force per mass other than gravity must exceed the first
+/// number times gravity. It must also exceed the second number times the force per mass in the earlier part of the
+/// flight, scaled with the square of the speed to the speed at the start of the braking.
 const CATCH: (f64, f64) = (3.0, 5.0);
 
 /// Fault of a flight that has samples not of free flight, at its start or its end; `None` if all samples are of free

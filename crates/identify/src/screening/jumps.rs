@@ -7,8 +7,8 @@ use super::track::{Point, Track};
 use crate::dataset::Flight;
 use crate::statistics::median;
 
-/// Number of points before and after a possible jump to each of which a line is fitted; the jump is the distance
-/// between the two lines.
+/// Number of points on each side of a possible jump. A line is fitted to the points before it and another to the points
+/// after it; the jump is the distance between the two lines at the middle of the sampling interval between them.
 const SIDE: usize = 8;
 /// Minimum size of a jump that is reported: the larger of the first number times the noise of the track and the second
 /// number in m.

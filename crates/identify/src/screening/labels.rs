@@ -18,8 +18,8 @@ const MOST_OF_SAMPLE: f64 = 25.0;
 /// Minimum log-likelihood ratio of exchanged to declared labels, summed over consecutive samples, at which the labels
 /// are reported as exchanged.
 const LEAST_EVIDENCE: f64 = 100.0;
-/// Maximum ratio of the squared distance errors with exchanged labels to those with the declared labels, both after
-/// subtraction of the noise, at which the labels are reported as exchanged.
+/// Limit for reporting labels as exchanged: maximum ratio of the squared error of the distances between markers with
+/// exchanged labels to that with the declared labels. The contribution of noise is subtracted from both errors.
 const ERROR_RATIO: f64 = 0.2;
 /// Minimum fraction of a flight's samples with exchanged labels at which the fault is reported for the whole flight
 /// instead of for a range of times.

@@ -5,11 +5,11 @@ use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
 use super::track::{Parabola, Point, Track};
 
-/// Standard deviation of the zero-mean prior of each aerodynamic load at the median speed, in units of the median
-/// acceleration.
+/// Standard deviation of the prior of each aerodynamic load coefficient, whose mean is zero. It is stated as the
+/// acceleration that the load causes at the median speed, in units of the median acceleration.
 const PRIOR: f64 = 3.0;
-/// Standard deviation of the residual acceleration that the first iteration of the regression assumes, in units of the
-/// median acceleration.
+/// Residual standard deviation assumed in the first iteration of the robust regression, in units of the median
+/// acceleration; later iterations estimate it from the residuals.
 const FIRST_SCALE: f64 = 0.1;
 /// Number of iterations of reweighting, which reduces the weights of windows with large residuals.
 const REPETITIONS: usize = 6;

@@ -14,8 +14,8 @@ const SAMPLES: usize = 20;
 /// Minimum ratio of the smallest to the largest principal extent (root mean square about the centroid) of a set of
 /// marker positions at which the set can be distinguished from its mirror image.
 const THICKNESS: f64 = 0.05;
-/// Minimum ratio of two mean squared distances at which a flight is reported as mirrored: that of the measured markers
-/// from the fitted template (the declared marker positions), to that from the fitted mirror image of the template.
+/// Limit for reporting a flight as mirrored: minimum ratio of the mean squared distance of the measured markers from
+/// the fitted template (the declared marker positions) to that from the fitted mirror image of the template.
 const RATIO: f64 = 10.0;
 /// Minimum root mean square distance of the measured markers from their declared positions in the best-fitting pose, m,
 /// at which a flight is reported as mirrored.

@@ -8,14 +8,14 @@ use crate::statistics::median;
 /// Minimum number of consecutive identical positions of a marker at which its track counts as frozen: the body moves,
 /// but the recorded coordinates do not change.
 const FROZEN_SAMPLES: usize = 4;
-/// Minimum distance, m, that a marker typically moves in the duration of a run of identical positions, at which the run
-/// is reported as frozen; a slower marker may plausibly repeat its position.
+/// Minimum motion, m, for reporting a run of identical positions as frozen: the distance that the marker typically
+/// moves in the same time elsewhere in the flight. A slower marker may plausibly repeat its position.
 const FROZEN_DISTANCE: f64 = 0.005;
-/// Minimum distance that a marker typically moves in the duration of a run of identical positions, at which the run is
-/// reported, in units of the resolution of the recorded coordinates.
+/// Minimum motion for reporting repeated positions of a marker, in units of the resolution of the recorded coordinates:
+/// the distance that the marker typically moves in the same time elsewhere in the flight.
 const FROZEN_STEPS: f64 = 10.0;
-/// Minimum fraction of sampling intervals without motion of a marker at which its values count as repeated throughout
-/// the flight, as after resampling at a higher rate.
+/// Minimum fraction of the sampling intervals in which the position of a marker does not change, at which the flight is
+/// reported as having repeated values, for example after resampling at a higher rate.
 const REPEATED_FRACTION: f64 = 0.3;
 /// Minimum number of samples of a flight that is checked for being a copy.
 const COPY_SAMPLES: usize = 8;

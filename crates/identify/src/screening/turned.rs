@@ -24,8 +24,8 @@ const LEAST_FLIGHTS: usize = 3;
 /// Maximum number of flights in which measured and modelled accelerations are compared, and maximum number of time
 /// windows per flight.
 const COMPARED: (usize, usize) = (6, 3);
-/// Maximum ratio of the median deviation between measured and modelled accelerations for the mirror images to that for
-/// the recorded flights, at which the flights are reported as mirrored.
+/// Limit for reporting the flights as mirrored: maximum ratio of the median deviation between measured and modelled
+/// accelerations of the mirror images of the flights to that of the recorded flights.
 const MISFIT: f64 = 0.6;
 
 /// Faults of all flights if the recorded flights seem to be mirror images of the true flights; otherwise empty.

@@ -14,7 +14,8 @@ use super::error::SimulationError;
 use super::{MOST_POINTS, Plan, corrupt};
 use crate::dataset::{Flight, KnownValue, Role};
 
-/// Absolute and relative integration tolerance, far below measurement noise.
+/// Absolute (in the SI unit of each state) and relative integration tolerance. Integration errors are far below the
+/// measurement noise.
 const TOLERANCE: f64 = 1e-10;
 /// Number of decimals to which sample times in seconds are rounded before the simulation, so that tables remain narrow.
 const TIME_DECIMALS: i32 = 6;

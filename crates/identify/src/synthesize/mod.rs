@@ -35,7 +35,8 @@ pub struct Plan {
     /// Number of held-out flights; they are the last ones of the dataset.
     pub held_out: usize,
     /// Time for which each flight is observed, s; `None` for the duration in the launch conditions ([`Release`]) of the
-    /// flight. If these end the flight at the ground, it is observed at most until it reaches the ground.
+    /// flight. Flights whose launch conditions specify the ground as the end are observed until they reach the ground,
+    /// but not longer than this time.
     pub duration: Option<f64>,
     /// Sampling rate, Hz.
     pub rate: f64,

@@ -45,8 +45,9 @@ impl HeightEnds {
         })
     }
 
-    /// Whether the cubic interpolant may reach 0; cheaper than [`may_land`](Self::may_land). The distance of the cubic
-    /// from its chord is at most a quarter of the sum of the absolute slopes and the absolute change of height.
+    /// Whether the cubic interpolant may reach 0 within the step, by a bound that is cheaper to compute than
+    /// [`may_land`](Self::may_land): the distance of the cubic from the straight line between its ends is at most a
+    /// quarter of the sum of the absolute slopes and the absolute change of height.
     #[inline(always)]
     pub(crate) fn is_near_ground(&self) -> bool {
         let slopes = self.start_slope.abs() + self.end_slope.abs();
@@ -54,8 +55,8 @@ impl HeightEnds {
         self.start.min(self.end) <= distance
     }
 
-    /// Whether the slopes satisfy the sufficient condition for a monotone cubic of Fritsch & Carlson, SIAM J. Numer.
-    /// Anal. 17 (1980).
+    /// Whether the cubic interpolant is monotone within the step, by the sufficient condition on its slopes of Fritsch
+    /// & Carlson, SIAM J. Numer. Anal. 17 (1980).
     #[inline(always)]
     fn is_monotone(&self) -> bool {
         let steepest = 3.0 * (self.end - self.start);

@@ -112,7 +112,7 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
         }
     }
 
-    /// Starts the staged flight of each idle lane, and stages further flights from the queue.
+    /// Starts, in each idle lane, the flight that waits for the lane, and takes further waiting flights from the queue.
     #[inline(always)]
     fn refill<Q: FlightQueue + ?Sized>(&mut self, queue: &mut Q) {
         loop {

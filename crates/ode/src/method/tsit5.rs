@@ -218,19 +218,22 @@ pub(crate) const INTERPOLANT: [[f64; 4]; ROWS - 1] = [
     zeros_weight(2.5, 1.0, 0.6),
 ];
 
-/// Coefficients of s, s², s³ and s⁴ in the dense-output weight a s (s - b) (s² - c s + d) of the first stage.
+/// Coefficients of s, s², s³ and s⁴ in the dense-output weight a s (s - b) (s² - c s + d) of the first stage, where s
+/// is the fraction of the step.
 const fn first_weight() -> [f64; 4] {
     let (a, b) = (-1.0530884977290216, 1.329_989_018_975_141);
     let (c, d) = (1.4364028541716351, 0.7139816917074209);
     [-a * b * d, a * (d + b * c), -a * (b + c), a]
 }
 
-/// Coefficients of s, s², s³ and s⁴ in the dense-output weight a s² (s² - c s + d) of a stage.
+/// Coefficients of s, s², s³ and s⁴ in the dense-output weight a s² (s² - c s + d) of a stage, where s is the fraction
+/// of the step.
 const fn even_weight(a: f64, c: f64, d: f64) -> [f64; 4] {
     [0.0, a * d, -a * c, a]
 }
 
-/// Coefficients of s, s², s³ and s⁴ in the dense-output weight a s² (s - b) (s - c) of a stage.
+/// Coefficients of s, s², s³ and s⁴ in the dense-output weight a s² (s - b) (s - c) of a stage, where s is the fraction
+/// of the step.
 const fn zeros_weight(a: f64, b: f64, c: f64) -> [f64; 4] {
     even_weight(a, b + c, b * c)
 }

@@ -14,8 +14,8 @@ const MAX_BLOCK_ROWS: usize = 3;
 pub(super) struct JacobianProduct {
     /// Blocks in increasing order of column count, so that the branch predictor learns the loop lengths.
     blocks: Vec<Block>,
-    /// Column indices of all blocks, concatenated. Column j is given by the index of the first group of row j of the
-    /// sensitivity matrix S.
+    /// Column indices of all blocks, concatenated. Column j multiplies row j of the sensitivity matrix S and is stored
+    /// as the index of the first group of that row, `j * groups_per_row`.
     columns: Vec<usize>,
     /// Number of lines per group; a line has `PADDING` elements, and the lines of a group are accumulated together.
     lines_per_group: usize,
@@ -28,11 +28,11 @@ pub(super) struct JacobianProduct {
 /// the block.
 struct Block {
     count: usize,
-    /// For each row of the block, the index of the first group of that row in the time derivative of the sensitivity
-    /// matrix S.
+    /// For each row of the block, the index of the first group of the corresponding row of the product J S; the product
+    /// is divided into groups as the sensitivity matrix S is.
     rows: [usize; MAX_BLOCK_ROWS],
-    /// For each row of the block, the index of its first entry among the entries of the Jacobian J; the other entries
-    /// of the row follow directly.
+    /// For each row of the block, the index of the row's first entry among the entries of the Jacobian J; the other
+    /// entries of the row follow directly.
     entries: [usize; MAX_BLOCK_ROWS],
     /// Range of the elements of `JacobianProduct::columns` that belong to the block.
     columns: Range<usize>,
@@ -121,8 +121,8 @@ struct Sums<'a, const LINES: usize> {
 }
 
 impl<const LINES: usize> Sums<'_, LINES> {
-    /// Computes group number `group` of each of the `ROWS` rows of a block, in the product J S of the Jacobian and the
-    /// sensitivity matrix.
+    /// Computes part of the product J S of the Jacobian and the sensitivity matrix: the group with the index `group` in
+    /// each of the `ROWS` rows of a block.
     #[inline(always)]
     fn sum<T: Lanes, const ROWS: usize>(&mut self, block: &Block, group: usize) {
         let columns = &self.columns[block.columns.clone()];

@@ -125,8 +125,9 @@ impl<M: DifferentiableRhs> Sensitivities<M> {
         self.initial_state_with(x, &entries)
     }
 
-    /// Augmented initial state with the given entries (state, column, value) of the sensitivity matrix S and all other
-    /// entries 0: for sensitivities along directions in the space of initial states.
+    /// Augmented initial state: the state `x`, and the sensitivity matrix S with the given entries (state, column,
+    /// value) and all other entries 0. If a column contains a direction in the space of initial states, the integration
+    /// computes the derivative of the state along this direction.
     ///
     /// # Panics
     /// If the length of `x` is not the number of states, or a state or column does not exist.

@@ -8,7 +8,8 @@ use crate::scalar::Real;
 use model_spec::model::Model;
 use nalgebra::Vector3;
 
-/// The reference law and the effects of a model, with the indices of their constants and values in the model.
+/// The reference law and the effects of a model, with the indices in the model of the law's constants and of the
+/// effects' coefficients and states.
 #[derive(Clone, Debug)]
 pub struct ExtendedReference {
     /// The reference law without effects.

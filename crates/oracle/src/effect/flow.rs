@@ -69,8 +69,8 @@ impl<'a, T: Real> Flow<'a, T> {
         self.stream.normal
     }
 
-    /// Unit vectors in the plane of the body: d1 along the projection of the velocity relative to the air (forward), d2
-    /// to the left of d1.
+    /// Unit vectors normal to the axis of symmetry: d1 along the projection of the velocity relative to the air
+    /// (forward), d2 to the left of d1.
     pub fn forward_and_left(&self) -> [Vector3<T>; 2] {
         [self.stream.d1, self.stream.d2]
     }
@@ -102,7 +102,7 @@ impl<'a, T: Real> Flow<'a, T> {
     }
 
     /// Lift force for a lift coefficient, N, along v × d2, where v is the velocity relative to the air and d2 the unit
-    /// vector to the left in the plane of the body.
+    /// vector to the left, normal to the axis of symmetry.
     pub fn lift(&self, coefficient: T) -> Vector3<T> {
         self.pressure_force(coefficient, self.across_flow(self.stream.d2))
     }

@@ -56,7 +56,7 @@ pub struct Effect {
     /// Names of the states that the effect adds to a model. They are constant during a flight and estimated for each
     /// flight; the effect is absent if all its coefficients and states are 0.
     pub states: &'static [&'static str],
-    /// Laws to which the effect applies.
+    /// Reference laws of motion to which the effect can be added.
     pub laws: &'static [Law],
     kind: Kind,
 }

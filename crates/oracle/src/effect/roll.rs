@@ -3,8 +3,8 @@
 use super::{DISCS, Effect, Flow, Kind, Load, effect};
 use crate::scalar::Real;
 
-/// Angle of attack at the centre of the transition above which the moment `Roll::AtLowAngle` vanishes, and half-width
-/// of the transition, degrees.
+/// Transition of the moment `Roll::AtLowAngle` to 0 with increasing angle of attack: angle at the centre of the
+/// transition, and half-width of the transition, degrees.
 const LOW_ANGLE_END: (f64, f64) = (10.0, 2.0);
 
 /// Built-in effects (optional additions to a model) that change the rolling moment of a disc.
@@ -32,7 +32,7 @@ pub(super) const EFFECTS: &[Effect] = &[
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Roll {
-    /// Damping moment proportional to the angular rate about d1, the forward direction in the plane of the body.
+    /// Damping moment proportional to the angular rate about d1, the forward direction normal to the axis of symmetry.
     Damping,
     /// Rolling moment proportional to the angle of attack.
     ByAngle,

@@ -97,11 +97,12 @@ impl Law {
 }
 
 impl Reference {
-    /// Binds the reference law that a model claims to the names in the model; `None` if the model claims no law.
+    /// Looks up the reference law that a model names after the keyword `reference`, and the model's indices of the
+    /// constants and states of this law. `None` if the model names no law.
     ///
     /// # Errors
-    /// [`BindError::UnknownReference`] if there is no law of the claimed name; [`BindError::MissingConstant`] or
-    /// [`BindError::MissingState`] for the first name of the law that the model does not declare.
+    /// [`BindError::UnknownReference`] if there is no law of this name; [`BindError::MissingConstant`] or
+    /// [`BindError::MissingState`] for the first constant or state of the law that the model does not declare.
     pub fn bind(model: &Model) -> Option<Result<Self, BindError>> {
         let name = model.reference.as_ref()?;
         let law =

@@ -16,14 +16,14 @@ pub(crate) struct Stream<T> {
     pub through_air: Vector3<T>,
     /// Airspeed, m/s.
     pub speed: T,
-    /// Magnitude of the velocity relative to the air, projected onto the plane of the body, m/s.
+    /// Magnitude of the velocity relative to the air, projected onto the plane normal to the axis of symmetry, m/s.
     pub in_plane: T,
     /// Component of the velocity relative to the air along the axis of the body, m/s.
     pub axial_velocity: T,
     /// Axis of symmetry, unit vector.
     pub normal: Vector3<T>,
-    /// Unit vector d1: direction of the velocity relative to the air, projected onto the plane of the body; 0 if the
-    /// projection is 0.
+    /// Unit vector d1: direction of the velocity relative to the air, projected onto the plane normal to the axis of
+    /// symmetry; 0 if the projection is 0.
     pub d1: Vector3<T>,
     /// Unit vector d2 to the left, normal × d1; 0 if `d1` is 0.
     pub d2: Vector3<T>,
@@ -37,7 +37,7 @@ pub(crate) struct Stream<T> {
 pub(super) struct Coefficients<T> {
     pub lift: T,
     pub drag: T,
-    /// Coefficient of the rolling moment about d1, the forward direction in the plane of the body.
+    /// Coefficient of the rolling moment about d1, the forward direction normal to the axis of symmetry.
     pub roll: T,
     pub pitch: T,
     /// Coefficient of the damping moment per rad/s of the angular velocity normal to the body axis, s.

@@ -6,7 +6,7 @@ use num_traits::{One, Zero};
 use std::f64::consts::FRAC_PI_2;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// A dual number of the crate `num-dual`, as a scalar type of the oracle.
+/// A dual number of the crate `num-dual`, as one of the scalar types with which models are evaluated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NumDual(pub Dual64);
 

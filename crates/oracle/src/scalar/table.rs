@@ -76,8 +76,8 @@ impl Interpolant {
         }
     }
 
-    /// Sum of the absolute values at the two knots next to `x` and of the absolute slopes there times the distance of
-    /// the knots: the scale of the rounding error of the interpolated value.
+    /// Scale of the rounding error of the interpolated value: the sum, over the two knots next to `x`, of the absolute
+    /// value and of the absolute slope times the spacing between these knots.
     pub fn magnitude_near(&self, x: f64) -> f64 {
         let right = self.knots.iter().position(|&(knot, _)| x < knot);
         let right = right.unwrap_or(self.knots.len() - 1).max(1);

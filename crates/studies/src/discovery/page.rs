@@ -14,7 +14,7 @@ use crate::error::StudyError;
 use crate::page::{Page, render};
 use crate::seeded::unlisted;
 
-/// Maximum number of answers listed for a failing row.
+/// Maximum number of different answers of the diagnosis that the page lists for a failing row of the table.
 const MAX_ANSWERS: usize = 3;
 
 /// Divisor of the number of runs of a row: the row is listed as failing if the diagnosis misses a detectable effect in
@@ -90,7 +90,7 @@ impl Criterion {
     }
 }
 
-/// Runs of a row that fail in the same way, with the answers that the diagnosis gave instead.
+/// Runs of one row of the table that fail in the same way, and the answers that the diagnosis gave in these runs.
 #[derive(Serialize)]
 struct Failure {
     row: String,

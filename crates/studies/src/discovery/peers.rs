@@ -1,6 +1,7 @@
 //! Copies tables of docs/discovery-peers.md, which benches/discovery writes, into a section of docs/discovery.md.
 
-/// Heading of docs/discovery.md before which the section with the results of other programs is inserted.
+/// Heading of docs/discovery.md before which the section with the results of other programs (pysindy, stepwise
+/// regression) is inserted.
 const BEFORE: &str = "## Every row";
 
 /// Headings of the tables that are copied from docs/discovery-peers.md.

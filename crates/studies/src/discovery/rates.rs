@@ -122,8 +122,9 @@ pub(super) struct Rates {
     /// For each noise condition: its name, and the runs in which the diagnosis detected a deviation from the model, out
     /// of the runs without an effect added to the simulated flights.
     pub(super) false_alarms: Vec<(&'static str, Count)>,
-    /// Runs whose prediction error on held-out flights is at most [`MAX_HELD_OUT_RATIO`] times that of the model with
-    /// the effects added to the simulated flights, out of all runs with an effect of the built-in effects catalogue for
+    /// Runs in which the model extended by the effects that the diagnosis found predicts held-out flights nearly as
+    /// well as the model with the effects added to the simulated flights: the ratio of the RMS errors is at most
+    /// [`MAX_HELD_OUT_RATIO`]. They are counted out of all runs with an effect of the built-in effects catalogue for
     /// which this ratio is known.
     pub(super) held_out: Count,
     /// Median, over the runs counted in `held_out`, of the ratio of two prediction errors on held-out flights: model

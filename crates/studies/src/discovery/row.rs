@@ -99,7 +99,7 @@ impl Size {
 /// Body that is thrown. The names of the variants are part of [`Row::key`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Body {
-    /// A disc with the paper's constants, model `disc`.
+    /// A disc with the constants of Hubbard & Hummel (2000), model `disc`.
     Disc,
     /// A table-tennis ball, model `ball`.
     TableTennis,

@@ -21,8 +21,9 @@ const MAX_EFFECTS: usize = 3;
 /// Maximum size of an effect, as a multiple of its strong size in the discovery study.
 const MAX_MULTIPLE: f64 = 12.0;
 
-/// Maximum angle of attack in the flights of a case, rad. A disc near 90° has no airspeed in its plane, so the axis in
-/// which the forces are declared is undefined there; a strong negative lift can hold the disc at 90°.
+/// Maximum angle of attack in the flights of a case, rad. Near 90° the airspeed has almost no component in the plane of
+/// the disc, so the direction of this component, in which forces are declared, is undefined. A strong negative lift can
+/// keep the disc at 90°.
 const MAX_ANGLE: f64 = 1.3;
 
 /// Number of flights simulated per step of the search for the effect size that gives the drawn marker displacement.
@@ -132,9 +133,9 @@ fn effects(random: &mut impl Rng) -> (Vec<&'static str>, Model) {
     }
 }
 
-/// Searches, by bracketing, for the multiple of `strong` (an effect's strong values) with which the effect displaces
-/// the markers by about `wanted` (m, RMS over the coordinates) from the flights `exact` without effects. Values are
-/// clipped to the bounds of their coefficients.
+/// Returns the values of one effect that displaces the markers by about `wanted` (m, RMS over the coordinates) from the
+/// flights `exact` without effects. The values are a multiple of `strong` (an effect's strong values), found by
+/// bracketing, and are clipped to the bounds of their coefficients.
 fn sized(
     model: &Model,
     name: &str,

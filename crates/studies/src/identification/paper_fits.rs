@@ -41,14 +41,15 @@ impl Scenario {
     }
 }
 
-/// Fits of the two flights of Hubbard & Hummel (2000) and of twelve other throws, under several scenarios.
+/// Fits of the two flights of Hubbard & Hummel (2000), and of twelve random throws of the same disc, under several
+/// scenarios.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PaperFits {
     /// Name and true value (SI) of each coefficient.
     pub truth: Vec<(String, f64)>,
     /// Number of seeds of each scenario.
     pub seeds: usize,
-    /// Scenarios: each of the two flights alone, both flights together, and last the twelve other throws.
+    /// Scenarios: each of the two flights alone, both flights together, and last the twelve random throws.
     pub scenarios: Vec<Scenario>,
 }
 

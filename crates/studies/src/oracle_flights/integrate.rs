@@ -119,7 +119,7 @@ fn rate(law: Law<'_>, at: &State) -> Rate {
     }
 }
 
-/// The state advanced by `h` seconds at a constant rate. The quaternion is not normalised.
+/// Returns the state after `h` seconds at the constant rate of change `rate`. The quaternion is not normalised.
 fn advanced(from: &State, h: f64, rate: &Rate) -> State {
     let body = &from.body;
     State {

@@ -25,7 +25,7 @@ pub type Curves<'c> = &'c dyn Fn(f64) -> [f64; 3];
 /// without noise. `curves` replaces the model's coefficients of lift, drag and pitching moment; `None` keeps them.
 ///
 /// # Panics
-/// If the built-in release or the model's law in the oracle is missing.
+/// If the built-in release is missing, or if the reference simulator (`oracle`) has no law of motion for the model.
 pub fn paper_flight(model: &Model, name: &str, curves: Option<Curves<'_>>) -> Dataset {
     let release = built_in_release(model, name);
     let reference = reference_of(model);
@@ -76,7 +76,7 @@ fn built_in_release(model: &Model, name: &str) -> release::Release {
 /// Angle of attack (rad) at the release of a flight of Hubbard & Hummel (2000), given by its name.
 ///
 /// # Panics
-/// If the built-in release or the model's law in the oracle is missing.
+/// If the built-in release is missing, or if the reference simulator (`oracle`) has no law of motion for the model.
 pub(crate) fn release_angle_of_attack(model: &Model, name: &str) -> f64 {
     let state = built_in_release(model, name).state();
     let body = reference_of(model).chart.physical(&state);

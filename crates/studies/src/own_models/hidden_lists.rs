@@ -57,8 +57,8 @@ fn up(at: &Scene) -> Vector3<f64> {
     along(at).cross(&left(at))
 }
 
-/// Sites of the model that count as correct answers of a diagnosis for a hidden force that is not specific to one site:
-/// all sites at which forces act.
+/// Sites (quantities of a model on which effects can act) that count as correct if a diagnosis names one of them for a
+/// hidden force. The list contains every site at which forces act, for hidden forces that are not specific to one site.
 const FORCES: &[&str] = &[
     "drag", "lift", "side", "wind", "gravity", "vertical", "unknown",
 ];
@@ -106,8 +106,8 @@ const TURNING: &[Hidden] = &[
     hide("moment_by_speed", MOMENTS, [0.5, 5.0], Action::Moment(|at| at.axes.column(0).cross(&left(at)) * speed(at).powi(2))),
 ];
 
-/// Sites of the model that count as correct answers of a diagnosis if the hidden effect adds a rate to one of the
-/// model's differential equations: the equation itself, or a quantity that enters the equation.
+/// Sites (quantities of a model on which effects can act) that count as correct if the hidden effect adds a rate to one
+/// of the model's differential equations: the equation itself, or a quantity that enters it.
 const RATES: &[&str] = &[
     "equation", "unknown", "drag", "lift", "wind", "gravity", "vertical",
 ];

@@ -7,7 +7,7 @@ use rand::{Rng, RngExt};
 /// Draws a uniform random value between a lower and an upper limit.
 type Uniform<'u> = &'u mut dyn FnMut(f64, f64) -> f64;
 
-/// A user model, with its throws and markers.
+/// A model that a user of the program could write, with the distribution of its throws and its marker positions.
 #[derive(Clone, Copy, Debug)]
 pub struct Subject {
     /// Name of the user model.

@@ -13,7 +13,8 @@ pub struct Claim {
     pub quantity: String,
     /// Stated value, in `unit`.
     pub value: f64,
-    /// Maximum deviation from `value` that the paper's wording allows for a faithful reproduction, in `unit`.
+    /// Maximum deviation from `value` that the wording of Hubbard & Hummel (2000) allows for a faithful reproduction,
+    /// in `unit`.
     pub tolerance: f64,
     /// Unit of `value` and `tolerance`; `1` if dimensionless.
     pub unit: String,
@@ -24,15 +25,16 @@ struct File {
     claim: Vec<Claim>,
 }
 
-/// Returns all claims of the paper, in the order of data/claims.toml.
+/// Returns all claims (outcomes that Hubbard & Hummel, 2000, state for their flights), in the order of
+/// data/claims.toml.
 pub(super) fn all() -> Vec<Claim> {
     let file: File =
         toml::from_str(include_str!("data/claims.toml")).expect("the built-in claims are valid");
     file.claim
 }
 
-/// Quantities of one simulated flight, at the end of the simulation unless stated otherwise, about which the paper
-/// makes claims.
+/// Quantities of one simulated flight for which Hubbard & Hummel (2000) state values. Unless stated otherwise, they
+/// refer to the end of the simulation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outcome {
     /// Displacement along x between release and end, m.

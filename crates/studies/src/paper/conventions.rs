@@ -14,23 +14,25 @@ pub enum RollSpin {
     SpinRatio,
 }
 
-/// Unit assumed for the spin-damping coefficient C_Nr in Table 1 of the paper.
+/// Unit assumed for the spin-damping coefficient C_Nr in Table 1 of Hubbard & Hummel (2000).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum SpinDown {
     /// N m s, as printed: a moment per rad/s of spin.
     NewtonMetreSecond,
     /// N m s per revolution: a moment per revolution per second of spin.
     PerRevPerSecond,
-    /// s; the coefficient is multiplied by ρ V² A d/2 like the other moments.
+    /// Seconds: the coefficient is multiplied by ρ V² A d/2, like the coefficients of the other moments.
     TimesDynamicPressure,
 }
 
-/// Combination of signs and units that a reading (interpretation of the paper's Table 1) assumes for both flights.
+/// Combination of signs and units that one interpretation of Table 1 of Hubbard & Hummel (2000) assumes for both
+/// flights.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Conventions {
     /// Whether the pitching moment due to α̇ has the opposite sign to the printed one.
     pub pitch_damping_reversed: bool,
-    /// Whether the rolling moment due to ω·d1 has the opposite sign to the printed one.
+    /// Whether the rolling moment due to ω·d1, the angular rate about the roll axis d1, has the opposite sign to the
+    /// printed one.
     pub roll_damping_reversed: bool,
     /// Whether the rolling moment due to spin has the opposite sign to the printed one.
     pub roll_spin_reversed: bool,

@@ -18,8 +18,8 @@ const READINGS: &str = include_str!("data/readings.hyz");
 /// tolerance of a claim.
 const TOLERANCE: f64 = 1e-7;
 
-/// One of the paper's two flights: release state and compiled model, for simulation with the coefficients of any
-/// reading of Table 1.
+/// One of the two flights of Hubbard & Hummel (2000): release state and compiled model, for simulation with the
+/// coefficients of any interpretation of their Table 1.
 pub(super) struct Flyer {
     body: CompiledModel,
     parameters: Vec<f64>,

@@ -61,8 +61,8 @@ struct HypothesisRow {
     loss: f64,
 }
 
-/// A reading (interpretation of the paper's Table 1) that the stated outcomes cannot distinguish from the best-ranked
-/// one and that differs from it in a single hypothesis.
+/// A reading (interpretation of Table 1 of Hubbard & Hummel, 2000) that the stated outcomes cannot distinguish from the
+/// best-ranked one and that differs from it in a single hypothesis.
 #[derive(Serialize)]
 struct Alternative {
     best_has: String,

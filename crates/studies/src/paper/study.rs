@@ -19,16 +19,17 @@ const MAX_DEPARTURE: f64 = 10.0;
 /// tolerance.
 pub(super) const PENALTY: f64 = 2.0;
 
-/// A reading (interpretation of the paper's Table 1), with the agreement between its simulated flights and the outcomes
-/// that the paper states.
+/// A reading (interpretation of Table 1 of Hubbard & Hummel, 2000), with the agreement between the flights simulated
+/// under it and the outcomes that the publication states.
 #[derive(Clone, Debug)]
 pub struct Scored {
-    /// Interpretation of the paper's Table 1 under which both flights were simulated.
+    /// Interpretation of Table 1 of Hubbard & Hummel (2000) under which both flights were simulated.
     pub reading: Reading,
-    /// Sum, over the outcomes that the paper states, of the squared deviations of the simulation, each deviation
-    /// divided by the outcome's tolerance; each square is clipped to 100.
+    /// Sum, over the outcomes that Hubbard & Hummel (2000) state, of the squared deviations of the simulation, each
+    /// deviation divided by the outcome's tolerance; each square is clipped to 100.
     pub misfit: f64,
-    /// Number of outcomes stated in the paper from which the simulation deviates by at most the tolerance.
+    /// Number of outcomes stated by Hubbard & Hummel (2000) from which the simulation deviates by at most the
+    /// tolerance.
     pub held: usize,
 }
 
@@ -39,8 +40,8 @@ impl Scored {
     }
 }
 
-/// Simulated outcomes of the paper's two flights under all readings (interpretations of its Table 1), and the ranking
-/// of the readings.
+/// Simulated outcomes of the two flights of Hubbard & Hummel (2000) under all readings (interpretations of their Table
+/// 1), and the ranking of the readings.
 pub struct Study {
     /// Numerical outcomes that the paper (Hubbard & Hummel, 2000) states for its two flights.
     pub claims: Vec<Claim>,
@@ -173,7 +174,7 @@ impl Study {
     }
 }
 
-/// Latest time in a flight for which the paper states an outcome, s; 0 if it states none.
+/// Latest time in a flight for which Hubbard & Hummel (2000) state an outcome, s; 0 if they state none.
 fn duration(claims: &[Claim], flight: &str) -> f64 {
     claims
         .iter()

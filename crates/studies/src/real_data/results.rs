@@ -43,7 +43,7 @@ impl RealData {
         })
     }
 
-    /// Fit of the balls with gravity and drag alone.
+    /// Fit of the table-tennis balls' flights with a model that contains only gravity and drag.
     pub fn ball(&self) -> &FitReport {
         &self.balls.plain
     }
@@ -72,7 +72,7 @@ impl RealData {
         self.disc_pose.ratio()
     }
 
-    /// Fit of a form of the spin's decay; `None` if that fit failed.
+    /// Fit of one law of the torque that slows the disc's spin; `None` if that fit failed.
     pub fn spin_down(&self, form: Form) -> Option<&DecayFit> {
         self.spin_decay.fit(form)
     }

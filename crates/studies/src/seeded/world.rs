@@ -114,8 +114,8 @@ impl SeededWorld {
         }
     }
 
-    /// Relative flow of the air (from which the angle of attack follows) in the wind of the simulated law of motion.
-    /// Wind that an [`UnlistedEffect`] adds is not included.
+    /// Flow of the air relative to the body, from which the angle of attack follows. It contains the wind of the
+    /// unmodified law of motion, but not the wind that an [`UnlistedEffect`] adds.
     fn scene<'s>(&'s self, body: &'s Physical<f64>, time: f64) -> Flow<'s, f64> {
         let world = &self.world;
         Flow::new(

@@ -13,10 +13,10 @@ pub enum Judgement {
     /// Every flight with the mistake is reported as faulty, truncated or excluded. In addition, every coefficient is
     /// within four standard errors of the true value, or the report states that it is unreliable.
     Named,
-    /// A flight with the mistake is not reported, but every coefficient is within four standard errors of the true
-    /// value.
+    /// At least one flight with the mistake is not reported, but every coefficient is within four standard errors of
+    /// the true value.
     Right,
-    /// A flight with the mistake is not reported, but the report states that its results are unreliable.
+    /// At least one flight with the mistake is not reported, but the report states that its results are unreliable.
     Unreliable,
     /// The fit ended with an error message.
     Refused,
@@ -46,7 +46,7 @@ impl Judgement {
     }
 }
 
-/// The answer of a fit with its judgement.
+/// Result of a fit of data with a recording mistake, and its classification.
 #[derive(Clone, Debug)]
 pub struct Judged {
     /// Classification of the fit's answer by whether it could mislead a user.
@@ -57,8 +57,8 @@ pub struct Judged {
     /// File names of flights into which no mistake was introduced, but which the fit reports as faulty, truncated or
     /// excluded.
     pub blamed: Vec<String>,
-    /// Messages of the fit: the first statement about a faulty, truncated or excluded flight, and the reasons why the
-    /// report is unreliable. If the fit failed, its error message.
+    /// Messages of the fit: the first flight that is reported as faulty, truncated or excluded, with the reason, and
+    /// the reasons why the report is unreliable. If the fit failed, its error message.
     pub says: String,
 }
 

@@ -272,7 +272,8 @@ fn imported(file: &[u8]) -> Result<(Take, Throws), String> {
     Ok((take, found))
 }
 
-/// Appends to `flights` the parts of a take in the given ranges of samples, with the markers in the order of `labels`.
+/// Appends one flight to `flights` for each of the given ranges of samples of a take (recording). The markers of the
+/// flights are in the order of `labels`.
 fn add_flights(
     take: &Take,
     labels: &[String],

@@ -12,7 +12,7 @@ use crate::oracle_flights::{
     TWELVE, Throws, disc, disc_constants, integrate, marker_positions, reference_of,
 };
 
-/// Number of takes per session, and of throws per take.
+/// Number of takes (recordings) per session, and number of throws per take.
 const TAKES: (usize, usize) = (3, 4);
 /// Possible frame rates of the cameras, Hz.
 const RATES: [f64; 5] = [120.0, 150.0, 200.0, 250.0, 300.0];
@@ -34,7 +34,7 @@ const LOW: Throws = Throws {
     ..Throws::SPREAD
 };
 
-/// Positions of the markers, m, z up, indexed by sample and marker.
+/// Marker positions of a recording, m, with the z axis up, indexed by sample and marker; `None` for a missing position.
 pub(super) type Rows = Vec<Vec<Option<[f64; 3]>>>;
 
 /// Simulated recordings of one session, with the true markers and flights.

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::session::Rows;
 
-/// Program or library that writes a take, each with its own file format.
+/// Program or library that writes a take (recording); each has its own file format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Writer {
     Vicon,

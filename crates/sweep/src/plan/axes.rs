@@ -216,9 +216,9 @@ fn own_gusts<'t>(
     varies
 }
 
-/// Reads the variation of the quantity `name`: a table with `values`, `range` and `count`, `normal`, `sd`, or
-/// `uniform`. `own` is the quantity's value in the plan's throw or release, which is the mean for `sd`. `None` after a
-/// fault, which is reported to `reader`.
+/// Reads how the quantity `name` varies: a table with `values`, `range` and `count`, `normal`, `sd`, or `uniform`. With
+/// `sd` the mean is `own`, the value of the quantity in the throw or release of the plan. `None` after a fault, which
+/// is reported to `reader`.
 fn kind<'t>(reader: &mut Reader<'t>, name: &str, own: f64, value: &Value<'t>) -> Option<AxisKind> {
     const EXPECTED: &str = "a table, as in { values = [1.0, 2.0] }, { range = [0.0, 1.0], count = 5 }, { normal = [0.0, 1.0] }, \
          { sd = 1.0 } or { uniform = [0.0, 1.0] }";

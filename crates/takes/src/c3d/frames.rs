@@ -25,7 +25,7 @@ pub(super) struct Layout {
     /// Number of analogue samples per channel and frame.
     pub analog_per_channel: usize,
     pub data_start: usize,
-    /// Number of bytes in the file from `data_start` on.
+    /// Number of bytes from the beginning of the data (field `data_start`) to the end of the file.
     pub available: usize,
 }
 

@@ -38,7 +38,7 @@ pub struct Wrong {
 pub struct Deviation {
     /// The contradiction: its byte offset, what was found and what was expected.
     pub wrong: Wrong,
-    /// Description of the interpretation of the contradictory data that the reader uses.
+    /// Description of how the reader interprets the contradictory data.
     pub read_as: String,
 }
 
@@ -270,9 +270,9 @@ impl<'a> Recording<'a> {
     }
 }
 
-/// Handles a parameter that extends past the parameter section; `cut` is the error that describes it. Returns a
-/// [`Deviation`] by which only the parameters before it are used, or `cut` if a required parameter is then missing or
-/// the parameter extends past the end of the file, whose size is `length` bytes.
+/// Decides how to proceed after the error `cut`: a parameter extends past the parameter section. If the parameters
+/// before it suffice and it ends within the file of `length` bytes, the result is a [`Deviation`] by which only the
+/// parameters before it are used. Otherwise the result is the error `cut`.
 fn after_the_cut(
     cut: Wrong,
     parameters: &Parameters<'_>,

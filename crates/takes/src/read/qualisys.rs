@@ -18,7 +18,7 @@ use crate::words::shown;
 
 /// Number of columns per body: position (3), angles (3), residual (1), rotation matrix (9).
 const BODY: usize = 16;
-/// Index of the first matrix column within the columns of a body.
+/// Index, within the columns of a body, of the first column of the rotation matrix.
 const MATRIX: usize = 7;
 
 pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<Take, Fault> {
@@ -156,12 +156,12 @@ fn count(
     }
 }
 
-/// Columns that precede the first track.
+/// Columns that precede those of the first point or body.
 #[derive(Clone, Copy)]
 enum Fixed {
-    /// The time, in the column with this index, is the last column before the tracks.
+    /// The last of these columns contains the time; the value is its index.
     Time(usize),
-    /// The frame number is the only column before the tracks.
+    /// There is one such column, which contains the frame number.
     Frame,
     None,
 }

@@ -10,8 +10,9 @@ use super::smooth::Smooth;
 
 /// Standard acceleration of gravity, m/s².
 const GRAVITY: f64 = 9.81;
-/// Minimum sine of the angle between velocity and spin axis at which a displacement of the centre of mass is derived
-/// from the rotation of the axis about the velocity; below it the whole displacement counts as unknown.
+/// Minimum sine of the angle between velocity and spin axis for a displacement of the centre of mass by aerodynamic
+/// forces to be computed from the rotation of the axis about the velocity. At smaller angles the whole displacement
+/// counts as unknown.
 const LEAST_SINE: f64 = 0.2;
 /// Assumed standard deviation of the unknown change of the aerodynamic acceleration, relative to the product of the
 /// lift acceleration and the angle of the wobble.
@@ -24,8 +25,9 @@ pub(super) struct AirMotion {
     pub unknown: DMatrix<f64>,
 }
 
-/// Computes the displacements of the centre of mass due to the wobble of the spin axis. `path` is the trajectory of the
-/// centre of mass (m) and `axes` is the spin axis, both along the axes of the room, one row per sample.
+/// Computes the displacements of the centre of mass by the aerodynamic forces that change with the wobble of the spin
+/// axis. `path` is the trajectory of the centre of mass (m) and `axes` is the spin axis, both along the axes of the
+/// room, one row per sample.
 pub(super) fn air_motion(
     times: &[f64],
     smooth: &Smooth,

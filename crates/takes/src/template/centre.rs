@@ -99,8 +99,9 @@ impl PoseNoise {
     }
 }
 
-/// Sums over the flights for the normal equations B p = −b of the body point p whose trajectory is smooth (`raw` −
-/// `noise` is B, `right` is b), and the sum of the weights.
+/// Sums over all flights for the estimate of the centre of mass. The body point p with the smoothest trajectory solves
+/// the normal equations B p = −b, where B is `raw` − `noise` and b is `right`. The field `weight` is the sum of the
+/// weights.
 #[derive(Default)]
 struct Sums {
     raw: Matrix3<f64>,
@@ -172,9 +173,9 @@ fn axis_of(sums: &Sums) -> Option<Vector3<f64>> {
     turns.then(|| eigen.eigenvectors.column(order[0]).into_owned())
 }
 
-/// For the body point whose trajectory is smoothest among those at a given height (m) along the axis: its projection
-/// onto the plane normal to the axis, the derivative of this projection with respect to the height, and the inverse of
-/// the matrix of the normal equations in this plane.
+/// Selects, among the body points at a given height (m) along the axis, the one with the smoothest trajectory. Returns
+/// its projection onto the plane normal to the axis, m, the derivative of this projection with respect to the height,
+/// and the inverse of the matrix of the normal equations in this plane.
 fn at_height_with_inverse(
     sums: &Sums,
     axis: &Vector3<f64>,

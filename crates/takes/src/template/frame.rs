@@ -111,8 +111,8 @@ fn first_marker(shape: &Shape, centre: &Centre, height: f64) -> usize {
     off.unwrap_or_else(farthest)
 }
 
-/// Marker positions in the body frame, m, as a function of `values`: `size` marker coordinates, then the point of the
-/// spin axis at the mean height of the markers, the direction of the spin axis, and the height of the centre of mass.
+/// Marker positions in the body frame, m. `values` contains `size` marker coordinates, the point of the spin axis at
+/// the mean height of the markers, the direction of the spin axis, and the height of the centre of mass, in this order.
 fn placed(values: &DVector<f64>, size: usize, centre: &Centre, first: usize) -> DVector<f64> {
     let vector = |at: usize| Vector3::new(values[at], values[at + 1], values[at + 2]);
     let third = vector(size + 3).normalize();

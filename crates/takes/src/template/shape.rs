@@ -114,9 +114,9 @@ fn rows(flight: &FreeFlight<'_>) -> Vec<Row> {
     flight.positions.iter().map(row).collect()
 }
 
-/// Initial estimate of the marker positions on the body: among the samples with the most visible markers, the positions
-/// in the sample whose distances between markers are closest to the median distances. Markers missing in this sample
-/// are located by means of other samples.
+/// Initial estimate of the marker positions on the body. It is taken from a single sample: of the samples with the most
+/// visible markers, the one whose distances between markers are closest to the median distances. Markers missing in
+/// this sample are located by means of other samples.
 fn first_shape<'r>(
     labels: &[String],
     rows: impl Iterator<Item = &'r Row> + Clone,
@@ -236,8 +236,9 @@ impl Placed {
     }
 }
 
-/// Poses of the samples of a flight. While the residuals of a sample are too large, the marker position is removed
-/// whose removal reduces them most; a sample whose remaining positions do not fix the pose is left out.
+/// Computes the pose of the body in each sample of a flight. While the residuals of a sample are too large, the marker
+/// whose removal reduces them most is removed from this sample. A sample whose remaining markers do not fix the pose is
+/// left out.
 fn placed(points: &[Vector3<f64>], rows: &[Row], sigma: f64) -> Vec<Placed> {
     let place = |(sample, row): (usize, &Row)| {
         let all: Vec<bool> = row.iter().map(Option::is_some).collect();
@@ -287,9 +288,9 @@ fn pooled_sigma(poses: &[Vec<Placed>], points: usize) -> f64 {
     (squares / (freedom - (3.0 * points as f64 - 6.0)).max(1.0)).sqrt()
 }
 
-/// Marker positions in the body-fixed axes that the poses define, m: the mean, or if `by_median` the median, of each
-/// marker's position over the samples, shifted so that the mean of all markers is 0. A marker that no pose uses has its
-/// position in `points`.
+/// Mean, or median if `by_median`, of each marker's position over the samples, m, in the body-fixed axes that the poses
+/// define. The result is shifted so that the mean of all markers is 0. A marker that no pose uses has the position that
+/// `points` contains.
 fn means(
     points: &[Vector3<f64>],
     rows: &[Vec<Row>],

@@ -101,9 +101,9 @@ pub(super) fn places(
     }
 }
 
-/// Fit of a change of motion with the smallest Bayesian information criterion, over times of the change between the
-/// samples in `near` and over the lists of exponents in `hinges`; `None` if no fit is possible. `places` are the fitted
-/// samples.
+/// Fits a change of motion for each list of exponents in `hinges` and for several times of the change between the
+/// samples in `near`; returns the fit with the smallest Bayesian information criterion. `places` are the fitted
+/// samples. `None` if no fit is possible.
 pub(super) fn best(
     track: &Track,
     path: &[[f64; 3]],
@@ -165,8 +165,9 @@ fn located(
 /// Number of coefficients of the cubic that describes the flight on one axis.
 pub(super) const CUBIC: usize = 4;
 
-/// Fits on each axis a cubic in the time since `time`, plus the powers in `hinge` of the time outside the flight (0
-/// inside); `None` if there are too few samples or the equations are singular.
+/// Fits on each axis a cubic in the time since `time`, plus hinge terms: powers, with the exponents `hinge`, of the
+/// time outside the flight, which are 0 inside the flight. `None` if there are too few samples or the equations are
+/// singular.
 pub(super) fn fit(
     track: &Track,
     path: &[[f64; 3]],

@@ -260,10 +260,10 @@ fn error(expected: f64, magnitude: f64, got: ErrorBound) -> f64 {
     .relative_error(got.value)
 }
 
-/// Magnitude by which the error of a Jacobian entry is divided if the derivative of the model's vector expressions has
-/// no nonzero terms. The compiled code may compute such an entry as a sum of terms that cancel up to rounding, because
-/// it computes in another frame. The magnitude of these terms is estimated as the magnitude of the differentiated
-/// value, divided by max(|variable|, 1).
+/// Divisor that makes the error of a Jacobian entry relative if the derivative of the model's vector expressions has no
+/// nonzero terms. The compiled code computes in another frame, where such an entry may be a sum of terms that cancel up
+/// to rounding. The magnitude of these terms is estimated as the magnitude of the differentiated value, divided by
+/// max(|variable|, 1).
 fn cancelled(value: ErrorBound, variable: f64) -> f64 {
     value.magnitude / variable.max(1.0)
 }

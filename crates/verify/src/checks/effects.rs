@@ -18,9 +18,9 @@ use oracle::{Point, derivatives};
 pub const EFFECTS: &str = "effects at null values";
 
 /// Returns (models with effects, model without effects); effects are optional model extensions. If the loaded model has
-/// effects, it is the only model with effects. Otherwise there is one model for each effect that can be added, and one
-/// with all of these effects together except those declared in the model file. `None` if the source does not load
-/// without effects.
+/// effects, it is the only model with effects. Otherwise one model is built for each effect that can be added. A
+/// further model combines all of these effects that are not declared in the model file. `None` if the source does not
+/// load without effects.
 pub fn variants(loaded: &Loaded) -> Option<(Vec<Model>, Model)> {
     let source = loaded.sources.first()?;
     let apply = |with: &[&str]| from_text(&source.name, &source.text, with).ok();

@@ -26,8 +26,9 @@ pub const POINTS: usize = 8;
 /// at a random point of the prime field follows from it (Schwartz-Zippel lemma).
 const DEGREE: f64 = 1e3;
 
-/// Compares the compiled derivatives of the model's rigid body with those of the oracle, in exact arithmetic, with all
-/// loads replaced by an arbitrary force and moment. The check is skipped for models with stated equations.
+/// Compares the compiled derivatives of the model's rigid body with those of the reference simulator (crate `oracle`)
+/// in exact arithmetic. All loads of the model are replaced by one arbitrary force and moment. The check does not apply
+/// to a model without a declared body, whose equations are written explicitly.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     if subject.model.body.is_none() {
         return match &subject.reference {
@@ -39,8 +40,8 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     compare(&model, &codegen::compile(&model), options)
 }
 
-/// Compares the derivatives of a compiled model with those of the oracle at random points of the prime field. The last
-/// two inputs of the model must be the free force and moment from [`free_loads`].
+/// Compares the derivatives of a compiled model with those of the reference simulator (crate `oracle`) at random points
+/// of the prime field. The last two inputs of the model must be the free force and moment from [`free_loads`].
 pub fn compare(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     let mut random = Random::new(options.seed, EXACT);
     let mut faults = Vec::new();
@@ -79,7 +80,8 @@ pub fn compare(model: &Model, compiled: &Compiled, options: &Options) -> Row {
 }
 
 /// Returns the model with all loads replaced by one force and one moment that can be chosen freely: they are the last
-/// two inputs, in inertial components. A point mass gets no moment. Stated equations and the clock are removed.
+/// two inputs, in inertial components. A point mass gets no moment. Equations written explicitly in the model file are
+/// removed, and so is the clock (rate of recorded time relative to true time).
 pub fn free_loads(model: &Model) -> Model {
     let mut model = model.clone();
     let mut load = |name: &str| {

@@ -32,9 +32,9 @@ const MAX_TRIALS: usize = 4096;
 /// values. The probability that different functions agree at a random point of the prime field follows from it
 /// (Schwartz-Zippel lemma).
 const DEGREE: f64 = 1e4;
-/// Number of trial points at which every square root of the model's vector expressions exists in the prime field, but
-/// one of the compiled code does not. If this number is reached, the compiled code is reported to contain a different
-/// root.
+/// Number of trial points after which the compiled code is reported to contain a root that differs from those of the
+/// model's vector expressions. Only points are counted at which all square roots of the vector expressions exist in the
+/// prime field, but one of the compiled code does not.
 const LACKING: usize = 64;
 
 /// Compares the state derivatives f, the Jacobians J (states) and Jp (parameters) and the observation of a compiled
@@ -196,8 +196,8 @@ fn law(
 }
 
 /// Reason why different values in the prime field do not prove that the compiled code and the model's vector
-/// expressions differ: the code contains branches or rounded constants, for which the field has no algebraic relations.
-/// `None` if such a difference is a proof.
+/// expressions differ; `None` if they prove it. The reason is that the code contains branches or rounded constants. The
+/// field represents these by pseudo-random elements, so that equal functions may have different values.
 fn undecided(compiled: &Compiled) -> Option<&'static str> {
     let statements = compiled
         .functions()

@@ -5,9 +5,9 @@ use model_spec::model::{FrameKind, Model};
 use oracle::scalar::Field;
 use std::ops::Range;
 
-/// For a function of the dynamics or of the observation: the range of the rows that it computes, and the names of its
-/// sections of values and of the Jacobians with respect to states and to parameters. Of `all` rows, the first `states`
-/// are state derivatives, the others components of the observation.
+/// Describes the results of a compiled function: the range of its rows, the name of the section with its values, and
+/// the names of the sections with its Jacobians with respect to states and to parameters. Of `all` rows of a model, the
+/// first `states` are state derivatives, the others components of the observation.
 pub(crate) fn sections(
     function: &Function,
     states: usize,

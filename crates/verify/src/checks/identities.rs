@@ -89,8 +89,9 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     Row::judged(IDENTITIES, options.cases, &worst, TOLERANCE)
 }
 
-/// Checks the balances of momentum, angular momentum, energy and position for the body that stated equations claim to
-/// describe. Effects are off; coefficients added by the model's author have random values.
+/// Checks the balances of momentum, angular momentum, energy and position for the claimed body, that is, the body that
+/// the model's explicitly written equations are declared to describe. Effects are off; coefficients added by the
+/// model's author have random values.
 fn of_claim(subject: &Subject<'_>, options: &Options) -> Row {
     let mut random = Random::new(options.seed, IDENTITIES);
     let mut worst = Worst::default();
@@ -123,9 +124,9 @@ fn of_claim(subject: &Subject<'_>, options: &Options) -> Row {
 
 /// Force and moment, and mass properties, at a point. Force and moment are those of the model's body or, without one,
 /// those of the reference law. The mass properties are those of the reference law, so that a wrong mass in the model is
-/// detected. The mass properties of the body are used only if there is no reference law, or if `with_own` is true (the
-/// coefficients added by the model's author are not at their null values). `None` if the required body or reference law
-/// does not exist.
+/// detected. Those of the body are used if there is no reference law. They are also used if `with_own` is true, that
+/// is, if the coefficients added by the model's author are not at their null values. `None` if the required body or
+/// reference law does not exist.
 fn loads(
     subject: &Subject<'_>,
     point: &Point<ErrorBound>,

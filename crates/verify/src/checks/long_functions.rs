@@ -23,7 +23,8 @@ const DRAWS: usize = 30;
 /// times the error of a constant that the code rounds to f64.
 const TOLERANCE: f64 = 1e-13;
 
-/// Values of a compiled function, with the magnitudes of the values' terms.
+/// Values of a compiled function in 256-bit arithmetic. For each value, `bounds` contains the sum of the magnitudes of
+/// the terms that are added to give it.
 struct Evaluated<'a> {
     function: &'a Function,
     values: Vec<Big>,

@@ -168,9 +168,9 @@ impl Draw {
     }
 }
 
-/// Error of one symmetry at a point: maximum relative difference between the velocities and accelerations computed from
-/// the transformed state and the transformed velocities and accelerations of the original state. `None` if the states
-/// or rates cannot be determined.
+/// Maximum relative error of one symmetry at a point. The physical state is transformed, and the rates of motion
+/// (velocities and accelerations) at the transformed state are compared with the transformed rates at the original
+/// state. `None` if the states or rates cannot be determined.
 fn error(
     subject: &Subject<'_>,
     meaning: &Meaning<'_>,

@@ -12,7 +12,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Name in reports of the check of the state derivatives and the observation against the reference implementation.
 pub const REFERENCE: &str = "reference";
-/// Name in reports of the check against the model's vector expressions (the vector tree), evaluated by the oracle.
+/// Name in reports of the check against the model's vector expressions (the vector tree), as evaluated by the reference
+/// simulator (crate `oracle`).
 pub const TREE: &str = "vector tree";
 
 /// Compares state derivatives and observation with those of the reference law that the model claims. Coefficients of
@@ -131,8 +132,9 @@ fn note(worst: &mut Worst, refused: &mut Vec<String>, error: f64, name: String) 
     worst.see(error, || name);
 }
 
-/// Compares state derivatives and observation of the equations under test with those that the oracle computes from the
-/// vector expressions of the model (its vector tree). All coefficients have random nonzero values.
+/// Compares state derivatives and observation of the equations under test with those of the reference simulator (crate
+/// `oracle`). The simulator computes them from the vector expressions of the model (its vector tree). All coefficients
+/// have random nonzero values.
 pub fn tree(subject: &Subject<'_>, options: &Options) -> Row {
     let model = subject.model;
     let mut random = Random::new(options.seed, TREE);

@@ -47,8 +47,8 @@ pub struct Compared {
 }
 
 /// Compares pairs of outputs (index in the old model, index in the new model) as functions of the states and
-/// parameters. Paired states and parameters have equal values, the others random values; if `stated`, unpaired
-/// parameters have the default values of their model instead.
+/// parameters. Paired states and parameters have equal random values in both models. Unpaired states and parameters
+/// have independent random values; if `stated` is true, unpaired parameters have the default values of their model.
 pub fn compare(
     old: &Everything<'_>,
     new: &Everything<'_>,
@@ -184,9 +184,10 @@ fn in_numbers(
     worst
 }
 
-/// Divisor that makes a difference of output `k` relative. For a state derivative or component of the observation:
-/// `sizes[k]`, the sum of the magnitudes of its terms. For an auxiliary variable or load: the maximum absolute value of
-/// its components, or [`FLOOR`] if that is larger. For a validity limit: 0.
+/// Lower bound of the divisor that makes a difference of output `k` relative. For a state derivative or component of
+/// the observation: `sizes[k]`, the sum of the magnitudes of its terms. For an auxiliary variable or load: the maximum
+/// absolute value of its components, or [`FLOOR`] if that is larger. For a validity limit: 0, so that its value alone
+/// determines the divisor.
 fn size(model: &Everything<'_>, sizes: &[f64], values: &[f64], k: usize) -> f64 {
     if let Some(size) = sizes.get(k) {
         return *size;

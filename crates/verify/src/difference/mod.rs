@@ -229,9 +229,9 @@ fn row_pairs(a: &Everything<'_>, b: &Everything<'_>, pairing: &Pairing) -> Vec<(
 }
 
 /// Comparison of the rows (state derivatives, components of the observation, validity limits) of two models. `names`
-/// are the names of the rows of the old and of the new model, `pairs` the indices (old, new) of corresponding rows, and
-/// `compared` the result for each pair. `stated` is the result with each parameter that only one model has at its
-/// default value.
+/// are the names of the rows of the old and of the new model, `pairs` the indices (old, new) of corresponding rows.
+/// `compared` and `stated` are the results for each pair: in `compared`, parameters that only one model has are random;
+/// in `stated`, they have their default values.
 struct Found<'a> {
     names: [&'a [String]; 2],
     pairs: &'a [(usize, usize)],

@@ -89,8 +89,9 @@ pub fn renamed_text(text: &str, names: &Names) -> String {
     out
 }
 
-/// Terms, with signs, in which two sums differ: those only in `old`, and those only in `new`, in the names of the old
-/// model. If the expressions differ only in a sum inside one term, the terms of this inner sum are compared.
+/// Terms, with signs, in which two sums differ: first those only in `old`, then those only in `new`. Names are those of
+/// the old model. If the sums differ in one term, and this term only in a sum that it contains, the terms of this inner
+/// sum are compared.
 pub fn differing_terms(old: &Expr, new: &Expr, names: &Names) -> (Vec<String>, Vec<String>) {
     let (before, after) = (terms(old), terms(new));
     let olds: Vec<String> = before.iter().map(Term::to_string).collect();

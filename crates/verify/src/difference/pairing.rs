@@ -254,9 +254,9 @@ fn value(model: &Model, (is_state, index): Symbol) -> f64 {
     }
 }
 
-/// How the rows of a model (state derivatives and observation) depend on each unpaired state or parameter ("symbol").
-/// The rows are evaluated at random points where all unpaired symbols of the same kind and unit have one common value,
-/// except the examined symbol, which has another value.
+/// Measures how the rows of a model (state derivatives and observation) depend on each unpaired state or parameter
+/// ("symbol"). The rows are evaluated at random points, once for each examined symbol. All unpaired symbols of the same
+/// kind and unit have one common value; only the examined symbol has another value.
 struct Effects {
     /// For each unpaired symbol and each random point: values of the rows that have a counterpart in the other model,
     /// and the sorted values of the remaining rows.
@@ -326,9 +326,9 @@ impl Effects {
         }
     }
 
-    /// Dissimilarity of the unpaired symbol (state or parameter) with index `here` of this model and that with index
-    /// `there` of the model `other`: number of row values that differ between the two models when these symbols are
-    /// examined. 0 means that the symbols may correspond.
+    /// Dissimilarity of two unpaired symbols (states or parameters): that with index `here` of this model and that with
+    /// index `there` of the model `other`. It is the number of row values that differ between the models if each model
+    /// is evaluated with its symbol changed. 0 means that the symbols may correspond.
     fn conflicts(&self, here: usize, other: &Self, there: usize) -> usize {
         let differ = |a: &[f64], b: &[f64]| {
             let unequal = a.iter().zip(b).filter(|(a, b)| !is_close(**a, **b));

@@ -6,7 +6,7 @@ use model_spec::model::Model;
 /// determines the statements on which the row depends.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum RowKind {
-    /// Derivative of the state with this name, defined by a stated equation.
+    /// Derivative of the state with this name, defined by an equation written explicitly in the model file.
     Stated(String),
     /// Derivative of a position of the body, defined by the velocity.
     Position,

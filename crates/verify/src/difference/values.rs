@@ -16,9 +16,9 @@ use std::ops::Range;
 pub struct Everything<'a> {
     /// Model whose values are evaluated.
     pub model: &'a Model,
-    /// Program whose outputs are all values of the model: state derivatives, observation, validity limits, auxiliary
-    /// variables, then copies, expressed in the inertial frame, of the vector auxiliary variables of other frames and
-    /// of all loads.
+    /// Program that computes all values of the model. Its outputs are the state derivatives, the observation, the
+    /// validity limits and the auxiliary variables. After them come, in inertial components, all loads and those vector
+    /// auxiliary variables that are given in another frame.
     pub code: EveryValue,
     /// Indices of the outputs of each auxiliary variable and load, with its class and name.
     pub named: Vec<Named>,

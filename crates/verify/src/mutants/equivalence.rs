@@ -12,7 +12,7 @@ use std::collections::HashMap;
 /// Reason given for an equivalent mutant: mutant and original compile to the same expression graph.
 const SAME: &str = "compiles to the same derivatives and observation, node for node";
 /// Reason given for an equivalent mutant: mutant and original have equal values at random points of the prime field.
-/// Their floating-point values are equal too, so that no square root has the other sign.
+/// Their floating-point values are compared too, because the field does not show a square root with the wrong sign.
 const EQUAL: &str = "derivatives and observation equal at 4 random points of the field of 2^61 - 1 elements, \
                      functions being symbols";
 

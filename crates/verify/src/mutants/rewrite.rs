@@ -14,9 +14,9 @@ pub struct Rewrite {
     pub to: Expr,
 }
 
-/// Generates all mutations of the expression `e` in the statement with index `item`. If `e` is a whole right-hand side
-/// (`root`), each of the factors 2, 0.5 and 1.1 is inserted; a name or number inside gets one of the factors, chosen by
-/// `serial` modulo 3.
+/// Generates all mutations of the expression `e` in the statement with index `item`. If `root` is true, `e` is a whole
+/// right-hand side and is multiplied by each of the factors 2, 0.5 and 1.1. Otherwise, if `e` is a name or number, it
+/// is multiplied by one of these factors, chosen by `serial` modulo 3.
 pub fn rewrites(e: &Expr, names: &Names, item: usize, root: bool, serial: usize) -> Vec<Rewrite> {
     let mut out = Vec::new();
     let mut push = |operator, how: String, to: Expr| out.push(Rewrite { operator, how, to });

@@ -15,7 +15,8 @@ pub struct Edit {
     pub to: Expr,
 }
 
-/// Generates small changes of an expression that may correct a misprint in a stated equation, such as another sign.
+/// Generates small changes of an expression, such as another sign, that may correct a misprint in an equation
+/// der(state) = … of the model file.
 pub struct Editor<'a> {
     model: &'a Model,
     factors: Vec<(String, Expr)>,

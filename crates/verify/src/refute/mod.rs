@@ -24,10 +24,10 @@ use serde::Serialize;
 pub struct Refutation {
     /// Name of the state whose derivative the equation defines.
     pub state: String,
-    /// Source text of the right-hand side of the stated equation.
+    /// Source text of the right-hand side of the equation.
     pub equation: String,
-    /// Maximum difference, over the random points, between the stated equation and the reference, relative to the sum
-    /// of the magnitudes of the equation's terms.
+    /// Maximum difference, over the random points, between the equation's right-hand side and the reference, relative
+    /// to the sum of the magnitudes of the equation's terms.
     pub error: f64,
     /// Descriptions of the corrections that together make the equation agree with the reference; empty if no such
     /// corrections were found.
@@ -59,8 +59,9 @@ impl Refutation {
 
 const POINTS: usize = 8;
 
-/// Compares all stated equations with the reference (the claimed reference law or, without one, the laws of motion of
-/// the claimed body). Returns the equations that disagree, with corrections that make them agree.
+/// Compares every equation der(state) = … of the model file with the reference (the claimed reference law or, without
+/// one, the laws of motion of the claimed body). Returns the equations that disagree, with corrections that make them
+/// agree.
 pub fn refutations(subject: &Subject<'_>, options: &Options) -> Vec<Refutation> {
     let model = subject.model;
     let Some(points) = points(subject, options) else {
@@ -94,8 +95,8 @@ pub fn refutations(subject: &Subject<'_>, options: &Options) -> Vec<Refutation> 
         .collect()
 }
 
-/// Draws the random points at which the stated equations are compared with the reference. `None` for a model that has
-/// neither a reference law nor a claimed body, because nothing can be compared then.
+/// Draws the random points at which the equations der(state) = … of the model file are compared with the reference.
+/// `None` for a model that has neither a reference law nor a claimed body, because nothing can be compared then.
 fn points(subject: &Subject<'_>, options: &Options) -> Option<Vec<Point<ErrorBound>>> {
     let mut random = Random::new(options.seed, "refute");
     let has_reference = subject.reference.is_some();
@@ -114,17 +115,17 @@ fn points(subject: &Subject<'_>, options: &Options) -> Option<Vec<Point<ErrorBou
 }
 
 /// Rate of each state with respect to the time of flight, as implied by the laws of motion of the claimed body at a
-/// point; `None` for a state whose rate the laws do not determine. The outer `None` means that a law that contains
-/// rates cannot be satisfied, so that the claim itself is wrong.
+/// point. The inner `None` marks a state whose rate the laws do not determine. The outer `None` means that the rates
+/// cannot be computed, or that a law that contains rates cannot be satisfied, so that the claim itself is wrong.
 fn implied(model: &Model, point: &Point<ErrorBound>) -> Option<Vec<Option<ErrorBound>>> {
     let pace = Tree::new(model, point).clock();
     let implied = claimed_rates(model, point, ErrorBound::integer(1) / pace)?;
     implied.solves_the_others.then_some(implied.rates)
 }
 
-/// Auxiliary variables whose expression is the right-hand side of the equation of a state. A model has such a variable
-/// if other equations use the derivative of this state. For each: its index, and the reference rate of the state, taken
-/// from `truth` (rates by state).
+/// Auxiliary variables that represent the derivative of a state. The model contains such a variable, with the
+/// right-hand side of the state's equation as its expression, if other equations use the derivative. For each variable:
+/// its index, and the reference rate of the state, taken from `truth` (rates by state).
 fn used_derivatives(
     model: &Model,
     truth: &[Option<ErrorBound>],

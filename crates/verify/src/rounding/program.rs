@@ -146,9 +146,9 @@ fn gap<T: Real>(op: Op, of: impl Fn(Operand) -> T) -> Option<T> {
     }
 }
 
-/// Outputs of a program with the magnitudes of their terms, and whether the argument of a branch (such as that of abs)
-/// is so close to its branch point that rounding may change the result. If inputs for 256-bit arithmetic are given in
-/// `exact`, arguments that equal the branch point in this arithmetic do not count as close.
+/// Evaluates a program. Returns its outputs with the magnitudes of their terms, and whether rounding may change the
+/// result of a branch, such as that of abs, because its argument is close to the branch point. If `exact` contains the
+/// inputs for 256-bit arithmetic, arguments that equal the branch point in this arithmetic do not count as close.
 pub fn magnitudes(
     program: &Program,
     inputs: &Inputs<ErrorBound>,

@@ -106,9 +106,10 @@ pub fn losses(model: &Model, points: &[(String, Point<f64>)]) -> Vec<Loss> {
     losses
 }
 
-/// Parameter vector for the model built by [`separated`], in this order: parameters, scalar auxiliary variables,
-/// coefficients, inputs, vector auxiliary variables. `all` is the parameter vector of the original model. `given`
-/// yields the components of all auxiliary variables in turn; `lets` is the number of components of each variable.
+/// Rearranges values to the parameter vector of the model built by [`separated`]: parameters, scalar auxiliary
+/// variables, coefficients, inputs, vector auxiliary variables. `all` is the parameter vector of the original model.
+/// `given` yields the components of all auxiliary variables in turn; `lets` is the number of components of each
+/// variable.
 fn rearranged<T: Copy>(
     model: &Model,
     lets: &[usize],

@@ -1,9 +1,11 @@
-//! Syntax of a claim: which expressions are the mass, motion and loads of a body in a model with stated equations.
+//! Syntax of a claim: which expressions are the mass, motion and loads of a body, in a model whose file writes the
+//! differential equations explicitly.
 
 use super::{BodyClass, Expr, Inertia, Name};
 use crate::source::Span;
 
-/// Declaration of the physical meaning of the stated equations: `claim body NAME { … }` or `claim point NAME { … }`.
+/// Statement `claim body NAME { … }` or `claim point NAME { … }`: declares which expressions of a model with explicit
+/// equations `der(STATE) = …` are the mass, motion and loads of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Claim {
     /// Whether the body that the equations are claimed to describe is rigid or a point mass.

@@ -74,7 +74,8 @@ fn mistakes_in_flights_of_a_ball_are_named() {
     assert_named(&model, &dataset, &[&SPOILS[..], &BALL_SPOILS].concat());
 }
 
-/// Asserts that each mistake, in one flight and in all flights, is reported for exactly the flights that have it.
+/// Introduces each mistake of `spoils`, first into one flight and then into all flights. Asserts that the expected kind
+/// of fault is reported for exactly the flights with the mistake.
 fn assert_named(model: &Model, dataset: &Dataset, spoils: &[(&str, FaultKind, Spoil)]) {
     let all: Vec<usize> = (0..dataset.flights.len()).collect();
     let mut wrong = Vec::new();

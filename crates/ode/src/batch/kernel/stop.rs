@@ -181,7 +181,7 @@ impl<T: Lanes, R: LaneRhs> Flying<'_, T, R> {
     }
 }
 
-/// Weights of the dense-output rows at the fraction `s` of the step, per lane.
+/// Weights of the dense-output rows (coefficient vectors) at the fraction `s` of a step of size `h`, in each lane.
 #[inline(always)]
 fn weights<T: Lanes>(method: Method, s: T, h: T) -> [T; ROWS] {
     let mut weights = [T::splat(1.0); ROWS];

@@ -69,8 +69,9 @@ enum Abscissa {
     Time,
 }
 
-/// Computes the curve of the first scalar auxiliary variable that one of the named effects changes and that depends on
-/// a scalar variable; flat curves are skipped. `None` if there is no such auxiliary variable.
+/// Computes the curve of a scalar auxiliary variable over another variable on which it depends. Searches the auxiliary
+/// variables that the effects named in `effects` add or replace, and returns the first curve that is not flat; `None`
+/// if there is none.
 pub(super) fn of<'n>(fits: &Fits<'_>, effects: impl IntoIterator<Item = &'n str>) -> Option<Curve> {
     let after = fits.after?;
     let model = &after.problem().model;
@@ -86,8 +87,8 @@ pub(super) fn of<'n>(fits: &Fits<'_>, effects: impl IntoIterator<Item = &'n str>
     })
 }
 
-/// Scalar variable on which the auxiliary variable with index `at` depends. If there are several, one is preferred that
-/// the effect with index `effect` lists among its variables; `None` if there is none.
+/// Scalar variable on which the auxiliary variable with index `at` depends; `None` if there is none. Of several such
+/// variables, those that the declaration of the effect with index `effect` lists are preferred.
 fn abscissa(after: &Fit, at: usize, effect: usize) -> Option<Abscissa> {
     let model = &after.problem().model;
     let mut found = Vec::new();

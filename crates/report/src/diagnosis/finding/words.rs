@@ -13,7 +13,8 @@ use crate::fit::words::names;
 /// Minimum absolute ratio of an estimate to its standard error for the page to call the effect far beyond chance. The
 /// threshold is so high that chance does not reach it even in a large number of diagnoses.
 const BEYOND_CHANCE: f64 = 8.0;
-/// Minimum Bonferroni-corrected p-value of the strongest remaining candidate at which the page attributes it to chance.
+/// Bonferroni-corrected p-value above which the page attributes the test result of the strongest remaining candidate
+/// effect to chance.
 const USUAL: f64 = 0.05;
 
 /// Minimum fraction of the samples that must lie on either side of a point of the curve (the point included) for the
@@ -135,9 +136,9 @@ fn article(noun: &str) -> &'static str {
     }
 }
 
-/// Point at which the values of the curve in the model under test and in the extended model differ most. Points near an
-/// end of the curve, with less than the fraction [`LEAST_SHARE`] of the samples on one side, are not considered; `None`
-/// if no point remains.
+/// Point of the curve at which the model under test and the extended model differ most; `None` if no point can be
+/// considered. Points near an end of the curve are not considered: on each side of a point must lie at least the
+/// fraction [`LEAST_SHARE`] of the samples.
 fn farthest(curve: &Curve) -> Option<Point> {
     let size = |p: &Point| match p.before.is_finite() {
         true => (p.after - p.before).abs(),

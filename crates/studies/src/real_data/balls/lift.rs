@@ -124,7 +124,7 @@ fn mean_velocity(flight: &Flight) -> Option<Vector3<f64>> {
     (velocity.norm() > 0.0).then_some(velocity)
 }
 
-/// RMS residual of a flight along y, which is the direction of flight, m.
+/// RMS residual of one fitted flight along the y axis (the direction of flight), m.
 fn residual_along(evidence: &FlightEvidence) -> f64 {
     let residuals = (0..evidence.times.len()).filter_map(|sample| evidence.residual(sample, 0));
     let (squares, count) = residuals.fold((0.0, 0.0_f64), |(squares, count), residual| {

@@ -34,7 +34,8 @@ const ADDED_EFFECTS: [&str; 6] = [
     "drag_crisis",
 ];
 
-/// Fits with one effect added to the models with lift due to spin.
+/// Fits of the flights with one effect added: once to the model with `magnus`, once to the model with the lift
+/// proportional to the squared advance ratio in addition.
 pub(super) struct Added {
     pub(super) effect: &'static str,
     /// Fit with the effect `magnus` (lift proportional to the advance ratio) and the added effect.

@@ -133,7 +133,7 @@ impl DiscPose {
 enum Air {
     /// The coefficients are free, with priors.
     Prior,
-    /// All coefficients are fixed at 0.
+    /// All aerodynamic coefficients are fixed at 0.
     None,
 }
 

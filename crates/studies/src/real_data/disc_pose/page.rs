@@ -21,8 +21,8 @@ struct Section<'d> {
     tilted: Ratio,
     jackknife: f64,
     pooled: [f64; 3],
-    /// Estimated x and y components of the tilt of the vertical against the normal of the tag on the ground, each with
-    /// its standard error, degrees.
+    /// Estimated x and y components of the tilt between the true vertical and the normal of the tag on the ground, each
+    /// with its standard error, degrees.
     tilts: Vec<[f64; 2]>,
     coefficients: Vec<CoefficientRow>,
     /// RMS residuals of the fit of all throws: of the attitudes, degrees, and of the positions, mm.

@@ -24,7 +24,7 @@ const HEADER: &str = "t_s,x_m,y_m,z_m,qw,qx,qy,qz";
 /// One row of a table of poses: time, s, position, m, and attitude of the tag.
 type Row = (f64, Vector3<f64>, UnitQuaternion<f64>);
 
-/// The measured throws in axes with z up, and the upward direction estimated from a tag at rest on the ground.
+/// The measured throws in axes with z up. The upward direction is estimated from a tag at rest on the ground.
 pub(super) struct Poses {
     /// Flights in axes with z up, with one pose per sample.
     pub flights: Vec<Flight>,

@@ -38,8 +38,8 @@ pub(super) const PRIORS: [(&str, f64, f64); 4] = [
 pub(super) struct Diagnosed {
     pub(super) verdict: String,
     pub(super) causes: Vec<CauseRow>,
-    /// Offset of the accelerometer from the centre along the two axes in the disc's plane, each with its standard
-    /// error, mm.
+    /// Estimated offsets of the accelerometer from the disc's centre along the two axes in the disc's plane, each with
+    /// its standard error, mm.
     pub(super) off_mm: [[f64; 2]; 2],
     /// Spin-damping coefficient `C_Nr` from the fit of the model without an added effect, and its standard error,
     /// N·m·s.

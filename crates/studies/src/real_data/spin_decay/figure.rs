@@ -7,12 +7,11 @@ use nalgebra::DVector;
 use super::form::Form;
 use super::results::SpinDecay;
 
-/// Forms that the figure shows: torque proportional to the spin (as in the model), torque proportional to its square,
-/// and the form that the data do not reject.
+/// Torque laws whose residuals the figure shows: proportional to the spin (as in the model), proportional to its
+/// square, and the law that the data do not reject.
 const DRAWN: [Form; 3] = [Form::Linear, Form::Quadratic, Form::Falling];
 
-/// Draws two panels as SVG: the measured spin over time, and the residuals (measured − fitted) of three forms of the
-/// decay.
+/// Draws two panels as SVG: the measured spin over time, and the residuals (measured − fitted) of three torque laws.
 pub(in super::super) fn spin_decay_figure(data: &SpinDecay) -> String {
     let samples = || data.record.times.iter().zip(&data.record.rates);
     let left = DRAWN.iter().filter_map(|form| {

@@ -11,10 +11,10 @@ const CORRELATIONS: usize = 400;
 /// Number of Gauss–Newton steps per fit.
 const STEPS: usize = 12;
 
-/// A form of the spin's decay, fitted under AR(1) noise.
+/// Fit of one torque law to a record of a disc's spin, with first-order autoregressive (AR(1)) noise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DecayFit {
-    /// Estimates of the form's unknowns; see [`Form`].
+    /// Estimates of the torque law's unknowns; see [`Form`].
     pub unknowns: Vec<f64>,
     /// Standard errors of the unknowns, in the order of `unknowns`.
     pub std_errors: Vec<f64>,
@@ -26,16 +26,16 @@ pub struct DecayFit {
     pub aic: f64,
 }
 
-/// Fit of a form to a spin record: the one with the minimum AIC over a grid of lag-1 correlations of the noise; `None`
-/// if the record does not determine the unknowns.
+/// Fits one torque law to a spin record for each lag-1 correlation of the noise on a grid, and returns the fit with the
+/// minimum AIC; `None` if the record does not determine the unknowns.
 pub(super) fn fit(form: Form, record: &Record) -> Option<DecayFit> {
     let correlations = (0..CORRELATIONS).map(|step| step as f64 / CORRELATIONS as f64);
     let fits = correlations.filter_map(|ar1| fit_with(form, record, ar1));
     fits.min_by(|a, b| a.aic.total_cmp(&b.aic))
 }
 
-/// Fit of a form to a spin record, with a given lag-1 correlation of the noise; `None` if the record does not determine
-/// the unknowns.
+/// Fits one torque law to a spin record with a given lag-1 correlation of the noise; `None` if the record does not
+/// determine the unknowns.
 fn fit_with(form: Form, record: &Record, ar1: f64) -> Option<DecayFit> {
     let count = record.times.len();
     let first = (1.0 - ar1 * ar1).sqrt();

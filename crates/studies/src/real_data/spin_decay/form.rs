@@ -2,7 +2,7 @@
 
 use nalgebra::DVector;
 
-/// Form of the torque that slows a spin. The first two unknowns of every form are the spin at release, rad/s, and the
+/// Law of the torque that slows a spin. The first two unknowns of every law are the spin at release, rad/s, and the
 /// fraction of the spin lost per second at release.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
@@ -20,7 +20,7 @@ pub enum Form {
 }
 
 impl Form {
-    /// All forms, in the order of the rows of the table on the page.
+    /// All torque laws, in the order of the rows of the table on the page.
     pub(super) const ALL: [Form; 5] = [
         Form::Constant,
         Form::Linear,
@@ -29,7 +29,7 @@ impl Form {
         Form::Falling,
     ];
 
-    /// Name of the form on the page.
+    /// Name of the torque law, as printed on the page.
     pub(super) fn label(self) -> &'static str {
         match self {
             Form::Constant => "constant",

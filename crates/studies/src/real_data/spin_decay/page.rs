@@ -9,7 +9,7 @@ use super::results::{SpinDecay, WOBBLE};
 use crate::error::StudyError;
 use crate::page::render;
 
-/// A form is rejected if its AIC exceeds the minimum AIC by more than this difference.
+/// A torque law is rejected if its AIC exceeds the minimum AIC by more than this difference.
 const REJECTED_AIC: f64 = 10.0;
 
 #[derive(Serialize)]
@@ -24,18 +24,20 @@ struct Section<'d> {
     rejected_aic: f64,
     forms: Vec<FormRow>,
     rejected: String,
-    /// Airspeed at the end / airspeed at the release, as [`Form::Falling`] implies.
+    /// Airspeed at the end / airspeed at the release, as the fit of [`Form::Falling`] implies.
     final_factor: f64,
     exponent: f64,
     /// Exponent of [`Form::Power`], fitted without the first part of the flight in which the disc wobbles, and its
     /// standard error; `None` if that fit failed.
     exponent_without_wobble: Option<(f64, f64)>,
     wobble: f64,
-    /// C_Nr, constant over the whole flight, from the fit of [`Form::Linear`], and its standard error, N·m·s.
+    /// Spin-damping coefficient C_Nr, constant over the whole flight, from the fit of [`Form::Linear`], and its
+    /// standard error, N·m·s.
     c_nr: (f64, f64),
     axial_inertia: f64,
     model_c_nr: f64,
-    /// C_Nr at the release and at the end, as [`Form::Falling`] implies, N·m·s.
+    /// Spin-damping coefficient C_Nr at the release and at the end of the flight, from the fit of [`Form::Falling`],
+    /// N·m·s.
     c_nr_range: (f64, f64),
 }
 
@@ -43,7 +45,7 @@ struct Section<'d> {
 struct FormRow {
     form: &'static str,
     loss: (f64, f64),
-    /// Third unknown of the form with its standard error; `None` for a form with two unknowns.
+    /// Third unknown of the torque law with its standard error; `None` for a law with two unknowns.
     third: Option<(f64, f64)>,
     is_power: bool,
     rms: f64,

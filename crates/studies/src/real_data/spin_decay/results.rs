@@ -13,7 +13,7 @@ use crate::error::StudyError;
 /// Initial part of the flight that one fit leaves out, to test whether the disc's wobble there affects the result, s.
 pub(super) const WOBBLE: f64 = 0.5;
 
-/// Fits of all forms of the spin's decay, and the diagnosis of the same flight.
+/// Fits of all laws of the torque that slows the spin ([`Form`]), and the diagnosis of the same flight.
 pub(in super::super) struct SpinDecay {
     pub(super) record: Record,
     pub(super) fits: Vec<(Form, DecayFit)>,
@@ -28,7 +28,7 @@ pub(in super::super) struct SpinDecay {
 }
 
 impl SpinDecay {
-    /// Fits every form of the decay to the gyroscope record in a file, and diagnoses the record.
+    /// Fits every torque law (variant of [`Form`]) to the gyroscope record in a file, and diagnoses the record.
     pub(in super::super) fn of(file: &Path, disc: &Model) -> Result<Self, StudyError> {
         let record = Record::read(file)?;
         let fits = Form::ALL.iter();
@@ -51,7 +51,7 @@ impl SpinDecay {
         })
     }
 
-    /// Fit of a form; `None` if that fit failed.
+    /// Fit of one torque law (variant of [`Form`]); `None` if that fit failed.
     pub(in super::super) fn fit(&self, form: Form) -> Option<&DecayFit> {
         let mut fits = self.fits.iter();
         fits.find(|(of, _)| *of == form).map(|(_, fit)| fit)

@@ -11,10 +11,12 @@ use crate::page::render;
 /// degrees.
 const HALF_WIDTHS: [f64; 3] = [10.0, 20.0, 30.0];
 
-/// A functional form of an aerodynamic curve.
+/// A functional form of a curve of lift, drag or pitching moment over the angle of attack: a linear combination of
+/// basis functions.
 struct Form {
     coefficient: Coefficient,
-    /// Description of the model's form, or name of the effect that gives this form.
+    /// Description of the curve's shape for the aerodynamic model without added effects; otherwise the name of the
+    /// effect that gives the curve this shape.
     name: &'static str,
     shapes: &'static [Shape],
 }
@@ -82,7 +84,8 @@ struct Section {
 #[derive(Serialize)]
 struct FormRow {
     name: &'static str,
-    /// RMS residual of the form fitted over each range of angle of attack; `None` if the range has too few rows.
+    /// RMS residuals of the curve with this functional form, one for each range of angle of attack to which it is
+    /// fitted; `None` if the range has too few rows.
     rms: Vec<Option<f64>>,
 }
 
