@@ -84,9 +84,9 @@ pub struct Estimate {
     pub value: f64,
     /// Standard error (Cramér–Rao), SI; 0 if the value was held fixed.
     pub std_error: f64,
-    /// Unit, as the model states it.
+    /// Unit, as written in the model.
     pub unit: String,
-    /// Whether the estimate lies on a bound that the model states.
+    /// Whether the estimate lies on a bound specified in the model.
     pub at_bound: bool,
 }
 

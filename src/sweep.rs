@@ -53,8 +53,8 @@ impl Sweep {
         self.summary["statuses"][status].as_u64().unwrap_or(0)
     }
 
-    /// Mean of a column of the table of flights, over the flights that reached the intended end: the ground or, if the
-    /// plan states a duration, the final time. `None` for an unknown column or without such flights.
+    /// Mean of a column of the table of flights, over the flights that reached the intended end: the ground or, if a
+    /// duration is specified in the plan, the final time. `None` for an unknown column or without such flights.
     pub fn mean(&self, column: &str) -> Option<f64> {
         self.summary["columns"][column]["mean"].as_f64()
     }

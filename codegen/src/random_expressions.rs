@@ -40,12 +40,12 @@ enum Step {
     Min,
     Max,
     Call(MathFunction),
-    /// Lookup in the only table, [`TABLE`].
+    /// Lookup of x in the table that the model text [`TABLE`] declares.
     Table,
 }
 
-/// Model with a table that represents, in terms of u = 1 - |x - 1|, the function (3u - u³)/2 where u > 0, and 3u/2
-/// elsewhere.
+/// Text of a model with one table. Its cubic spline is, in terms of u = 1 - |x - 1|, the function (3u - u³)/2 where
+/// u > 0, and 3u/2 elsewhere.
 const TABLE: &str = "model table; param tau = 1 s; state a = 0; frame N;
     table hill(x) = { 0: 0, 1: 1, 2: 0 }; der(a) = hill(a)/tau;";
 

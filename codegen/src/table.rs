@@ -115,7 +115,7 @@ impl Tables {
         Tables(model.tables.iter().map(CubicTable::from).collect())
     }
 
-    /// Tables of the given cubics, without names.
+    /// Unnamed tables whose values are the given piecewise cubic functions, in the same order.
     pub fn of_cubics(cubics: Vec<PiecewiseCubic>) -> Tables {
         Tables(cubics.into_iter().map(CubicTable::new).collect())
     }

@@ -368,7 +368,7 @@ pub struct Expectation {
 pub enum Shape {
     /// A scalar.
     Scalar,
-    /// A vector with components in the frame of this index into [`Model::frames`].
+    /// A vector. The field is the index into [`Model::frames`] of the frame of its components.
     Vector(usize),
 }
 

@@ -46,7 +46,7 @@ use crate::syntax::ast::{
     ParameterClass, Quantity, UnitExpr,
 };
 
-/// Text that effects generated from a term have as literature reference and as documentation of the coefficient.
+/// Literature reference of every effect generated from a [`Term`], and documentation of the coefficient of the effect.
 const FOUND: &str = "found in measured flights";
 
 index_type!(
@@ -67,7 +67,7 @@ index_type!(
 /// Candidates for terms that a model lacks: any of `products`, added to any of `channels` (such as the drag).
 #[derive(Clone, Debug)]
 pub struct TermLibrary {
-    /// Effect that declares the variables in a model, and adds to each channel a term with a new coefficient.
+    /// Effect that declares the variables in a model, and adds to each of `channels` a term with a new coefficient.
     pub loads: EffectTree,
     /// Quantities to which a term can be added: components of forces and moments, or derivatives of states.
     pub channels: IndexVec<ChannelId, Channel>,
@@ -114,10 +114,10 @@ pub struct Factor {
     pub power: i32,
 }
 
-/// Candidate for a term that a model lacks: a product of variables, added with a coefficient to a [`Channel`].
+/// Candidate for a missing term: coefficient times product of variables, added to a load or to a state's derivative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Term {
-    /// Channel to which the term is added.
+    /// Channel (component of a force or moment, or derivative of a state) to which the term is added.
     pub channel: ChannelId,
     /// Product of variables in the term.
     pub product: ProductId,
@@ -246,7 +246,7 @@ impl TermLibrary {
         })
     }
 
-    /// Iterates over all terms: every product on every channel, grouped by channel.
+    /// Iterates over all terms: each of `products` added to the first of `channels`, then to the second, and so on.
     pub fn terms(&self) -> impl Iterator<Item = Term> + '_ {
         self.channels.indices().flat_map(|channel| {
             let products = self.products.indices();
@@ -412,7 +412,7 @@ fn factors(
     Ok(factors)
 }
 
-/// Copy of a statement of a channel's template effect, in which `name` replaces the placeholder `NAME` and `term`
+/// Copy of a statement of the effect [`Channel::template`], in which `name` replaces the placeholder `NAME` and `term`
 /// replaces the placeholder `TERM`.
 fn filled(part: &EffectPart, name: &str, term: &Expr) -> EffectPart {
     let mut part = part.clone();

@@ -85,12 +85,13 @@ impl Unit {
         self.checked_mul(other.checked_powi(-1)?)
     }
 
-    /// Unit of the power `n` of a quantity; `None` if an exponent overflows.
+    /// Unit of the `n`-th power of a quantity that has this unit; `None` if an exponent overflows.
     pub fn checked_powi(self, n: i32) -> Option<Unit> {
         self.checked_pow_half(n.checked_mul(2)?)
     }
 
-    /// Unit of the power `twice / 2` of a quantity; `None` if an exponent is not a multiple of 1/2 or overflows.
+    /// Unit of a quantity that has this unit, raised to the power `twice / 2`; `None` if an exponent of the result is
+    /// not a multiple of 1/2 or overflows.
     pub fn checked_pow_half(self, twice: i32) -> Option<Unit> {
         let mut doubled = [0; 8];
         for (i, d) in doubled.iter_mut().enumerate() {

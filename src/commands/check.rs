@@ -12,7 +12,7 @@ use crate::cli::Check;
 use crate::{Answer, output};
 
 /// Runs `hyzer check`: checks each model. Returns `Answer::No` if any model has an error or fails one of its check
-/// cases.
+/// cases (points of evaluation with expected values, specified in the model file).
 pub fn run(options: &Check) -> anyhow::Result<Answer> {
     let mut answer = Answer::Yes;
     for name in &options.models {
@@ -42,7 +42,8 @@ pub fn run(options: &Check) -> anyhow::Result<Answer> {
     Ok(answer)
 }
 
-/// Runs the check cases of a model. Returns the results as text, and whether all of them pass.
+/// Compares the results of the check cases that a model declares with their expected values. Returns the results as
+/// text, and whether all cases pass.
 fn cases(model: &Model) -> (String, bool) {
     let mut text = String::new();
     let mut all_pass = true;

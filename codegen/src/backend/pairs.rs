@@ -7,7 +7,8 @@ use crate::functions::MathFunction;
 use crate::program::{Op, Operand, Program, Unary};
 use std::collections::HashMap;
 
-/// Hashable key of an operand: kind, and index or bits of the constant.
+/// Hashable key of an operand: the number of the operand's kind, and the operand's index (for a constant, the bits of
+/// its value).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct OperandKey(u8, u64);
 

@@ -108,8 +108,9 @@ impl LinearizedGraph {
         self
     }
 
-    /// Calls `keep` for each edge with the index of the operand's vertex and the partial derivative. Removes the edges
-    /// for which `keep` returns false, then the vertices from which no independent symbol can be reached.
+    /// Calls `keep` for each edge with the index of the operand's vertex and the partial derivative, which `keep` may
+    /// replace. Removes the edges for which `keep` returns false, then the vertices from which no independent symbol
+    /// can be reached.
     fn retain_edges(&mut self, mut keep: impl FnMut(usize, &mut NodeId) -> bool) {
         let mut dropped = Vec::new();
         for (from, vertex) in self.vertices.iter_mut().enumerate() {

@@ -47,7 +47,8 @@ pub(crate) fn share_values(ssa: &Ssa, graph: &mut ExprGraph, namer: &mut Namer) 
 }
 
 /// Returns a new local symbol that is defined by the sum `sum`. If `rooted`, that is, if the square root of the sum is
-/// also used, creates a local symbol for the square root instead and returns the square of that symbol.
+/// also used, creates a local symbol for the square root instead and returns the square of that symbol. `facts` are the
+/// known properties of the sum.
 fn share_sum(graph: &mut ExprGraph, sum: NodeId, facts: ValueFacts, rooted: bool) -> NodeId {
     if rooted && matches!(graph.node(sum), Node::Sum(..)) {
         let root = graph.local_root(facts, sum);

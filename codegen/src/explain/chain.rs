@@ -258,8 +258,9 @@ impl Cut {
         }
     }
 
-    /// Returns a new local symbol with the given definition and the LaTeX name `name`. If the definition is a symbol or
-    /// a number, or a multiple of one, no local symbol is created, and the definition is returned.
+    /// Returns a new local symbol with the given definition and the LaTeX name `name`; `facts` are the known properties
+    /// of its value. If the definition is a symbol or a number, or a multiple of a symbol, no local symbol is created,
+    /// and the definition is returned.
     fn leaf(&mut self, facts: ValueFacts, definition: NodeId, name: String) -> NodeId {
         let inner = self.graph.split_coefficient(definition).1;
         if matches!(self.graph.node(inner), Node::Symbol(_) | Node::Number(_)) {

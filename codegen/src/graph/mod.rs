@@ -192,8 +192,8 @@ impl ExprGraph {
     }
 
     /// Creates a local symbol: a leaf with the given definition, which simplification does not expand, so that a value
-    /// used several times is computed once. Within the current [scope](ExprGraph::scope), sums equal to the definition
-    /// are replaced by this leaf.
+    /// used several times is computed once; `facts` are the known properties of this value. Within the current
+    /// [scope](ExprGraph::scope), sums equal to the definition are replaced by this leaf.
     pub fn local(&mut self, facts: ValueFacts, definition: NodeId) -> NodeId {
         self.locals.push((facts, definition));
         let id = self.intern(Node::Symbol(Symbol::Local(self.locals.len() as u32 - 1)));
@@ -203,8 +203,9 @@ impl ExprGraph {
         id
     }
 
-    /// Creates a local symbol for the square root of a sum. Within the current [scope](ExprGraph::scope), the sum is
-    /// replaced by the square of that symbol, so that no half-integer powers appear in derivatives.
+    /// Creates a local symbol for the square root of a sum; `facts` are the known properties of the sum. Within the
+    /// current [scope](ExprGraph::scope), the sum is replaced by the square of that symbol, so that no half-integer
+    /// powers appear in derivatives.
     pub fn local_root(&mut self, facts: ValueFacts, sum: NodeId) -> NodeId {
         let definition = self.intern(Node::Product(Box::new([(sum, 1)])));
         let root = self.local(

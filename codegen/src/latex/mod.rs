@@ -66,7 +66,8 @@ fn stated<'a>(model: &'a Model, equation: &'a Equation) -> &'a Expr {
     }
 }
 
-/// LaTeX name of a force or moment: `\mathbf{F}_{\mathrm{weight}}`.
+/// LaTeX name of a force or moment: the bold letter `letter` (F or M) with the name `load` of the force or moment as
+/// subscript, as in `\mathbf{F}_{\mathrm{weight}}`.
 pub(crate) fn load_name(letter: &str, load: &str) -> String {
     format!(r"\mathbf{{{letter}}}_{{{}}}", words(load))
 }

@@ -92,7 +92,8 @@ pub(super) fn style(expr: &Expr) -> Style {
     }
 }
 
-/// LaTeX of the unit vector along axis `k` of a frame, named by the frame's letter in lower case.
+/// LaTeX of the unit vector along coordinate axis `k` (1 to 3) of a frame: the name of the frame in lower case, with
+/// the subscript `k`.
 fn axis(model: &Model, frame: usize, k: u8) -> Piece {
     let frame = model.frames[frame].name.to_lowercase();
     Piece::atom(format!("{}_{k}", name(&frame, Style::Vector)))

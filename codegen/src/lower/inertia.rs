@@ -51,7 +51,8 @@ impl Lowering<'_> {
     }
 
     /// Contribution of the varying part K of the inertia tensor to the rate of change of the angular momentum, N m:
-    /// `σ × K ω - K (σ × ω)`, where ω is the angular velocity `spin` and σ is [`Turned::relative`].
+    /// `σ × K ω - K (σ × ω)`. Here ω is the angular velocity `spin` of the body, and σ is the angular velocity of the
+    /// frame in which the inertia tensor is constant, relative to the frame of ω ([`Turned::relative`]).
     pub(super) fn drift(&mut self, turned: &Turned, spin: Vector) -> Vector {
         let graph = &mut self.graph;
         let momentum = turned.rest.map(|row| frames::dot(graph, row, spin));

@@ -251,7 +251,7 @@ impl Namer {
 
     /// Name of a sum of squares (`V_sq`, `air_velocity_12_sq`) or of the square root of a sum of squares
     /// (`air_velocity_12`), derived from the name of the square root or from the names of the squared values; `None`
-    /// for other definitions.
+    /// for other definitions. `depth` is the maximum number of nested operations that a derived name may spell out.
     fn norm(&self, ssa: &Ssa, graph: &ExprGraph, id: DefId, depth: u32) -> Option<String> {
         match &ssa.defs[id] {
             SsaDef::Root(x) => {

@@ -152,7 +152,8 @@ fn monotone(knots: &[(f64, f64)], is_flat: bool) -> PiecewiseCubic {
 }
 
 /// Adds straight lines below the first knot and above the last knot to the cubics `inner` between the knots. The lines
-/// are horizontal if `is_flat`; else they have the slopes of the curve at the end knots, `end_slope` at the last knot.
+/// are horizontal if `is_flat`; else they have the slopes of the curve at the end knots. `end_slope` is the slope of
+/// the curve at the last knot.
 fn continued(
     knots: &[(f64, f64)],
     inner: Vec<[f64; 4]>,

@@ -58,8 +58,9 @@ impl LaneModel {
     }
 
     /// Integrates all flights of `queue` with [`ode::fly`] and returns the number of vectorized evaluations of the
-    /// right-hand side. `isa` selects the instruction set; `None` selects the widest that the processor supports.
-    /// Returns 0 without integrating if the processor does not support `isa`.
+    /// right-hand side. `span` specifies the conditions that end a flight. `isa` selects the instruction set; `None`
+    /// selects the widest that the processor supports. Returns 0 without integrating if the processor does not support
+    /// `isa`.
     ///
     /// # Panics
     /// Under the conditions for which [`ode::fly`] panics.

@@ -7,8 +7,8 @@ use nalgebra::DVector;
 use crate::goal::Obstacle;
 use crate::throw_flight::ThrownBody;
 
-/// Ranges and constraints within which a throw is searched, and the scatter of release, wind and parameters from throw
-/// to throw.
+/// Ranges and constraints within which a throw is searched, and the random variation between repeated throws (of their
+/// quantities, such as the speed, of the wind and of the parameters).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bounds {
     /// Minimum and maximum of each quantity that a throw of the body can have: (index in [`FIELDS`], minimum,
@@ -18,7 +18,8 @@ pub struct Bounds {
     pub obstacle: Option<Obstacle>,
     /// Radius of the circle about the target within which a landing counts as good, m.
     pub circle: f64,
-    /// Scatter of release, wind and parameters from throw to throw.
+    /// Random variation between repeated throws: of their quantities, such as the speed, of the wind and of the
+    /// parameters.
     pub scatter: Scatter,
 }
 
@@ -34,8 +35,8 @@ pub struct Scatter {
     pub parameters: Vec<(usize, f64)>,
 }
 
-/// Default ranges of the quantities of a throw: name, minimum and maximum, in the units that [`FIELDS`] states. They
-/// are typical of good throwers, with a release at the height of the hand.
+/// Default ranges of the quantities of a throw: name, minimum and maximum, in the units given in [`FIELDS`]. They are
+/// typical of good throwers, with a release at the height of the hand.
 const RANGES: [(&str, f64, f64); 8] = [
     ("speed", 8.0, 27.0),
     ("heading", -45.0, 45.0),
@@ -47,7 +48,7 @@ const RANGES: [(&str, f64, f64); 8] = [
     ("wobble", 0.0, 0.0),
 ];
 
-/// Default standard deviations of the quantities of a throw, in the units that [`FIELDS`] states: an assumption of the
+/// Default standard deviations of the quantities of a throw, in the units given in [`FIELDS`]: an assumption of the
 /// order of magnitude that launch monitors show for practised throwers, not a measurement.
 const SCATTER: [(&str, f64); 6] = [
     ("speed", 0.5),
@@ -58,11 +59,11 @@ const SCATTER: [(&str, f64); 6] = [
     ("spin", 40.0),
 ];
 
-/// Default radius of the landing circle, m.
+/// Default radius of the circle about the target within which a landing counts as good, m.
 const CIRCLE: f64 = 3.0;
 
 impl Bounds {
-    /// Default bounds for a body, which apply where a bounds file states nothing.
+    /// Default bounds for a body, which apply to everything that is not specified in a bounds file.
     pub fn standard(body: &ThrownBody) -> Bounds {
         let fields = body.fields();
         let range = |field: &usize| {
@@ -85,8 +86,8 @@ impl Bounds {
         }
     }
 
-    /// Sets the minimum and maximum of the quantity called `name`, in the unit that [`FIELDS`] states; ignored if the
-    /// body does not have this quantity.
+    /// Sets the minimum and maximum of the quantity called `name`, in the unit given in [`FIELDS`]; ignored if the body
+    /// does not have this quantity.
     pub fn set(&mut self, name: &str, least: f64, greatest: f64) {
         for range in self
             .ranges

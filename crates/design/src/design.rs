@@ -18,7 +18,7 @@ use crate::sensitivity::{Sensitivity, sensitivities};
 use crate::spread::landing_covariance;
 use crate::throw_flight::{By, ThrowFlightError, ThrowFlights};
 
-/// Options of the search for a throw.
+/// Options of the search for the throw that serves a goal best; see [`design`](fn@design).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SearchOptions {
     /// Number of starting throws that are simulated; local descents start at the best of them. Default 384.
@@ -113,7 +113,7 @@ const SERVES: f64 = 1e-3;
 const TOLERANCES: [f64; 3] = [1e-4, 1e-6, 1e-9];
 /// Bases of the Halton sequence, one per quantity of a throw.
 const BASES: [u64; 8] = [2, 3, 5, 7, 11, 13, 17, 19];
-/// Minimum distance between the starting points of two descents, in the unit box.
+/// Minimum Euclidean distance, in the unit box, between the starting points of any two local descents.
 const APART: f64 = 0.1;
 /// Step, in the unit box, of the finite differences of the spread, for the goal [`Goal::Spread`].
 const SPREAD_STEP: f64 = 1e-4;
@@ -304,9 +304,9 @@ impl Task<'_> {
         self.goal.target().is_some() || side.is_some()
     }
 
-    /// Changes a starting throw, by Gauss–Newton steps, until it meets the constraints or violates them as little as
-    /// the bounds allow. `accuracy` is an index into [`TOLERANCES`]. `None` if one of the evaluated throws cannot be
-    /// flown.
+    /// Changes a starting throw, by Gauss–Newton steps, until it meets the constraints (with the obstacle passed on
+    /// `side`; `None` without an obstacle) or violates them as little as the bounds allow. `accuracy` is an index into
+    /// [`TOLERANCES`]. `None` if one of the evaluated throws cannot be flown.
     fn met(&self, side: Option<Side>, from: &DVector<f64>, accuracy: usize) -> Option<Arrival> {
         let near = RefCell::new(None);
         if !self.is_constrained(side) {
@@ -323,8 +323,8 @@ impl Task<'_> {
         Some(arrival)
     }
 
-    /// Minimizes the objective among throws that meet the constraints, starting from one of them. `None` if the
-    /// starting throw cannot be flown.
+    /// Minimizes the objective among throws that meet the constraints with the obstacle, if any, passed on `side`;
+    /// starts from such a throw. `None` if the starting throw cannot be flown.
     fn least(&self, side: Option<Side>, from: &DVector<f64>) -> Option<Arrival> {
         let near = RefCell::new(None);
         let problem =
@@ -491,7 +491,7 @@ fn radical_inverse(mut index: u64, base: u64) -> f64 {
     value
 }
 
-/// Names and values of the quantities that a throw states, in the order of [`FIELDS`].
+/// Names and values of the quantities of a throw that have a value, in the order of [`FIELDS`].
 pub fn numbers(throw: &Throw) -> impl Iterator<Item = (&'static str, f64)> {
     FIELDS
         .iter()

@@ -36,8 +36,8 @@ pub struct OneUnit {
     pub miss: f64,
 }
 
-/// Effects of the quantities of a throw on its landing, in the order of [`FIELDS`]. Quantities that the throw leaves
-/// open, or that the body cannot have (such as the spin of a point mass), are omitted.
+/// Effects of the quantities of a throw on its landing, in the order of [`FIELDS`]. Quantities without a value in the
+/// throw, or that the body cannot have (such as the spin of a point mass), are omitted.
 ///
 /// # Errors
 /// [`ThrowFlightError`] if the throw cannot be flown.

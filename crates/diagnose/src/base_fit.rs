@@ -68,7 +68,7 @@ fn may_be_an_effect(faults: &[DataFault]) -> bool {
     faults.iter().all(|fault| fault.fault == FaultKind::Other)
 }
 
-/// Stopwatch of a diagnosis: computing time by stage.
+/// Stopwatch of a diagnosis: time from the start to the end of each stage (`fit`, `search`, `total`).
 pub(crate) struct Clock {
     started: Instant,
     pub seconds: BTreeMap<String, f64>,

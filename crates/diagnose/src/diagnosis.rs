@@ -331,8 +331,9 @@ impl<'a> Analysis<'a> {
     }
 
     /// Validates the best explanation by its out-of-sample gain if it is overflexible: if it has more than two effects,
-    /// or one value for each flight. Returns the validated explanation if it improves predictions. Otherwise drops
-    /// all overflexible explanations and returns the reason as the second value.
+    /// or an effect with a separate value for each flight. Returns the validated explanation if it improves
+    /// predictions. Otherwise drops all overflexible explanations and returns the reason as the second value. Both
+    /// values are `None` if the best explanation is not overflexible, or the deadline has passed.
     fn validate_overflexible(
         &mut self,
     ) -> Result<(Option<Validated>, Option<String>), DiagnosisError> {

@@ -4,8 +4,9 @@ use crate::compiled_model::CompiledModel;
 use crate::release::{Release, Stop};
 use ode::{Event, IntegrationError, IntegrationOptions, Trajectory, integrate, integrate_to_event};
 
-/// Simulates the flight of the model from the initial conditions of a release to the end that the release states. The
-/// apex and the contact with the ground (height `z` falls to 0) are recorded as events `apex` and `ground`.
+/// Simulates the flight of the model from the initial conditions in `release` to the condition [`Release::stop`] that
+/// ends the flight. The apex and the contact with the ground (height `z` falls to 0) are recorded as events `apex` and
+/// `ground`.
 ///
 /// # Errors
 /// [`IntegrationError`] if the integration fails, a limit of validity is reached, or the ground is not reached within

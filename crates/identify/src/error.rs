@@ -184,7 +184,7 @@ pub enum FitError {
         /// Allowed range, as text for the message.
         expected: &'static str,
     },
-    /// The model states no measurement equation.
+    /// The model has no measurement equation.
     #[error("the model {model} does not say what is observed of it")]
     NoObservation {
         /// Name of the model.

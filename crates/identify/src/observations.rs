@@ -111,8 +111,9 @@ impl Observations {
         })
     }
 
-    /// Observations of `flight` for `problem`, with the samples, outliers, truncation and notes of `other`. `None` if
-    /// the channels or times differ from those of `other`, or if the flight cannot be used.
+    /// Observations of `flight` for `problem`, with the number of samples, outliers, truncation and notes of `other`,
+    /// the observations of the same flight for another problem. `None` if the channels or times differ from those of
+    /// `other`, or if the flight cannot be used.
     pub(crate) fn like(problem: &FitProblem, flight: &Flight, other: &Self) -> Option<Self> {
         let mut observations = Self::new(problem, flight).ok()?;
         let samples = other.times.len();

@@ -6,8 +6,8 @@ use model_spec::model::Model;
 /// estimated.
 pub const EFFECT: &str = "unknown_vertical";
 
-/// Names of the coefficients of the effect `unknown_vertical`, which are rotation angles, rad: about the x axis, then about the rotated y
-/// axis.
+/// Names of the coefficients of the effect `unknown_vertical`, which are rotation angles, rad: about the x axis, then
+/// about the rotated y axis.
 pub const ANGLES: [&str; 2] = ["vertical_x", "vertical_y"];
 
 /// Whether the model includes the effect that rotates the axes in which positions are measured.

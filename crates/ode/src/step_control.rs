@@ -130,7 +130,8 @@ pub(crate) struct InitialNorms {
     pub second_derivative: f64,
 }
 
-/// Initial step size from the norms of the first and second derivatives of the state, limited to `max_step`.
+/// Initial step size from the norms of the first and second derivatives of the state, limited to 100 times the trial
+/// Euler step and to `max_step`. `order` is the order of the error estimate.
 #[inline(always)]
 pub(crate) fn second_step(norms: &InitialNorms, order: i32, max_step: f64) -> f64 {
     let euler_step = norms.euler_step;

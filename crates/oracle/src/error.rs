@@ -2,11 +2,11 @@
 
 use thiserror::Error;
 
-/// Reason why the reference implementation of a law of motion or of an effect cannot be applied to a model, whose names
-/// it uses.
+/// Reason why the reference implementation of a law of motion or of an effect cannot be applied to the model that names
+/// this law or effect.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum BindError {
-    /// No reference implementation has the name given after `reference`.
+    /// No reference implementation has the name that the model gives after the keyword `reference`.
     #[error("there is no reference `{name}`; available: {}", crate::reference::NAMES.join(", "))]
     UnknownReference {
         /// Unknown name that the model gives after `reference`.

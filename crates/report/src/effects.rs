@@ -30,8 +30,8 @@ pub struct Listed {
     /// Specific effects that replace this general effect; the effect is not considered for a model to which one of
     /// them applies.
     pub without: Vec<String>,
-    /// Origin of the effect: declared in the model's file, built in, or generated for a differential equation that the
-    /// model file states explicitly.
+    /// Origin of the effect: declared in the model's file, built in, or generated for a differential equation that is
+    /// written explicitly in the model file.
     pub origin: Origin,
 }
 
@@ -166,7 +166,8 @@ fn of(model: &Model, effect: &AppliedEffect, known: &KnownEffect) -> Listed {
     }
 }
 
-/// Formats a dimensionless number, or a number whose unit is shown elsewhere, as in the summary of a model.
+/// Formats a number without a unit, because it is dimensionless or its unit is shown elsewhere. The format is that of
+/// model summaries.
 fn plain(value: f64) -> String {
     with_unit(value, "1")
 }

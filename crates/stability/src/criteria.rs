@@ -21,15 +21,15 @@ use crate::linearise::Linearised;
 /// Derivatives of the linearised motion that determine how the body axis moves in the air stream.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisDerivatives {
-    /// Decay rate a of the angle of attack by lift, 1/s. For the built-in discs a = q A (C_La + C_D)/(m V) with the
+    /// Decay rate a of the angle of attack due to lift, 1/s. For the built-in discs a = q A (C_La + C_D)/(m V) with the
     /// dynamic pressure q, the area A, the mass m and the airspeed V.
     pub lift: f64,
-    /// Decay rate δ of the angular rates normal to the body axis by aerodynamic damping, 1/s: −q A d C_Mq/I_d with the
-    /// dynamic pressure q, the area A, the diameter d and the diametral moment of inertia I_d.
+    /// Decay rate δ of the angular rates normal to the body axis due to aerodynamic damping, 1/s: −q A d C_Mq/I_d with
+    /// the dynamic pressure q, the area A, the diameter d and the diametral moment of inertia I_d.
     pub damping: f64,
-    /// Angular acceleration κ by the pitching moment per rad of the angle of attack, 1/s²: −q A d C_Ma/I_d with the
-    /// dynamic pressure q, the area A, the diameter d and the diametral moment of inertia I_d. It is positive if the
-    /// moment raises the nose of a body with a positive angle of attack, so that deviations grow.
+    /// Angular acceleration κ due to the pitching moment, per rad of the angle of attack, 1/s²: −q A d C_Ma/I_d with
+    /// the dynamic pressure q, the area A, the diameter d and the diametral moment of inertia I_d. It is positive if
+    /// the moment raises the nose of a body with a positive angle of attack, so that deviations grow.
     pub pitching: f64,
     /// Frequency ν of the nutation without aerodynamic moments, rad/s: I_a r/I_d with the axial and the diametral
     /// moment of inertia I_a and I_d and the spin r.

@@ -61,7 +61,7 @@ pub enum StudyError {
     /// A throw cannot be simulated.
     #[error(transparent)]
     Throw(#[from] design::ThrowFlightError),
-    /// The search for launch conditions with a desired flight cannot be set up or fails.
+    /// The search for launch conditions that produce a desired flight cannot be set up or fails.
     #[error(transparent)]
     Design(#[from] design::DesignError),
     /// The template of a page cannot be rendered with the results.

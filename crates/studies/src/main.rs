@@ -169,7 +169,8 @@ fn cut_section(datasets: u64, threads: usize) -> CutSection {
     CutSection::new(&free, &bounces)
 }
 
-/// Executes the runs of all rows of the discovery study. Prints a line for each run if `--details` is given.
+/// Executes the runs (diagnoses of simulated datasets) of all selected rows of the discovery study's table. Prints a
+/// line for each run if `--details` is given.
 fn discovery(options: cli::Discovery) -> anyhow::Result<(Page, Option<PathBuf>)> {
     let cli::Discovery {
         runs: options,

@@ -26,25 +26,25 @@ use crate::table;
 pub struct SweepOptions<'a> {
     /// Number of threads; at least 1.
     pub threads: usize,
-    /// Share of the parts to compute, for several processes with one folder: (share number from 1, number of shares).
-    /// `None` computes all parts and joins them.
+    /// If several processes compute one sweep in the same folder: the share of the parts (blocks of consecutive
+    /// flights) to compute, as (share number from 1, number of shares). `None` computes all parts and joins them.
     pub share: Option<(u64, u64)>,
     /// Whether the flights are also written as CSV.
     pub csv: bool,
-    /// Called after each part, with the number of its flights.
+    /// Called after each completed part (a block of consecutive flights), with the number of flights in the part.
     pub progress: &'a (dyn Fn(u64) + Sync),
 }
 
-/// Maximum number of parts, per thread, that may be computed ahead of the first part not yet merged into the summary;
-/// it bounds the memory.
+/// Maximum number of parts (blocks of consecutive flights), per thread, that may be computed ahead of the first part
+/// not yet merged into the summary; it bounds the memory.
 const AHEAD: u64 = 8;
 
 /// File name of the table of all flights.
 const FLIGHTS: &str = "flights.parquet";
 
 /// Simulates the flights of a plan and writes `flights.parquet` and `summary.json` to the folder `out`, which is new,
-/// empty or holds earlier parts of the same plan. Returns the contents of `summary.json`; `None` if the options
-/// restrict the run to a share of the parts.
+/// empty or holds earlier parts of the same plan. Returns the contents of `summary.json`; `None` if `options.share`
+/// restricts the computation to a share of the parts.
 ///
 /// # Errors
 /// [`SweepError`] if the plan needs a state that the model does not have, or a file cannot be read or written. A flight
@@ -151,8 +151,8 @@ fn finish(
     Ok(summary)
 }
 
-/// Calls `work` for each part on several threads and merges the summaries in the order of the parts. `None` if
-/// `parts` is empty; the first error that arrives stops all threads.
+/// Calls `work` for each part (a block of consecutive flights) with its number, on several threads, and merges the
+/// summaries in the order of the parts. `None` if `parts` is empty; the first error that arrives stops all threads.
 fn in_order(
     parts: std::ops::Range<u64>,
     options: &SweepOptions<'_>,

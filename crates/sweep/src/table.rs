@@ -180,8 +180,8 @@ fn row_group(
     Ok(rows)
 }
 
-/// Joins the Parquet files of the parts to one file, with one row group per part, copying the column data without
-/// decoding it.
+/// Joins the Parquet files of the parts of a sweep (blocks of consecutive flights) into one file, with one row group
+/// per part, copying the column data without decoding it.
 pub(crate) fn join(
     path: &Path,
     parts: impl Iterator<Item = std::path::PathBuf>,

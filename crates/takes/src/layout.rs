@@ -48,7 +48,7 @@ pub(crate) struct Layout {
     /// Whether a position of exactly 0, 0, 0 marks a missing value.
     pub zero_is_gap: bool,
     pub notes: Vec<String>,
-    /// Number of rows that the header of the file states; `None` if it states none.
+    /// Number of rows specified in the header of the file; `None` if none is specified.
     pub stated: Option<usize>,
 }
 

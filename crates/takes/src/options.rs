@@ -4,17 +4,17 @@ use crate::error::{Fault, Place};
 use crate::format::Format;
 use crate::unit::{LengthUnit, TimeUnit};
 
-/// User-supplied properties of a recording file. They supplement the properties that the file states, and override
+/// User-supplied properties of a recording file. They supplement the properties specified in the file, and override
 /// them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ReadOptions {
     /// Format of the file; recognised by the content if `None`.
     pub format: Option<Format>,
-    /// Unit of the coordinates; if `None`, the file must state it.
+    /// Unit of the coordinates; if `None`, it must be specified in the file.
     pub length: Option<LengthUnit>,
-    /// Unit of the times; if `None`, the file must state it.
+    /// Unit of the times; if `None`, it must be specified in the file.
     pub time: Option<TimeUnit>,
-    /// Frames per second; if `None`, the file must state the rate or contain times.
+    /// Frames per second; if `None`, the file must specify the rate or contain times.
     pub rate: Option<f64>,
 }
 
@@ -22,8 +22,8 @@ pub struct ReadOptions {
 const FASTEST: f64 = 1e6;
 
 impl ReadOptions {
-    /// Unit of length: the user's unit if it is given, otherwise the unit `stated` by the file. Adds a note if both are
-    /// given and differ. Fails if neither is given, with `place` as the location of the error.
+    /// Unit of length: the user's unit if it is given, otherwise the unit `stated`, which is specified in the file.
+    /// Adds a note if both are given and differ. Fails if neither is given, with `place` as the location of the error.
     pub(crate) fn length(
         &self,
         stated: Option<LengthUnit>,
@@ -46,9 +46,9 @@ impl ReadOptions {
         }
     }
 
-    /// Frames per second: the user's rate if it is given, otherwise the rate `stated` by the file. Adds a note if both
-    /// are given and differ. Fails if neither is given or the rate is out of range, with `place` as the location of the
-    /// error.
+    /// Frames per second: the user's rate if it is given, otherwise the rate `stated`, which is specified in the file.
+    /// Adds a note if both are given and differ. Fails if neither is given or the rate is out of range, with `place` as
+    /// the location of the error.
     pub(crate) fn rate(
         &self,
         stated: Option<f64>,

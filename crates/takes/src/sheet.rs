@@ -130,7 +130,8 @@ impl<'t> Sheet<'t> {
         read.map_err(|expected| self.fault(index, shown(cell), expected))
     }
 
-    /// Value of a cell that must contain a number; the error message of any other cell states `what` was expected.
+    /// Value of a cell of the current row that must contain a number. If it does not, the result is an error whose
+    /// message contains `what`, the description of the expected value.
     pub fn needed(&self, index: usize, what: &str) -> Result<f64, Fault> {
         match self.number(index) {
             Ok(Some(number)) => Ok(number),

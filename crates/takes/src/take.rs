@@ -15,12 +15,12 @@ pub struct Take {
     pub points: Vec<Point>,
     /// Tracked rigid bodies, each with its poses.
     pub bodies: Vec<Body>,
-    /// Unit of the coordinates in the file, stated by the file or an option; the coordinates in this structure are in
-    /// m.
+    /// Unit of the coordinates in the file, as specified in the file or by an option; the coordinates in this structure
+    /// are in m.
     pub length: LengthUnit,
-    /// Axis that points up; `None` if the file does not state it.
+    /// Axis that points up; `None` if it is not specified in the file.
     pub up: Option<Axis>,
-    /// Whether the axes are left-handed; `None` if neither the file nor its format states it.
+    /// Whether the axes are left-handed; `None` if this is specified neither in the file nor by its format.
     pub left_handed: Option<bool>,
     /// Notes on decisions made while reading, such as statements of the file that were overridden or columns left out.
     pub notes: Vec<String>,

@@ -20,8 +20,8 @@ pub struct Engine {
     observe_layout: Entries,
 }
 
-/// Maps the sparse Jacobians computed by a compiled function to a dense Jacobian: for each computed entry, its row and
-/// column there.
+/// Maps the sparse Jacobians computed by a compiled function to one dense Jacobian. For each computed entry, it
+/// contains the row and column in the dense Jacobian.
 #[derive(Clone, Debug, Default)]
 pub struct Entries {
     rows: usize,

@@ -24,8 +24,8 @@ const FLIGHTS: &str = "flights";
 /// Maximum allowed relative difference in the flight checks, such as that of two final states. The relative tolerance
 /// of the integration is 1e-11.
 pub(crate) const TOLERANCE: f64 = 1e-8;
-/// Detail of a skipped check, for a model in which recorded time (the time stamps of the measurements) does not advance
-/// by 1 s per second of flight.
+/// Reason given in the report for skipping a check, for a model in which recorded time (the time stamps of the
+/// measurements) does not advance by 1 s per second of flight.
 pub(crate) const OWN_CLOCK: &str = "its clock does not keep to the seconds of the flight";
 /// Number of simulated flights per flight check.
 pub(crate) const RELEASES: usize = 3;

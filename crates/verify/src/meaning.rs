@@ -20,9 +20,9 @@ const FOUND: f64 = 1e-12;
 pub enum Meaning<'a> {
     /// Each state is a component of a physical quantity.
     Chart(&'a Chart),
-    /// The model states its equations and claims (declares) which expressions are the position, velocity, attitude and
-    /// angular velocity of a body. States for given physical quantities are found by solving these expressions
-    /// numerically.
+    /// The equations are written explicitly in the model file, which also declares (claims) which expressions are the
+    /// position, velocity, attitude and angular velocity of a body. The states for given physical quantities are found
+    /// by solving for them numerically.
     Claim(&'a Model),
 }
 

@@ -74,8 +74,8 @@ impl Row {
         }
     }
 
-    /// Creates the row of a check that holds if the list of faults is empty. The detail is `holds` in that case,
-    /// otherwise the faults.
+    /// Creates the row of a check that holds if the list of faults is empty. The detail is the text `holds` in that
+    /// case, otherwise the faults. `cases` is the number of points or cases that were tested.
     pub fn counted(check: &'static str, cases: usize, faults: &[String], holds: &str) -> Self {
         Self {
             check,

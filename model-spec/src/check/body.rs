@@ -7,8 +7,8 @@ use crate::model::{self, Expr, ExprKind, Shape};
 use crate::syntax::ast::{self, BodyClass, BodyPartKind, ItemKind, Name};
 use crate::unit::Unit;
 
-/// The statements of a body's block, sorted by kind; each kind occurs at most once. `None` for a kind that is not
-/// stated.
+/// The statements of a body's block, one field per kind of statement. Each kind occurs at most once; `None` if the
+/// block does not contain it.
 #[derive(Default)]
 pub(super) struct Parts<'a> {
     mass: Option<&'a ast::Expr>,
@@ -309,7 +309,8 @@ impl<'a> Checker<'a> {
     }
 }
 
-/// Literal 0 with a provisional unit, as a placeholder for a mass or for tensor entries that are not stated.
+/// Literal 0 with a provisional unit: placeholder for a mass, or for an entry of the inertia tensor, that the model
+/// file does not specify.
 pub(super) fn zero(span: Span) -> Expr {
     let mut expr = node(
         ExprKind::Number {

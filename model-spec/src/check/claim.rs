@@ -113,8 +113,8 @@ impl<'a> Checker<'a> {
         self.report(fault.help("state the quantity by the states and parameters"));
     }
 
-    /// Whether `e`, an expression of a claim, uses an auxiliary variable that depends on `der(…)`; if so, reports an
-    /// error, because the claim would then hold for any equations.
+    /// Whether `e`, an expression in the `claim` block, uses an auxiliary variable that depends on `der(…)`. If so,
+    /// reports an error, because the claimed equations of motion would then hold for any equations of the model.
     fn is_circular(&mut self, e: &Expr) -> bool {
         let of_equations: Vec<usize> = { self.derivatives.values() }
             .filter_map(|&definition| match self.definitions.get(definition) {

@@ -179,8 +179,8 @@ impl<'a> Checker<'a> {
     }
 
     /// SI value of a parameter's lower or upper bound. A bound without a unit has the unit `of` of the default value. A
-    /// bound with a unit of another dimension is an error. `inferred` states that the parameter's unit is to be
-    /// inferred; any unit of the bound is then an error. On an error, reports it and returns `None`.
+    /// bound with a unit of another dimension is an error. If the parameter's unit is to be inferred (`inferred`), any
+    /// unit of the bound is an error. On an error, reports it and returns `None`.
     fn bound(&mut self, bound: &ast::Quantity, of: &Measure, inferred: bool) -> Option<f64> {
         let Some(unit) = &bound.unit else {
             return Some(of.of(&bound.number).0);

@@ -260,9 +260,9 @@ impl Checker<'_> {
         self.missing_factor(&terms[odd[0]], unit(odd[0])?, unit(even[0])?)
     }
 
-    /// Suggests how the unit `found` of an expression becomes `expected`: by removing a declared quantity from the
-    /// expression, or by dividing or multiplying the expression by a declared quantity. `None` if no declared quantity
-    /// has the required unit.
+    /// Suggests a change of the expression `typed`, which has the unit `found`, so that its unit becomes `expected`: to
+    /// remove a declared quantity from the expression, or to divide or multiply the expression by a declared quantity.
+    /// `None` if no declared quantity has the required unit.
     fn missing_factor(&self, typed: &Typed, found: Unit, expected: Unit) -> Option<String> {
         let text = self.text(typed.expr.span);
         let excess = found.checked_div(expected)?;

@@ -139,8 +139,8 @@ impl<'a> Checker<'a> {
         })
     }
 
-    /// Index of the state that is a frame's rotation angle or quaternion component; `None` if there is no such state.
-    /// Reports a state that is neither an angle nor dimensionless.
+    /// Index of the state `name`, which is the rotation angle or a quaternion component of a frame; `None` if there is
+    /// no state of this name. Reports an error if the unit of the state is neither that of an angle nor dimensionless.
     fn frame_state(&mut self, name: &Name) -> Option<usize> {
         let Some(Symbol::State(index)) = self.scope.find(&name.text) else {
             // If there is a body, the errors of its statements have already been reported.

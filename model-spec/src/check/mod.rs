@@ -107,7 +107,7 @@ enum UnitOf {
     Term(Term),
     /// Compatible with every unit, because the expression is a literal 0 without a unit.
     Zero,
-    /// Inconsistent; the error has already been reported.
+    /// The units of the operands are inconsistent; the error has already been reported.
     Faulty,
 }
 
@@ -122,7 +122,7 @@ struct Typed {
 /// Result of checking the definition of an auxiliary variable.
 #[derive(Clone, Debug)]
 enum Definition {
-    /// Not yet checked, or has an error.
+    /// The definition is not yet checked, or has an error.
     Missing,
     /// Checked without error: index into [`Model::aux_variables`], shape and unit.
     Done(usize, model::Shape, UnitOf),
@@ -137,7 +137,8 @@ struct Checker<'a> {
     units: Units,
     scope: Scope,
     model: Model,
-    /// Units of the known constants, by index into [`Model::params`]; an unknown for a unit to be inferred (`[?]`).
+    /// Units of the known constants, by index into [`Model::params`]. A unit to be inferred (`[?]`) is represented by
+    /// an unknown unit.
     params: Vec<Term>,
     coefficients: Vec<Term>,
     inputs: Vec<Term>,

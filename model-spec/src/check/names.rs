@@ -157,7 +157,8 @@ impl Checker<'_> {
         None
     }
 
-    /// Records `span` as the first use of each unknown unit in `term` that has none yet, for messages.
+    /// Records `span` as the source span of the first use of each unknown unit in `term`, unless a first use is already
+    /// recorded for it. Error messages show this span.
     fn used(&mut self, term: &Term, span: Span) {
         for unknown in term.unknowns() {
             let place = &mut self.first_uses[unknown as usize];

@@ -21,7 +21,7 @@ pub(super) struct Defining<'a> {
     pub value: &'a Expr,
     pub doc: &'a str,
     pub effect: Option<usize>,
-    /// For an equation, the index of its state in the model; `None` for a `let`.
+    /// For an equation `der(STATE) = …`, index of `STATE` into `Model::states`; `None` for a `let`.
     pub state: Option<usize>,
     /// Source span of the defined name.
     pub span: Span,

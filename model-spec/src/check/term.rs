@@ -167,7 +167,7 @@ impl Term {
 struct Unknown {
     /// Declared name whose unit is unknown.
     name: String,
-    /// Solution as a product that may contain other unknowns; `None` while undetermined.
+    /// Inferred unit, as a product that may contain other unknown units; `None` while undetermined.
     solution: RefCell<Option<Term>>,
     /// Source span of the expression that determined the solution; `None` while the solution is undetermined.
     at: Option<Span>,
@@ -202,7 +202,7 @@ impl Units {
         self.unknowns[unknown as usize].at
     }
 
-    /// Returns a unit with all solutions found so far substituted for its unknowns.
+    /// Returns a unit in which each unknown unit is replaced by its solution, if inference has determined one so far.
     pub fn resolve(&self, term: &Term) -> Term {
         for unknown in term.unknowns() {
             self.compress(unknown);
@@ -214,15 +214,15 @@ impl Units {
         self.unknowns[unknown as usize].solution.borrow().is_some()
     }
 
-    /// Whether the solution of an unknown contains another unknown that is itself solved.
+    /// Whether the solution of the unknown unit with index `unknown` contains another unknown unit that is also solved.
     fn is_chained(&self, unknown: u32) -> bool {
         let solution = self.unknowns[unknown as usize].solution.borrow();
         let term = solution.as_ref();
         term.is_some_and(|term| term.unknowns().any(|u| self.is_solved(u)))
     }
 
-    /// Replaces each solved unknown in a unit by its stored solution. Unknowns in these solutions are not replaced.
-    /// `None` if an exponent is out of range.
+    /// Replaces each solved unknown unit in `term` by its stored solution. Unknown units inside these solutions are not
+    /// replaced. `None` if an exponent is out of range.
     fn substituted(&self, term: &Term) -> Option<Term> {
         let mut result = term.known_part();
         for &(index, power) in &term.unknowns {
@@ -234,8 +234,8 @@ impl Units {
         Some(result)
     }
 
-    /// Replaces the solved unknowns in the stored solution of `unknown` by their solutions, recursively, so that only
-    /// undetermined unknowns remain (path compression).
+    /// In the stored solution of the unknown unit with index `unknown`, replaces solved unknown units by their
+    /// solutions, recursively, so that only undetermined unknown units remain (path compression).
     fn compress(&self, unknown: u32) {
         let mut path = vec![unknown];
         while let Some(&last) = path.last() {
@@ -256,8 +256,8 @@ impl Units {
         }
     }
 
-    /// Makes two units equal by solving for at most one unknown; returns [`Differ`] if that is impossible. `at` is the
-    /// span of the expression that requires equality.
+    /// Makes two units equal by solving for at most one unknown unit; returns [`Differ`] if that is impossible. `at` is
+    /// the source span of the expression that requires equality.
     pub fn equate(&mut self, a: &Term, b: &Term, at: Span) -> Result<(), Differ> {
         let (a, b) = (self.resolve(a), self.resolve(b));
         let Some(ratio) = a.times_power(
@@ -287,8 +287,8 @@ impl Units {
         Ok(())
     }
 
-    /// Solution of an unknown unit: a product in which only undetermined unknowns occur. If the unknown itself is
-    /// undetermined, it is returned as the product.
+    /// Solution of the unknown unit with index `unknown`: a product without solved unknown units. If the unknown unit
+    /// is itself undetermined, the product consists of that unknown unit alone.
     pub fn solution(&self, unknown: u32) -> Term {
         self.resolve(&Term::unknown(unknown))
     }

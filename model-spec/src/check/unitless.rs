@@ -18,8 +18,8 @@ const MAX_SUGGESTED: usize = 3;
 pub(super) struct Unitless {
     /// Whether the unit of a declaration without a unit is an unknown to be inferred (`true`) or 1 (`false`).
     infers: bool,
-    /// Unit assumed for each declaration without a unit: 1, or an unknown if units are inferred. The key is the source
-    /// span of the declared name.
+    /// Unit assumed for each declaration without a unit: 1, or an unknown unit if missing units are to be inferred. The
+    /// key is the source span of the declared name.
     terms: HashMap<Span, Term>,
     /// For each unit error, its source span and the declarations without a unit on which the inconsistent expressions
     /// depend. A declaration is identified by the source span of its name.
@@ -35,8 +35,8 @@ impl Unitless {
         }
     }
 
-    /// Unit that the checker assumes for the declaration whose name has the source span `name`, and which states no
-    /// unit: 1, or an unknown if units are inferred.
+    /// Unit that the checker assumes for a declaration without a unit: 1, or an unknown unit if missing units are to be
+    /// inferred. `name` is the source span of the declared name.
     pub fn term(&self, name: Span) -> Term {
         self.terms.get(&name).cloned().unwrap_or_else(Term::one)
     }

@@ -133,7 +133,7 @@ impl EffectTree {
     }
 
     /// Quantities that a model must have for the effect to be applicable (`needs` statement), without those for which
-    /// the effect states a fallback.
+    /// the `needs` statement contains a fallback expression.
     pub fn needs(&self) -> impl Iterator<Item = &Need> {
         let all = self.tree.parts.iter().flat_map(|part| match part {
             EffectPart::Needs(needs) => needs.as_slice(),
@@ -142,8 +142,8 @@ impl EffectTree {
         all.filter(|need| need.otherwise.is_none())
     }
 
-    /// Instruments whose measured quantities the effect needs, except quantities for which the effect states a
-    /// fallback.
+    /// Instruments whose measured quantities the effect needs, without those for which the `needs` statement of the
+    /// effect contains a fallback expression.
     pub(crate) fn instruments(&self) -> Vec<Instrument> {
         let is_needed = |instrument: &Instrument| {
             let mut needs = self.needs();

@@ -188,8 +188,8 @@ fn replace_names(e: &mut Expr, by: &HashMap<String, Expr>) {
     e.children_mut(&mut |child| replace_names(child, by));
 }
 
-/// Mutable references to the right-hand sides of the statements that an effect adds or replaces, and to the entries of
-/// the inertia tensor that it states.
+/// Mutable references to the right-hand sides of all statements in an effect that add or replace something in a model,
+/// and to the entries of the inertia tensor in the effect's `replace inertia` statement.
 fn expressions(effect: &mut Effect) -> impl Iterator<Item = &mut Expr> {
     effect.parts.iter_mut().flat_map(|part| match part {
         EffectPart::Replace(item) | EffectPart::Add(item) => {

@@ -40,7 +40,7 @@ pub struct ClaimedRotation {
     pub moment: Expr,
 }
 
-/// How a [`Claim`] states the orientation of the body: by a body-fixed frame, or by the axis of revolution alone.
+/// How a [`Claim`] specifies the orientation of the body: by a body-fixed frame, or by the axis of revolution alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ClaimedAttitude {
     /// The body-fixed frame, by index into [`Model::frames`](super::Model::frames).

@@ -45,7 +45,7 @@ struct Variable {
 }
 
 /// Generates a term library for a model. `None` if there is nothing to which a term can be added. This is the case if
-/// the model has no body, and each of its own equations only equates a derivative with a state, as in `der(phi) =
+/// the model has no body, and each equation in the model file only equates a derivative with a state, as in `der(phi) =
 /// phidot`.
 pub(super) fn library(model: &Model) -> Option<LibraryFile> {
     let (mut loads, channels) = match &model.body {

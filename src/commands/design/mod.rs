@@ -132,7 +132,7 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
     })
 }
 
-/// The goal that the options state, with its target point.
+/// The goal specified by the options, with its target point.
 fn goal(options: &Options) -> anyhow::Result<Goal> {
     let name = options.goal.as_str();
     let target = options

@@ -7,9 +7,9 @@ use nalgebra::{Vector2, Vector3};
 use report::figures::{Dots, Line, Look, Mark, Panel};
 use report::{Section, Sheet, SheetFigure, Table};
 
-/// Number of points of a drawn path and of a drawn ellipse.
+/// Number of line segments with which the figures show a path; an ellipse has half as many.
 const POINTS: usize = 200;
-/// Maximum number of sampled landings that are drawn.
+/// Maximum number of sampled landings that the figure shows as dots.
 const MOST_DOTS: usize = 1500;
 
 /// Report page of a throw design, the result of `hyzer design`.

@@ -179,8 +179,8 @@ pub(super) fn fitted_text(
     Ok(tree.with_values(given.chain(found))?.to_text(note))
 }
 
-/// Path or name of the model: that of the option, or else that of the dataset, whose paths are relative to the
-/// dataset's folder.
+/// Path or name of the model: `asked`, the value of the option `--model`, or else the model specified in the dataset,
+/// where a path is relative to the dataset's folder.
 pub(super) fn model_of(
     asked: Option<&String>,
     folder: &Path,

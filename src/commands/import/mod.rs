@@ -326,7 +326,8 @@ fn no_throw() -> String {
     format!("found no throw, expected at least one free flight of {shortest} s")
 }
 
-/// Axis of the recording `take` that points up, and whether the option `--up`, not the file, states it.
+/// Axis of the recording `take` that points up, and whether it is specified by the option `--up` instead of in the
+/// file.
 fn up_of(take: &Take, file: &Path, options: &Import) -> anyhow::Result<(Axis, bool)> {
     let stated = match &options.up {
         Some(text) => match Axis::parse(text) {

@@ -14,7 +14,7 @@ const LARGEST: u64 = 4 << 20;
 
 /// The contents of a `dataset.toml` that are valid for any recording of the same body: model, parameters and markers.
 pub struct Template {
-    /// Name or path of the model; `None` if not stated.
+    /// Name or path of the model; `None` if the template specifies none.
     pub model: Option<String>,
     /// Known parameters of the body or its environment, by name, SI.
     pub parameters: BTreeMap<String, f64>,

@@ -37,7 +37,7 @@ pub fn bare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
 }
 
 /// Sets the initial states of the release to the motion of `throw`, in which the options replace single quantities. If
-/// `throw` is `None`, the options modify the motion that the release states.
+/// `throw` is `None`, the options modify the motion specified in the release.
 pub fn apply(
     options: &ThrowOptions,
     throw: Option<Throw>,

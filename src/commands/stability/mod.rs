@@ -23,7 +23,7 @@ const SPEEDS: [f64; 12] = [
     6.0, 8.0, 10.0, 12.0, 14.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 31.0,
 ];
 const SPINS: (u32, f64) = (24, 1200.0);
-/// Speed (m/s) and spin (rpm) of the throw if neither a release nor options state them.
+/// Speed (m/s) and spin (rpm) of the throw if they are specified neither in a release nor by options.
 const THROW: (f64, f64) = (16.0, 700.0);
 
 /// Modes and stability criteria of a body, the result of `hyzer stability`.

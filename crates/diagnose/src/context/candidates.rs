@@ -98,8 +98,8 @@ impl Candidate {
         }
     }
 
-    /// Whether the effect has one value for each flight, as a state, instead of one coefficient common to all
-    /// flights.
+    /// Whether the effect is represented by a state with a separate initial value for each flight, rather than by one
+    /// coefficient common to all flights.
     pub fn is_per_flight(&self) -> bool {
         !self.states.is_empty()
     }

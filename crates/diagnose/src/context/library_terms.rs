@@ -1,4 +1,4 @@
-//! The terms of a term library in a model: each product of variables on each load channel.
+//! The terms of a term library in a model: each product of variables on each load channel (force or moment component).
 //!
 //! A term is tested without compiling a model that contains it: at its null value, the sensitivity to its coefficient
 //! is the sensitivity to its load coefficient, times the product of its variables along the trajectory.
@@ -20,9 +20,10 @@ use super::ids::TermId;
 pub(crate) struct LibraryTerms {
     /// The term library.
     library: Arc<TermLibrary>,
-    /// The terms, ordered by channel: all products on the first channel, then all products on the second, and so on.
+    /// The terms, ordered by load channel, the force or moment component to which they contribute: all products of
+    /// variables for the first component, then all products for the second, and so on.
     pub terms: IndexVec<TermId, Term>,
-    /// Parameter index of the load coefficient of each channel.
+    /// Parameter index of the load coefficient of each load channel (force or moment component).
     pub loads: IndexVec<ChannelId, ParamId>,
     /// Quantity index of each variable; variables are auxiliary quantities of the model.
     variables: IndexVec<VariableId, QuantityId>,
@@ -81,7 +82,8 @@ impl LibraryTerms {
             .collect()
     }
 
-    /// Pairs of channel and site, the load that the channel changes, in the order of the channels.
+    /// The load channels of the library (force or moment components), in the library's order. Each is returned with its
+    /// site: the name of the load that is changed, such as lift.
     pub fn sites(&self) -> impl Iterator<Item = (ChannelId, &str)> {
         let channels = self.library.channels.iter_enumerated();
         channels.map(|(id, channel)| (id, channel.site.as_str()))

@@ -138,7 +138,8 @@ impl ScoreTestModel {
         columns
     }
 
-    /// Number of unknowns that the candidates `effects` add to the fit: coefficients, and states times flights.
+    /// Number of unknowns that the candidates `effects` add to the fit: one for each coefficient, and for each state
+    /// one per flight.
     pub fn unknowns_of(&self, effects: &[CandidateId]) -> usize {
         let each = effects.iter().map(|&id| {
             self.columns[id].len() + self.candidate(id).states.len() * self.flights.len()

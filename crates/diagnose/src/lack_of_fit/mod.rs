@@ -51,7 +51,8 @@ const INTEGRATION_ERROR: f64 = 0.02;
 /// Maximum number of flights whose largest smooth deviation is described in the report.
 const MAX_DESCRIBED: usize = 6;
 
-/// Result of the lack-of-fit test: residuals of a fit compared with noise that no smooth motion can follow.
+/// Result of the lack-of-fit test, which compares the residuals of a fit with the measurement noise. The noise is
+/// estimated from changes of the residuals that are too fast for any smooth motion.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LackOfFit {
     /// Familywise p-value of the joint test of all flights and the tests of the single flights.
@@ -202,7 +203,8 @@ impl FittedFlight<'_> {
         self.observed.times.last().copied().unwrap_or(0.0)
     }
 
-    /// Spline basis that follows slow misfits: [`SLOW_INTERVALS`] knot intervals over the flight.
+    /// Spline basis that follows slow deviations of the residuals from zero: the duration of the flight is divided into
+    /// [`SLOW_INTERVALS`] knot intervals, or fewer if the flight has few samples.
     fn slow(&self) -> SplineBasis {
         let duration = self.duration();
         let least = MIN_SAMPLES_PER_KNOT * self.observed.interval().unwrap_or(duration);

@@ -24,9 +24,10 @@ const CURVATURE_STEP: f64 = 0.03;
 /// Number of residuals of one axis after which no further flight is used to estimate the autocorrelation.
 const MAX_RESIDUALS: usize = 40_000;
 
-/// Residuals of one flight by channel and axis, and the spline basis of the flight.
+/// Residuals of one flight by measurement channel (a marker position or one quantity of a sensor) and axis, and the
+/// spline basis of the flight.
 pub(super) struct FlightSeries {
-    /// Residuals as `series[channel][axis]`.
+    /// Residuals as `series[channel][axis]`, where a channel is a marker position or one quantity of a sensor.
     pub series: Vec<[Series; 3]>,
     /// Spline basis fine enough to follow every smooth motion.
     pub fine: SplineBasis,
@@ -35,8 +36,8 @@ pub(super) struct FlightSeries {
 /// Noise floor: noise estimated from the fast changes of the residuals, which no smooth motion can follow.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct NoiseFloor {
-    /// Noise model: standard deviation and lag-1 autocorrelation for each axis of each noise group, a group of channels
-    /// with common noise parameters.
+    /// Noise model: standard deviation and lag-1 autocorrelation for each axis of each noise group. A noise group
+    /// consists of the measurement channels (marker positions or sensor quantities) with common noise parameters.
     pub noise: NoiseModel,
     /// `ar1_std_error[group][axis]`: standard error of the lag-1 autocorrelation of a noise group.
     pub ar1_std_error: Vec<[f64; 3]>,
@@ -114,8 +115,9 @@ impl NoiseFloor {
     }
 }
 
-/// Noise of one group of channels along one axis: lag-1 autocorrelation, standard error of the autocorrelation, and
-/// standard deviation, m. `None` if there are too few residuals.
+/// Noise of one group of measurement channels along one axis: lag-1 autocorrelation, standard error of the
+/// autocorrelation, and standard deviation, m. `group` is the index of the group and the list of the group index of
+/// each channel; `interval` is the sampling interval, s. `None` if there are too few residuals.
 fn of_axis(
     flights: &[&FlightSeries],
     group: (usize, &[usize]),
@@ -157,7 +159,9 @@ fn of_axis(
     Some((ar1, std_error, sigma))
 }
 
-/// Restricted likelihood of the channels of one group along one axis, at the lag-1 autocorrelation `ar1`.
+/// Restricted likelihood, along one axis and at the lag-1 autocorrelation `ar1`, of the residuals of the measurement
+/// channels in the group with index `group`. `group_of` is the group index of each channel; `interval` is the sampling
+/// interval, s.
 fn likelihood(
     flights: &[&FlightSeries],
     (group, group_of): (usize, &[usize]),

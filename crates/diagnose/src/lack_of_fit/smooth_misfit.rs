@@ -17,11 +17,11 @@ const MIN_TOLERANCE: f64 = 1e-9;
 /// Lack-of-fit statistics of one flight: reduction of its sum of squares by two sets of splines.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct FlightMisfit {
-    /// Reduction of the sum of squares by splines with knots a fifth of the flight apart: misfit caused by wrong
-    /// forces.
+    /// Reduction of the sum of squares by splines that follow slow deviations, such as those caused by wrong forces.
+    /// The knots are a fifth of the flight's duration apart.
     pub slow: ScaledStatistic,
-    /// Reduction of the sum of squares by splines with several knots for each turn of the body: misfit in marker
-    /// positions, attitude and spin.
+    /// Reduction of the sum of squares by splines that follow fast deviations, such as those caused by errors of marker
+    /// positions, attitude and spin. There are several knots for each turn of the body.
     pub fine: ScaledStatistic,
 }
 

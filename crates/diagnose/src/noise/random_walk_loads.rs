@@ -1,8 +1,8 @@
 //! Unexplained loads over time: a random walk for each flight and load channel, estimated by empirical Bayes.
 //!
 //! A load history is piecewise linear between knots. The variances of its first value and of its increments are
-//! estimated by expectation maximization from all flights together. A channel without evidence of a load remains at
-//! 0.
+//! estimated by expectation maximization from all flights together. The load coefficient of a channel (force or moment
+//! component) without evidence of a load remains at 0.
 
 use flight::batch;
 use identify::{Iterate, Loss, NoiseModel, linearise_with, pseudo_inverse};
@@ -32,7 +32,7 @@ const EM_ITERATIONS: usize = 40;
 /// Minimum standard deviation of the first value and of the increments of a random walk; prevents division by 0.
 const MIN_SIGMA: f64 = 1e-7;
 
-/// Time history of one missing load coefficient in one flight.
+/// Time history, in one flight, of the coefficient of a load (a force or moment component) that the model lacks.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LoadHistory {
     /// File name of the flight.
@@ -45,8 +45,9 @@ pub struct LoadHistory {
     pub std_error: Vec<f64>,
 }
 
-/// Estimated time histories of missing loads: one list for each load channel of the term library, in the order of the
-/// library, with one history for each flight. Empty if no library is compatible with the model.
+/// Estimated time histories of missing loads: one list for each load channel (force or moment component) of the term
+/// library, in the order of the library, with one history for each of the first [`MAX_FLIGHTS`] flights. Empty if no
+/// library is compatible with the model.
 pub(crate) fn random_walk_loads(
     model: &ScoreTestModel,
     at: &Iterate,
@@ -84,8 +85,8 @@ pub(crate) fn random_walk_loads(
     histories
 }
 
-/// Standard deviations of the random walk that describes the load coefficient of one channel: of its first value, and
-/// of its increments between knots.
+/// Standard deviations of the random walk that describes the load coefficient of one load channel (force or moment
+/// component): of the coefficient's value at the first knot, and of its increments between knots.
 #[derive(Clone, Copy, Debug)]
 struct WalkSigma {
     first: f64,
@@ -133,7 +134,8 @@ fn maximise(sigmas: &mut [WalkSigma], flights: &[FlightLoads]) {
     }
 }
 
-/// Normal equations of one flight for the load coefficients at the knots, ordered by channel and then by knot.
+/// Normal equations of one flight for the load coefficients at the knots, ordered by load channel (force or moment
+/// component) and then by knot.
 struct FlightLoads {
     flight: usize,
     knots: Vec<f64>,

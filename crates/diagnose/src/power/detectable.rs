@@ -12,8 +12,9 @@ const MAX_LOCAL_TOLERANCE: f64 = 1e-9;
 /// Standard normal quantile of the probability 0.9, the power of the test at which an effect counts as detectable.
 const Z_OF_POWER: f64 = 1.281_551_565_544_6;
 
-/// Nuisance parameters are named as confounded with a candidate if the projection of the candidate's Jacobian column on
-/// theirs has at least this fraction of the length of the longest such projection.
+/// Threshold for naming a nuisance parameter as confounded with a candidate. The candidate's Jacobian column is
+/// projected on the column of each nuisance parameter. A parameter is named if the length of its projection is at least
+/// this fraction of the longest projection.
 const MIN_SHARE: f64 = 0.25;
 
 /// Maximum number of confounding parameters named for one effect.
@@ -101,9 +102,9 @@ fn detectable_size<Id>(
     (size.is_finite() && size < MAX_FRACTION_OF_BOUNDS * width).then_some(size)
 }
 
-/// Names of the model parameters that are most confounded with the candidate `id`, in descending order: those on whose
-/// Jacobian columns the candidate's columns have the longest projections. If the initial states of the flights
-/// reproduce a column of the candidate entirely, the result is only `initial states`.
+/// Names of the model parameters that are most confounded with the candidate `id`, in descending order of confounding:
+/// the length of the projection of the candidate's Jacobian columns on the column of the parameter. If the initial
+/// states of the flights reproduce a column of the candidate entirely, the result is only `initial states`.
 fn confounded_with(model: &ScoreTestModel, tests: &ScoreTests, id: CandidateId) -> Vec<String> {
     let own = model.columns_of(id);
     let mut shares: Vec<(&str, f64)> = Vec::new();

@@ -233,8 +233,8 @@ pub(crate) fn refused(validated: &Validated) -> String {
     )
 }
 
-/// Sentences that name the load channels and library terms in which a lack of fit lies that no candidate effect
-/// explains.
+/// Sentences on a lack of fit that no candidate effect explains: the load channels (force or moment components) in
+/// which it lies, and the library terms that `model` selected.
 pub(crate) fn unattributed(model: &StepwiseModel, channels: &[LoadChannel]) -> String {
     let selected: Vec<&StepwiseTerm> = model.terms.iter().filter(|term| term.selected).collect();
     let most = channels

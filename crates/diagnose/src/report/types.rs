@@ -46,8 +46,8 @@ pub struct Report {
     pub next_throw: Option<NextThrow>,
     /// File name of the extended model, in the folder of the report; `None` if the model is not extended.
     pub extended_model: Option<String>,
-    /// Computing time by stage, s: time from the start of the diagnosis to the end of the stage; `total` is that of
-    /// the whole diagnosis.
+    /// Computing time, s, by stage (`fit` and `search`): time from the start of the diagnosis to the end of the stage.
+    /// `total` is the time of the whole diagnosis.
     pub seconds: BTreeMap<String, f64>,
     /// Score test of each candidate effect, smallest p-value first.
     pub candidates: Vec<CandidateTest>,
@@ -276,10 +276,11 @@ pub struct FlightGain {
     pub rms_after_m: Option<f64>,
 }
 
-/// Lack of fit that no candidate effect explains, with the loads and library terms that would reduce it.
+/// Lack of fit that no candidate effect explains, with the loads (force and moment components) and library terms whose
+/// addition to the model would reduce the lack of fit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Unattributed {
-    /// Sentences that state in which load channels the lack of fit lies.
+    /// Sentences that state in which load channels (force or moment components) the lack of fit lies.
     pub says: String,
     /// Estimated missing load of each load channel (force or moment component).
     pub channels: Vec<LoadChannel>,
@@ -287,8 +288,8 @@ pub struct Unattributed {
     pub terms: Vec<StepwiseTerm>,
 }
 
-/// Agreement of the flights on the accepted explanations, which leave part of the misfit unexplained; the remaining
-/// misfit differs from flight to flight.
+/// Agreement of the flights on the accepted explanations. The explanations leave part of the misfit unexplained, and
+/// this part differs from flight to flight.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Consensus {
     /// Number of fitted flights on whose agreement the explanations are based; discordant flights are not counted.

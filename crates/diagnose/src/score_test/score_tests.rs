@@ -67,7 +67,7 @@ pub(crate) struct ScoreTest {
     /// Distributed as χ² with `dof` degrees of freedom under the null hypothesis.
     pub statistic: f64,
     /// Degrees of freedom: number of principal directions of the tested columns whose tolerance 1 − R² exceeds
-    /// [`MIN_TOLERANCE`], where R² is the fraction that the nuisance parameters explain.
+    /// [`MIN_TOLERANCE`]. R² is the fraction of a direction's squared sensitivity that the nuisance parameters explain.
     pub dof: usize,
     /// Natural logarithm of the p-value.
     pub ln_p: f64,

@@ -13,8 +13,8 @@ const TERM_BIC_MARGIN: f64 = 1.0;
 
 /// Returns the hypotheses whose BIC is near the smallest, without changing their order. Hypotheses with at most `free`
 /// unknowns are retained whatever their BIC. The result is empty if the library terms in `terms` are adequate and their
-/// BIC is smaller by more than [`TERM_BIC_MARGIN`]. Unknowns are penalized because several effects together, or one
-/// value for each flight, can fit almost any data.
+/// BIC is smaller by more than [`TERM_BIC_MARGIN`]. Unknowns are penalized because several effects together, or an
+/// effect with a separate value for each flight, can fit almost any data.
 pub(crate) fn select_by_bic(
     model: &ScoreTestModel,
     hypotheses: Vec<Hypothesis>,

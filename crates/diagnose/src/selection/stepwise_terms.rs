@@ -365,7 +365,8 @@ impl StepwiseTerm {
     }
 }
 
-/// Doc comment of the effect generated for a term, with the statistic and estimate of the term.
+/// Doc comment of the effect generated for a library term. It names the dataset and the number of flights in which the
+/// term was found; score statistic and estimate are added if `term` is given.
 fn evidence(dataset: &str, flights: usize, term: Option<&StepwiseTerm>) -> String {
     let test = term.map_or_else(String::new, |term| {
         format!(

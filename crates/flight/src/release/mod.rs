@@ -31,8 +31,8 @@ pub struct Release {
     pub initial: Vec<(String, f64)>,
     /// Constant wind: velocity of the air in the inertial frame, m/s.
     pub wind: [f64; 3],
-    /// Wind by height and gusts, if the release states them; the flight must then be simulated with the model that
-    /// [`WindField::compose`] returns.
+    /// Wind by height and gusts; `None` if neither is specified in the release file. If it is `Some`, the flight must
+    /// be simulated with the model that [`WindField::compose`] returns.
     pub wind_field: Option<WindField>,
     /// Values (SI) of the model's vector inputs other than the wind, by name; the inputs are known for each flight.
     pub known: Vec<(String, [f64; 3])>,
@@ -48,7 +48,8 @@ pub enum Stop {
 }
 
 impl Release {
-    /// Maximum duration that a release file may state, and maximum duration of a flight that ends at the ground, s.
+    /// Maximum duration that may be specified in a release file, and maximum duration of a flight that ends at the
+    /// ground, s.
     pub const MAX_DURATION: f64 = 600.0;
 
     /// Initial state vector, SI units, in the model's order of states.
@@ -119,8 +120,8 @@ pub struct Name {
 }
 
 impl Vocabulary {
-    /// Names that the model defines after the wind `field` has been added to it; the error message states why this wind
-    /// cannot be added to the model.
+    /// Names that the model defines after the wind `field` has been added to it; if this wind cannot be added to the
+    /// model, the result is an error message with the reason.
     fn in_wind(&self, field: &WindField) -> Result<Vocabulary, String> {
         let model = self.model.as_ref();
         let model =

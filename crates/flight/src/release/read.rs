@@ -22,7 +22,7 @@ pub fn read_file(
     read_text(path, |file, text| read(file, text, vocabulary))
 }
 
-/// Reads and parses a release file that may state winds by height and gusts; see [`read_in_wind`].
+/// Reads and parses a release file that may specify winds by height and gusts; see [`read_in_wind`].
 ///
 /// # Errors
 /// [`ReleaseError`] as for [`read_file`].
@@ -268,8 +268,8 @@ impl<'t> Reader<'t> {
         Some((release, vocabulary))
     }
 
-    /// Records a fault for each entry of the table `[parameters]` that states a parameter of the wind, whose value the
-    /// table `[wind]` determines.
+    /// Records a fault for each entry of the table `[parameters]` that sets a parameter of the wind `field`; its value
+    /// is determined by the table `[wind]`.
     fn stated_twice(&mut self, document: &DeTable<'t>, field: &WindField) {
         let of_wind = field.parameters();
         for (name, span, _) in self.table(document, "parameters") {

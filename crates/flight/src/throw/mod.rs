@@ -99,7 +99,7 @@ pub enum ThrowError {
         /// Name of the model.
         model: String,
     },
-    /// No state within the model's domain of validity has the motion.
+    /// No state within the model's domain of validity has the motion of the throw.
     #[error(
         "no state of the model {model} within its limits has this motion; expected a throw that it can have, as by another \
          nose or hyzer"
@@ -239,7 +239,7 @@ impl ThrownModel {
     }
 
     /// Parameter vector of the model for a release, in the order of the model's [`Layout`](codegen::Layout): the values
-    /// that the release states, and default values of all other parameters.
+    /// specified in the release, and default values of all other parameters.
     pub fn release_parameters(&self, release: &Release) -> Vec<f64> {
         self.motion.release_parameters(release)
     }
@@ -249,7 +249,8 @@ impl ThrownModel {
     /// [`Layout`](codegen::Layout); states that the motion does not determine have their default values.
     ///
     /// # Errors
-    /// [`ThrowError`] if the throw is invalid, it states an attitude that the body lacks, or no state has its motion.
+    /// [`ThrowError`] if the throw is invalid, specifies an attitude for a body without one, or is not the motion of
+    /// any state.
     pub fn state(
         &self,
         throw: &Throw,

@@ -93,7 +93,7 @@ impl MotionModel {
     }
 
     /// Parameter vector of the model for a release, in the order of the model's [`Layout`](codegen::Layout): the values
-    /// that the release states, and default values of all other parameters.
+    /// specified in the release, and default values of all other parameters.
     pub fn release_parameters(&self, release: &Release) -> Vec<f64> {
         self.compiled.release_parameters(release)
     }

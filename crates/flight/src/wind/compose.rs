@@ -106,8 +106,8 @@ impl MeanWind<'_> {
     }
 }
 
-/// Replaces each name in the expression `e` that `lets` defines by its definition, recursively; the definitions must
-/// not be cyclic.
+/// Replaces, in the expression `e`, each name that is a key of `lets` by the definition in `lets`, recursively; the
+/// definitions must not be cyclic.
 fn insert(e: &mut Expr, lets: &HashMap<&str, &Expr>) {
     while let ExprKind::Name(own) = &e.kind
         && let Some(value) = lets.get(own.as_str())

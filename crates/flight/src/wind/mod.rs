@@ -13,12 +13,13 @@ mod text;
 pub use dryden::{GUST_TERMS, gust_phases, gust_spectrum};
 pub use read::{StatedWind, read_wind_file};
 
-/// Wind that a release states in addition to a constant wind: a mean wind by height, gusts, or both.
+/// Wind that may be specified in a release file (launch conditions) in addition to a constant wind: a mean wind as a
+/// function of the height, gusts, or both.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WindField {
-    /// Mean wind as a function of the height, if stated.
+    /// Mean wind as a function of the height; `None` if there is only a constant mean wind.
     pub profile: Option<Profile>,
-    /// Gusts added to the mean wind, if stated.
+    /// Gusts added to the mean wind; `None` for a wind without gusts.
     pub gusts: Option<Gusts>,
 }
 
@@ -84,7 +85,7 @@ pub struct Gusts {
 pub enum GustStrength {
     /// Derived from the mean wind at 20 ft and the height, by the low-altitude model of MIL-F-8785C.
     LowAltitude,
-    /// Stated values for the components u, v and w.
+    /// Values specified in the wind file or release file, for the gust components u, v and w.
     Stated {
         /// Standard deviations of u, v and w, m/s.
         sd: [f64; 3],

@@ -38,7 +38,8 @@ const GUST_KEYS: [&str; 8] = [
     "length",
 ];
 
-/// Wind of a release: the constant wind in the inertial frame, m/s, and the wind by height and gusts, if stated.
+/// Wind specified in a release file: the constant wind in the inertial frame, m/s, and the wind by height and gusts;
+/// `None` if the file specifies neither.
 pub type StatedWind = ([f64; 3], Option<WindField>);
 
 /// Reads the wind from the table `[wind]` of a TOML file; other tables are ignored, so that the flight of one release

@@ -29,8 +29,8 @@ pub struct Comparison {
 pub struct Jumps {
     /// Index of the first sample for which a jump in the preceding interval is tested.
     tried: usize,
-    /// For each sample before which a jump is tested: change of the initial state for which free motion best fits all
-    /// earlier samples.
+    /// For each sample before which a jump is tested: change of the initial state, relative to that of the predicted
+    /// trajectory, for which free motion best fits all earlier samples.
     before: Vec<DVector<f64>>,
     /// `comparisons[i][k]` tests a jump just before sample `tried + i`, with the samples up to `tried + i + k`.
     comparisons: Vec<Vec<Comparison>>,
@@ -103,7 +103,8 @@ impl Jumps {
         each.filter_map(move |(contact, by)| Some((contact, by.get(last - contact)?)))
     }
 
-    /// Change of the initial state for which free motion best fits the samples before `contact`.
+    /// Change of the initial state, relative to that of the predicted trajectory, for which free motion best fits the
+    /// samples before the sample of index `contact`.
     pub fn before(&self, contact: usize) -> &DVector<f64> {
         &self.before[contact - self.tried]
     }

@@ -29,7 +29,8 @@ pub struct Row {
 }
 
 impl Point {
-    /// Sum of the squared residuals of the three coordinates, after the change `change` of the initial state.
+    /// Sum of the squared residuals of the three coordinates, if the initial state of the predicted trajectory changes
+    /// by `change`. The residuals are linearised in `change`.
     pub fn square(&self, change: &DVector<f64>) -> f64 {
         let each = self.rows.iter();
         each.map(|row| (row.residual + row.derivatives.dot(change)).powi(2))

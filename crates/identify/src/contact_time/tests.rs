@@ -15,7 +15,8 @@ use crate::synthesize::{Corruption, Plan, flights};
 /// Number of samples to which the flight is fitted before contacts are searched.
 const SHOWN: usize = 30;
 
-/// Contacts found in simulated flights, each modified by `change`, with the true parameter values of the model.
+/// First contact found in each of 12 simulated flights, with the true parameter values of the model. The flights are
+/// simulated with the named model and launch conditions, and then modified by `change`.
 fn contacts(
     (model, release): (&str, &str),
     noise: Corruption,

@@ -15,7 +15,8 @@ pub(super) struct Header {
     pub width: usize,
     pub time: usize,
     pub columns: Vec<[usize; 3]>,
-    /// Column indices of each channel of the sensors; the channels of all sensors follow one another.
+    /// Column indices of each sensor channel (a measured quantity: position, attitude, vector or speed); the channels
+    /// of all sensors follow one another.
     pub channels: Vec<Vec<usize>>,
 }
 
@@ -105,7 +106,8 @@ fn empty_channels(sensors: &[Sensor]) -> Vec<Vec<usize>> {
     all.map(|endings| vec![usize::MAX; endings.len()]).collect()
 }
 
-/// Maps the name of each sensor column to the index of its channel and the position within the channel.
+/// Maps the name of each sensor column to the index of its channel (measured quantity) among the channels of all
+/// sensors, and the position of the column within the channel.
 fn names_of_sensors(sensors: &[Sensor]) -> BTreeMap<String, (usize, usize)> {
     let all = sensors.iter().flat_map(|sensor| {
         let channels = sensor.kind.channels().iter();

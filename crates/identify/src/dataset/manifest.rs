@@ -128,7 +128,7 @@ impl Checker<'_> {
         Ok(model)
     }
 
-    /// Reads the value of a known constant, checked by the rules for the parameters of a release.
+    /// Reads the value of a known constant, checked by the rules for parameters in a release file (launch conditions).
     fn constant(&self, name: &str, value: &Value<'_>) -> Result<f64, InputError> {
         let number = self.0.number(value, name)?;
         let rule = flight::release::Name {

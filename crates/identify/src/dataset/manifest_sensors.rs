@@ -15,7 +15,7 @@ const KEYS: [&str; 5] = ["name", "kind", "position", "sigma", "sigma_angle"];
 
 impl Checker<'_> {
     /// Reads the entries of `[[sensors]]`. Entries of kind "marker" are added to `markers`, and a standard deviation
-    /// stated in such an entry becomes `sigma`, the standard deviation of the marker positions, m.
+    /// specified in such an entry becomes `sigma`, the standard deviation of the marker positions, m.
     pub(super) fn sensors(
         &self,
         document: &DeTable<'_>,

@@ -101,8 +101,9 @@ pub struct Flight {
     pub times: Vec<f64>,
     /// `positions[sample][marker]`, m, in the inertial frame; `None` if the marker was not seen.
     pub positions: Vec<Vec<Option<[f64; 3]>>>,
-    /// `readings[sample][channel]` of the sensors, the channels of all sensors following one another; `None` for a
-    /// missing reading. Empty without sensors.
+    /// `readings[sample][channel]` of the sensors. A channel is one measured quantity (a pose sensor has two: position
+    /// and attitude); the channels of all sensors follow one another. `None` for a missing reading. Empty without
+    /// sensors.
     pub readings: Vec<Vec<Option<Reading>>>,
 }
 

@@ -34,8 +34,8 @@ pub struct Sensor {
     pub sigma_angle: Option<f64>,
 }
 
-/// One reading of a channel: up to four values, unused ones 0. It is a position, a vector in body axes, a speed, or
-/// the quaternion of an attitude (body to inertial, scalar part first).
+/// One reading of a sensor channel, a quantity measured by the sensor: up to four values, unused ones 0. It is a
+/// position, a vector in body axes, a speed, or the quaternion of an attitude (body to inertial, scalar part first).
 pub type Reading = [f64; 4];
 
 impl Sensor {
@@ -80,8 +80,9 @@ impl SensorKind {
         }
     }
 
-    /// For each channel, the suffixes of its column names, which follow the sensor's name; an empty suffix means that
-    /// the column has the sensor's name.
+    /// For each channel, a quantity measured by the sensor (a pose sensor has two: position and attitude), the suffixes
+    /// of its column names, which follow the sensor's name; an empty suffix means that the column has the sensor's
+    /// name.
     pub fn channels(self) -> &'static [&'static [&'static str]] {
         const VECTOR: &[&str] = &["_x", "_y", "_z"];
         const ATTITUDE: &[&str] = &["_qw", "_qx", "_qy", "_qz"];
@@ -93,7 +94,7 @@ impl SensorKind {
     }
 }
 
-/// Rotation from body to inertial components that a quaternion reading states.
+/// Rotation from body to inertial components given by a quaternion reading.
 pub(crate) fn attitude([w, x, y, z]: Reading) -> UnitQuaternion<f64> {
     UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z))
 }

@@ -190,9 +190,10 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Searches a fitted flight for its contact, and returns the flight truncated there. If the search does not confirm
-    /// the contact at which the flight is truncated already, the flight is returned with its whole length. `None` if
-    /// the last used sample of the flight does not change.
+    /// Searches a fitted flight for its contact, and returns the flight truncated there. `present` are the observations
+    /// used so far and `local` the initial state fitted to them. If the search does not confirm the contact at which
+    /// `present` is truncated, the flight is returned with its whole length. `None` if the last used sample of the
+    /// flight does not change.
     fn moved(
         &self,
         flight: &Flight,
@@ -219,8 +220,9 @@ impl Search<'_> {
         is_contact.then_some(moved)
     }
 
-    /// Restores the whole length of a flight that was truncated at a supposed contact, if the model predicts all of its
-    /// samples; `None` otherwise.
+    /// Restores the whole length of a flight that was truncated at a supposed contact. `whole` are the observations
+    /// without the truncation; their initial state is fitted from the initial guess `local`. `None` if the fitted model
+    /// does not predict all samples.
     fn whole(&self, whole: Observations, local: &DVector<f64>) -> Option<Moved> {
         let samples = whole.times.len();
         let local = self.fitted(&whole, samples, local)?;
@@ -256,8 +258,9 @@ impl Search<'_> {
         scale.is_some_and(|scale| scale <= LIKE_RATIO * self.usual)
     }
 
-    /// Finds the first contact of the flight `whole` between the samples `from` and `to`. Returns it with the initial
-    /// state fitted to the samples before the range in which it was found; `None` if there is no contact.
+    /// Finds the first contact of the flight `whole` between the samples `from` and `to`. Returns the contact with the
+    /// initial state fitted to the samples before the range in which it was found; `None` if there is no contact.
+    /// `local` is the initial guess of the initial state.
     fn contact(
         &self,
         whole: &Observations,
@@ -348,7 +351,8 @@ pub(crate) mod tests {
         flight
     }
 
-    /// Numbers of samples used by a fit to flights of a disc, the first of which has a velocity jump.
+    /// Number of samples that a fit to six flights of a disc uses of each flight, if the velocity of the first flight
+    /// jumps by `push`, m/s.
     fn used(push: Vector3<f64>) -> Vec<usize> {
         let model = model_spec::load::load("disc", &[]).unwrap();
         let release = read("backhand", built_in("backhand").unwrap(), |_| {

@@ -26,7 +26,7 @@ const ARC: f64 = 0.14;
 /// Minimum number of samples of an arc, a part of a flight with its own initial state.
 const MIN_ARC_SAMPLES: usize = 12;
 
-/// Number of consecutive arcs of a flight (parts with separate initial states) that are joined to one longer arc.
+/// Number of consecutive arcs of a flight (parts with separate initial states) that are joined into one longer arc.
 const JOINED: usize = 3;
 
 /// Minimum distance between the initial value of a parameter and its bounds, in units of the parameter's typical
@@ -202,7 +202,7 @@ fn guess(problem: &FitProblem, arc: &Observations) -> Option<DVector<f64>> {
     Some(guesses.into_iter().next()?.state)
 }
 
-/// Joins each group of `JOINED` consecutive arcs of a flight to one arc, with the initial state of the first arc;
+/// Joins each group of `JOINED` consecutive arcs of a flight into one arc, with the initial state of the first arc;
 /// returns `false` if all arcs are whole flights already.
 fn join(state: &State, arcs: &mut State) -> bool {
     let before = std::mem::replace(arcs, State::new(arcs.global.clone(), arcs.interval));

@@ -311,7 +311,7 @@ fn profiles(
     Ok(profiles)
 }
 
-/// Estimated initial state of a flight, by the names of its states.
+/// Estimated initial state of a flight, keyed by the names of the states.
 type InitialState = BTreeMap<String, Estimate>;
 
 /// Computes the residual statistics and the initial state, with standard errors, of every flight.
@@ -338,7 +338,7 @@ fn evaluate(
     each.into_iter().collect()
 }
 
-/// Initial state of a flight with standard errors, by the names of its states. `covariance` is that of the local
+/// Initial state of a flight with standard errors, keyed by the names of the states. `covariance` is that of the local
 /// parameters, the directions of the state manifold.
 pub fn initial_state_report(
     problem: &FitProblem,

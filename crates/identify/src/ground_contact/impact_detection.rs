@@ -118,7 +118,7 @@ struct Kink {
     before: Vector3<f64>,
     /// Jump of the velocity in the interval that is tested for an impact, m/s.
     jump: Vector3<f64>,
-    /// Standard error of a component of the jump, m/s.
+    /// Standard error of each component of the velocity jump `jump`, m/s.
     error: f64,
     /// Velocity change that acceleration alone would cause within the interval that is tested for an impact, m/s. The
     /// larger one of the accelerations before and after the interval is used.
@@ -225,18 +225,18 @@ fn leave_out_outliers(sides: &mut [Vec<(f64, Vector3<f64>)>; 2], noise: f64) {
     }
 }
 
-/// Least-squares polynomial in time along each axis.
+/// Least-squares polynomial along each axis in the normalised (dimensionless) time.
 struct Fitted<const N: usize> {
-    /// Coefficients of the powers of time, m; one column per axis.
+    /// Coefficients of the powers of the normalised time, m; one column per axis.
     coefficients: SMatrix<f64, N, 3>,
     /// Sum of squared residuals, m².
     squares: f64,
-    /// Variance of the linear coefficient for residuals of variance 1.
+    /// Variance of the coefficient of the first power of the normalised time, for residuals of variance 1.
     slope_variance: f64,
 }
 
-/// Fits a polynomial in time with `N` coefficients through points (time, position in m). If `quadratic` is given, the
-/// coefficient of the second power is fixed at this value. `None` if the normal matrix is singular.
+/// Fits a polynomial in time with `N` coefficients through points (normalised time, position in m). If `quadratic` is
+/// given, m, the coefficient of the second power is fixed at this value. `None` if the normal matrix is singular.
 fn polynomial<const N: usize>(
     points: &[(f64, Vector3<f64>)],
     quadratic: Option<Vector3<f64>>,

@@ -118,8 +118,9 @@ impl Character {
         [0, 1].map(|part| self.noise[part].powi(2).max(LOCAL_PART * variances[part]))
     }
 
-    /// Gains of the test `of`, divided by variances that follow from the noise of `self`. The gains in `of` are divided
-    /// by variances that follow from the noise of `other` (see `units`).
+    /// Converts the gains of the test `of` (decreases of the sum of squared residuals, each divided by a variance) from
+    /// the noise of `other`, with which they were computed, to the noise of `self`: the variances are replaced by those
+    /// that `units` gives for `self`.
     pub fn gains(&self, of: &Comparison, other: &Character) -> [f64; 2] {
         let (here, there) = (self.units(of.variances), other.units(of.variances));
         [0, 1].map(|part| of.gains[part] * there[part] / here[part])

@@ -11,13 +11,13 @@ use crate::statistics::{median, robust_sigma};
 /// Rigid-body motion at one instant, in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RigidMotion {
-    /// Position of the body's origin, m.
+    /// Position of the body's origin in the inertial frame, m.
     pub position: Vector3<f64>,
-    /// Velocity of the body's origin, m/s.
+    /// Velocity of the body's origin in inertial components, m/s.
     pub velocity: Vector3<f64>,
     /// Attitude: rotation from body components to inertial components; `None` for a point mass.
     pub attitude: Option<UnitQuaternion<f64>>,
-    /// Angular velocity, rad/s; `None` for a point mass.
+    /// Angular velocity in inertial components, rad/s; `None` for a point mass.
     pub rates: Option<Vector3<f64>>,
 }
 
@@ -216,7 +216,8 @@ impl Parabola {
     }
 }
 
-/// Angular velocity, rad/s: median over pairs of successive poses, which is robust to nutation and outliers.
+/// Angular velocity in inertial components, rad/s: median over pairs of successive poses, which is robust to nutation
+/// and outliers.
 fn rates(seen: &[SeenFrame], observations: &Observations) -> Result<Vector3<f64>, FlightError> {
     let usual = observations.interval().unwrap_or(f64::INFINITY);
     let pairs: Vec<Vector3<f64>> = seen

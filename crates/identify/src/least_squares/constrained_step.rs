@@ -74,8 +74,8 @@ fn first_bound(
     Some((i, bound))
 }
 
-/// Newton step of the free parameters, given in `step` the steps of the active parameters, which are set to their
-/// bounds; `None` if the matrix is singular.
+/// Newton step of the free parameters, if the active parameters, which are set to their bounds, change by their entries
+/// in `step`; `None` if the matrix is singular.
 fn free_step(
     matrix: &DMatrix<f64>,
     gradient: &DVector<f64>,

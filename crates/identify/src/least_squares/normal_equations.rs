@@ -108,8 +108,8 @@ impl NormalBlock {
     }
 }
 
-/// Error for a flight whose samples do not determine its local parameters; contains the index of the flight among the
-/// blocks.
+/// Error for a flight whose samples do not determine its local parameters; contains the index of the flight in the
+/// least-squares problem.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the samples of flight {0} do not determine its initial state")]
 pub struct UndeterminedFlight(pub usize);

@@ -39,7 +39,7 @@ pub struct FitReport {
     pub sees_positions: bool,
     /// Estimated measurement noise.
     pub noise: NoiseReport,
-    /// Coefficients and other global parameters, by name.
+    /// Coefficients and other global parameters, keyed by their names.
     pub coefficients: BTreeMap<String, Coefficient>,
     /// Correlation matrix of the estimated global parameters, as a map of maps by name.
     pub correlations: BTreeMap<String, BTreeMap<String, f64>>,
@@ -59,11 +59,12 @@ pub struct FitReport {
     pub undetermined: Vec<NonIdentifiable>,
     /// Profile likelihoods that the options request.
     pub profiles: Vec<Profile>,
-    /// Residual diagnostics along each axis of the inertial frame, by the names `x`, `y` and `z`.
+    /// Residual diagnostics along each axis of the inertial frame, keyed by the names `x`, `y` and `z`.
     pub residuals: BTreeMap<String, AxisResiduals>,
     /// Number of steps of the iteration, and its status.
     pub iterations: Iterations,
-    /// Computing time by stage, s; `total` is the time of all stages.
+    /// Computing times, s: `start` for the preparation and the initial guesses, `fit` for the estimation, and `total`
+    /// for everything including the evaluation of the result.
     pub seconds: BTreeMap<String, f64>,
 }
 
@@ -76,7 +77,8 @@ fn yes() -> bool {
 pub struct MarkerDistance {
     /// Names of the two markers.
     pub markers: [String; 2],
-    /// Mean of (measured − predicted) distance, m.
+    /// Difference between the measured and the predicted distance of the two markers (measured − predicted), mean over
+    /// the samples of all flights, m.
     pub difference_m: f64,
     /// Standard error of `difference_m`, m.
     pub std_error_m: f64,
@@ -114,7 +116,7 @@ pub struct NoiseReport {
     pub ar1: f64,
     /// Whether `sigma_m` was estimated; `false` if the dataset gives it.
     pub estimated: bool,
-    /// Noise along each axis, by the names `x`, `y` and `z`.
+    /// Noise along each axis, keyed by the names `x`, `y` and `z`.
     pub axes: BTreeMap<String, AxisNoise>,
     /// Time between samples to which `ar1` refers, s.
     pub interval_s: f64,
@@ -182,7 +184,7 @@ pub struct FlightReport {
     pub rms_m: Option<f64>,
     /// Number of measured values of the flight that are excluded as outliers.
     pub outliers: usize,
-    /// Estimated initial state by state name; empty if the flight is excluded.
+    /// Estimated initial state, keyed by the names of the states; empty if the flight is excluded.
     pub initial: BTreeMap<String, Estimate>,
     /// Time and reason of the truncation of the flight; `None` if it was not truncated.
     pub cut: Option<Truncation>,
@@ -241,7 +243,7 @@ pub struct NonIdentifiable {
     /// Names of the parameters with large components in the non-identifiable direction, in the order of decreasing
     /// component.
     pub combination: Vec<String>,
-    /// Large components of the non-identifiable direction, by the name of the parameter, each in units of the
+    /// Large components of the non-identifiable direction, keyed by the parameter name, each in units of the
     /// parameter's typical magnitude.
     pub weights: BTreeMap<String, f64>,
     /// Standard error along the non-identifiable direction, in units of the parameters' typical magnitudes.

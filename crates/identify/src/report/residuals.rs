@@ -106,7 +106,7 @@ impl ResidualPool {
         (squares / (3 * self.points).max(1) as f64).sqrt()
     }
 
-    /// Residual diagnostics of each axis, by the names `x`, `y` and `z`.
+    /// Residual diagnostics of each axis, keyed by the names `x`, `y` and `z`.
     pub fn axes(&self) -> BTreeMap<String, AxisResiduals> {
         let names = ["x", "y", "z"].into_iter().map(str::to_owned);
         names.zip(self.axes.iter().map(Axis::report)).collect()

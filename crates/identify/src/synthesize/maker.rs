@@ -72,7 +72,7 @@ impl Maker<'_> {
         Ok((flight, state))
     }
 
-    /// Sample times of a flight, s after launch.
+    /// Sample times, s after launch, of the flight with the launch conditions `release` and the initial state `state`.
     fn times(
         &self,
         release: &Release,

@@ -106,7 +106,7 @@ pub fn default_markers(model: &Model) -> Vec<Marker> {
 }
 
 /// Simulates flights of a model, and observes its markers. The launch conditions in `releases` are used in rotation,
-/// and each flight starts from a random state around the one that they give.
+/// and the initial state of each flight varies at random about the one specified in its launch conditions.
 ///
 /// # Errors
 /// [`SynthesisError::Plan`] or [`SynthesisError::OutOfRange`] if the plan is invalid; [`SynthesisError::Flight`] if a

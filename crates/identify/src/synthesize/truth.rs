@@ -20,7 +20,7 @@ pub struct Truth {
     pub spread: Spread,
     /// Seed of the random number generators.
     pub seed: u64,
-    /// File name and true initial state (by state name, SI) of each flight.
+    /// File name and true initial state (SI, keyed by the names of the states) of each flight.
     pub initial: Vec<(String, BTreeMap<String, f64>)>,
 }
 

@@ -5,10 +5,11 @@ use crate::primitive::{Primitive, map_lanes};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use std::hint::cold_path;
 
-/// Maximum |x| + |y| for which no intermediate result of `atan2` overflows.
+/// Maximum |x| + |y| for which no intermediate result of `atan2` overflows; the reciprocal is the minimum x of the fast
+/// path of `atan2`.
 const MAX_SUM: f64 = 1e300;
 
-/// π/4 minus the `f64` nearest to π/4.
+/// π/4 minus the `f64` nearest to π/4: low-order part of π/4 in sums that must be more accurate than one `f64`.
 const FRAC_PI_4_REST: f64 = 3.061_616_997_868_383e-17;
 
 /// Maximum tangent for which `atan2` evaluates the polynomial for the angle itself. For a larger tangent it evaluates

@@ -91,8 +91,9 @@ pub(crate) struct HeightStep {
 }
 
 impl HeightStep {
-    /// Returns the degree of the interpolant as a polynomial in the fraction `s` of the step, the factor f₁ = f₃ = … of
-    /// the nested products that [`HeightStep`] defines, and the derivative of that factor with respect to `s`.
+    /// Returns the degree of the interpolant as a polynomial in the fraction `s` of the step, the factor at odd levels
+    /// of the nested products (`s` for Tsit5, `1 - s` for DOP853), and the derivative of that factor with respect to
+    /// `s`.
     #[inline(always)]
     fn factors(&self, s: f64) -> (usize, f64, f64) {
         match self.method {
@@ -133,8 +134,8 @@ impl HeightStep {
         slope
     }
 
-    /// Fraction of the step at which the height first falls to 0, or `None` if the height does not fall to 0; `found`
-    /// is scratch space.
+    /// Fraction of the step at which the height first falls to 0, or `None` if the height does not fall to 0. `ends`
+    /// contains the height and its derivative at both ends of the same step; `found` is scratch space.
     pub(crate) fn landing(&self, ends: &HeightEnds, found: &mut Vec<f64>) -> Option<f64> {
         let height = |s: f64| self.height(s);
         if ends.falls_once() {

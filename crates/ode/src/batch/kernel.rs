@@ -63,7 +63,7 @@ struct Flying<'a, T, R> {
     margins: [Vec<T>; 3],
     scratch: Vec<T>,
     heights: [HeightEnds; MAX_LANES],
-    /// Work array for the state of one lane; `rows` is the work array for its dense output.
+    /// Work array for the state of one lane; `rows` is the work array for the dense-output coefficients of one lane.
     state: Vec<f64>,
     rows: Vec<f64>,
     found: Vec<f64>,

@@ -20,7 +20,7 @@ pub(crate) static TABLEAU: Tableau = Tableau {
 /// Weights of the stages in each of the last four rows of the dense output.
 pub(crate) static DENSE: [Row; 4] = [&D0, &D1, &D2, &D3];
 
-/// Order of the error estimate: the exponent of the step size to which the estimate is proportional.
+/// Order q of the error estimate, which is proportional to h^q, where h is the step size.
 const ERROR_ORDER: i32 = 8;
 /// Exponent of the previous step's error norm in the PI step-size controller.
 const PI_BETA: f64 = 0.0;

@@ -74,7 +74,7 @@ pub(crate) trait Stepper<X: StateVector> {
     const METHOD: Method;
     /// Number of evaluations of the right-hand side per step, including the derivative at the end of the step.
     const EVALUATIONS: usize;
-    /// Order of the error estimate: the exponent of the step size to which the estimate is proportional.
+    /// Order q of the error estimate, which is proportional to h^q, where h is the step size.
     const ERROR_ORDER: i32;
     /// Exponent of the previous step's error norm in the PI step-size controller; 0 makes it an integral controller.
     const PI_BETA: f64;

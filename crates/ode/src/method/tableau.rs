@@ -17,7 +17,7 @@ pub(crate) struct Tableau {
     pub dense_rows: &'static [Row],
     /// Weights of the error estimates: one row for Tsit5; for DOP853 the rows of orders 5 and 3.
     pub errors: &'static [Row],
-    /// Order of the error estimate: the exponent of the step size to which the estimate is proportional.
+    /// Order q of the error estimate, which is proportional to h^q, where h is the step size.
     pub error_order: i32,
     /// Exponent of the previous step's error norm in the PI step-size controller.
     pub pi_beta: f64,

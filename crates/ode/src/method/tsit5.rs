@@ -45,7 +45,7 @@ pub(crate) const E: [f64; 7] = [
     0.015151515151515152,
 ];
 
-/// Pairs each weight of a row with its stage index, which gives the sparse form of a row without zeros.
+/// Sparse form, (stage index, weight) of each element, of a row of the Butcher tableau that contains no zeros.
 const fn row<const M: usize>(weights: [f64; M]) -> [(usize, f64); M] {
     let mut row = [(0, 0.0); M];
     let mut s = 0;
@@ -68,7 +68,7 @@ pub(crate) static TABLEAU: Tableau = Tableau {
     step_factor_bounds: STEP_FACTOR_BOUNDS,
 };
 
-/// Order of the error estimate: the exponent of the step size to which the estimate is proportional.
+/// Order q of the error estimate, which is proportional to h^q, where h is the step size.
 const ERROR_ORDER: i32 = 5;
 /// Exponent of the previous step's error norm in the PI step-size controller.
 const PI_BETA: f64 = 0.04;

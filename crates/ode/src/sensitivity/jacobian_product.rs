@@ -10,14 +10,16 @@ const MAX_BLOCK_ROWS: usize = 3;
 /// Sparsity pattern of the Jacobian J, grouped into blocks of rows with equal column indices, for the product J S with
 /// the sensitivity matrix S.
 ///
-/// Each row of S is divided into groups of `lines_per_group` lines, and each line has `PADDING` elements.
+/// Each row of S is divided into lines of `PADDING` elements, and `lines_per_group` consecutive lines form a group. The
+/// sums of one group of a row of J S are accumulated together.
 pub(super) struct JacobianProduct {
     /// Blocks in increasing order of column count, so that the branch predictor learns the loop lengths.
     blocks: Vec<Block>,
     /// Column indices of all blocks, concatenated. Column j multiplies row j of the sensitivity matrix S and is stored
     /// as the index of the first group of that row, `j * groups_per_row`.
     columns: Vec<usize>,
-    /// Number of lines per group; a line has `PADDING` elements, and the lines of a group are accumulated together.
+    /// Number of lines (`PADDING` consecutive elements of a row of the sensitivity matrix S) in a group; the sums of
+    /// one group of a row of J S are accumulated together.
     lines_per_group: usize,
     /// Number of groups in each row of the sensitivity matrix S; a group has `lines_per_group` lines of `PADDING`
     /// elements.
@@ -105,12 +107,12 @@ impl JacobianProduct {
     }
 }
 
-/// Consecutive lines of one row of the sensitivity matrix S, which are accumulated together; a line has `PADDING`
-/// elements.
+/// Group of consecutive elements of one row of the sensitivity matrix S or of the product J S, as `LINES` lines of
+/// `PADDING` elements; the sums of one group of J S are accumulated together.
 type Group<const LINES: usize> = [[f64; PADDING]; LINES];
 
-/// SIMD kernel that computes the product J S of the Jacobian and the sensitivity matrix, block by block. The number of
-/// lines per group is a const parameter, so that the sums remain in registers.
+/// SIMD kernel that computes the product J S of the Jacobian and the sensitivity matrix, block by block. `LINES`, the
+/// number of lines of `PADDING` elements in a [`Group`], is a const parameter, so that the sums remain in registers.
 struct Sums<'a, const LINES: usize> {
     blocks: &'a [Block],
     columns: &'a [usize],

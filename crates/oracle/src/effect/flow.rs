@@ -43,7 +43,8 @@ impl<'a, T: Real> Flow<'a, T> {
     /// Value of the law's constant with the given name.
     ///
     /// # Panics
-    /// If the law has no such constant; the list `laws` of an effect excludes this.
+    /// If the law has no such constant. A built-in effect cannot cause this, since its list
+    /// [`Effect::laws`](super::Effect::laws) contains only laws with the constants that the effect uses.
     pub fn constant(&self, name: &str) -> T {
         let place = self.law.constants().iter().position(|n| *n == name);
         self.constants[place.expect("a constant of the law")]

@@ -9,7 +9,7 @@ pub(crate) fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
     if low > high { (0.0, 1.0) } else { (low, high) }
 }
 
-/// Widens a range by a margin; a range of zero length becomes one of positive length.
+/// Widens a range by 6 % of its length at both ends; a range of zero length becomes one of positive length.
 pub(super) fn with_room((low, high): (f64, f64)) -> (f64, f64) {
     let size = low.abs().max(high.abs());
     let least = if size == 0.0 { 1.0 } else { 1e-3 * size };

@@ -82,7 +82,8 @@ impl Panel {
         svg.path("ribbon", upper.chain(lower));
     }
 
-    /// Adds tooltips with the values of the bars and of some points of the lines.
+    /// Adds tooltips with the values of the bars and of some points of the lines. `size` is the width of the figure and
+    /// of one character, SVG units.
     fn draw_values(&self, svg: &mut Svg, scale: &Scale, size: (f64, f64)) {
         let number = |v: f64| significant(v, 4);
         let mut value = |x: f64, y: f64, text: String| {

@@ -5,8 +5,8 @@ use super::panel::{Line, Panel};
 use super::svg::{Svg, cut};
 
 impl Panel {
-    /// Draws the names of the lines at their ends, moved vertically so that they do not overlap and stay inside the
-    /// panel.
+    /// Draws the names of the lines at the lines' right ends, moved vertically so that they do not overlap and stay
+    /// inside the panel. `width` is the width of the figure, `letter` that of one character, SVG units.
     pub(super) fn draw_names(&self, svg: &mut Svg, scale: &Scale, width: f64, letter: f64) {
         // Minimum vertical distance of two names.
         let apart = 2.05 * letter;
@@ -35,7 +35,8 @@ impl Panel {
         }
     }
 
-    /// Draws the events that have only a time as vertical lines behind the data, labelled above the plot area.
+    /// Draws the events that have only a time as vertical lines behind the data, labelled above the plot area. `width`
+    /// is the width of the figure, `letter` that of one character, SVG units.
     pub(super) fn draw_marks(&self, svg: &mut Svg, scale: &Scale, width: f64, letter: f64) {
         let title = self.title.chars().count() as f64;
         let mut free = (14.0 + 1.1 * letter * title).max(scale.left - 20.0);
@@ -53,7 +54,7 @@ impl Panel {
     }
 
     /// Draws the events that have a position as dots, with the label at the corner that covers the fewest points of
-    /// lines.
+    /// lines. `width` is the width of the figure, `letter` that of one character, SVG units.
     pub(super) fn draw_places(&self, svg: &mut Svg, scale: &Scale, width: f64, letter: f64) {
         let places = self.lines.iter().flat_map(|line| &line.points);
         let places: Vec<(f64, f64)> = places.map(|(x, y)| (scale.x(*x), scale.y(*y))).collect();

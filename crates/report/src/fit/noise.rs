@@ -11,7 +11,8 @@ pub(super) struct Row {
     axis: String,
     sigma: String,
     ar1: String,
-    /// Correlation time of the noise: the lag at which the autocorrelation has fallen to 1/e.
+    /// Correlation time of the noise, ms: the lag at which the autocorrelation has fallen to 1/e; `–` if the noise is
+    /// nearly uncorrelated.
     memory: String,
 }
 

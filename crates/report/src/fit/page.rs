@@ -188,7 +188,7 @@ fn encoded(text: &str) -> String {
     encoded
 }
 
-/// Truncates a text to the maximum length of a note and ends it with a full stop.
+/// Truncates a text to the maximum length of a note on the page ([`flights::short`]) and ends it with a full stop.
 pub(crate) fn sentence(text: &str) -> String {
     let text = flights::short(text.trim_end().trim_end_matches(':'));
     if text.ends_with(['.', '…', '!', '?']) {

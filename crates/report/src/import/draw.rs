@@ -12,7 +12,7 @@ const MOST_PAIRS: usize = 4;
 const MOST_DOTS: usize = 150;
 
 /// Draws the curves and marker distances of a flight: lines during the flight, grey dots for the recording before and
-/// after it.
+/// after it. `number` becomes part of the figure's file name.
 pub(super) fn flight(number: usize, flight: &ImportedFlight) -> Drawn {
     let mut panels: Vec<Panel> = flight.curves.iter().map(|it| curve(flight, it)).collect();
     if let Some(panel) = distances(flight) {
@@ -33,7 +33,8 @@ pub(super) fn flight(number: usize, flight: &ImportedFlight) -> Drawn {
     )
 }
 
-/// Draws the height of the body over a whole recording, with begin and end of each flight.
+/// Draws the height of the body over the whole recording `take`, with begin and end of each flight. `number` becomes
+/// part of the figure's file name.
 pub(super) fn take(number: usize, take: &ImportedTake) -> Drawn {
     let inside = |time: f64| take.flights.iter().any(|flight| flight.holds(time));
     let mut panel = split(&take.heights, inside);

@@ -31,7 +31,7 @@ pub struct Case {
     pub seeded: SeededEffects,
     /// Number of flights in the simulated dataset.
     pub flights: usize,
-    /// Errors introduced into the spins that the dataset states; `None` if the stated spins are exact.
+    /// Errors introduced into the spins specified in the dataset; `None` if the specified spins are exact.
     pub input_errors: Option<InputErrors>,
     /// Seed from which the run's settings, throws and noise are drawn.
     pub seed: u64,

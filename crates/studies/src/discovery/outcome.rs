@@ -40,7 +40,7 @@ pub struct Outcome {
     /// Number of terms that the diagnosis selected from its term library, as a description of misfit that no effect
     /// explains.
     pub terms: usize,
-    /// Sites of the library terms that the diagnosis selected.
+    /// Sites (quantities of the model, such as lift) on which the library terms that the diagnosis selected act.
     pub sites: Vec<String>,
     /// RMS prediction errors on the held-out flights.
     pub held_out: HeldOutErrors,

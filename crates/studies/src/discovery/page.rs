@@ -108,7 +108,8 @@ struct TimeLimit {
     seconds: Option<f64>,
 }
 
-/// Results of a row with two or three effects added to the simulated flights, or with one of severe size.
+/// Results of a row of the study's table with two or three effects added to the simulated flights, or with one effect
+/// of severe size.
 #[derive(Serialize)]
 struct SeveralRow {
     seeded: String,
@@ -146,8 +147,8 @@ struct UnlistedRow {
     runs: usize,
     detected: usize,
     in_set: usize,
-    /// Number of runs in which the diagnosis selected a library term that acts at the same site as the effect added to
-    /// the simulated flights.
+    /// Number of runs in which the diagnosis selected a library term that acts on the same quantity of the model (site)
+    /// as the effect added to the simulated flights.
     at_its_site: usize,
     sites: String,
     uniquely_wrong: usize,
@@ -187,7 +188,7 @@ struct TableRow {
     seconds: Option<f64>,
 }
 
-/// Renders docs/discovery.md from the results of all rows.
+/// Renders docs/discovery.md from the results of all rows of the study's table.
 ///
 /// # Errors
 /// [`StudyError::Page`] if the template cannot be rendered with the results.
@@ -269,8 +270,8 @@ fn criteria(rates: &Rates) -> Vec<Criterion> {
     criteria
 }
 
-/// Failures of all rows: runs whose answer is a single wrong hypothesis, and rows that miss a detectable effect in more
-/// than one run of ten.
+/// Failures in all rows of the study's table: runs whose answer is a single wrong hypothesis, and rows in which the
+/// diagnosis misses a detectable effect in more than one run of ten.
 fn failures(results: &[RowResult]) -> Vec<Failure> {
     let wrong = results.iter().filter_map(|result| {
         let failure = failure(result, "one single hypothesis, wrong,", |o| {

@@ -8,10 +8,12 @@ use super::row::{Body, Group, Row, Size};
 use crate::oracle_flights::{NoiseCondition, noise_conditions};
 use crate::seeded::{InputErrors, UNLISTED};
 
-/// Number of runs of a row of each kind, per 100 runs of a row whose simulated flights contain no added effect.
+/// Number of runs of one row of the results table, for each [`Group`] of rows. A row is one combination of simulation
+/// settings (body, effects, size, noise), a run one simulated and diagnosed dataset. The numbers hold if a row whose
+/// simulated flights contain no added effect has 100 runs, and scale with that number.
 struct Share {
     single: usize,
-    /// Number of runs of a row with one effect under noise that is not white.
+    /// Number of runs of a row of [`Group::Single`] whose noise is not white; `single` is the number for white noise.
     single_noisy: usize,
     pair: usize,
     several: usize,
@@ -53,7 +55,8 @@ const SEVERAL_SEED: u64 = 23;
 /// wrong.
 const SEVERE: [&str; 3] = ["stall", "zero_lift_drag_angle", "cubic_pitching_moment"];
 
-/// Effects that the diagnosis cannot distinguish from another cause by the flights, each with the name of that cause.
+/// Pairs (effect, other cause): the effect is added to simulated flights, and the flights alone do not allow the
+/// diagnosis to distinguish it from the other cause.
 const CONFOUNDED: [(&str, &str); 7] = [
     ("gravity", "clock_rate"),
     ("clock_rate", "gravity"),
@@ -73,7 +76,8 @@ const BALL_EFFECTS: [(&[&str], Body); 5] = [
     (&["buoyancy"], Body::TableTennis),
 ];
 
-/// Number of flights per dataset in rows with many flights.
+/// Number of flights per dataset in the rows of [`Group::UnlistedManyFlights`], which have more flights than the
+/// default.
 const MANY_FLIGHTS: usize = 48;
 
 /// Errors introduced into the stated spins: relative standard deviation, fraction of flights whose spins are exchanged.
@@ -81,8 +85,9 @@ const INPUT_ERRORS: [(f64, f64); 4] = [(0.2, 0.0), (0.0, 0.33), (0.2, 0.33), (0.
 
 const BOTH_SIZES: [Size; 2] = [Size::Weak, Size::Strong];
 
-/// Builds the rows of the study's table. `seeds` is the number of runs of a row whose simulated flights contain no
-/// added effect; other rows have a fraction of this number.
+/// Builds the rows of the study's table; each row is one combination of simulation settings. `seeds` is the number of
+/// runs (simulated and diagnosed datasets) of a row whose flights contain no added effect; other rows have a fraction
+/// of this number.
 struct Planner {
     seeds: usize,
     noises: Vec<NoiseCondition>,
@@ -178,8 +183,8 @@ impl Planner {
     }
 }
 
-/// Returns all rows of the study's table: `seeds` runs for each row whose simulated flights contain no added effect,
-/// fewer for the other rows.
+/// Returns all rows (combinations of simulation settings) of the study's table. A row whose simulated flights contain
+/// no added effect has `seeds` runs (simulated and diagnosed datasets); the other rows have fewer.
 ///
 /// # Panics
 /// If a built-in effect does not load.
@@ -223,7 +228,8 @@ pub fn plan(seeds: usize) -> Vec<Row> {
     rows
 }
 
-/// Draws [`PAIRS`] different random pairs from the effects `names`. The two effects of a pair act at different sites.
+/// Draws [`PAIRS`] different random pairs from the effects `names`. The two effects of a pair act on different
+/// quantities of the model (sites), such as lift and drag.
 fn pairs(names: &[&'static str]) -> Vec<[&'static str; 2]> {
     let mut random = ChaCha12Rng::seed_from_u64(PAIR_SEED);
     let mut pairs: Vec<[&'static str; 2]> = Vec::new();
@@ -242,8 +248,9 @@ fn pairs(names: &[&'static str]) -> Vec<[&'static str; 2]> {
     pairs
 }
 
-/// Draws `count` different random combinations of `number` effects from `names`. The effects of a combination act at
-/// different sites. Effects whose influence on flights equals that of another cause are not drawn.
+/// Draws `count` different random combinations of `number` effects from `names`. The effects of a combination act on
+/// different quantities of the model (sites). Effects whose influence on flights equals that of another cause are not
+/// drawn.
 fn combinations(names: &[&'static str], number: usize, count: usize) -> Vec<Vec<&'static str>> {
     let mut random = ChaCha12Rng::seed_from_u64(SEVERAL_SEED + number as u64);
     let imitated = |name: &str| CONFOUNDED.iter().any(|(of, _)| *of == name);

@@ -3,7 +3,8 @@
 use crate::oracle_flights::NoiseCondition;
 use crate::seeded::InputErrors;
 
-/// Kind of a row: which effects or errors its runs contain.
+/// Kind of a row of the study's table (a row is one combination of simulation settings): which effects or errors are
+/// introduced into the simulated flights of its runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Group {
     /// No effect is added to the simulated flights.
@@ -26,7 +27,7 @@ pub enum Group {
     /// An effect outside the built-in effects catalogue is added to the simulated flights, of which there are 48
     /// instead of the default number.
     UnlistedManyFlights,
-    /// The spins that the dataset states for the flights contain errors.
+    /// The spins specified in the dataset for the flights contain errors.
     InputErrors,
 }
 
@@ -77,7 +78,7 @@ pub enum Size {
 const SEVERE: f64 = 4.0;
 
 impl Size {
-    /// Name of the size on pages and in keys.
+    /// Name of the size on pages and in [`Row::key`].
     pub(super) fn label(self) -> &'static str {
         match self {
             Size::Weak => "weak",
@@ -117,7 +118,8 @@ impl Body {
     }
 }
 
-/// A row of the study: settings of a set of runs that differ only in their seeds.
+/// A row of the study's table: simulation settings of a set of runs (simulated and diagnosed datasets) that differ only
+/// in their seeds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
     /// Kind of effects or errors that the runs contain.
@@ -136,9 +138,9 @@ pub struct Row {
     pub size: Option<Size>,
     /// Noise condition.
     pub noise: NoiseCondition,
-    /// Number of flights per dataset; `None` for the default of the body.
+    /// Number of flights per dataset; `None` for the default number, which depends on the body.
     pub flights: Option<usize>,
-    /// Errors introduced into the spins that the dataset states; `None` if the stated spins are exact.
+    /// Errors introduced into the spins specified in the dataset; `None` if the specified spins are exact.
     pub input_errors: Option<InputErrors>,
     /// Number of runs of the row, each with its own seed.
     pub runs: usize,

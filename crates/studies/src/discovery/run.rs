@@ -21,12 +21,12 @@ use super::score::{hypotheses, score};
 pub struct RowResult {
     /// Settings of the row of the study's table.
     pub row: Row,
-    /// Outcomes of the row's runs, in order of the run index.
+    /// Outcomes of the row's runs, in the order of the run index.
     pub outcomes: Vec<Outcome>,
 }
 
-/// Executes the runs of all rows, `at_a_time` diagnoses in parallel, which share the processors. Calls `progress` with
-/// the number of finished runs and of all runs.
+/// Executes the runs (simulated and diagnosed datasets) of the given rows of the study's table, `at_a_time` diagnoses
+/// in parallel, which share the processors. Calls `progress` with the numbers of finished runs and of all runs.
 pub fn run_rows(
     rows: &[Row],
     at_a_time: usize,

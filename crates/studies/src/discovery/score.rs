@@ -51,8 +51,9 @@ pub(super) fn score(outcome: &mut Outcome, report: &Report) {
     }
 }
 
-/// Scores a run with an effect outside the built-in effects catalogue. The right verdict is `Unattributed`. A single
-/// hypothesis is wrong, unless it names the effect of the catalogue that is nearly equivalent.
+/// Scores a run with an effect outside the built-in effects catalogue. The right verdict is `Unattributed`. If the
+/// answer is one single hypothesis (`is_single`), it is wrong unless it names the nearly equivalent effect of the
+/// catalogue.
 fn score_unlisted(outcome: &mut Outcome, report: &Report, is_single: bool) {
     // An effect of the catalogue may be so similar that it is an equally right answer.
     let mut seeded = outcome.case.seeded.unlisted.iter();

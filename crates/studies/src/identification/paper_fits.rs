@@ -19,7 +19,7 @@ const SIGMA: f64 = 0.0014;
 pub struct Scenario {
     /// Description of the flights and the noise.
     pub name: &'static str,
-    /// Estimates (SI), indexed by coefficient (in the model's order) and by seed.
+    /// Estimates (SI), indexed by coefficient (in the order of the model's coefficients) and by noise seed.
     pub estimates: Vec<Vec<f64>>,
     /// Number of seeds with a physically implausible estimate, such as negative drag.
     pub implausible: usize,
@@ -35,7 +35,7 @@ pub struct Scenario {
 }
 
 impl Scenario {
-    /// Mean and standard deviation over the seeds of the estimates of a coefficient, SI.
+    /// Mean and standard deviation, over the noise seeds, of the estimates of the coefficient with the given index, SI.
     pub(crate) fn mean_and_deviation(&self, coefficient: usize) -> (f64, f64) {
         mean_and_deviation(&self.estimates[coefficient])
     }

@@ -12,7 +12,8 @@ pub(crate) fn reference_of(model: &Model) -> Reference {
     bound.expect("the model has the names of its reference")
 }
 
-/// Sets a coefficient by name; does nothing if the model has no coefficient of that name.
+/// Sets the coefficient `name` in `constants` to `value` (SI); does nothing if the model has no coefficient of that
+/// name.
 pub(crate) fn set_coefficient(model: &Model, constants: &mut Point<f64>, name: &str, value: f64) {
     if let Some(index) = model.coefficients.iter().position(|c| c.name == name) {
         constants.coefficients[index] = value;

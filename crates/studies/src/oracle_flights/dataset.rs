@@ -34,7 +34,7 @@ pub fn disc() -> Model {
     model_spec::load::load("disc", &[]).expect("the built-in disc")
 }
 
-/// Name and true value (SI) of each coefficient under a plan, in the model's order.
+/// Name and true value (SI), as specified in a plan, of each coefficient, in the order of the model's coefficients.
 pub fn truth(model: &Model, plan: &Plan<'_>) -> Vec<(String, f64)> {
     let stated = |name: &str| {
         let mut truth = plan.truth.iter();

@@ -56,13 +56,13 @@ pub struct RateInFlight {
     pub state: String,
     /// Unit of the state; the rates are in this unit per second.
     pub unit: String,
-    /// Maximum magnitude, along the flight, of the state's rate as stated by the simulator's equations, in `unit` per
+    /// Maximum magnitude, along the flight, of the state's rate according to the simulator's equations, in `unit` per
     /// second.
     pub stated: f64,
     /// Maximum magnitude, along the flight, of the state's rate as implied by the laws of motion, in `unit` per second.
     pub implied: f64,
-    /// Maximum magnitude, along the flight, of the difference between the rate that the simulator's equations state and
-    /// the rate that the laws of motion imply, in `unit` per second.
+    /// Maximum magnitude, along the flight, of the difference between the rate according to the simulator's equations
+    /// and the rate implied by the laws of motion, in `unit` per second.
     pub difference: f64,
 }
 
@@ -141,8 +141,9 @@ pub fn judge(simulator: &Simulator) -> Result<Verdicts, StudyError> {
     })
 }
 
-/// Value of one component (index from 0) of the vector-valued auxiliary variable `name`, in the frame of its
-/// definition, at the time, states and parameters in `point`. `None` if the model has no vector of that name.
+/// Value of one component (index from 0) of the vector-valued auxiliary variable `name`, in the reference frame in
+/// which the model defines this vector, at the time, states and parameters in `point`. `None` if the model has no
+/// vector of that name.
 fn started(model: &Model, point: &Point<f64>, name: &str, component: usize) -> Option<f64> {
     let tree = Tree::new(model, point);
     let index = { model.aux_variables.iter() }.position(|v| v.name == name)?;
@@ -210,9 +211,9 @@ fn laws(model: &Model, flight: &[Point<f64>]) -> Vec<LawInFlight> {
     out
 }
 
-/// Maximum magnitudes, over the points of a flight, of the rates that the model's equations state, of the rates that
-/// the laws of motion imply, and of their difference, for the states where the two rates differ. Empty if no rates
-/// satisfy all laws.
+/// Compares, for each state, the rate according to the model's equations with the rate implied by the laws of motion.
+/// Returns the maximum magnitudes of the two rates and of their difference over the points of a flight, for the states
+/// whose two rates differ. Empty if no rates satisfy all laws.
 fn rates(model: &Model, flight: &[Point<f64>]) -> Vec<RateInFlight> {
     let mut out: Vec<RateInFlight> = model
         .states

@@ -91,7 +91,8 @@ impl Outcome {
         self.answer.iter().any(|(_, site)| is_right(site))
     }
 
-    /// Formats the verdict with effects and sites, or the error message of a failed diagnosis, as text.
+    /// Formats the verdict as text, with the names of the effects found and of the model quantities (sites) on which
+    /// they act; for a failed diagnosis, formats its error message.
     pub fn says(&self) -> String {
         let answer = self
             .answer
@@ -240,8 +241,9 @@ fn detectability(model: &Model, mut exact: Dataset, sigma: f64) -> Option<f64> {
     Some(chi2.sqrt() / DETECTABLE)
 }
 
-/// Pairs (name, site) of the report's answer: the effects of all causes, then the selected terms of the term library.
-/// If there are neither effects nor terms, the missing force or moment that explains most of the misfit.
+/// Answer of a report, as pairs of a name and the model quantity (site) concerned: the effects of all causes found,
+/// then the selected terms of the term library. If there are neither effects nor terms: the missing force or moment
+/// that explains most of the misfit.
 fn answer(report: &Report) -> Vec<(String, String)> {
     let causes = report.causes.iter().flat_map(|cause| &cause.effects);
     let mut answer: Vec<(String, String)> = causes

@@ -95,8 +95,8 @@ impl Subject {
         model_spec::load::from_text(self.name, self.text, &[]).expect("a model without errors")
     }
 
-    /// Draws the initial states of a random throw, in the model's order. States that are not drawn have the model's
-    /// default.
+    /// Draws the initial values of the states of a random throw, in the order of the model's states. States that are
+    /// not drawn have the default value of the model.
     pub(super) fn start(&self, model: &Model, random: &mut impl Rng) -> Vec<f64> {
         let mut uniform = |low: f64, high: f64| low + (high - low) * random.random::<f64>();
         let drawn = (self.draw)(&mut uniform);

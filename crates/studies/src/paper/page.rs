@@ -51,8 +51,8 @@ struct ReadingRow {
     description: String,
 }
 
-/// Best score among the readings (interpretations of Table 1) that lack one hypothesis of the best-ranked reading. It
-/// shows how much the hypothesis contributes to the agreement.
+/// One hypothesis of the best-ranked reading (interpretation of Table 1), with the best score among the readings
+/// without this hypothesis. The score shows how much the hypothesis contributes to the agreement.
 #[derive(Serialize)]
 struct HypothesisRow {
     description: &'static str,

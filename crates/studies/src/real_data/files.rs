@@ -25,7 +25,8 @@ pub(super) fn numbers(line: &str) -> Vec<f64> {
     cells.filter_map(|cell| cell.trim().parse().ok()).collect()
 }
 
-/// Builds the error for a line that does not have the expected form.
+/// Builds the error for a line, given by its number (from 1) and text, that does not have the form described by
+/// `expected`.
 pub(super) fn bad_line(
     file: &Path,
     (line, text): (usize, &str),
@@ -39,7 +40,7 @@ pub(super) fn bad_line(
     }
 }
 
-/// Builds the error for a file that lacks a required part.
+/// Builds the error for a file that lacks required content; `expected` describes this content.
 pub(super) fn absent(file: &Path, expected: impl Into<String>) -> StudyError {
     StudyError::Absent {
         file: file.to_owned(),

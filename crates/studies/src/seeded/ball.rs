@@ -72,7 +72,8 @@ fn model() -> Model {
     model_spec::load::load("ball", &[]).expect("the built-in ball")
 }
 
-/// Simulates flights of a ball with the effects and noise in `seeded`. The dataset states the true spin of each flight.
+/// Simulates flights of a ball with the effects and noise in `seeded`. The dataset contains the true spin of each
+/// flight as a given value.
 ///
 /// # Panics
 /// If an effect does not act on a ball, or if its number of values is wrong.

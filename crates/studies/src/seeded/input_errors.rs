@@ -6,7 +6,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 use rand_distr::StandardNormal;
 
-/// Errors that are introduced into the spins that a dataset states for a ball's flights.
+/// Errors that are introduced into the spins specified in a dataset for the flights of a ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InputErrors {
     /// Standard deviation of the error of each component, relative to the magnitude of the spin.

@@ -19,7 +19,7 @@ use crate::oracle_flights::{
 pub struct Observed {
     /// Whether the positions of the three markers are measured.
     pub markers: bool,
-    /// Sensors, with their positions on the body as the dataset states them.
+    /// Sensors, with their positions on the body as specified in the dataset.
     pub sensors: Vec<Sensor>,
     /// Offset of an accelerometer's true position from the stated one, m, body axes.
     pub displacement: [f64; 3],

@@ -38,7 +38,8 @@ pub struct Tilts {
     /// Tilt (hyzer angle), deg, with which the disc lands on the line of launch, interpolated between the simulated
     /// flights; `None` if no two successive flights land on opposite sides of the line.
     pub on_line: Option<f64>,
-    /// Landing points: hyzer, deg, and position x and y, m.
+    /// Landing points: hyzer angle, deg, and horizontal position, m: x along the launch direction, y perpendicular to
+    /// it.
     pub landings: Vec<(f64, f64, f64)>,
     /// Number of inflections of the curve of landing points; an S-shaped curve has 1.
     pub inflections: usize,
@@ -190,7 +191,8 @@ fn of(
     })
 }
 
-/// Simulates horizontal launches with an angle of attack of 10° over a range of tilts.
+/// Simulates horizontal launches with an angle of attack of 10° over a range of tilts (hyzer angles). `level` has the
+/// other launch conditions, such as speed and spin.
 fn tilts(flights: &ThrowFlights<'_>, level: &Throw) -> Tilts {
     let mut landings: Vec<(f64, f64, f64)> = Vec::new();
     let (mut straightest, mut on_line) = ((0.0, f64::INFINITY), None);

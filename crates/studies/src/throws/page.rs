@@ -19,7 +19,8 @@ struct Results<'r> {
     pairs: Vec<(f64, f64)>,
 }
 
-/// Renders docs/throws.md from the simulated launches and the throws in winds.
+/// Renders docs/throws.md from the simulated disc launches (`launches`), the launches for several roll coefficients
+/// (`rolls`: C_Rr in s, results), and the longest discus throws in several winds (`winds`).
 ///
 /// # Errors
 /// [`StudyError`] if the template cannot be rendered with the results.

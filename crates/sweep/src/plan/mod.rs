@@ -26,7 +26,7 @@ pub struct Plan {
     pub model: Model,
     /// Release (launch conditions) that all flights have in common; the varied quantities replace some of its values.
     pub release: Release,
-    /// Motion at release, if the plan states it by `[throw]`.
+    /// Motion at release, if it is specified in the table `[throw]` of the plan.
     pub throw: Option<Throw>,
     /// Quantities that vary, in the order of the file; coefficients of a fit come last.
     pub axes: Vec<Axis>,
@@ -67,7 +67,8 @@ impl Plan {
         ))
     }
 
-    /// Number of flights in one part of the results; it depends on the total number of flights alone.
+    /// Number of flights in one part of the sweep (a block of consecutive flights, computed and stored together); it
+    /// depends on the total number of flights alone.
     pub fn part_len(&self) -> u64 {
         const LEAST: u64 = 1 << 13;
         const GREATEST: u64 = 1 << 17;
@@ -75,7 +76,7 @@ impl Plan {
         even.clamp(LEAST, GREATEST)
     }
 
-    /// Number of parts into which the flights are divided.
+    /// Number of parts (blocks of consecutive flights) into which the flights are divided.
     pub fn parts(&self) -> u64 {
         self.flights.div_ceil(self.part_len())
     }

@@ -20,7 +20,7 @@ pub const MAX_FLIGHTS: u64 = 1 << 40;
 const MAX_NORMAL: usize = 256;
 /// Maximum size of a plan file, bytes.
 const MAX_FILE_BYTES: u64 = 16 << 20;
-/// Relative tolerance of the integration if the plan states none; the same as in `hyzer simulate`.
+/// Relative tolerance of the integration if none is specified in the plan; the same as in `hyzer simulate`.
 const TOLERANCE: f64 = 1e-6;
 /// Keys of a plan file that a release file (launch conditions) does not have.
 const OWN_KEYS: [&str; 8] = [

@@ -218,10 +218,10 @@ impl<'a> Recording<'a> {
         }
     }
 
-    /// Unit of the coordinates that `POINT:UNITS` states, with the text of that parameter.
+    /// Unit of the coordinates specified in `POINT:UNITS`, with the text of that parameter.
     ///
     /// # Errors
-    /// [`Wrong`] if the parameter is absent or states an unknown unit.
+    /// [`Wrong`] if the parameter is absent or contains an unknown unit.
     pub fn unit(&self) -> Result<(LengthUnit, String), Wrong> {
         const EXPECTED: &str = "m, cm or mm in POINT:UNITS";
         let at = self.parameters.place("POINT", "UNITS");
@@ -270,9 +270,9 @@ impl<'a> Recording<'a> {
     }
 }
 
-/// Decides how to proceed after the error `cut`: a parameter extends past the parameter section. If the parameters
-/// before it suffice and it ends within the file of `length` bytes, the result is a [`Deviation`] by which only the
-/// parameters before it are used. Otherwise the result is the error `cut`.
+/// Decides how to proceed after the error `cut`, which reports a parameter that extends past the parameter section. If
+/// the preceding parameters suffice and the extending parameter ends within the file of `length` bytes, the result is a
+/// [`Deviation`] by which only the preceding parameters are used. Otherwise the result is the error `cut`.
 fn after_the_cut(
     cut: Wrong,
     parameters: &Parameters<'_>,
@@ -316,8 +316,8 @@ fn storage(
     }
 }
 
-/// Value that is stated by a parameter, the header, or both (0 in the header means absent). If both state it, they must
-/// agree within the relative tolerance `within`.
+/// Value specified in the parameter `name`, in the header, or in both (0 in the header means absent). If both specify
+/// it, they must agree within the relative tolerance `within`; otherwise the result is an error at the offset `byte`.
 fn agreed(
     byte: usize,
     name: &str,

@@ -93,7 +93,7 @@ pub(super) fn read(bytes: &[u8], options: &ReadOptions) -> Result<Take, Fault> {
 }
 
 /// Axis that points up: from the force platforms if they determine it, otherwise the axis that `POINT:Y_SCREEN` draws
-/// upwards; `None` if neither states it.
+/// upwards; `None` if neither determines it.
 fn up(recording: &Recording<'_>, notes: &mut Vec<String>) -> Option<Axis> {
     let drawn = recording.screen_up().and_then(|text| Axis::parse(&text));
     let floor = recording.floor_up();
@@ -110,7 +110,7 @@ fn up(recording: &Recording<'_>, notes: &mut Vec<String>) -> Option<Axis> {
     floor.or(drawn)
 }
 
-/// Unit of the coordinates: the user's unit in `options` if it is given, otherwise the unit that the file states.
+/// Unit of the coordinates: the user's unit in `options` if it is given, otherwise the unit specified in the file.
 fn length(
     recording: &Recording<'_>,
     options: &ReadOptions,

@@ -141,7 +141,8 @@ pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<
     layout.samples(&mut sheet, |_| false)
 }
 
-/// Count that the header line beginning with a given keyword states; `None` if the header has no such line.
+/// Count in the header line that begins with `keyword`; `None` if the header has no such line. `keywords` contains line
+/// number and values of each header line, keyed by its keyword.
 fn count(
     keywords: &BTreeMap<String, (usize, Vec<String>)>,
     keyword: &str,
@@ -159,9 +160,9 @@ fn count(
 /// Columns that precede those of the first point or body.
 #[derive(Clone, Copy)]
 enum Fixed {
-    /// The last of these columns contains the time; the value is its index.
+    /// The last of the columns before the first point or body contains the time; the value is the index of this column.
     Time(usize),
-    /// There is one such column, which contains the frame number.
+    /// One column precedes the first point or body; it contains the frame number.
     Frame,
     None,
 }

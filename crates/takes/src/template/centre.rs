@@ -241,8 +241,9 @@ fn residuals(motions: &[Motion], point: &Vector3<f64>, axis: &Vector3<f64>) -> (
     )
 }
 
-/// Whether `axis` points upwards at the beginning of most flights, and the numbers of flights in which it points
-/// upwards and downwards there; the numbers are `None` if they are equal.
+/// Whether `axis` points upwards at the beginning of most flights (on average over the flights if the numbers of
+/// flights with either direction are equal), and the numbers of flights with the more frequent and with the less
+/// frequent direction; `None` if these numbers are equal.
 fn side(motions: &[Motion], axis: &Vector3<f64>) -> (bool, Option<UpVote>) {
     let heights = motions.iter().map(|motion| {
         let early = (motion.rotations.len() / 10).max(3);

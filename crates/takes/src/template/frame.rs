@@ -14,8 +14,8 @@ const OFF_AXIS: f64 = 0.005;
 /// at height 0 (3), direction of the axis (3), height of the centre of mass (1).
 const MORE: usize = 7;
 
-/// Assembles the template from the shape and the centre of mass; `stated` is the height of the centre of mass that the
-/// user states, m. If it is `None`, the estimated height is used if it is accurate enough, otherwise 0.
+/// Assembles the template from the shape and the centre of mass; `stated` is the height of the centre of mass specified
+/// by the user, m. If it is `None`, the estimated height is used if it is accurate enough, otherwise 0.
 pub(super) fn template(
     labels: &[String],
     shape: &Shape,
@@ -111,8 +111,9 @@ fn first_marker(shape: &Shape, centre: &Centre, height: f64) -> usize {
     off.unwrap_or_else(farthest)
 }
 
-/// Marker positions in the body frame, m. `values` contains `size` marker coordinates, the point of the spin axis at
-/// the mean height of the markers, the direction of the spin axis, and the height of the centre of mass, in this order.
+/// Marker positions in the body frame, m, whose first axis points to the marker with the index `first`. `values`
+/// contains `size` marker coordinates, the point of the spin axis at the mean height of the markers, the direction of
+/// the spin axis, and the height of the centre of mass, in this order.
 fn placed(values: &DVector<f64>, size: usize, centre: &Centre, first: usize) -> DVector<f64> {
     let vector = |at: usize| Vector3::new(values[at], values[at + 1], values[at + 2]);
     let third = vector(size + 3).normalize();

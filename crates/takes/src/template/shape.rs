@@ -195,7 +195,8 @@ fn is_flat(points: &[Vector3<f64>]) -> bool {
     values[1] <= FLAT * FLAT * values[2]
 }
 
-/// Pose of a sample from the markers marked as `used`; `None` if they do not fix the attitude.
+/// Pose of the sample with the index `sample`, whose measured marker positions are `row`, from the markers marked as
+/// `used`; `points` are the marker positions on the body. `None` if the used markers do not fix the attitude.
 fn pose(points: &[Vector3<f64>], row: &Row, used: Vec<bool>, sample: usize) -> Option<Placed> {
     let seen: Row = row
         .iter()
@@ -236,9 +237,10 @@ impl Placed {
     }
 }
 
-/// Computes the pose of the body in each sample of a flight. While the residuals of a sample are too large, the marker
-/// whose removal reduces them most is removed from this sample. A sample whose remaining markers do not fix the pose is
-/// left out.
+/// Computes the pose of the body in each sample of a flight; `rows` are the measured marker positions, one row per
+/// sample, and `sigma` is the standard deviation of a coordinate, m. While the residuals of a sample are too large, the
+/// marker whose removal reduces them most is removed from this sample. A sample whose remaining markers do not fix the
+/// pose is left out.
 fn placed(points: &[Vector3<f64>], rows: &[Row], sigma: f64) -> Vec<Placed> {
     let place = |(sample, row): (usize, &Row)| {
         let all: Vec<bool> = row.iter().map(Option::is_some).collect();

@@ -18,8 +18,8 @@ const IMPACT: f64 = 1.0;
 /// Minimum upward jump of the velocity at the ground, m/s. It is small because a body that touches the ground with its
 /// edge begins to turn more than to rise.
 const TOUCH: f64 = 0.2;
-/// Height above the body's lowest level in the recording below which the body may touch the ground, m: the extent of a
-/// thrown body below its centre.
+/// Maximum height of the body above its lowest level in the recording at which it may touch the ground, m: the extent
+/// of a thrown body below its centre.
 const REACH: f64 = 0.15;
 /// Height above the lowest level of the trajectory, m, below which an upward jump of the velocity means that the ground
 /// supports the body.
@@ -34,8 +34,9 @@ const APART: f64 = 0.5;
 /// determined.
 const BELOW: usize = 3;
 
-/// Whether a followed flight ends at the track index `last`: whether the motion after this sample, or before it if
-/// `early`, is one that the air cannot cause. `ground` is the height of the lowest level of the trajectory, m.
+/// Whether a followed flight ends at the track index `last`, because the motion outside it is one that the air cannot
+/// cause. `early` is true for the beginning of the flight (outside is before `last`) and false for its end (outside is
+/// after `last`). `path` is the trajectory of a body point, m, and `ground` the height of its lowest level, m.
 pub(super) fn is_break(
     track: &Track,
     path: &[[f64; 3]],
@@ -90,9 +91,9 @@ fn is_touch(height: f64, motion: &Fit, jump: [f64; 3]) -> bool {
     falls && jump[2] > 0.5 * norm(jump) && height < REACH
 }
 
-/// Whether the ground supports a falling body at the track index `last`; true only near the height `ground`, m, of the
-/// trajectory's lowest level. This detects slight touches in succession, each of which deviates too little from the
-/// prediction to end the flight.
+/// Whether the ground supports a falling body at the track index `last`; true only near the lowest level of the
+/// trajectory `path`, m, whose height is `ground`, m. This detects slight touches in succession, each of which deviates
+/// too little from the prediction to end the flight.
 pub(super) fn touches(track: &Track, path: &[[f64; 3]], last: usize, ground: f64) -> bool {
     if path[last][2] > ground + LOW {
         return false;
@@ -131,9 +132,10 @@ pub(super) fn is_ground(times: &[f64], path: &[[f64; 3]], lowest: f64) -> bool {
     visits.count() > 1
 }
 
-/// Derivative with respect to time, of the given `order`, of the fitted motion outside the flight at the time `beyond`,
-/// in seconds from the change of motion; and the standard error of this derivative on one axis. The unit of both is m/s
-/// for order 1 and m/s² for order 2.
+/// Derivative of the given `order` with respect to time of the fitted motion `motion`, evaluated outside the flight,
+/// and the standard error of one component of this derivative; both in m/s for order 1 and in m/s² for order 2. It is
+/// evaluated `beyond` seconds (≥ 0) before the beginning of the flight if `early` is true, otherwise `beyond` seconds
+/// after its end.
 fn derivative(motion: &Fit, early: bool, beyond: f64, order: i32) -> ([f64; 3], f64) {
     let sign: f64 = if early { -1.0 } else { 1.0 };
     let term = |power: i32, time: f64| -> f64 {

@@ -43,9 +43,10 @@ pub(super) struct Change {
     pub acceleration: [f64; 3],
 }
 
-/// Determines the change of motion with which a free flight begins (`early`) or ends. `stop` is the reason why the
-/// flight was not followed further, `path` the trajectory of a body point, m. A change is fitted only if `stop` is a
-/// deviation or a touch of the ground; otherwise it is placed at the last followed sample.
+/// Determines the change of motion at one end of a free flight: at its beginning if `early` is true, otherwise at its
+/// end. `stop` is the reason why the flight was not followed further, `path` the trajectory of a body point, m. A
+/// change is fitted only if `stop` is a deviation or a touch of the ground; otherwise it is placed at the last followed
+/// sample.
 pub(super) fn changes(track: &Track, path: &[[f64; 3]], stop: &Stop, early: bool) -> Change {
     let data = if early { 0 } else { path.len() - 1 };
     let last = stop.last(data);
@@ -77,8 +78,9 @@ pub(super) struct Fit {
     pub hinge: &'static [i32],
 }
 
-/// Two ranges of track indices around `last`, the last followed sample of a flight (its first one if `early`): the
-/// samples to which a change of motion is fitted, and the samples between which the time of the change is searched.
+/// Two ranges of track indices around `last`: the samples to which a change of motion is fitted, and the samples
+/// between which the time of the change is searched. `last` is the first sample of the followed flight if `early` is
+/// true, otherwise its last sample.
 pub(super) fn places(
     track: &Track,
     path: &[[f64; 3]],
@@ -102,8 +104,9 @@ pub(super) fn places(
 }
 
 /// Fits a change of motion for each list of exponents in `hinges` and for several times of the change between the
-/// samples in `near`; returns the fit with the smallest Bayesian information criterion. `places` are the fitted
-/// samples. `None` if no fit is possible.
+/// samples in `near`; returns the fit with the smallest Bayesian information criterion, or `None` if no fit is
+/// possible. `places` are the fitted samples; `early` is true if the change is the beginning of the flight, false if it
+/// is its end.
 pub(super) fn best(
     track: &Track,
     path: &[[f64; 3]],
@@ -165,8 +168,9 @@ fn located(
 /// Number of coefficients of the cubic that describes the flight on one axis.
 pub(super) const CUBIC: usize = 4;
 
-/// Fits on each axis a cubic in the time since `time`, plus hinge terms: powers, with the exponents `hinge`, of the
-/// time outside the flight, which are 0 inside the flight. `None` if there are too few samples or the equations are
+/// Fits to the samples `places` of the trajectory `path`, on each axis, a cubic in the time since `time`, plus hinge
+/// terms: powers, with the exponents `hinge`, of the time outside the flight, which are 0 inside the flight. Outside is
+/// before `time` if `early` is true, otherwise after `time`. `None` if there are too few samples or the equations are
 /// singular.
 pub(super) fn fit(
     track: &Track,

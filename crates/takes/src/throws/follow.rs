@@ -8,8 +8,8 @@ use super::windows::half;
 
 /// Difference between a sample and its prediction, in standard deviations, above which the sample counts as deviating.
 const STRANGE: f64 = 4.5;
-/// Number of consecutive samples that must all deviate from their prediction before it is examined whether the flight
-/// ends there.
+/// Number of consecutive samples that must all deviate from their prediction before the predicate [`Checks::is_break`]
+/// decides whether the flight ends there.
 const CONSECUTIVE: usize = 2;
 /// Rate of change of the acceleration in free flight, m/s³, that is tolerated when a sample is compared with its
 /// prediction from a quadratic.
@@ -34,7 +34,8 @@ pub(super) enum Stop {
 
 impl Stop {
     /// Track index of the last sample of the flight, or of its first sample if the flight was followed backwards in
-    /// time. `data` is the index returned for [`Stop::Data`]: the last index of the track, or the first.
+    /// time. `data` is the index returned for [`Stop::Data`]: the last index of the track, or 0 if the flight was
+    /// followed backwards.
     pub fn last(&self, data: usize) -> usize {
         match self {
             Self::Data => data,
@@ -55,8 +56,9 @@ pub(super) struct Checks<'c> {
     pub touches: &'c dyn Fn(usize) -> bool,
 }
 
-/// Follows a flight from the middle of `run`, a range of track indices in free flight, backwards and forwards in time.
-/// Returns the reasons why it was not followed further at its beginning and at its end.
+/// Follows a flight along the trajectory `path` (m) of a body point, backwards and forwards in time from the middle of
+/// `run`, a range of track indices in free flight; `checks` decide where it ends. Returns the reasons why it was not
+/// followed further at its beginning and at its end.
 pub(super) fn follow(
     track: &Track,
     path: &[[f64; 3]],
@@ -128,8 +130,9 @@ fn extend(
     }
 }
 
-/// Whether the sample at the track index `place` agrees with its prediction: the extrapolation of a quadratic in time
-/// fitted to the samples with the track indices `recent`. `noise` is the standard deviation of a measured position, m.
+/// Whether the sample of the trajectory `path` (m) at the track index `place` agrees with its prediction: the
+/// extrapolation of a quadratic in time fitted to the samples with the track indices `recent`. `noise` is the standard
+/// deviation of a measured position, m.
 fn is_predicted(
     track: &Track,
     path: &[[f64; 3]],

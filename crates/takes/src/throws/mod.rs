@@ -201,8 +201,8 @@ fn throw(
     Some((first..last + 1, throw))
 }
 
-/// Cause of the `change` of motion at the beginning (`early`) or the end of a flight; `stop` is the reason why the
-/// flight could not be followed beyond this change.
+/// Cause of the `change` of motion at the beginning (if `early` is true) or at the end of a flight; `stop` is the
+/// reason why the flight could not be followed beyond this change.
 fn cause(track: &Track, stop: &Stop, change: &Change, early: bool) -> Cause {
     match stop {
         Stop::Data => Cause::Recording,

@@ -97,7 +97,8 @@ pub struct Fingerprint {
 }
 
 impl Fingerprint {
-    /// Computes the hashes of a model. `folder` is the folder of the certificate.
+    /// Computes the hashes of a model. `folder` is the folder of the certificate, relative to which paths are recorded;
+    /// `seed` determines the pseudo-random points at which results are computed for hashing.
     pub fn of(model: &Model, sources: &[Source], folder: &Path, seed: u64) -> Self {
         let compiled = codegen::compile(model);
         let schedule = compiled.functions().map(|f| format!("{f:?}"));

@@ -72,7 +72,7 @@ pub struct CertifiedOptions {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct CertifiedModel {
-    /// Name of the model, as its file states it.
+    /// Name of the model, as specified in its file.
     pub model: String,
     /// File or name from which the model is loaded.
     pub from: Origin,

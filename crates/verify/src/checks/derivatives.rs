@@ -268,8 +268,8 @@ fn cancelled(value: ErrorBound, variable: f64) -> f64 {
     value.magnitude / variable.max(1.0)
 }
 
-/// Absolute value of a variable: a state, parameter, coefficient or component of an input, in the order of the
-/// Jacobian's columns.
+/// Absolute value of the variable with the given index. The variables are numbered like the Jacobian's columns: states,
+/// parameters, coefficients, components of inputs.
 fn size(point: &Point<f64>, variable: usize) -> f64 {
     let inputs = point.inputs.iter().flat_map(|v| v.iter());
     let all = { point.states.iter() }

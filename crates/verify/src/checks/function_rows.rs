@@ -6,8 +6,9 @@ use oracle::scalar::Field;
 use std::ops::Range;
 
 /// Describes the results of a compiled function: the range of its rows, the name of the section with its values, and
-/// the names of the sections with its Jacobians with respect to states and to parameters. Of `all` rows of a model, the
-/// first `states` are state derivatives, the others components of the observation.
+/// the names of the sections with its Jacobians with respect to states and to parameters. The rows of a model are its
+/// scalar results: `all` rows, of which the first `states` are state derivatives, the others components of the
+/// observation.
 pub(crate) fn sections(
     function: &Function,
     states: usize,
@@ -19,9 +20,10 @@ pub(crate) fn sections(
     }
 }
 
-/// Derivative of one row of a function with respect to the variable with the given index (states first, then
-/// parameters); for a state, along `direction` in state space. Computed from the Jacobian entries among `values`;
-/// `None` if the function has no such Jacobian.
+/// Derivative of one scalar result of a compiled function (row `row` of its Jacobians) with respect to the variable
+/// with the given index (states first, then parameters); for a state, along `direction` in state space. It is computed
+/// from the Jacobian entries in `values`, which contains all outputs of the function. The array contains the names of
+/// the Jacobians by state and by parameter. `None` if the function does not compute the required Jacobian.
 pub(crate) fn along<T: Field>(
     function: &Function,
     values: &[T],

@@ -75,8 +75,8 @@ pub fn reference(subject: &Subject<'_>, options: &Options) -> Row {
 }
 
 /// Lists the coefficients added by the model's author that make the equations differ from the reference law, one line
-/// each; `None` if there are none. Each coefficient is tested at random nonzero values and at the value stated in the
-/// model.
+/// (coefficient and the state derivatives that differ) each; `None` if there are none. Each coefficient is tested at
+/// random nonzero values and at its default value in the model file.
 fn uncovered(
     subject: &Subject<'_>,
     reference: &Reference,

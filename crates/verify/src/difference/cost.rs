@@ -23,15 +23,16 @@ pub struct Pair<T> {
 /// Operation counts and Jacobian entries of both models.
 #[derive(Clone, Debug, Serialize)]
 pub struct Cost {
-    /// Number of operations of each function: `f`, `f_jac`, `f_jac_par`.
+    /// Number of elementary operations of each compiled function: `f` (state derivatives), `f_jac` (with their Jacobian
+    /// with respect to the states), `f_jac_par` (also with respect to the parameters).
     pub operations: Vec<(&'static str, Pair<usize>)>,
-    /// Number of nonzero entries of the state Jacobian J.
+    /// Number of nonzero entries of J, the Jacobian of the state derivatives with respect to the states.
     pub j: Pair<usize>,
-    /// Number of nonzero entries of the parameter Jacobian Jp.
+    /// Number of nonzero entries of Jp, the Jacobian of the state derivatives with respect to the parameters.
     pub jp: Pair<usize>,
-    /// Nonzero Jacobian entries that only the new model has, in the names of the new model.
+    /// Jacobian entries that are nonzero only in the new model, each written with the names of its variables there.
     pub entries_added: Vec<String>,
-    /// Nonzero Jacobian entries that only the old model has, in the names of the old model.
+    /// Jacobian entries that are nonzero only in the old model, each written with the names of its variables there.
     pub entries_removed: Vec<String>,
 }
 
@@ -80,8 +81,8 @@ struct Entry {
 }
 
 impl Entry {
-    /// Converts this Jacobian entry of the new model to the corresponding entry of the old model; `None` if its row or
-    /// column has no counterpart there.
+    /// Converts this Jacobian entry of the new model to the corresponding entry of the old model; `None` if its row (a
+    /// state derivative) or column (a state or parameter) has no counterpart in the old model.
     fn mapped(self, pairing: &Pairing) -> Option<Self> {
         let columns = match self.by_state {
             true => &pairing.states,

@@ -169,8 +169,9 @@ fn shift(
     out
 }
 
-/// Position, m, at the end of a flight: that of the body if the model has a body, otherwise the observed position.
-/// `None` if the model has neither a body nor an observation.
+/// Position, m, at the end of a flight with the final states `states`: that of the body if the model has a body,
+/// otherwise the observed position, with all other values from `point`. `None` if the model has neither a body nor an
+/// observation.
 fn place(model: &Everything<'_>, states: &[f64], point: &Point<f64>) -> Option<Vec<f64>> {
     if let Some(chart) = Chart::declared(model.model) {
         return Some(chart.physical(states).position.iter().copied().collect());

@@ -71,8 +71,9 @@ pub fn compare(
     exact.into_iter().zip(errors).map(outcome).collect()
 }
 
-/// For each pair of outputs (old, new), whether both have the same value at random points of the prime field; `None` if
-/// the values exist in the field at too few points. For `stated`, see [`compare`].
+/// For each pair of outputs (index in the old model, index in the new model), whether both have the same value at
+/// random points of the prime field; `None` if the values exist in the field at too few points. If `stated` is true,
+/// unpaired parameters have the default values of their model, otherwise random values.
 fn exactly(
     old: &Everything<'_>,
     new: &Everything<'_>,
@@ -148,7 +149,8 @@ fn unpaired_at<T: Field>(
     only.carry(point, defaults)
 }
 
-/// Maximum relative difference of the two outputs of each pair (old, new) at random floating-point points.
+/// For each pair of outputs (index in the old model, index in the new model), the maximum relative difference at random
+/// floating-point points. If `stated` is true, unpaired parameters have the default values of their model.
 fn in_numbers(
     old: &Everything<'_>,
     new: &Everything<'_>,

@@ -77,7 +77,8 @@ pub struct RowChange {
     /// Whether the row is the same function in both models if each parameter that only one of the models has is fixed
     /// at its default value; false for a row that only one of the models has.
     pub same_at_stated_values: bool,
-    /// Changed statements that cause the difference, each described with the terms that were added and removed.
+    /// Statements (added, removed or changed) that cause the difference of the row, each described with the terms that
+    /// differ.
     pub causes: Vec<String>,
 }
 

@@ -123,8 +123,8 @@ fn inner_sums<'a>(old: &'a Expr, new: &'a Expr, names: &Names) -> Option<(&'a Ex
     }
 }
 
-/// If two expressions are the same operation or function and exactly one pair of their operands or arguments differs,
-/// this pair; otherwise `None`.
+/// Returns the pair of operands or arguments (old, new) in which two expressions differ, if both expressions are the
+/// same operation or function and exactly one such pair differs; otherwise `None`.
 fn one_part<'a>(old: &'a Expr, new: &'a Expr, names: &Names) -> Option<(&'a Expr, &'a Expr)> {
     match (&old.kind, &new.kind) {
         (ExprKind::Binary(a, ..), ExprKind::Binary(b, ..)) if a == b && *a != BinaryOp::Pow => {}

@@ -29,7 +29,8 @@ pub enum Change {
 pub struct Statement {
     /// How the statement differs.
     pub change: Change,
-    /// Class and name in the new model, or in the old model if the statement was removed: `let alpha`, `der(u)`.
+    /// Class and name of the statement, such as `let alpha` or `der(u)`, in the new model; in the old model if the
+    /// statement was removed.
     pub what: String,
     /// Class and name of the statement in the old model; `None` if they are the same as in the new model.
     pub was: Option<String>,

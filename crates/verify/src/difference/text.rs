@@ -4,7 +4,8 @@ use super::{Change, Difference, FlightShift, RowChange, Sameness, Statement};
 use std::fmt::Write;
 
 impl Difference {
-    /// Summarises in one sentence whether the models are the same function, and which rows differ.
+    /// Summarises in one sentence whether the two models compute the same functions, and which rows (state derivatives,
+    /// components of the observation, validity limits) differ.
     pub fn sentence(&self) -> String {
         let changed = self.changed_rows();
         if changed.is_empty() {

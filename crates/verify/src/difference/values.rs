@@ -11,8 +11,8 @@ use oracle::Point;
 use oracle::scalar::Prime;
 use std::ops::Range;
 
-/// A model compiled to one program that computes all its values. Vectors stated in other frames are also computed in
-/// inertial components, so that vectors stated in different frames can be compared.
+/// A model compiled to one program that computes all its values. Vectors given by their components in other frames are
+/// also computed in inertial components, so that vectors given in different frames can be compared.
 pub struct Everything<'a> {
     /// Model whose values are evaluated.
     pub model: &'a Model,
@@ -103,8 +103,8 @@ impl<'a> Everything<'a> {
     }
 }
 
-/// Appends an auxiliary variable with the expression `value` to a model and returns its index. A vector stated in
-/// another frame is converted to the inertial frame, so that it can be compared.
+/// Appends an auxiliary variable with the expression `value` to a model and returns its index. A vector given by its
+/// components in another frame is converted to inertial components, so that it can be compared.
 fn add(model: &mut Model, value: Expr) -> usize {
     let index = model.aux_variables.len();
     let span = value.span;

@@ -185,8 +185,8 @@ pub fn errors(compiled: &Compiled, points: &[Point<f64>], runs: &[Run]) -> (Vec<
     (errors, left_out)
 }
 
-/// Row of the report. It holds if no backend's error exceeds [`ALLOWED`]; statements that lose digits are listed in a
-/// remark.
+/// Creates the row of the verification report on rounding errors. The check holds if no backend's error exceeds
+/// [`ALLOWED`]. Statements of the model that lose digits are listed in a remark.
 pub fn row(rounding: &Rounding) -> Row {
     let [random, flown] = rounding.points;
     let cases = random + flown - rounding.left_out;

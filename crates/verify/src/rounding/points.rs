@@ -11,7 +11,7 @@ const DURATION: f64 = 0.5;
 /// Values that a state is set to in order to measure rounding near 0, relative to the state's typical magnitude.
 const SMALL: [f64; 2] = [1e-3, 1e-7];
 
-/// Draws random points within the limits of the model.
+/// Draws `count` random points within the validity limits of the model.
 pub fn random(subject: &Subject<'_>, count: usize, random: &mut Random) -> Vec<Point<f64>> {
     (0..count)
         .map(|_| sample::point(subject.model, random))
@@ -62,7 +62,8 @@ fn flown_on(subject: &Subject<'_>, from: &Point<f64>, seconds: f64) -> Option<Po
     })
 }
 
-/// Points at which one state is near 0, each with a description. Points outside the model's limits are left out.
+/// Random points at which one state is near 0, each with a description. For every state there is one point per
+/// relative magnitude in the constant `SMALL`. Points outside the model's validity limits are left out.
 pub fn near_zero(subject: &Subject<'_>, random: &mut Random) -> Vec<(String, Point<f64>)> {
     let mut points = Vec::new();
     for (index, state) in subject.model.states.iter().enumerate() {

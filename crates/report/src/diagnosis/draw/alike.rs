@@ -131,8 +131,8 @@ fn draw(report: &Report, order: &[usize], title: &str, layout: Layout) -> String
     )
 }
 
-/// Draws a cell whose opacity increases with the absolute correlation `value`; cells that are not finite have a
-/// separate colour.
+/// Draws a cell of the given size, with its upper left corner at `place`, SVG units. Its opacity increases with the
+/// absolute correlation `value`; a value that is not finite is shown in a separate colour.
 fn shade(svg: &mut Svg, value: f64, place: (f64, f64), size: (f64, f64)) {
     if value.is_finite() {
         svg.veil("alike", 0.05 + 0.95 * value.abs().min(1.0), place, size);

@@ -164,7 +164,8 @@ fn draw(channel: &LoadChannel, title: &str, layout: Layout) -> String {
     svg.finish(title, (layout.width, tall), layout.most, letters)
 }
 
-/// Draws the error band of ±2 standard errors as a closed path.
+/// Draws the error band of ±2 standard errors as a closed path. `points` are (time, value, standard error); `x` and `y`
+/// map a time and a value to SVG units.
 fn ribbon(svg: &mut Svg, points: &[[f64; 3]], x: &impl Fn(f64) -> f64, y: &impl Fn(f64) -> f64) {
     let upper = points.iter().map(|[t, v, e]| (x(*t), y(v + 2.0 * e)));
     let lower = points.iter().rev().map(|[t, v, e]| (x(*t), y(v - 2.0 * e)));

@@ -75,7 +75,8 @@ fn of(evidence: &[FlightEvidence], role: Role) -> Vec<&FlightEvidence> {
     drawn.filter(|f| f.role == role).collect()
 }
 
-/// Panel of one axis: residuals of the model under test in grey, with residuals of the extended model drawn on top.
+/// Panel of one axis, with index `axis` and name `name`: residuals of the model under test (`before`) in grey, with
+/// residuals of the extended model (`after`) drawn on top. `sigma` is the standard deviation of the noise, m.
 fn both(
     before: &[&FlightEvidence],
     after: &[&FlightEvidence],

@@ -87,8 +87,9 @@ pub(super) fn of<'n>(fits: &Fits<'_>, effects: impl IntoIterator<Item = &'n str>
     })
 }
 
-/// Scalar variable on which the auxiliary variable with index `at` depends; `None` if there is none. Of several such
-/// variables, those that the declaration of the effect with index `effect` lists are preferred.
+/// Scalar variable on which the auxiliary variable with index `at` of the extended model depends; `None` if there is
+/// none. Of several such variables, those listed in the declaration of the effect with index `effect` (among the
+/// effects switched on in the extended model) are preferred.
 fn abscissa(after: &Fit, at: usize, effect: usize) -> Option<Abscissa> {
     let model = &after.problem().model;
     let mut found = Vec::new();
@@ -110,8 +111,8 @@ fn abscissa(after: &Fit, at: usize, effect: usize) -> Option<Abscissa> {
     first.or(usable.first()).map(|(abscissa, _)| *abscissa)
 }
 
-/// Appends to `found` the scalar variables that the expression `expr` reads. A variable that the effect with index
-/// `effect` defines is replaced by the variables in its definition.
+/// Appends to `found` the scalar variables that the expression `expr` reads. A variable that is defined by the effect
+/// with index `effect`, among the effects switched on in `model`, is replaced by the variables in its definition.
 fn collect<'m>(model: &'m Model, expr: &'m Expr, effect: usize, found: &mut Vec<&'m ExprKind>) {
     match &expr.kind {
         ExprKind::AuxVariable(k) if model.aux_variables[*k].effect == Some(effect) => {

@@ -15,7 +15,7 @@ use crate::fit::Drawn;
 pub(super) struct Finding {
     /// Sentences that state which effect the model lacks, and the size of the effect.
     pub(super) what: String,
-    /// Sentences that state how certain it is that the model lacks this effect.
+    /// Sentences that state how certain it is that the model lacks the effect named in `what`.
     pub(super) sure: String,
     /// Sentences that recommend the next step to the user.
     pub(super) next: String,

@@ -72,8 +72,9 @@ pub(in super::super) fn residuals(evidence: &[FlightEvidence], noise: &NoiseRepo
     kinds.into_iter().filter_map(figure).collect()
 }
 
-/// Panel of the residuals (measured − predicted, mm) along `axis` (0 x, 1 y, 2 z), one flight after the other;
-/// `sigma` is the standard deviation of the noise, m.
+/// Panel of the residuals (measured − predicted, mm) along `axis` (0 x, 1 y, 2 z), with the flights one after the other
+/// on the time axis. `name` is the name of the axis for the panel's title; `sigma` is the standard deviation of the
+/// noise, m.
 pub(crate) fn panel(flights: &[&FlightEvidence], axis: usize, name: &str, sigma: f64) -> Panel {
     let markers = flights.iter().map(|f| f.markers.len()).max().unwrap_or(0);
     let mut dots: Vec<Vec<(f64, f64)>> = vec![Vec::new(); markers];

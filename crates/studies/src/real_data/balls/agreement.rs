@@ -86,8 +86,9 @@ fn mean_cosine(lifts: &[&Lift], order: &[usize], rotation: &UnitQuaternion<f64>)
     sum / lifts.len().max(1) as f64
 }
 
-/// Maximum of the flights' mean cosine between lift and ω × v over the given rotations of all spins, with and without a
-/// reflection through the origin. The reflection changes the sign of every cosine.
+/// Maximum, over the given rotations of all spins, of the flights' mean cosine between lift and ω × v if flight `k` has
+/// the spin of flight `order[k]`. Each rotation is tried with and without a reflection through the origin, which
+/// changes the sign of every cosine.
 fn greatest_rotated(lifts: &[&Lift], order: &[usize], rotations: &[UnitQuaternion<f64>]) -> f64 {
     let means = rotations
         .iter()

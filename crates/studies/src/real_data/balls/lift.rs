@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 use super::models::{LIFT_OF_EACH_FLIGHT, with_effects};
 use crate::error::StudyError;
 
-/// Lift of one flight, estimated from its path, and the spin that the data state.
+/// Lift of one flight, estimated from its path, and the spin specified in the data.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Lift {
     /// File name of the flight.
@@ -137,7 +137,7 @@ fn residual_along(evidence: &FlightEvidence) -> f64 {
 pub(super) mod tests {
     use super::*;
 
-    /// A ball that flies along -y, with the given lift vector and spin.
+    /// Lift of a ball that flies along -y, with the given vectors [`Lift::turn`] and [`Lift::spin`].
     pub(in super::super) fn lift(turn: [f64; 3], spin: [f64; 3]) -> Lift {
         Lift {
             file: "flight001.csv".into(),

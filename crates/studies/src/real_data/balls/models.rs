@@ -9,10 +9,10 @@ use model_spec::model::Model;
 
 use crate::error::StudyError;
 
-/// Name of an effect: a constant lift vector of each flight, independent of the spin.
+/// Name of the effect that gives each flight its individual, constant lift vector, independent of the spin.
 pub(super) const LIFT_OF_EACH_FLIGHT: &str = "lift_of_each_flight";
 
-/// Name of an effect: a lift proportional to the square of the advance ratio.
+/// Name of the effect that adds a lift proportional to the square of the advance ratio.
 pub(super) const MAGNUS_BY_SQUARE: &str = "magnus_by_square";
 
 /// Names and definitions (in the model language) of the effects that only this study uses.

@@ -50,7 +50,7 @@ pub(crate) type TrackPoint = (f64, [f64; 2]);
 pub(crate) struct Throw {
     /// Number of the throw in the data.
     pub(crate) number: u32,
-    /// Launch as stated in the data.
+    /// Launch quantities as published with the throw.
     pub(crate) launch: Launch,
     /// Magnitude of the spin, rad/s.
     pub(crate) spin: f64,

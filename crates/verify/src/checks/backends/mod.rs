@@ -19,7 +19,7 @@ pub const BACKENDS: &str = "backends";
 /// Name of the comparison of backends with and without fused multiply-add.
 pub const FMA: &str = "FMA and non-FMA";
 
-/// Name of the check that the program contains generated code of the model's current text.
+/// Name of the check that the running executable contains code generated from the model's current text.
 pub const GENERATED: &str = "generated code";
 
 /// Maximum allowed difference caused by fused multiply-add, relative to the largest absolute result of the function.
@@ -45,8 +45,8 @@ pub fn functions(compiled: &Compiled) -> Vec<(&'static str, usize)> {
         .into()
 }
 
-/// Evaluates all compiled functions on all backends at the points. The generated code in the program is included only
-/// if it was generated from the current text of the model, as its hash shows.
+/// Evaluates all compiled functions on all backends at the points. The generated code in the running executable is
+/// included only if the hash stored with it equals that of the current text of the model.
 pub fn runs(model: &Model, compiled: &Compiled, points: &[Point<f64>]) -> Vec<Run> {
     let tapes = Tapes::new(compiled.functions().map(|f| &f.program));
     let mut runs = vec![Run {
@@ -75,8 +75,9 @@ pub fn runs(model: &Model, compiled: &Compiled, points: &[Point<f64>]) -> Vec<Ru
     runs
 }
 
-/// Checks whether this program contains generated code of the model's current text. The check is skipped if the program
-/// contains no code of this model, and skipped with a remark if the code was generated from another text.
+/// Checks whether the running executable contains code generated from the model's current text. The check is skipped if
+/// the executable contains no code of this model or the model has effects (optional extensions). It is skipped with a
+/// remark if the code was generated from another text of the model.
 pub fn generated_code(model: &Model) -> Row {
     match generated::model(&model.name) {
         _ if !model.effects.is_empty() => {

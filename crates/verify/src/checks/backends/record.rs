@@ -253,7 +253,8 @@ fn inputs(count: usize, operand: fn(u32) -> Operand) -> Vec<Recorded> {
     (0..index(count)).map(|k| input(operand(k))).collect()
 }
 
-/// Records one function as a program; `lengths` are the lengths of the function's result slices.
+/// Records the operations that `function` executes as a program. `lengths` are the lengths of the slices into which
+/// `function` writes its results.
 fn record<const N: usize>(
     lengths: [usize; N],
     function: impl FnOnce([&mut [Recorded]; N]),
