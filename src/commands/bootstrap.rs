@@ -24,7 +24,7 @@ pub fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
     let inputs = &options.inputs;
     let (fixed, priors) = (held(&inputs.hold)?, priors(&inputs.prior)?);
     let share = options.part.as_deref().map(super::share).transpose()?;
-    let dataset = dataset::load(&inputs.dataset)?;
+    let dataset = dataset::load_on(&inputs.dataset, inputs.threads)?;
     let model = model_of(inputs.model.as_ref(), &inputs.dataset, &dataset)?;
     let model = model_spec::load::load(&model, &super::names(&inputs.with))?;
     let asked = FitOptions {

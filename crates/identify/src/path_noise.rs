@@ -27,7 +27,7 @@ pub fn path_noise(path: impl Iterator<Item = (f64, Vector3<f64>)>) -> f64 {
             let weights = [weight(0), weight(1), weight(2), weight(3)];
             let size = weights.iter().map(|w| w * w).sum::<f64>().sqrt();
             let sum: Vector3<f64> = four.iter().zip(weights).map(|((_, p), w)| p * w).sum();
-            (sum / size).abs().as_slice().to_vec()
+            <[f64; 3]>::from((sum / size).abs())
         })
         .collect();
     robust_sigma(&mut rough)

@@ -34,7 +34,7 @@ const CASES: usize = 12;
 pub fn run(options: &Diagnose) -> anyhow::Result<Answer> {
     let (hold, priors) = (held(&options.inputs.hold)?, priors(&options.inputs.prior)?);
     let out = output::folder(options.out.as_deref())?;
-    let dataset = dataset::load(&options.inputs.dataset)?;
+    let dataset = dataset::load_on(&options.inputs.dataset, options.inputs.threads)?;
     let model = model_of(
         options.inputs.model.as_ref(),
         &options.inputs.dataset,

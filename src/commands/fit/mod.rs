@@ -39,7 +39,7 @@ pub fn run(options: &Fit) -> anyhow::Result<Answer> {
     let inputs = &options.inputs;
     let (hold, priors) = (held(&inputs.hold)?, priors(&inputs.prior)?);
     let out = output::folder(options.out.as_deref())?;
-    let dataset = dataset::load(&inputs.dataset)?;
+    let dataset = dataset::load_on(&inputs.dataset, inputs.threads)?;
     let model = model_of(inputs.model.as_ref(), &inputs.dataset, &dataset)?;
     let certificate = certificate::Found::read(options.certificate.as_deref(), &model)?;
     let model = model_spec::load::load(&model, &super::names(&inputs.with))?;

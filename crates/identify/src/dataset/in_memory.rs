@@ -15,13 +15,11 @@ impl Dataset {
     pub fn validate(&self) -> Result<(), InputError> {
         let file = Path::new("dataset.toml");
         let manifest = manifest::parse(file, &manifest_text(self))?;
-        let mut flights = self.flights.iter();
-        let read = assemble(manifest, |entry, markers, sensors| {
+        let read = assemble(manifest, 1, |index, entry, markers, sensors| {
             let path = PathBuf::from(&entry.file);
             let names: Vec<&str> = markers.iter().map(|marker| &*marker.name).collect();
-            let text = flights
-                .next()
-                .map(|flight| table_text(flight, markers, sensors));
+            let flight = self.flights.get(index);
+            let text = flight.map(|flight| table_text(flight, markers, sensors));
             table::parse(
                 &path,
                 &text.unwrap_or_default(),

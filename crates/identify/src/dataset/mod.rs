@@ -25,6 +25,7 @@ mod write;
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use flight::batch;
 pub use sensor::{Reading, Sensor, SensorKind};
 pub(crate) use sensor::{attitude, points_on_body, points_seen};
 pub use write::{manifest_text, table_text, write, write_commented, write_with};
@@ -117,11 +118,19 @@ impl Flight {
     }
 }
 
-/// Reads and checks a dataset folder.
+/// Reads and checks a dataset folder on all processors.
 ///
 /// # Errors
 /// [`InputError`] for the first fault, with its file and location.
 pub fn load(folder: &Path) -> Result<Dataset, InputError> {
+    load_on(folder, None)
+}
+
+/// Reads and checks a dataset folder on `threads` threads; `None` for one per processor.
+///
+/// # Errors
+/// As for [`load`].
+pub fn load_on(folder: &Path, threads: Option<usize>) -> Result<Dataset, InputError> {
     if !folder.is_dir() {
         let found = if folder.exists() {
             "a file"
@@ -133,7 +142,8 @@ pub fn load(folder: &Path) -> Result<Dataset, InputError> {
     }
     let manifest = manifest::read(&folder.join("dataset.toml"))?;
     let recording = manifest.recording;
-    assemble(manifest, |entry, markers, sensors| {
+    let threads = threads.unwrap_or_else(batch::threads);
+    assemble(manifest, threads, |_, entry, markers, sensors| {
         let path = folder.join(&entry.file);
         let names: Vec<&str> = markers.iter().map(|marker| marker.name.as_str()).collect();
         if names::is_c3d(&entry.file) {
@@ -160,18 +170,26 @@ pub fn load(folder: &Path) -> Result<Dataset, InputError> {
     })
 }
 
-/// Combines the checked contents of `dataset.toml` with the samples of each flight, which the function `samples` reads.
+/// Combines the checked contents of `dataset.toml` with the samples of each flight, which the function `samples` reads
+/// from the index of the flight and its entry, on `threads` threads.
 fn assemble(
     manifest: manifest::Manifest,
-    mut samples: impl FnMut(
+    threads: usize,
+    samples: impl Fn(
+        usize,
         &manifest::Entry,
         &[Marker],
         &[Sensor],
-    ) -> Result<(std::path::PathBuf, table::Table), InputError>,
+    ) -> Result<(std::path::PathBuf, table::Table), InputError>
+    + Sync,
 ) -> Result<Dataset, InputError> {
     let (mut flights, mut paths) = (Vec::with_capacity(manifest.flights.len()), Vec::new());
-    for entry in manifest.flights {
-        let (path, table) = samples(&entry, &manifest.markers, &manifest.sensors)?;
+    let tables = batch::each_on(threads, manifest.flights.len(), |index| {
+        let entry = &manifest.flights[index];
+        samples(index, entry, &manifest.markers, &manifest.sensors)
+    });
+    for (entry, table) in manifest.flights.into_iter().zip(tables) {
+        let (path, table) = table?;
         paths.push(path);
         flights.push(Flight {
             file: entry.file,

@@ -157,11 +157,10 @@ fn fill(folder: &Path, files: &[(String, String)]) -> io::Result<()> {
 fn is_read_back(dataset: &Dataset, files: &[(String, String)]) -> io::Result<()> {
     let refused = |error: crate::input_error::InputError| invalid(error.to_string());
     let manifest = manifest::parse(Path::new(&files[0].0), &files[0].1).map_err(refused)?;
-    let mut tables = files[1..].iter();
-    let read = assemble(manifest, |entry, markers, sensors| {
+    let read = assemble(manifest, 1, |index, entry, markers, sensors| {
         let path = PathBuf::from(&entry.file);
         let names: Vec<&str> = markers.iter().map(|marker| marker.name.as_str()).collect();
-        let text = tables.next().map_or("", |(_, text)| text);
+        let text = files.get(index + 1).map_or("", |(_, text)| text);
         if names::is_c3d(&entry.file) {
             let expected = "a table: C3D is read and not written";
             return Err(crate::input_error::InputError::of_file(

@@ -11,7 +11,7 @@ use super::state::State;
 use super::{FitError, FittedFlight};
 use crate::dataset::{Dataset, Flight};
 use crate::error::FlightError;
-use crate::ground_contact::SoughtContact;
+use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;
 use crate::least_squares::eliminate;
 use crate::noise::NoiseModel;
@@ -41,7 +41,7 @@ pub struct HeldOut {
 /// [`FitError::Interrupted`] if the work is cancelled.
 pub fn held_out(
     problem: &FitProblem,
-    (dataset, contacts): (&Dataset, &[SoughtContact]),
+    (dataset, contacts): (&Dataset, &[Option<ContactSearch>]),
     flights: &[FlightId],
     state: &State,
     noise: &NoiseModel,
@@ -51,12 +51,12 @@ pub fn held_out(
         options.stage_started("held-out flights", flights.len());
     }
     let found = batch::each_on(options.threads(), flights.len(), |index| {
-        let index = flights[index].index();
-        let flight = &dataset.flights[index];
-        let sought = contacts.get(index).cloned().flatten();
+        let flight = flights[index].index();
+        let search = contacts.get(flight).and_then(Option::as_ref);
+        let flight = &dataset.flights[flight];
         let found = match options.is_past_deadline() {
             true => Err(FlightError::Deadline),
-            false => predict(problem, (flight, sought), state, noise, options),
+            false => predict(problem, (flight, search), state, noise, options),
         };
         options.flight_done();
         found.unwrap_or_else(|reason| HeldOut {
@@ -72,12 +72,12 @@ pub fn held_out(
 
 fn predict(
     problem: &FitProblem,
-    (flight, sought): (&Flight, SoughtContact),
+    (flight, search): (&Flight, Option<&ContactSearch>),
     state: &State,
     noise: &NoiseModel,
     options: &FitOptions<'_>,
 ) -> Result<HeldOut, FlightError> {
-    let mut observations = observations(problem, flight, sought)?;
+    let mut observations = observations(problem, flight, search)?;
     let all = observations.times.len();
     let samples = ((all as f64 * CONDITIONING_FRACTION).ceil() as usize).clamp(1, all);
     if samples == all {

@@ -8,7 +8,7 @@ use super::one_flight::fit_initial_state;
 use super::state::State;
 use crate::dataset::{Dataset, Flight};
 use crate::error::{ExcludedFlight, FlightError};
-use crate::ground_contact::{self, Contact, SoughtContact};
+use crate::ground_contact::{self, ContactSearch};
 use crate::ids::FlightId;
 use crate::initial_state::{self, InitialGuess};
 use crate::noise_floor::{median_noise_floor, noise_floor_by_poses};
@@ -69,19 +69,19 @@ pub fn first_segment(observations: &Observations) -> usize {
 }
 
 /// Extracts the observations of the given flights and estimates their noise. `contacts` contains, by index of the
-/// flight in the dataset, the results of an earlier search for contacts; it may be shorter or empty.
+/// flight in the dataset, the results of an earlier search for contacts; it may be empty.
 pub fn observe(
     problem: &FitProblem,
     dataset: &Dataset,
     flights: &[FlightId],
-    contacts: &[SoughtContact],
+    contacts: &[Option<ContactSearch>],
     options: &FitOptions<'_>,
 ) -> ObservedFlights {
     let each = batch::each_on(options.threads(), flights.len(), |index| {
-        let index = flights[index].index();
-        let sought = contacts.get(index).cloned().flatten();
-        let flight = &dataset.flights[index];
-        let (observations, poses) = observations_and_poses(problem, flight, sought)?;
+        let flight = flights[index].index();
+        let search = contacts.get(flight).and_then(Option::as_ref);
+        let flight = &dataset.flights[flight];
+        let (observations, poses) = observations_and_poses(problem, flight, search)?;
         let sigma0 = initial_state::sigma0(problem, &observations, &poses);
         let floor = noise_floor_by_poses(problem, &observations, &poses);
         Ok((observations, sigma0, floor))
@@ -180,7 +180,7 @@ pub fn spin_note(turns: i32) -> String {
     )
 }
 
-/// Observations of a flight, truncated at its first contact.
+/// Observations of a flight, truncated at its first contact, which is searched for unless `search` is given.
 ///
 /// # Errors
 /// The errors of [`Observations::new`]; [`FlightError::TooFewCoordinates`] if the samples do not determine the initial
@@ -188,12 +188,13 @@ pub fn spin_note(turns: i32) -> String {
 pub fn observations(
     problem: &FitProblem,
     flight: &Flight,
-    sought: SoughtContact,
+    search: Option<&ContactSearch>,
 ) -> Result<Observations, FlightError> {
-    Ok(observations_and_poses(problem, flight, sought)?.0)
+    Ok(observations_and_poses(problem, flight, search)?.0)
 }
 
 /// Observations of a flight, truncated at its first contact, with the pose in each sample if the body has an attitude.
+/// The contact is searched for unless `search` is given.
 ///
 /// # Errors
 /// The errors of [`Observations::new`]; [`FlightError::TooFewCoordinates`] if the samples do not determine the initial
@@ -201,21 +202,18 @@ pub fn observations(
 fn observations_and_poses(
     problem: &FitProblem,
     flight: &Flight,
-    sought: SoughtContact,
+    search: Option<&ContactSearch>,
 ) -> Result<(Observations, Vec<Option<Pose>>), FlightError> {
     let mut observations = Observations::new(problem, flight)?;
-    // The effect of a contact with the ground is not known if the vertical is not known.
-    let sought = sought.or(vertical::is_in(&problem.model).then_some(None));
     let unseen = flight
         .times
         .partition_point(|time| *time < observations.origin);
-    let sought = sought.map(|found| {
-        found.map(|contact| Contact {
-            sample: contact.sample - unseen,
-            ..contact
-        })
-    });
-    let poses = ground_contact::truncate_at_contact(problem, &mut observations, sought);
+    let search = match search {
+        Some(search) => Some(search.of_part(unseen, observations.times.len())),
+        // The effect of a contact with the ground is not known if the vertical is not known.
+        None => vertical::is_in(&problem.model).then(ContactSearch::default),
+    };
+    let poses = ground_contact::truncate_at_contact(problem, &mut observations, search);
     let measured = 3 * observations.measured.iter().flatten().count();
     let unknowns = observations.manifold.dimension();
     if measured < unknowns {

@@ -45,24 +45,50 @@ pub struct Contact {
     pub why: String,
 }
 
-/// Result of a search for the first contact of a flight: `None` if there was no search, `Some(None)` if it found no
-/// contact.
-pub type SoughtContact = Option<Option<Contact>>;
+/// Result of a search for the first contact of a flight.
+#[derive(Clone, Debug, Default)]
+pub struct ContactSearch {
+    /// The first contact; `None` if the search found none.
+    pub contact: Option<Contact>,
+    /// Pose in each sample of the flight, from which the contact was searched. Empty for a point mass, and if no poses
+    /// were computed.
+    pub poses: Vec<Option<Pose>>,
+}
 
-/// Truncates a flight before its first contact. The contact is searched for unless `sought` contains the result of a
-/// search. Returns the poses in the remaining samples; empty for a point mass.
+impl ContactSearch {
+    /// The same result for a flight of `samples` samples without the first `unseen` ones of this flight.
+    pub fn of_part(&self, unseen: usize, samples: usize) -> Self {
+        let poses = self
+            .poses
+            .get(unseen..)
+            .and_then(|from| from.get(..samples));
+        Self {
+            contact: self.contact.as_ref().map(|contact| Contact {
+                sample: contact.sample.saturating_sub(unseen),
+                ..contact.clone()
+            }),
+            poses: poses.unwrap_or_default().to_vec(),
+        }
+    }
+}
+
+/// Truncates a flight before its first contact. The contact is searched for unless `search` contains the result of a
+/// search in the samples of `observations`. Returns the poses in the remaining samples; empty for a point mass.
 pub fn truncate_at_contact(
     problem: &FitProblem,
     observations: &mut Observations,
-    sought: SoughtContact,
+    search: Option<ContactSearch>,
 ) -> Vec<Option<Pose>> {
     let samples = 0..observations.times.len();
-    let mut poses: Vec<Option<Pose>> = match problem.has_attitude {
+    let (sought, known) = match search {
+        Some(ContactSearch { contact, poses }) => (Some(contact), poses),
+        None => (None, Vec::new()),
+    };
+    let mut poses: Vec<Option<Pose>> = match problem.has_attitude && known.is_empty() {
         true => samples
-            .clone()
             .map(|sample| pose(&problem.markers, observations.points(sample)))
             .collect(),
-        false => Vec::new(),
+        false => known,
     };
     let found = sought.unwrap_or_else(|| contact_of(problem, observations, &poses));
     let Some(Contact { sample, why }) = found else {

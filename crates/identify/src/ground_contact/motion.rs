@@ -72,32 +72,30 @@ impl Character {
         (self.noise[part] / deviation).powi(2)
     }
 
-    /// Regression row for the position of a point in free motion: values of a polynomial and of a sine and cosine at
-    /// the wobble rate, at the time of the point relative to `about`, s.
-    pub fn position_row(&self, point: &Point, about: f64) -> Row<7> {
+    /// Regression rows for the position of a point and for the direction of its most steady body axis, in free motion:
+    /// values of a polynomial and of a sine and cosine at the wobble rate, at the time of the point relative to `about`,
+    /// s.
+    pub fn free_rows(&self, point: &Point, about: f64) -> (Row<7>, Row<6>) {
         let u = (point.time - about) / SCALE;
         let (sine, cosine) = (self.rate * (point.time - about)).sin_cos();
-        let functions = [1.0, u, u * u, u.powi(3), u.powi(4), cosine, sine];
-        Row {
-            sample: point.sample,
-            functions: functions.into(),
-            value: point.position,
-        }
+        let (square, cube) = (u * u, u * u * u);
+        let of_position = [1.0, u, square, cube, square * square, cosine, sine];
+        let of_axis = [1.0, u, square, cube, cosine, sine];
+        (
+            Row {
+                sample: point.sample,
+                functions: of_position.into(),
+                value: point.position,
+            },
+            Row {
+                sample: point.sample,
+                functions: of_axis.into(),
+                value: point.axis,
+            },
+        )
     }
 
-    /// Regression row for the direction of the most steady body axis at a point in free motion: values of a polynomial
-    /// and of a sine and cosine at the wobble rate, at the time of the point relative to `about`, s.
-    pub fn axis_row(&self, point: &Point, about: f64) -> Row<6> {
-        let u = (point.time - about) / SCALE;
-        let (sine, cosine) = (self.rate * (point.time - about)).sin_cos();
-        Row {
-            sample: point.sample,
-            functions: [1.0, u, u * u, u.powi(3), cosine, sine].into(),
-            value: point.axis,
-        }
-    }
-
-    /// Prior precisions of the coefficients of `position_row`, each as the ratio of the noise variance to the prior
+    /// Prior precisions of the coefficients of the position in `free_rows`, each as the ratio of the noise variance to the prior
     /// variance.
     pub fn position_precisions(&self) -> [f64; 7] {
         let snap = self.precision(0, SNAP * SCALE.powi(4) / 24.0);
@@ -105,7 +103,7 @@ impl Character {
         [0.0, 0.0, 0.0, 0.0, snap, wobble, wobble]
     }
 
-    /// Prior precisions of the coefficients of `axis_row`, each as the ratio of the noise variance to the prior
+    /// Prior precisions of the coefficients of the axis in `free_rows`, each as the ratio of the noise variance to the prior
     /// variance.
     pub fn axis_precisions(&self) -> [f64; 6] {
         [0.0, 0.0, 0.0, self.precision(1, BEND), 0.0, 0.0]
@@ -132,9 +130,10 @@ impl Character {
     pub fn disturbed_rows(&self, point: &Point, about: f64) -> (Row<9>, Row<9>) {
         let since = (point.time - about).max(0.0);
         let (u, (sine, cosine)) = (since / SCALE, (self.rate * since).sin_cos());
+        let (of_position, of_axis) = self.free_rows(point, about);
         (
-            extended(&self.position_row(point, about), [u, u * u]),
-            extended(&self.axis_row(point, about), [u, sine, 1.0 - cosine]),
+            extended(&of_position, [u, u * u]),
+            extended(&of_axis, [u, sine, 1.0 - cosine]),
         )
     }
 }

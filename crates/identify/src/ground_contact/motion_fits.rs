@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use super::designs::Designs;
 use super::motion::{Character, Comparison, Point, SCALE};
-use super::regression::{Design, Regression};
+use super::regression::{Design, Regression, Whitened};
 
 /// Maximum numbers of points (samples with a pose) that are used before and after an interval between two successive
 /// points that is tested for a contact.
@@ -22,6 +22,18 @@ const MOST_OUTLIERS: usize = 2;
 /// Sum of the squared residuals of a point's position and axis, each divided by its noise variance, above which the
 /// point is an outlier.
 const OUTLIER: f64 = 40.0;
+
+/// Free motion that is fitted to some points.
+#[derive(Debug)]
+pub struct FreeMotion {
+    /// Regression of the position of the body's origin.
+    pub position: Regression<7>,
+    /// Regression of the direction of the most steady body axis.
+    pub axis: Regression<6>,
+    /// The measured positions and axes, whitened.
+    values: [Whitened; 2],
+}
+
 /// Least-squares fits of free motion, and of motion with a velocity jump, to ranges of points of one flight. Ranges
 /// with equally spaced times share one factorised regression matrix.
 #[derive(Debug)]
@@ -44,31 +56,34 @@ impl MotionFits {
 
     /// Fits free motion to the given points, separately to their positions and to the directions of their body axes.
     /// Times are relative to `about`, s. `None` if the points do not determine the motion.
-    pub fn free(
-        &mut self,
-        points: &[&Point],
-        about: f64,
-    ) -> Option<(Regression<7>, Regression<6>)> {
+    pub fn free(&mut self, points: &[&Point], about: f64) -> Option<FreeMotion> {
         let of = &self.character;
         let designs = self.free.of(points.iter().copied(), about, || {
-            let positions: Vec<_> = points.iter().map(|p| of.position_row(p, about)).collect();
-            let axes: Vec<_> = points.iter().map(|p| of.axis_row(p, about)).collect();
+            let rows = points.iter().map(|point| of.free_rows(point, about));
+            let (positions, axes): (Vec<_>, Vec<_>) = rows.unzip();
             Some((
                 Design::new(&positions, &of.position_precisions(), of.correlation)?,
                 Design::new(&axes, &of.axis_precisions(), of.correlation)?,
             ))
         })?;
-        Some((
-            designs.0.solve(points.iter().map(|point| point.position)),
-            designs.1.solve(points.iter().map(|point| point.axis)),
-        ))
+        let values = [
+            designs.0.whiten(points.iter().map(|point| point.position)),
+            designs.1.whiten(points.iter().map(|point| point.axis)),
+        ];
+        Some(FreeMotion {
+            position: designs.0.solve(&values[0]),
+            axis: designs.1.solve(&values[1]),
+            values,
+        })
     }
 
     /// Fits motion whose velocity and wobble change at the time `about`, s, to the given points, separately to their
-    /// positions and to the directions of their body axes. `None` if the points do not determine the motion.
+    /// positions and to the directions of their body axes. `values` are the positions and axes, whitened. `None` if the
+    /// points do not determine the motion.
     fn disturbed(
         &mut self,
         points: &[&Point],
+        values: &[Whitened; 2],
         about: f64,
     ) -> Option<(Regression<9>, Regression<9>)> {
         let of = &self.character;
@@ -84,27 +99,24 @@ impl MotionFits {
                 Design::new(&axes, &of_axis, of.correlation)?,
             ))
         })?;
-        Some((
-            designs.0.solve(points.iter().map(|point| point.position)),
-            designs.1.solve(points.iter().map(|point| point.axis)),
-        ))
+        Some((designs.0.solve(&values[0]), designs.1.solve(&values[1])))
     }
 
     /// Removes up to `MOST_OUTLIERS` points without which free motion fits far better. An outlier is such a point; a
     /// contact affects all later points, so that the removal of one point does not help. Returns the remaining points
-    /// and the regressions of free motion through them; `None` if the points do not determine free motion.
+    /// and the free motion through them; `None` if the points do not determine free motion.
     fn robust<'p>(
         &mut self,
         points: &'p [Point],
         range: Range<usize>,
         about: f64,
-    ) -> Option<(Vec<&'p Point>, (Regression<7>, Regression<6>))> {
+    ) -> Option<(Vec<&'p Point>, FreeMotion)> {
         let mut kept: Vec<&Point> = points.get(range)?.iter().collect();
         let mut free = self.free(&kept, about)?;
         for _ in 0..MOST_OUTLIERS {
             let noise = self.character.noise.map(|noise| noise * noise);
             let of = |index: usize| {
-                free.0.removable[index] / noise[0] + free.1.removable[index] / noise[1]
+                free.position.removable[index] / noise[0] + free.axis.removable[index] / noise[1]
             };
             let worst = (0..kept.len()).max_by(|&a, &b| of(a).total_cmp(&of(b)))?;
             if of(worst) <= OUTLIER || kept.len() <= LEAST_SIDES.0 {
@@ -148,7 +160,7 @@ impl MotionFits {
         if before < LEAST_SIDES.0 || kept.len() - before < LEAST_SIDES.1 {
             return None;
         }
-        let disturbed = self.disturbed(&kept, about)?;
+        let disturbed = self.disturbed(&kept, &free.values, about)?;
         let variances = [disturbed.0.variance(), disturbed.1.variance()];
         let noise = self.character.noise.map(|noise| noise * noise);
         let unit = self.character.units(variances);
@@ -157,8 +169,8 @@ impl MotionFits {
         Some(Comparison {
             index,
             gains: [
-                (free.0.squares - disturbed.0.squares) / unit[0],
-                (free.1.squares - disturbed.1.squares) / unit[1],
+                (free.position.squares - disturbed.0.squares) / unit[0],
+                (free.axis.squares - disturbed.1.squares) / unit[1],
             ],
             variances,
             remaining: disturbed.0.squares / noise[0] + disturbed.1.squares / noise[1],

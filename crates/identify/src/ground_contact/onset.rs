@@ -49,17 +49,12 @@ fn first_point(points: &[Point], found: &Comparison, fits: &mut MotionFits) -> O
     let last = (found.index + SOUGHT.1).min(points.len() - 1);
     for (index, point) in points.iter().enumerate().take(last + 1).skip(base) {
         let previous = *kept.last()?;
-        let (position, axis) = fits.free(&kept, about)?;
-        let rows = |point: &Point| {
-            (
-                character.position_row(point, about),
-                character.axis_row(point, about),
-            )
-        };
-        let ((from, axis_from), (to, axis_to)) = (rows(previous), rows(point));
+        let free = fits.free(&kept, about)?;
+        let (from, axis_from) = character.free_rows(previous, about);
+        let (to, axis_to) = character.free_rows(point, about);
         let [of_position, of_axis] = character.noise.map(|noise| noise * noise);
-        let innovation = position.innovation(&from, &to) / of_position
-            + axis.innovation(&axis_from, &axis_to) / of_axis;
+        let innovation = free.position.innovation(&from, &to) / of_position
+            + free.axis.innovation(&axis_from, &axis_to) / of_axis;
         let most = MOST * neutral;
         if innovation < most {
             kept.push(point);

@@ -20,6 +20,38 @@ pub struct Row<const N: usize> {
     pub value: Vector3<f64>,
 }
 
+/// Measured vectors of the rows of a design, relative to the first one and whitened.
+#[derive(Clone, Debug)]
+pub struct Whitened {
+    origin: Vector3<f64>,
+    /// Vectors with a fourth component of 0, so that they fill the registers of the processor.
+    vectors: Vec<[f64; 4]>,
+}
+
+impl Whitened {
+    /// Measured vectors whose noise is not correlated.
+    pub fn white(values: impl Iterator<Item = Vector3<f64>>) -> Self {
+        Self::new(values, |_, value| value)
+    }
+
+    /// Measured vectors, each whitened with the preceding one.
+    fn new(
+        values: impl Iterator<Item = Vector3<f64>>,
+        mut whiten: impl FnMut(Option<Vector3<f64>>, Vector3<f64>) -> Vector3<f64>,
+    ) -> Self {
+        let (mut origin, mut previous) = (None, None);
+        let vectors = values.map(|value| {
+            let value = value - *origin.get_or_insert(value);
+            let [x, y, z] = whiten(previous.replace(value), value).into();
+            [x, y, z, 0.0]
+        });
+        Self {
+            vectors: vectors.collect(),
+            origin: origin.unwrap_or_default(),
+        }
+    }
+}
+
 /// Least-squares fit of `N` basis functions of time to measured vectors.
 #[derive(Clone, Debug)]
 pub struct Regression<const N: usize> {
@@ -62,8 +94,13 @@ impl<const N: usize> Regression<N> {
 /// Whitened basis functions of a regression, with their factorized normal equations.
 #[derive(Clone, Debug)]
 pub struct Design<const N: usize> {
-    rows: Vec<(Whitening, SVector<f64, N>)>,
-    leverages: Vec<f64>,
+    whitenings: Vec<Whitening>,
+    /// Values of the whitened basis functions, one array per row.
+    rows: Vec<[f64; N]>,
+    /// 1 − leverage of each row.
+    free_parts: Vec<f64>,
+    /// Degrees of freedom of the residuals; a value below 3 is replaced by 3.
+    freedom: f64,
     inverse: SMatrix<f64, N, N>,
     precisions: [f64; N],
     correlation: f64,
@@ -82,48 +119,69 @@ impl<const N: usize> Design<N> {
             let functions = whitening.apply(previous.map(|row| row.functions), row.functions);
             (whitening, functions)
         });
-        let rows: Vec<_> = whitened.collect();
+        let (whitenings, functions): (Vec<_>, Vec<SVector<f64, N>>) = whitened.unzip();
         let mut normal = SMatrix::<f64, N, N>::zeros();
-        for (_, functions) in &rows {
-            normal += functions * functions.transpose();
+        for row in &functions {
+            // The Cholesky factorisation reads the lower triangle alone.
+            for column in 0..N {
+                for index in column..N {
+                    normal[(index, column)] += row[index] * row[column];
+                }
+            }
         }
         for (index, precision) in precisions.iter().enumerate() {
             normal[(index, index)] = normal[(index, index)] * (1.0 + RIDGE) + precision;
         }
         let inverse = normal.cholesky()?.inverse();
-        let leverage =
-            |(_, functions): &(_, SVector<f64, N>)| functions.dot(&(inverse * functions));
+        let free_part = |row: &SVector<f64, N>| 1.0 - row.dot(&(inverse * row));
+        let free_parts: Vec<f64> = functions.iter().map(free_part).collect();
         Some(Self {
-            leverages: rows.iter().map(leverage).collect(),
-            rows,
+            freedom: (3.0 * free_parts.iter().sum::<f64>()).max(3.0),
+            free_parts,
+            rows: functions.iter().map(|row| (*row).into()).collect(),
+            whitenings,
             inverse,
             precisions: *precisions,
             correlation,
         })
     }
 
+    /// Whitens measured vectors, one for each row of the design. The result is valid for every design with the same
+    /// samples and the same correlation of the noise.
+    pub fn whiten(&self, values: impl Iterator<Item = Vector3<f64>>) -> Whitened {
+        let mut whitenings = self.whitenings.iter();
+        Whitened::new(values, |previous, value| match whitenings.next() {
+            Some(whitening) => whitening.apply(previous, value),
+            None => value,
+        })
+    }
+
     /// Fits the basis functions to measured vectors, one for each row of the design.
-    pub fn solve(&self, values: impl Iterator<Item = Vector3<f64>>) -> Regression<N> {
-        let mut origin = None;
-        let mut previous = None;
-        let mut right = SMatrix::<f64, N, 3>::zeros();
-        let each = values
-            .zip(&self.rows)
-            .map(|(value, (whitening, functions))| {
-                let value = value - *origin.get_or_insert(value);
-                let whitened = whitening.apply(previous.replace(value), value);
-                right += functions * whitened.transpose();
-                whitened
-            });
-        let whitened: Vec<Vector3<f64>> = each.collect();
+    pub fn solve(&self, values: &Whitened) -> Regression<N> {
+        let mut right = [[0.0; 4]; N];
+        for (row, value) in self.rows.iter().zip(&values.vectors) {
+            for (sum, function) in right.iter_mut().zip(row) {
+                add_scaled(sum, *function, value);
+            }
+        }
+        let right = SMatrix::<f64, N, 3>::from_fn(|row, column| right[row][column]);
         let coefficients = self.inverse * right;
-        let (mut squares, mut used) = (0.0, 0.0);
-        let rows = self.rows.iter().zip(&whitened).zip(&self.leverages);
-        let removable = rows.map(|(((_, functions), value), leverage)| {
-            let square = (value - coefficients.tr_mul(functions)).norm_squared();
+        let mut negative = [[0.0; 4]; N];
+        for (index, negative) in negative.iter_mut().enumerate() {
+            let [x, y, z]: [f64; 3] = (-coefficients.row(index)).transpose().into();
+            *negative = [x, y, z, 0.0];
+        }
+        let mut squares = 0.0;
+        let rows = self.rows.iter().zip(&values.vectors).zip(&self.free_parts);
+        let removable = rows.map(|((row, value), free_part)| {
+            let mut residual = *value;
+            for (coefficient, function) in negative.iter().zip(row) {
+                add_scaled(&mut residual, *function, coefficient);
+            }
+            let [x, y, z, _] = residual;
+            let square = x * x + y * y + z * z;
             squares += square;
-            used += leverage;
-            square / (1.0 - leverage).max(LEAST_PART)
+            square / free_part.max(LEAST_PART)
         });
         let removable = removable.collect();
         for (index, precision) in self.precisions.iter().enumerate() {
@@ -132,12 +190,19 @@ impl<const N: usize> Design<N> {
         Regression {
             coefficients,
             squares,
-            freedom: (3.0 * (whitened.len() as f64 - used)).max(3.0),
+            freedom: self.freedom,
             removable,
             inverse: self.inverse,
-            origin: origin.unwrap_or_default(),
+            origin: values.origin,
             correlation: self.correlation,
         }
+    }
+}
+
+/// Adds `factor` × `vector` to `sum`.
+fn add_scaled(sum: &mut [f64; 4], factor: f64, vector: &[f64; 4]) {
+    for (sum, component) in sum.iter_mut().zip(vector) {
+        *sum += factor * component;
     }
 }
 

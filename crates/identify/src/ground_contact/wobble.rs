@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, SVector, UnitQuaternion, Vector3};
 
 use super::designs::Designs;
 use super::motion::Point;
-use super::regression::{Design, Row};
+use super::regression::{Design, Row, Whitened};
 use super::{PathPoint, Posed};
 use crate::statistics::median;
 
@@ -83,9 +83,14 @@ fn steadiest_axis(posed: &[(PathPoint, UnitQuaternion<f64>)]) -> Option<Vector3<
 pub fn wobble_rate(points: &[Point], interval: f64) -> f64 {
     let (least, step, count) = TURNS;
     let rate = |index: usize| (least + step * index as f64) / interval;
+    let chunks = points.chunks_exact(CHUNK);
+    let axes = chunks
+        .clone()
+        .map(|chunk| Whitened::white(chunk.iter().map(|point| point.axis)));
+    let axes: Vec<Whitened> = axes.collect();
     let misfit = |rate: f64| {
         let mut designs = Designs::new();
-        let each = points.chunks_exact(CHUNK).filter_map(|chunk| {
+        let each = chunks.clone().zip(&axes).filter_map(|(chunk, axes)| {
             let middle = chunk[CHUNK / 2].time;
             let row = |point: &Point| {
                 let time = point.time - middle;
@@ -101,8 +106,7 @@ pub fn wobble_rate(points: &[Point], interval: f64) -> f64 {
                 let rows: Vec<_> = chunk.iter().map(row).collect();
                 Design::new(&rows, &[0.0; 5], 0.0)
             })?;
-            let fitted = design.solve(chunk.iter().map(|point| point.axis));
-            Some(fitted.squares.max(LEAST_SQUARE).ln())
+            Some(design.solve(axes).squares.max(LEAST_SQUARE).ln())
         });
         each.sum::<f64>()
     };

@@ -101,7 +101,7 @@ pub fn sigma0(
         .windows(4)
         .flat_map(|w| {
             let third = w[3].position - 3.0 * w[2].position + 3.0 * w[1].position - w[0].position;
-            third.abs().as_slice().to_vec()
+            <[f64; 3]>::from(third.abs())
         })
         .collect();
     (rough.len() >= 3).then(|| robust_sigma(&mut rough) / 20.0_f64.sqrt())

@@ -2,6 +2,7 @@
 //! another unit. All flights together are compared with gravity; a single flight is compared with the loads fitted to
 //! all flights.
 
+use flight::batch;
 use nalgebra::{Matrix3, Vector3};
 
 use super::distances::{UNITS, unit};
@@ -85,26 +86,27 @@ pub struct FreeFall<'a> {
 
 impl<'a> FreeFall<'a> {
     /// Computes the regression data of each flight from its track in `tracks`, which is `None` for a flight that
-    /// already has another fault.
+    /// already has another fault. Uses `threads` threads.
     pub fn new(
-        problem: &'a FitProblem,
-        dataset: &'a Dataset,
+        (problem, dataset): (&'a FitProblem, &'a Dataset),
         gravity: Vector3<f64>,
         tracks: &[Option<Track>],
+        threads: usize,
     ) -> Self {
-        let of_track = |(flight, track): (&Flight, &Option<Track>)| match track {
-            Some(track) => rows(track, omega(problem, flight)),
-            None => Vec::new(),
-        };
+        let each = batch::each_on(threads, tracks.len(), |index| match &tracks[index] {
+            Some(track) => (
+                rows(track, omega(problem, &dataset.flights[index])),
+                upright(problem, track),
+            ),
+            None => (Vec::new(), None),
+        });
+        let (rows, upright) = each.into_iter().unzip();
         Self {
             problem,
             dataset,
             gravity,
-            rows: dataset.flights.iter().zip(tracks).map(of_track).collect(),
-            upright: tracks
-                .iter()
-                .map(|track| upright(problem, track.as_ref()?))
-                .collect(),
+            rows,
+            upright,
         }
     }
 

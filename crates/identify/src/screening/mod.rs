@@ -26,7 +26,7 @@ use self::free_fall::FreeFall;
 use self::track::Track;
 use crate::dataset::Dataset;
 use crate::error::{ExcludedFlight, FlightError};
-use crate::ground_contact::SoughtContact;
+use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
@@ -44,10 +44,9 @@ const NOISE_PART: f64 = 0.1;
 pub(crate) struct Screening {
     /// Faults of the flights, in the order of the dataset, at most one per flight.
     pub faults: Vec<DataFault>,
-    /// First ground contact of each flight, in the order of the dataset: `None` if a fault of the flight prevented the
-    /// search for a contact, `Some(None)` if the flight has no contact. Empty if the faults come from an earlier
-    /// screening.
-    pub contacts: Vec<SoughtContact>,
+    /// Result of the search for the first ground contact of each flight, in the order of the dataset: `None` if a fault
+    /// of the flight prevented the search. Empty if the faults come from an earlier screening.
+    pub contacts: Vec<Option<ContactSearch>>,
 }
 
 impl Screening {
@@ -74,50 +73,48 @@ pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) ->
         match fault {
             Some(fault) => ((Some(fault), None), None),
             None => {
-                let (track, contact) =
+                let (track, search) =
                     Track::until_contact(problem, &flight.times, &flight.positions);
                 let fault = jumps::check(&track, flight);
                 let track = fault.is_none().then_some(track);
-                ((fault, track), Some(contact))
+                ((fault, track), Some(search))
             }
         }
     });
-    let (of_flights, contacts): (Vec<_>, Vec<SoughtContact>) = each.into_iter().unzip();
+    let (of_flights, contacts): (Vec<_>, Vec<Option<ContactSearch>>) = each.into_iter().unzip();
     let (faults, tracks) = of_flights.into_iter().unzip();
-    let faults = of_all(problem, dataset, is_rigid, faults, tracks);
+    let faults = of_all((problem, dataset), is_rigid, (faults, tracks), threads);
     Screening { faults, contacts }
 }
 
 /// Adds the faults that a comparison of the flights with each other and with gravity reveals to `faults`, which were
-/// found in single flights, and returns all faults. `faults` and `tracks` have one entry per flight.
+/// found in single flights, and returns all faults. `faults` and `tracks` have one entry per flight. Uses `threads`
+/// threads.
 fn of_all(
-    problem: &FitProblem,
-    dataset: &Dataset,
+    (problem, dataset): (&FitProblem, &Dataset),
     is_rigid: bool,
-    mut faults: Vec<Option<DataFault>>,
-    mut tracks: Vec<Option<Track>>,
+    (mut faults, mut tracks): (Vec<Option<DataFault>>, Vec<Option<Track>>),
+    threads: usize,
 ) -> Vec<DataFault> {
     no_flights(dataset, &mut faults, &mut tracks);
     let Some(gravity) = gravity::gravity(problem) else {
         return faults.into_iter().flatten().collect();
     };
-    let mut of_fall = FreeFall::new(problem, dataset, gravity, &tracks).check();
+    let mut of_fall = FreeFall::new((problem, dataset), gravity, &tracks, threads).check();
     if of_fall.is_empty() {
         of_fall = turned::check(problem, dataset, &tracks);
     }
-    for (index, flight) in dataset.flights.iter().enumerate() {
+    let each = batch::each_on(threads, dataset.flights.len(), |index| {
+        let flight = &dataset.flights[index];
         let found = of_fall.iter().find(|fault| fault.file == flight.file);
-        if faults[index].is_some() {
-            continue;
-        }
-        faults[index] = match (found, &tracks[index]) {
-            (Some(found), _) => Some(found.clone()),
+        match (&faults[index], found, &tracks[index]) {
+            (Some(fault), ..) | (None, Some(fault), _) => Some(fault.clone()),
             // Poses from misplaced markers wobble with the spin, as if the body were pushed.
-            (None, Some(track)) if is_rigid => handling::check(track, gravity, flight),
-            (None, _) => None,
-        };
-    }
-    faults.into_iter().flatten().collect()
+            (None, None, Some(track)) if is_rigid => handling::check(track, gravity, flight),
+            (None, None, _) => None,
+        }
+    });
+    each.into_iter().flatten().collect()
 }
 
 /// Adds a fault for each flight whose track is far noisier than the tracks of the other flights and than any measured

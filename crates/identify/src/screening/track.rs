@@ -2,9 +2,9 @@
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
-use crate::ground_contact::{self, Contact, PathPoint, Posed};
+use crate::ground_contact::{self, Contact, ContactSearch, PathPoint, Posed};
 use crate::path_noise::path_noise;
-use crate::pose::{point_position, pose};
+use crate::pose::{Pose, point_position, pose};
 use crate::problem::FitProblem;
 use crate::statistics::robust_sigma;
 
@@ -59,58 +59,69 @@ pub struct Parabola {
 
 impl Track {
     /// Computes the path of the body's origin from measured marker positions (`rows`, one row per sample): for a body
-    /// with an attitude from poses fitted to the markers, for a point mass from the marker positions themselves.
+    /// with an attitude from poses fitted to the markers, for a point mass from the marker positions themselves. Also
+    /// returns the pose in each sample; empty for a point mass.
     pub fn of(
         markers: &[[f64; 3]],
         has_attitude: bool,
         times: &[f64],
         rows: &[Vec<Option<[f64; 3]>>],
-    ) -> Self {
-        let mut points = Vec::with_capacity(rows.len());
-        let mut variances = Vec::with_capacity(rows.len());
-        for (sample, (&time, row)) in times.iter().zip(rows).enumerate() {
-            if has_attitude {
-                let Some(pose) = pose(markers, row) else {
-                    continue;
-                };
-                variances.push(pose.variance());
-                points.push(Point {
-                    sample,
-                    time,
-                    position: pose.position,
-                    attitude: Some(pose.attitude),
-                });
-            } else if let Some(position) = point_position(markers, row) {
-                points.push(Point {
-                    sample,
-                    time,
-                    position,
-                    attitude: None,
-                });
-            }
+    ) -> (Self, Vec<Option<Pose>>) {
+        if !has_attitude {
+            return (Self::of_point_mass(markers, times, rows), Vec::new());
         }
-        if has_attitude {
-            let limit = ground_contact::variance_limit(variances.iter().copied());
-            let mut each = variances.iter();
-            points.retain(|_| each.next().is_some_and(|variance| *variance <= limit));
-        }
+        let poses = rows.iter().map(|row| pose(markers, row));
+        let poses: Vec<Option<Pose>> = poses.collect();
+        (Self::of_poses(times, &poses), poses)
+    }
+
+    fn of_point_mass(markers: &[[f64; 3]], times: &[f64], rows: &[Vec<Option<[f64; 3]>>]) -> Self {
+        let each = times.iter().zip(rows).enumerate();
+        let points = each.filter_map(|(sample, (&time, row))| {
+            Some(Point {
+                sample,
+                time,
+                position: point_position(markers, row)?,
+                attitude: None,
+            })
+        });
+        Self::new(points.collect())
+    }
+
+    /// Path of the body's origin from the pose in each sample, without the samples whose poses contain outliers.
+    fn of_poses(times: &[f64], poses: &[Option<Pose>]) -> Self {
+        let limit = ground_contact::variance_limit(poses.iter().flatten().map(Pose::variance));
+        let each = times.iter().zip(poses).enumerate();
+        let points = each.filter_map(|(sample, (&time, pose))| {
+            let pose = pose.filter(|pose| pose.variance() <= limit)?;
+            Some(Point {
+                sample,
+                time,
+                position: pose.position,
+                attitude: Some(pose.attitude),
+            })
+        });
+        Self::new(points.collect())
+    }
+
+    fn new(points: Vec<Point>) -> Self {
         let noise = path_noise(points.iter().map(|point| (point.time, point.position)));
         Self { points, noise }
     }
 
     /// Computes the path of the body's origin, without the points from the first contact with the ground on. Also
-    /// returns this contact; it is `None` if no contact is detected.
+    /// returns the result of the search for this contact.
     pub fn until_contact(
         problem: &FitProblem,
         times: &[f64],
         rows: &[Vec<Option<[f64; 3]>>],
-    ) -> (Self, Option<Contact>) {
-        let mut track = Self::of(&problem.markers, problem.has_attitude, times, rows);
+    ) -> (Self, ContactSearch) {
+        let (mut track, poses) = Self::of(&problem.markers, problem.has_attitude, times, rows);
         let contact = track.contact();
         if let Some(contact) = &contact {
             track.points.retain(|point| point.sample < contact.sample);
         }
-        (track, contact)
+        (track, ContactSearch { contact, poses })
     }
 
     /// First contact of the body with the ground; `None` if the path shows none.
@@ -189,7 +200,7 @@ pub fn parabola(points: &[Point], noise: f64) -> Option<Parabola> {
         };
         let mut sizes: Vec<f64> = points
             .iter()
-            .flat_map(|p| residual(p).abs().as_slice().to_vec())
+            .flat_map(|p| <[f64; 3]>::from(residual(p).abs()))
             .collect();
         let robust = robust_sigma(&mut sizes).max(noise);
         let keep: Vec<bool> = points

@@ -191,7 +191,7 @@ fn time_of_the_screening() {
     time("poses", &|| {
         each(&|i| {
             let flight = &dataset.flights[i];
-            let track = Track::of(&problem.markers, true, &flight.times, &flight.positions);
+            let (track, _) = Track::of(&problem.markers, true, &flight.times, &flight.positions);
             assert!(!track.points.is_empty());
         });
     });
@@ -205,7 +205,7 @@ fn time_of_the_screening() {
     time("gravity", &|| assert!(gravity::gravity(&problem).is_some()));
     time("free fall", &|| {
         assert!(
-            FreeFall::new(&problem, dataset, gravity, &tracks)
+            FreeFall::new((&problem, dataset), gravity, &tracks, 1)
                 .check()
                 .is_empty()
         );

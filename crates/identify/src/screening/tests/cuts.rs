@@ -22,7 +22,7 @@ fn bounced(flight: &Flight, time: f64, change: [f64; 3]) -> Flight {
 
 /// Index of the first sample after the detected impact; `None` if no impact is detected.
 fn cut_at(problem: &FitProblem, flight: &Flight) -> Option<usize> {
-    let track = Track::of(
+    let (track, _) = Track::of(
         &problem.markers,
         problem.has_attitude,
         &flight.times,
@@ -51,7 +51,7 @@ fn cuts(seeds: std::ops::Range<u64>) -> [usize; 4] {
                         flight.times.len()
                     );
                 }
-                let track = Track::of(
+                let (track, _) = Track::of(
                     &problem.markers,
                     problem.has_attitude,
                     &flight.times,
