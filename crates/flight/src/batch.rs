@@ -34,10 +34,25 @@ pub fn each_on<R: Send>(threads: usize, count: usize, task: impl Fn(usize) -> R 
     if threads.min(count) <= 1 {
         return (0..count).map(task).collect();
     }
+    let results: Vec<Mutex<Option<R>>> = (0..count).map(|_| Mutex::new(None)).collect();
+    run(threads, count, &|index| {
+        *results[index]
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner) = Some(task(index));
+    });
+    let results = results.into_iter().map(|result| {
+        let result = result.into_inner().unwrap_or_else(PoisonError::into_inner);
+        result.expect("every task has run")
+    });
+    results.collect()
+}
+
+/// Runs `task(0)`, …, `task(count - 1)` on `threads` threads. It is compiled once for all kinds of tasks.
+fn run(threads: usize, count: usize, task: &(dyn Fn(usize) + Sync)) {
     // One task at a time per thread, since their durations differ.
     let parallel = || {
         let tasks = (0..count).into_par_iter().with_max_len(1);
-        tasks.map(&task).collect()
+        tasks.for_each(task);
     };
     if threads == rayon::current_num_threads() {
         return parallel();
@@ -45,7 +60,7 @@ pub fn each_on<R: Send>(threads: usize, count: usize, task: impl Fn(usize) -> R 
     match shared_pool(threads) {
         Ok(pool) => pool.install(parallel),
         // The operating system refuses further threads.
-        Err(_) => (0..count).map(&task).collect(),
+        Err(_) => (0..count).for_each(task),
     }
 }
 

@@ -71,9 +71,9 @@ pub fn prediction_band(fit: &Fit, flight: FlightId) -> Option<PredictionBand> {
         problem,
         observations,
         (global, local),
-        conditions.differentiable_rhs(),
+        &mut conditions.differentiable_rhs(),
         &columns,
-        |point| {
+        &mut |point| {
             let at = point.sample * observations.channels + point.channel;
             found.push(Sensitivity {
                 sample: point.sample,

@@ -63,11 +63,11 @@ impl ScoreTestModel {
         self.each_flight(|flight| {
             let observations = &self.flights[flight];
             let conditions = conditions(problem, observations, &iterate.global);
-            let (motion, parameters) = self.motion_with_terms(&conditions, terms);
+            let (mut motion, parameters) = self.motion_with_terms(&conditions, terms);
             let unknowns = (&iterate.global, &iterate.local[flight]);
             let samples = observations.times.len();
             let loss = Loss::Whitened(noise);
-            let by = (motion, parameters.as_slice());
+            let by: (&mut dyn DifferentiableRhs, _) = (&mut motion, parameters.as_slice());
             cache.with_flight(flight, |stored| {
                 linearise_with(
                     problem,
@@ -91,7 +91,7 @@ impl ScoreTestModel {
         &self,
         at: LinearizationPoint<'_>,
         flight: usize,
-        each: impl FnMut(PointResidual<'_>),
+        each: &mut dyn FnMut(PointResidual<'_>),
     ) -> Result<(), FitError> {
         let LinearizationPoint {
             problem, iterate, ..
@@ -101,13 +101,27 @@ impl ScoreTestModel {
         let conditions = conditions(problem, observations, unknowns.0);
         let done = match &self.terms {
             Some(terms) => {
-                let (motion, parameters) = self.motion_with_terms(&conditions, terms);
-                each_residual(problem, observations, unknowns, motion, &parameters, each)
+                let (mut motion, parameters) = self.motion_with_terms(&conditions, terms);
+                each_residual(
+                    problem,
+                    observations,
+                    unknowns,
+                    &mut motion,
+                    &parameters,
+                    each,
+                )
             }
             None => {
-                let motion = conditions.differentiable_rhs();
+                let mut motion = conditions.differentiable_rhs();
                 let parameters = self.global_parameters();
-                each_residual(problem, observations, unknowns, motion, &parameters, each)
+                each_residual(
+                    problem,
+                    observations,
+                    unknowns,
+                    &mut motion,
+                    &parameters,
+                    each,
+                )
             }
         };
         done.map_err(|reason| self.flight_error(flight, reason))

@@ -266,19 +266,26 @@ impl FittedFlight<'_> {
             .bind(observed.parameters(problem, fit.global()));
         let count = 1 + observed.manifold.dimension();
         let mut series = empty_series(observed.channels, count);
-        let motion = conditions.differentiable_rhs();
-        each_residual(problem, observed, unknowns, motion, &[], |point| {
-            if observed.inlier(point.sample, point.channel).is_none() {
-                return;
-            }
-            let components = problem.channels[point.channel].components;
-            let axes = series[point.channel].iter_mut().zip(point.rows);
-            for ((series, row), residual) in axes.zip(point.residual).take(components) {
-                series.times.push(observed.times[point.sample]);
-                series.sides.push(residual);
-                series.sides.extend_from_slice(row);
-            }
-        })
+        let mut motion = conditions.differentiable_rhs();
+        each_residual(
+            problem,
+            observed,
+            unknowns,
+            &mut motion,
+            &[],
+            &mut |point| {
+                if observed.inlier(point.sample, point.channel).is_none() {
+                    return;
+                }
+                let components = problem.channels[point.channel].components;
+                let axes = series[point.channel].iter_mut().zip(point.rows);
+                for ((series, row), residual) in axes.zip(point.residual).take(components) {
+                    series.times.push(observed.times[point.sample]);
+                    series.sides.push(residual);
+                    series.sides.extend_from_slice(row);
+                }
+            },
+        )
         .map_err(|reason| FitError::Flight {
             file: observed.file.clone(),
             reason,

@@ -117,7 +117,7 @@ impl ScoreTestModel {
             .collect();
         let mut remaining: Residuals =
             vec![vec![None; observations.times.len()]; observations.channels];
-        self.each_residual(at, flight, |point: PointResidual<'_>| {
+        self.each_residual(at, flight, &mut |point: PointResidual<'_>| {
             let change = |axis: usize| -> f64 {
                 let row = &point.rows[axis];
                 row.iter().zip(&step).map(|(a, b)| a * b).sum()

@@ -8,6 +8,7 @@ use flight::batch;
 use identify::{Iterate, Loss, NoiseModel, linearise_with, pseudo_inverse};
 use model_spec::layout::ParamId;
 use nalgebra::{DMatrix, DVector};
+use ode::DifferentiableRhs;
 use serde::{Deserialize, Serialize};
 
 use crate::context::{BasisLoads, LibraryTerms, ScoreTestModel};
@@ -160,7 +161,7 @@ impl FlightLoads {
         let first = problem.body.layout().parameters.len();
         let loads = terms.loads.iter();
         let loads: Vec<ParamId> = loads.flat_map(|&load| vec![load; count]).collect();
-        let motion = BasisLoads::new(&conditions, &loads, first, |t, _, values: &mut [f64]| {
+        let mut motion = BasisLoads::new(&conditions, &loads, first, |t, _, values: &mut [f64]| {
             for (index, value) in values.iter_mut().enumerate() {
                 *value = hat(&knots, index % count, t);
             }
@@ -170,7 +171,7 @@ impl FlightLoads {
         let unknowns = (&at.global, &at.local[flight]);
         let samples = observations.times.len();
         let loss = Loss::Whitened(noise);
-        let by = (motion, parameters.as_slice());
+        let by: (&mut dyn DifferentiableRhs, _) = (&mut motion, parameters.as_slice());
         let block =
             linearise_with(problem, observations, unknowns, samples, loss, by, None).ok()?;
         let (_, free) = model.local_partition(flight, &[]);

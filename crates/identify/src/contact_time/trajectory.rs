@@ -90,7 +90,7 @@ impl Trajectory {
             ..*observations
         };
         let conditions = problem.body.bind(evaluated.parameters(problem, unknowns.0));
-        let motion = conditions.differentiable_rhs();
+        let mut motion = conditions.differentiable_rhs();
         let mut trajectory = Self {
             dimension,
             first: seen.start,
@@ -99,24 +99,31 @@ impl Trajectory {
             contacts: vec![Vec::new(); seen.end.saturating_sub(tried)],
         };
         let mut all = Vec::with_capacity(markers);
-        each_residual(problem, &evaluated, unknowns, motion, &[], |point| {
-            all.push(Predicted {
-                position: point.residual,
-                derivatives: point
-                    .rows
-                    .each_ref()
-                    .map(|row| DVector::from_column_slice(row)),
-            });
-            if all.len() < markers {
-                return;
-            }
-            let all = std::mem::take(&mut all);
-            match places[point.sample].0 {
-                Place::Start => {}
-                Place::Before(index) => trajectory.contacts[index].push(all),
-                Place::Sample => trajectory.samples.push(all),
-            }
-        })?;
+        each_residual(
+            problem,
+            &evaluated,
+            unknowns,
+            &mut motion,
+            &[],
+            &mut |point| {
+                all.push(Predicted {
+                    position: point.residual,
+                    derivatives: point
+                        .rows
+                        .each_ref()
+                        .map(|row| DVector::from_column_slice(row)),
+                });
+                if all.len() < markers {
+                    return;
+                }
+                let all = std::mem::take(&mut all);
+                match places[point.sample].0 {
+                    Place::Start => {}
+                    Place::Before(index) => trajectory.contacts[index].push(all),
+                    Place::Sample => trajectory.samples.push(all),
+                }
+            },
+        )?;
         Ok(trajectory)
     }
 

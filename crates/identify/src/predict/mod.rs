@@ -53,7 +53,7 @@ pub fn linearise(
         Unknowns::All => problem.globals.iter().map(|global| global.param).collect(),
     };
     let by = (conditions.differentiable_rhs(), columns.as_slice());
-    linearise_with(
+    normal_equations(
         problem,
         observations,
         (global, local),
@@ -72,7 +72,20 @@ pub fn linearise(
 ///
 /// # Errors
 /// [`FlightError::Integration`] if the trajectory cannot be computed.
-pub fn linearise_with<M: DifferentiableRhs>(
+pub fn linearise_with(
+    problem: &FitProblem,
+    observations: &Observations,
+    unknowns: (&DVector<f64>, &DVector<f64>),
+    samples: usize,
+    loss: Loss<'_>,
+    by: (&mut dyn DifferentiableRhs, &[ParamId]),
+    cache: Option<&mut Option<Vec<f64>>>,
+) -> Result<NormalBlock, FlightError> {
+    normal_equations(problem, observations, unknowns, samples, loss, by, cache)
+}
+
+/// [`linearise_with`] for one type of equations of motion: the integration of a fit is compiled for those of a model.
+fn normal_equations<M: DifferentiableRhs>(
     problem: &FitProblem,
     observations: &Observations,
     (global, local): (&DVector<f64>, &DVector<f64>),
@@ -111,13 +124,13 @@ pub fn linearise_with<M: DifferentiableRhs>(
 ///
 /// # Errors
 /// [`FlightError::Integration`] if the trajectory cannot be computed.
-pub fn each_residual<M: DifferentiableRhs>(
+pub fn each_residual(
     problem: &FitProblem,
     observations: &Observations,
     (global, local): (&DVector<f64>, &DVector<f64>),
-    motion: M,
+    motion: &mut dyn DifferentiableRhs,
     parameters: &[ParamId],
-    mut each: impl FnMut(PointResidual<'_>),
+    each: &mut dyn FnMut(PointResidual<'_>),
 ) -> Result<(), FlightError> {
     let columns = JacobianColumns::new(observations, motion.jacobian_pattern(), parameters);
     let pass = TrajectoryPass {

@@ -130,13 +130,7 @@ pub(crate) fn combine<X: StateVector, const M: usize>(
     let from = &from.as_ref()[..n];
     let k = slices(k, n);
     if n >= simd::MIN_SIMD_LEN {
-        return lanes::dispatch(simd::Combine {
-            to,
-            from,
-            h,
-            weights,
-            k,
-        });
+        return simd::combine(to, from, h, &weights, &k);
     }
     for i in 0..n {
         let mut sum = weights[0] * k[0][i];

@@ -6,14 +6,34 @@ use lanes::{Kernel, Lanes};
 /// Minimum state length for which SIMD kernels are used; for shorter states the scalar loops are faster.
 pub(crate) const MIN_SIMD_LEN: usize = 64;
 
+/// Computes the argument of a Runge–Kutta stage: `to = from + h Σ weight · k`. All slices of numbers have one length.
+// Not generic, so that programs do not compile the kernels again for each of their right-hand sides.
+pub(crate) fn combine(to: &mut [f64], from: &[f64], h: f64, weights: &[f64], k: &[&[f64]]) {
+    macro_rules! stages {
+        ($($count:literal)*) => {
+            match k.len() {
+                $($count => {
+                    let mut of = ([0.0; $count], [&[] as &[f64]; $count]);
+                    of.0.copy_from_slice(weights);
+                    of.1.copy_from_slice(k);
+                    let (weights, k) = of;
+                    lanes::dispatch(Combine { to, from, h, weights, k });
+                })*
+                count => unreachable!("a stage of {count} derivatives"),
+            }
+        };
+    }
+    stages!(1 2 3 4 5 6 7 8 9);
+}
+
 /// Kernel that computes the argument of a Runge–Kutta stage: `to = from + h Σ weight · k`, where `k` are derivatives
 /// computed by earlier stages.
-pub(crate) struct Combine<'a, const M: usize> {
-    pub to: &'a mut [f64],
-    pub from: &'a [f64],
-    pub h: f64,
-    pub weights: [f64; M],
-    pub k: [&'a [f64]; M],
+struct Combine<'a, const M: usize> {
+    to: &'a mut [f64],
+    from: &'a [f64],
+    h: f64,
+    weights: [f64; M],
+    k: [&'a [f64]; M],
 }
 
 impl<const M: usize> Kernel for Combine<'_, M> {

@@ -32,6 +32,35 @@ pub trait DifferentiableRhs {
     }
 }
 
+impl<M: DifferentiableRhs + ?Sized> DifferentiableRhs for &mut M {
+    fn states(&self) -> usize {
+        (**self).states()
+    }
+
+    fn jacobian_pattern(&self) -> &[(usize, usize)] {
+        (**self).jacobian_pattern()
+    }
+
+    fn parameter_jacobian_pattern(&self) -> &[(usize, usize)] {
+        (**self).parameter_jacobian_pattern()
+    }
+
+    fn derivative_with_jacobians(
+        &mut self,
+        t: f64,
+        x: &[f64],
+        dx: &mut [f64],
+        jacobian: &mut [f64],
+        parameter_jacobian: &mut [f64],
+    ) {
+        (**self).derivative_with_jacobians(t, x, dx, jacobian, parameter_jacobian);
+    }
+
+    fn state_name(&self, state: usize) -> Cow<'_, str> {
+        (**self).state_name(state)
+    }
+}
+
 /// Padding of the rows of the sensitivity matrix S: the length of a row is a multiple of this number of elements, so
 /// that a row consists of whole SIMD vectors on every machine.
 const PADDING: usize = 8;
