@@ -1,8 +1,6 @@
 //! Mutants are models too, thousands of odd ones: the compiler must get each of them right.
 
-mod support;
-
-use support::{QUICK, built_in};
+use crate::support::{QUICK, built_in};
 use verify::Options;
 use verify::checks::{derivatives, reference};
 use verify::engine::Engine;

@@ -7,8 +7,7 @@ use verify::Options;
 use verify::checks::effect_reference::compare;
 use verify::values::Values;
 
-mod support;
-use support::QUICK;
+use crate::support::QUICK;
 
 /// Models with a reference law.
 const MODELS: [&str; 4] = ["disc", "disc_quaternion", "discus", "ball"];

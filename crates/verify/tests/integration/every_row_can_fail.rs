@@ -1,13 +1,11 @@
 //! Every row of a report can fail: for each check a breakage of the code or of the model, of a built-in model and of one of
 //! a user's own, that this very check lets through no longer. A row without a breakage fails the test.
 
-mod support;
-
+use crate::support::{QUICK, built_in, row as row_of};
 use codegen::Compiled;
 use model_spec::load::{Loaded, inspect_text};
 use model_spec::model::Model;
 use std::collections::BTreeSet;
-use support::{QUICK, built_in, row as row_of};
 use verify::Options;
 use verify::checks::backends::{self, Run};
 use verify::checks::claim::CLAIM;

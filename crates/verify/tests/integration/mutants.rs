@@ -1,8 +1,6 @@
 //! Every plausible mistake in a model is noticed.
 
-mod support;
-
-use support::{QUICK, built_in, with_lines};
+use crate::support::{QUICK, built_in, with_lines};
 use verify::Options;
 use verify::mutants::status::MutantStatus;
 use verify::mutants::{MutationMatrix, mutants};

@@ -1,9 +1,7 @@
 //! What effects may add to a model, under every check: states of each flight, a clock, products of inertia.
 
-mod support;
-
+use crate::support::{QUICK, built_in, refuted, row};
 use model_spec::load::{Loaded, inspect_text};
-use support::{QUICK, built_in, refuted, row};
 use verify::checks::{cases, derivatives, effects, exact, identities, metamorphic, reference};
 use verify::flights::{INVARIANTS, MOMENTA};
 use verify::report::{Report, Verdict};

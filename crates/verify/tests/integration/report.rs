@@ -1,8 +1,6 @@
 //! What a report says, and that it says the same again.
 
-mod support;
-
-use support::{QUICK, built_in, refuted, row, with_lines};
+use crate::support::{self, QUICK, built_in, refuted, row, with_lines};
 use verify::checks::{metamorphic, reference};
 use verify::report::{Measure, Report, Verdict};
 use verify::{Options, run};

@@ -1,9 +1,7 @@
 //! Every check holds of every model with every effect of the catalogue switched on.
 
-mod support;
-
+use crate::support::{QUICK, refuted};
 use model_spec::load::{EFFECTS, inspect, load};
-use support::{QUICK, refuted};
 use verify::Options;
 
 const MODELS: [&str; 4] = ["disc", "disc_quaternion", "discus", "ball"];

@@ -1,9 +1,7 @@
 //! Stated equations held to the body that they are claimed to be about: right ones are not refuted, wrong ones are named.
 
-mod support;
-
+use crate::support::{QUICK, built_in, row};
 use model_spec::load::{Loaded, inspect_text};
-use support::{QUICK, built_in, row};
 use verify::Options;
 use verify::checks::claim::CLAIM;
 use verify::checks::{exact, identities, metamorphic, reference};

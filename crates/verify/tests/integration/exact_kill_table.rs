@@ -1,14 +1,12 @@
 //! Kill table of the exact check of f, J and Jp: of seeded mutants of the compiled programs, every one that changes a value
 //! is refuted by this check alone.
 
-mod support;
-
+use crate::support::{QUICK, TOP, built_in, results};
 use codegen::Compiled;
 use codegen::program::{Binary, Function, Fused, Op, Operand, Program, Unary};
 use model_spec::load::{MODELS, from_text};
 use model_spec::model::Model;
 use std::time::Instant;
-use support::{QUICK, TOP, built_in, results};
 use verify::checks::exact_functions::check;
 use verify::random::Random;
 use verify::report::Verdict;

@@ -1,8 +1,6 @@
 //! The disc in three forms is one motion; the printed appendix is another.
 
-mod support;
-
-use support::{QUICK, built_in};
+use crate::support::{QUICK, built_in};
 use verify::report::Verdict;
 use verify::same_motion;
 

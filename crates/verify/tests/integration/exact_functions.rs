@@ -1,12 +1,10 @@
 //! The exact check of f, J and Jp: it holds for right code, and refutes alone every change of the code that changes a value.
 
-mod support;
-
+use crate::support::{QUICK, built_in, edited, results};
 use codegen::Compiled;
 use codegen::program::{Binary, Function, Fused, Op, Unary};
 use model_spec::load::MODELS;
 use model_spec::model::Model;
-use support::{QUICK, built_in, edited, results};
 use verify::checks::exact_functions::check;
 use verify::random::Random;
 use verify::report::Verdict;

@@ -2,13 +2,11 @@
 //! its quantities are.
 //!
 //! A mutant of a force law that the author alone states is another model, not a wrong one; what tells it is the author's own
-//! worked example, a `check` case with all derivatives at one state. The cases of `tests/models` were worked outside of this
+//! worked example, a `check` case with all derivatives at one state. The cases of `tests/integration/models` were worked outside of this
 //! repository from the laws as the models' documentation states them.
 
-mod support;
-
+use crate::support::{self, row};
 use model_spec::load::{Loaded, inspect_text};
-use support::row;
 use verify::Options;
 use verify::checks::claim::CLAIM;
 use verify::checks::{identities, metamorphic, reference};
@@ -36,7 +34,7 @@ fn studied(name: &str) -> String {
 
 /// A model of the studies with its author's worked example.
 fn worked(name: &str) -> String {
-    studied(name) + &file(&format!("tests/models/{name}_case.hyz"))
+    studied(name) + &file(&format!("tests/integration/models/{name}_case.hyz"))
 }
 
 /// A text without its claim.

@@ -1,12 +1,10 @@
 //! What a change of a model does: rewritings are the same function, and the derivative that a mutant changes is named.
 
-mod support;
-
+use crate::support::built_in;
 use model_spec::load::{MODELS, from_text};
 use model_spec::model::Model;
 use model_spec::syntax::ast::{BinaryOp, Expr, ExprKind, File, Item, ItemKind, Name};
 use oracle::{Point, derivatives};
-use support::built_in;
 use verify::difference::{Change, Difference, DifferenceOptions, Sameness, compare};
 use verify::mutants::mutants;
 use verify::random::Random;

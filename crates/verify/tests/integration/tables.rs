@@ -1,13 +1,11 @@
 //! Tables: the compiler's cubics against the oracle's, and a wrong table in compiled code is found.
 
-mod support;
-
+use crate::support::QUICK;
 use codegen::table::PiecewiseCubic;
 use model_spec::load::from_text;
 use model_spec::model::{Continuation, Interpolation, Model};
 use oracle::Interpolant;
 use proptest::prelude::*;
-use support::QUICK;
 use verify::checks::{derivatives, exact_functions, reference};
 use verify::difference::{DifferenceOptions, compare};
 use verify::engine::Engine;

@@ -1,8 +1,6 @@
 //! The appendix as it was printed: which equations are wrong, in which terms, and by which check.
 
-mod support;
-
-use support::{QUICK, built_in, edited, refuted, row};
+use crate::support::{QUICK, built_in, edited, refuted, row};
 use verify::checks::{reference, units};
 use verify::report::Verdict;
 

@@ -1,9 +1,7 @@
 //! What holds, holds for every seed.
 
-mod support;
-
+use crate::support::{QUICK, built_in, refuted};
 use proptest::prelude::*;
-use support::{QUICK, built_in, refuted};
 use verify::Options;
 
 proptest! {

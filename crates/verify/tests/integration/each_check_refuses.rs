@@ -1,10 +1,8 @@
 //! Every check can fail: for each a model with a line changed, or code of another model, that this very
 //! check refuses, and the model as it is that it lets through.
 
-mod support;
-
+use crate::support::{QUICK, built_in, edited, row, verdict, with_lines};
 use model_spec::model::Model;
-use support::{QUICK, built_in, edited, row, verdict, with_lines};
 use verify::checks::{
     backends, cases, derivatives, effects, exact, identities, reference, singular,
 };

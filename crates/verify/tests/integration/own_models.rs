@@ -1,9 +1,7 @@
 //! Models of a user's own: right ones are never refuted, and what could not be checked is said, in words and in the outcome.
 
-mod support;
-
+use crate::support::{QUICK, TOP, built_in, edited, row, with_lines};
 use model_spec::load::{Loaded, inspect_text};
-use support::{QUICK, TOP, built_in, edited, row, with_lines};
 use verify::checks::backends::GENERATED;
 use verify::checks::{exact, identities, metamorphic, reference, singular};
 use verify::flights::{INVARIANTS, MOMENTA};

@@ -1,14 +1,12 @@
 //! General effects on models that are not built in: every check of effects holds, and each load is what its text says, by
 //! vectors written here.
 
-mod support;
-
+use crate::support::{QUICK, row};
 use model_spec::compose::{ModelTree, known_effects};
 use model_spec::load::{Loaded, inspect};
 use model_spec::model::Model;
 use nalgebra::Vector3;
 use oracle::{Point, derivatives};
-use support::{QUICK, row};
 use verify::Options;
 use verify::checks::{derivatives as compiled, effects, metamorphic, reference, singular};
 use verify::report::Verdict;

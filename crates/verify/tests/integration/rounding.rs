@@ -1,12 +1,10 @@
 //! Rounding: every backend is within some ulp of arithmetic of 256 bits, and a statement that loses digits is named.
 
-mod support;
-
+use crate::support::{QUICK, built_in};
 use codegen::Compiled;
 use codegen::program::Operand;
 use model_spec::load::{MODELS, from_text};
 use model_spec::model::Model;
-use support::{QUICK, built_in};
 use verify::checks::backends::{self, Run};
 use verify::engine::Engine;
 use verify::random::Random;
