@@ -1,14 +1,10 @@
 //! `hyzer design` and `hyzer stability` as their users run them.
 
-#[path = "support/examples.rs"]
-mod examples;
-mod support;
-
 use std::path::Path;
 
-use examples::the_examples_run;
+use crate::support::examples::the_examples_run;
+use crate::support::{hyzer, told};
 use serde_json::Value;
-use support::{hyzer, told};
 
 #[test]
 fn the_examples_of_their_help_run() {
@@ -26,7 +22,7 @@ fn simulate_flies_the_release_of_a_design_to_its_target() {
     // A model that is not built in, with a parameter of the command line.
     let folder = tempfile::tempdir().expect("a folder");
     let (out, flown) = (folder.path().join("designed"), folder.path().join("flown"));
-    let model = "crates/design/tests/support/plate.hyz";
+    let model = "crates/design/tests/integration/support/plate.hyz";
     let arguments = [
         "design",
         "--goal",

@@ -11,7 +11,7 @@ use flight::release::{Release, Vocabulary, read_in_wind};
 use model_spec::model::Model;
 use ode::{IntegrationOptions, Method};
 
-const PLATE: &str = include_str!("../../../design/tests/support/plate.hyz");
+const PLATE: &str = include_str!("../../../../design/tests/integration/support/plate.hyz");
 
 /// Built-in models, and a user's own, in which no `air` is named.
 const MODELS: [&str; 6] = [

@@ -1,11 +1,9 @@
 //! Bounds files: what they state, and the faults of broken ones with their places.
 
-mod support;
-
 use design::{Bounds, Side};
 use flight::throw::FIELDS;
 
-use support::body;
+use crate::support::body;
 
 #[test]
 fn a_file_changes_what_it_states() {

@@ -1,12 +1,10 @@
 //! Spread of landings: linear and sampled agree where they should, and the case where they do not is told.
 
-mod support;
-
 use design::{CoefficientErrors, SampleOptions, Scatter, Scattered, spread};
 use flight::throw::{FIELDS, Throw};
 use nalgebra::{Matrix2, Vector2};
 
-use support::body;
+use crate::support::body;
 
 fn field(name: &str) -> usize {
     FIELDS

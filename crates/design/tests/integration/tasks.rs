@@ -1,7 +1,5 @@
 //! Ten stated tasks, each solved and confirmed by a flight of the oracle; two impossible ones; nothing better by random search.
 
-mod support;
-
 use std::time::Instant;
 
 use design::{
@@ -13,7 +11,7 @@ use ode::IntegrationOptions;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use support::{body, distance, oracle_path, plate};
+use crate::support::{body, distance, oracle_path, plate};
 
 /// Difference from the oracle's flight, m: its own step is 1 ms.
 const CONFIRMED: f64 = 0.01;

@@ -1,7 +1,5 @@
 //! Flights by the oracle's vector mechanics and the classic Runge–Kutta method: nothing that `design` flies with takes part.
 
-#![allow(dead_code, reason = "each test program uses its part")]
-
 use design::{ThrowFlights, ThrownBody};
 use flight::throw::Throw;
 use nalgebra::Vector3;

@@ -1,7 +1,6 @@
 //! Throws in winds by height and gusts: derivatives of landings, scatter of the wind, and the release that is written.
 
-mod support;
-
+use crate::support;
 use design::{Bounds, By, Goal, Scattered, SearchOptions, ThrownBody, design, landing_covariance};
 use flight::release::{Release, Stop, Vocabulary, read_in_wind};
 use flight::throw::Throw;
