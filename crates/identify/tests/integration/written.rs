@@ -1,7 +1,5 @@
 //! A dataset that is written is read back as it was, and nothing is overwritten.
 
-mod support;
-
 use std::collections::BTreeMap;
 use std::io::ErrorKind;
 use std::path::Path;

@@ -1,12 +1,10 @@
 //! What a good dataset may look like, and that no other makes the reader panic or wait.
 
-mod support;
-
 use std::time::{Duration, Instant};
 
+use crate::support::{MANIFEST, TABLE, folder, read, read_both};
 use identify::dataset::{KnownValue, Role};
 use proptest::prelude::*;
-use support::{MANIFEST, TABLE, folder, read, read_both};
 
 #[test]
 fn a_good_dataset_is_read_whole() {

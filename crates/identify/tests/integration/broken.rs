@@ -1,12 +1,10 @@
 //! Broken datasets, each refused with its file, its place, what was found and what was expected.
 
-mod support;
-
 use std::fmt::Write;
 use std::path::Path;
 
-use support::c3d::File;
-use support::{MANIFEST, TABLE, folder, read, read_both};
+use crate::support::c3d::File;
+use crate::support::{MANIFEST, TABLE, folder, read, read_both};
 
 /// Messages under the names of what is broken.
 fn told(cases: Vec<(&str, Result<identify::dataset::Dataset, String>)>) -> String {

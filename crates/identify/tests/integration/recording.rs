@@ -1,8 +1,6 @@
 //! Tables that are written in other units and along other axes: the section `[recording]` of a dataset.
 
-mod support;
-
-use support::{MANIFEST, read_both};
+use crate::support::{MANIFEST, read_both};
 use takes::{Axis, Take};
 
 /// Positions in m along right-handed axes with z up, at times in s.

@@ -1,8 +1,6 @@
 //! One motion in every format: each reader gives the same positions, poses and times.
 
-mod support;
-
-use support::{LABELS, RATE, SAMPLES, attitude, read, truth};
+use crate::support::{self, LABELS, RATE, SAMPLES, attitude, read, truth};
 use takes::{Axis, Format, LengthUnit, ReadOptions, Take, TimeUnit};
 
 fn options() -> ReadOptions {

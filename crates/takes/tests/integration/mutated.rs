@@ -1,12 +1,10 @@
 //! Spoiled files are read or refused; none ends in a panic, takes long, or gives more than it holds.
 
-mod support;
-
 use std::time::{Duration, Instant};
 
+use crate::support::{self, read};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use support::read;
 use takes::{LengthUnit, ReadOptions, ThrowOptions, TimeUnit, find_throws};
 
 /// Spoiled files of each kind; with those of the ten kinds, 20,000.

@@ -1,9 +1,6 @@
 //! The template is found from free flights that an integrator of the test's own made.
 
-#[path = "support/spun.rs"]
-mod spun;
-
-use spun::{Flights, Plan, USUAL, flights};
+use crate::support::spun::{Flights, Plan, USUAL, flights};
 use takes::{CentreHeight, EstimatedTemplate, FreeFlight, TemplateError, estimate_template};
 
 fn labels(count: usize) -> Vec<String> {

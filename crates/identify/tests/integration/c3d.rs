@@ -1,12 +1,10 @@
 //! C3D files are read as they were written, and no spoiled one does harm.
 
-mod support;
-
 use std::time::{Duration, Instant};
 
+use crate::support::c3d::File;
+use crate::support::{folder, read};
 use identify::dataset::Dataset;
-use support::c3d::File;
-use support::{folder, read};
 
 const MANIFEST: &str = r#"model = "disc"
 [[markers]]

@@ -1,12 +1,8 @@
 //! Throws of made recordings are cut where they were released and where they ended.
 
-mod support;
-#[path = "support/thrown.rs"]
-mod thrown;
-
-use support::read;
+use crate::support::read;
+use crate::support::thrown::{End, Made, recording};
 use takes::{Axis, Cause, ReadOptions, Take, ThrowOptions, find_throws};
-use thrown::{End, Made, recording};
 
 /// Greatest difference from the truth, samples.
 const WITHIN: f64 = 3.0;

@@ -1,9 +1,6 @@
 //! A recording of nothing but a free flight is one throw from its first sample to its last.
 
-#[path = "support/clean.rs"]
-mod clean;
-
-use clean::clean_flight;
+use crate::support::clean::clean_flight;
 use takes::{Cause, ThrowOptions, find_throws};
 
 #[test]

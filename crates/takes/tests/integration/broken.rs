@@ -1,10 +1,8 @@
 //! Malformed recordings, each refused with its file, its place, what was found and what was expected.
 
-mod support;
-
 use std::fmt::Write;
 
-use support::read;
+use crate::support::{self, read};
 use takes::{Format, LengthUnit, ReadOptions};
 
 /// Messages under the names of what is malformed.

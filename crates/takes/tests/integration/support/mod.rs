@@ -1,8 +1,10 @@
 //! Recordings made for tests: one motion in every format.
-#![allow(dead_code, reason = "each test takes what it needs")]
 
-#[path = "../../../identify/tests/support/c3d.rs"]
+#[path = "../../../../identify/tests/integration/support/c3d.rs"]
 pub mod c3d;
+pub mod clean;
+pub mod spun;
+pub mod thrown;
 
 use std::path::Path;
 

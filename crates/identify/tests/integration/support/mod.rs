@@ -1,5 +1,4 @@
 //! Datasets made for tests.
-#![allow(dead_code, reason = "each test takes what it needs")]
 
 pub mod c3d;
 
