@@ -1,12 +1,10 @@
 //! Exact derivatives against dual numbers that run through the tape of the value alone.
 
-mod support;
-
+use crate::support::{self, Dual, Random, model, point};
 use codegen::program::{Function, Program};
 use codegen::tape::{Inputs, Tape};
 use codegen::{Compiled, compile};
 use lanes::Real;
-use support::{Dual, Random, model, point};
 
 struct Point<'a> {
     t: f64,

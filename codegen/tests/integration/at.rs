@@ -1,13 +1,11 @@
 //! A model compiled at given values of some parameters is the model, evaluated there.
 
-mod support;
-
+use crate::support::{Random, point, zoo};
 use codegen::program::Function;
 use codegen::tape::{Inputs, Tape};
 use codegen::{Compiled, Effort, Selection, compile, compile_at};
 use model_spec::load::{EFFECTS, load};
 use model_spec::model::Model;
-use support::{Random, point, zoo};
 
 /// A model with every effect that can be switched on in it.
 fn with_all_effects(name: &str) -> Model {

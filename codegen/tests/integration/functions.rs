@@ -8,7 +8,10 @@ fn the_zoo_and_the_page_of_the_language_have_every_function() {
     let read = |path: &str| {
         std::fs::read_to_string(format!("{folder}/{path}")).expect("a file of the repository")
     };
-    let (zoo, page) = (read("tests/zoo/zoo.hyz"), read("../docs/language.md"));
+    let (zoo, page) = (
+        read("tests/integration/zoo/zoo.hyz"),
+        read("../docs/language.md"),
+    );
     let rows: Vec<&str> = page
         .lines()
         .filter(|line| line.starts_with("| `"))
@@ -16,7 +19,7 @@ fn the_zoo_and_the_page_of_the_language_have_every_function() {
     for (name, _) in Function::NAMES {
         assert!(
             zoo.contains(&format!("{name}(")),
-            "codegen/tests/zoo/zoo.hyz lacks {name}"
+            "codegen/tests/integration/zoo/zoo.hyz lacks {name}"
         );
         let is_name = |word: &str| word == name;
         let is_listed = |row: &&str| row.split(|c: char| !c.is_alphanumeric()).any(is_name);

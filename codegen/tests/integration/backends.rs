@@ -1,14 +1,12 @@
 //! The scalar tape, the tape over lanes and the committed Rust code perform the same operations in the same order:
 //! their results are bit-identical.
 
-mod support;
-
+use crate::support::{self, Random, model, point};
 use codegen::backend::SourceFile;
 use codegen::tape::{Inputs, Tape};
 use codegen::tape_model::{At, Scratch};
 use codegen::{Compiled, TapeModel, compile};
 use lanes::{Kernel, Lanes, ScalarKernel, ScalarLane, dispatch, dispatch_scalar};
-use support::{Random, model, point};
 
 #[allow(non_snake_case, clippy::all)]
 #[rustfmt::skip]
@@ -89,7 +87,7 @@ fn every_function_agrees_as_rust_and_on_the_tape() {
     let compiled = compile(&zoo);
     for SourceFile { path, text } in codegen::rust::emit(&compiled, &zoo) {
         let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
-            .join("tests")
+            .join("tests/integration")
             .join(&path);
         if !["zoo/f_jac_par.rs", "zoo/prepare.rs", "zoo/tables.rs"].contains(&path.as_str()) {
             continue;

@@ -1,5 +1,4 @@
 //! Shared by the tests: dual numbers as lanes, random states, models.
-#![allow(dead_code)]
 
 use lanes::{ElementaryFunction, Real};
 use model_spec::model::Model;

@@ -1,13 +1,11 @@
 //! Generated code: its text, its operation counts, its determinism.
 
-mod support;
-
+use crate::support::{self, model};
 use codegen::backend::{BACKENDS, SourceFile};
 use codegen::count::count;
 use codegen::{Selection, compile, compile_for, generate};
 use model_spec::model::Model;
 use std::path::Path;
-use support::model;
 
 fn all() -> Vec<Model> {
     support::models().into_iter().map(model).collect()
