@@ -1,8 +1,7 @@
 //! The opening of the page of a diagnosis, the bands of its predictions, and the viewer, from the flights of
 //! `examples/mystery`.
 
-mod browser;
-
+use crate::browser;
 use std::sync::OnceLock;
 
 use diagnose::{Diagnosis, DiagnosisOptions, Verdict, diagnose};

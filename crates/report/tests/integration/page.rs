@@ -1,7 +1,6 @@
 //! The page of a fit, made from reports that never were.
 
-mod made;
-
+use crate::made;
 use std::collections::BTreeMap;
 
 use identify::{FitReport, FlightEvidence};

@@ -1,7 +1,6 @@
 //! The methods do what their orders promise.
 
-mod disc;
-
+use crate::disc;
 use ode::{IntegrationOptions, Method, integrate, integrate_at, integrate_to_end, rhs_from_fn};
 use proptest::prelude::*;
 

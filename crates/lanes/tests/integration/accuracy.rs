@@ -5,11 +5,9 @@
 // Tables of reference values.
 #![allow(clippy::approx_constant)]
 
-mod support;
-
+use crate::support::{REFERENCE_VALUES, standard};
 use lanes::{ElementaryFunction, Real};
 use proptest::prelude::*;
-use support::{REFERENCE_VALUES, standard};
 
 /// Distance of two numbers in units in the last place (ulp).
 fn ulps(a: f64, b: f64) -> u64 {

@@ -1,10 +1,7 @@
 //! The page of a diagnosis, made from reports that never were.
 
-#[allow(dead_code)]
-mod found;
-#[allow(dead_code)]
-mod made;
-
+use crate::found;
+use crate::made;
 use diagnose::{Report, Verdict};
 use identify::FlightEvidence;
 use identify::dataset::Role;

@@ -1,7 +1,6 @@
 //! Events are found where they are, and flights that cannot be flown say why.
 
-mod disc;
-
+use crate::disc;
 use ode::{
     Event, IntegrationError, IntegrationFailure, IntegrationOptions, Method, integrate,
     integrate_at, integrate_to_end, integrate_to_event, rhs_from_fn,
