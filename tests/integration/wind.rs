@@ -1,8 +1,6 @@
 //! Winds by height and gusts by the commands: `--wind FILE`, `[wind]` of releases, and who refuses them.
 
-mod support;
-
-use support::{hyzer, told};
+use crate::support::{hyzer, told};
 
 const GUSTY: &str = "examples/throws/gusty.toml";
 

@@ -1,17 +1,13 @@
 //! `hyzer sweep`: the same bits however the work is divided, a run that was killed goes on, and faults of plans are named.
 
-#[path = "support/examples.rs"]
-mod examples;
-mod support;
-
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
 use std::time::Duration;
 
-use examples::the_examples_run;
+use crate::support::examples::the_examples_run;
+use crate::support::{hyzer, told};
 use serde_json::Value;
-use support::{hyzer, told};
 
 /// A model of a user's own, and a plan of it beside it.
 const LEAF: &str = "model leaf;
@@ -426,7 +422,7 @@ fn faults_of_a_plan_are_named_with_their_place() {
     assert_eq!(fs::read_dir(&full).expect("a folder").count(), 1);
 }
 
-/// A million flights in constant memory; minutes, hence `cargo test --release --test sweep -- --ignored`.
+/// A million flights in constant memory; minutes, hence `cargo test --release --test integration sweep:: -- --ignored`.
 #[test]
 #[ignore = "minutes"]
 #[cfg(target_os = "linux")]

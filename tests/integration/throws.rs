@@ -1,13 +1,9 @@
 //! `hyzer simulate` of throws: by options, from `[throw]`, from a launch monitor's table.
 
-#[path = "support/examples.rs"]
-mod examples;
-mod support;
-
 use std::path::Path;
 
-use examples::the_examples_run;
-use support::{hyzer, told};
+use crate::support::examples::the_examples_run;
+use crate::support::{hyzer, told};
 
 const TECHDISC: &str = "examples/throws/techdisc.csv";
 

@@ -1,11 +1,9 @@
 //! Certificates by the program: written, checked, and named on the pages of a fit.
 
-mod support;
-
 use std::fs;
 use std::path::Path;
 
-use support::{hyzer, told};
+use crate::support::{hyzer, told};
 
 const KITE: &str = "model kite; param g0 = 9.81 m/s^2; param k = 0.3 1/s; frame N;
 state z = 1 m; state v = 0 m/s; der(z) = v; der(v) = -g0 - k*v;";

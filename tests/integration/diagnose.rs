@@ -1,13 +1,9 @@
 //! `hyzer diagnose` as its users run it.
 
-#[path = "support/examples.rs"]
-mod examples;
-mod support;
-
 use std::path::Path;
 
-use examples::the_examples_run;
-use support::{hyzer, told};
+use crate::support::examples::the_examples_run;
+use crate::support::{hyzer, told};
 
 fn report(out: &Path) -> serde_json::Value {
     let text = std::fs::read(out.join("report.json")).expect("a report");

@@ -1,5 +1,7 @@
 //! The program run as its users run it, in the repository.
 
+pub mod examples;
+
 use std::process::Command;
 
 use assert_cmd::cargo::CommandCargoExt;

@@ -1,15 +1,11 @@
 //! `hyzer fit` as its users run it.
 
-#[path = "support/examples.rs"]
-mod examples;
-mod support;
-
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-use examples::the_examples_run;
-use support::{hyzer, told};
+use crate::support::examples::the_examples_run;
+use crate::support::{hyzer, told};
 
 #[test]
 fn the_readme_s_command_writes_a_page_that_needs_no_network() {

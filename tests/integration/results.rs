@@ -1,13 +1,11 @@
 //! Results in a folder: they carry what was found, and appear whole or not at all.
 
-mod support;
-
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
 use std::time::{Duration, Instant};
 
-use support::{hyzer, told};
+use crate::support::{hyzer, told};
 
 fn read(path: &Path) -> String {
     std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))

@@ -1,15 +1,12 @@
 //! Ctrl-C and SIGTERM end every command within a second, whatever it is at.
 #![cfg(unix)]
 
-#[allow(dead_code)]
-mod support;
-
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-use support::{hyzer, told};
+use crate::support::{hyzer, told};
 
 /// Exit status of an interrupted program.
 const INTERRUPTED: i32 = 130;

@@ -1,16 +1,12 @@
 //! `hyzer import` as its users meet it: recordings become datasets that `hyzer fit` takes.
 
-#[path = "support/examples.rs"]
-mod examples;
-mod support;
-
 use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;
 
-use examples::the_examples_run;
+use crate::support::examples::the_examples_run;
+use crate::support::{hyzer, told};
 use identify::dataset::{Dataset, Flight};
-use support::{hyzer, told};
 
 const TEMPLATE: &str = "examples/disc/dataset.toml";
 

@@ -1,9 +1,6 @@
 //! The program as its users meet it: commands, exit statuses, files.
 
-#[path = "support/examples.rs"]
-mod examples;
-mod support;
-
+use crate::support::examples;
 use std::path::{Path, PathBuf};
 
 use assert_cmd::Command;
