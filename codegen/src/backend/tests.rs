@@ -177,7 +177,7 @@ fn a_backend_of_one_file_agrees_with_the_tape() {
         eprintln!("no C compiler: skipped");
         return;
     }
-    let zoo = include_str!("../../tests/zoo/zoo.hyz");
+    let zoo = include_str!("../../tests/integration/zoo/zoo.hyz");
     let model = load::from_text("zoo", zoo, &[]).unwrap();
     let compiled = compile(&model);
     let [file] = C.emit(&model, &compiled).try_into().unwrap();

@@ -1,7 +1,7 @@
 //! Prints the time of each function per number, ns, for each instruction set: `cargo run --release -p hyzer-lanes
 //! --example speed`.
 
-#[path = "../tests/support/mod.rs"]
+#[path = "../tests/integration/support/mod.rs"]
 mod support;
 
 use lanes::{ElementaryFunction, Isa, Kernel, Lanes, Real, dispatch_with};

@@ -1,6 +1,6 @@
 //! Prints the time per integration: `cargo run --release -p hyzer-ode --example integration_speed`.
 
-#[path = "../tests/disc/mod.rs"]
+#[path = "../tests/integration/disc/mod.rs"]
 mod disc;
 
 use ode::{DifferentiableRhs, Sensitivities};

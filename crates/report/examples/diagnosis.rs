@@ -1,10 +1,10 @@
 //! The page of a diagnosis that never was, to look at:
 //! `cargo run -p hyzer-report --example diagnosis -- FOLDER [VERDICT [FLIGHTS]]`.
 
-#[path = "../tests/found/mod.rs"]
+#[path = "../tests/integration/found/mod.rs"]
 mod found;
 #[allow(dead_code)]
-#[path = "../tests/made/mod.rs"]
+#[path = "../tests/integration/made/mod.rs"]
 mod made;
 
 use std::path::PathBuf;

@@ -1,6 +1,6 @@
 //! The page of a fit that never was, to look at: `cargo run -p hyzer-report --example page -- FOLDER [FLIGHTS]`.
 
-#[path = "../tests/made/mod.rs"]
+#[path = "../tests/integration/made/mod.rs"]
 mod made;
 
 use std::path::PathBuf;

@@ -1,0 +1,9 @@
+//! Compiled code: its values and derivatives on every backend, and its text.
+
+mod at;
+mod backends;
+mod code;
+mod derivatives;
+mod functions;
+mod simplify;
+mod support;

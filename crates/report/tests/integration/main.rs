@@ -1,0 +1,9 @@
+//! The pages of a fit, a diagnosis and an import.
+
+mod browser;
+mod diagnosis;
+mod finding;
+mod found;
+mod import;
+mod made;
+mod page;

@@ -1,0 +1,370 @@
+//! The page of a fit, made from reports that never were.
+
+use crate::made;
+use std::collections::BTreeMap;
+
+use identify::{FitReport, FlightEvidence};
+use model_spec::model::Model;
+use report::CertificateNote;
+use report::fit::{Figure, FitPage, html_and_figures};
+
+const TWO_MEGABYTES: usize = 2_000_000;
+
+fn disc() -> Model {
+    model_spec::load::load("disc", &[]).unwrap()
+}
+
+fn made(report: &FitReport, evidence: &[FlightEvidence]) -> (String, Vec<Figure>) {
+    let model = disc();
+    let page = FitPage {
+        fit: None,
+        report,
+        evidence,
+        model: &model,
+        dataset: "throws",
+        certificate: &CertificateNote::none(),
+    };
+    let (html, figures) = html_and_figures(&page);
+    for figure in &figures {
+        well_formed(figure);
+    }
+    loads_nothing(&html);
+    assert!(html.len() < TWO_MEGABYTES, "{} bytes", html.len());
+    (html, figures)
+}
+
+fn well_formed(figure: &Figure) {
+    let svg = roxmltree::Document::parse(&figure.svg);
+    let svg = svg.unwrap_or_else(|fault| panic!("{}: {fault}", figure.name));
+    assert_eq!(svg.root_element().tag_name().name(), "svg");
+    let safe = |c: char| c.is_ascii_alphanumeric() || c == '-';
+    assert!(figure.name.chars().all(safe), "{}", figure.name);
+    for node in svg.descendants().filter(roxmltree::Node::is_element) {
+        for attribute in node.attributes() {
+            let value = attribute.value();
+            let number = matches!(
+                attribute.name(),
+                "x" | "y" | "d" | "cx" | "cy" | "width" | "height"
+            );
+            let broken = value.contains("NaN") || value.contains("inf");
+            assert!(!number || !broken, "{}: {value}", figure.name);
+        }
+    }
+}
+
+/// Nothing that a browser would fetch.
+fn loads_nothing(html: &str) {
+    let without = html.replace("xmlns=\"http://www.w3.org/2000/svg\"", "");
+    for load in [
+        "http:", "https:", "//cdn", "url(", "@import", " src=", "<script", "<link", "<img",
+        "<iframe",
+    ] {
+        assert!(!without.contains(load), "{load}");
+    }
+}
+
+/// The words of a page, without pictures and marks.
+fn text(html: &str) -> String {
+    let body = &html[html.find("<body>").unwrap()..];
+    let (mut text, mut in_tag, mut skip) = (String::new(), false, 0);
+    let mut rest = body;
+    while let Some(c) = rest.chars().next() {
+        if rest.starts_with("<svg") {
+            skip += 1;
+        } else if rest.starts_with("</svg>") {
+            skip -= 1;
+        }
+        match c {
+            '<' => {
+                let cell = ["</td", "</th"].iter().any(|t| rest.starts_with(t));
+                text.push_str(if cell && skip == 0 { " | " } else { "" });
+                in_tag = true;
+            }
+            '>' => in_tag = false,
+            c if !in_tag && skip == 0 => text.push(c),
+            _ => {}
+        }
+        rest = &rest[c.len_utf8()..];
+    }
+    let lines = text.lines().map(|l| l.trim().trim_end_matches('|').trim());
+    lines
+        .filter(|l| !l.is_empty())
+        .collect::<Vec<_>>()
+        .join("\n")
+}
+
+#[test]
+fn the_words_of_a_page() {
+    let (html, figures) = made(&made::report(4), &made::evidence(4));
+    insta::assert_snapshot!("words", text(&html));
+    let names: Vec<String> = figures
+        .iter()
+        .map(|f| format!("{}: {}", f.name, f.title))
+        .collect();
+    insta::assert_snapshot!("figures", names.join("\n"));
+}
+
+#[test]
+fn the_same_report_gives_the_same_page() {
+    let (report, evidence) = (made::report(9), made::evidence(5));
+    assert_eq!(made(&report, &evidence), made(&report, &evidence));
+}
+
+#[test]
+fn names_from_outside_are_escaped() {
+    const EVIL: &str = "<script>alert(1)</script>\"'&\u{1}\u{ffff}";
+    let (mut report, mut evidence) = (made::report(8), made::evidence(3));
+    report.model = EVIL.into();
+    report.schema = EVIL.into();
+    report.effects = vec![EVIL.into()];
+    report.undetermined[0].why = EVIL.into();
+    report.undetermined[0].combination = vec![EVIL.into()];
+    report.flights[1].file = EVIL.into();
+    report.flights[2].notes = vec![EVIL.into()];
+    report.profiles[0].name = EVIL.into();
+    report.seconds.insert(EVIL.into(), 1.0);
+    let mut coefficient = report.coefficients["C_L0"].clone();
+    coefficient.unit = EVIL.into();
+    report.coefficients.insert(EVIL.into(), coefficient);
+    let row = report.correlations["C_L0"].clone();
+    report.correlations.insert(EVIL.into(), row);
+    let axis = report.residuals["x"].clone();
+    report.residuals = BTreeMap::from([(EVIL.into(), axis)]);
+    report
+        .noise
+        .axes
+        .insert(format!("a{EVIL}"), report.noise.axes["x"]);
+    evidence[0].file = EVIL.into();
+    evidence[0].markers[0] = EVIL.into();
+    evidence[0].state_names[0] = EVIL.into();
+    let model = disc();
+    let page = FitPage {
+        fit: None,
+        report: &report,
+        evidence: &evidence,
+        model: &model,
+        dataset: EVIL,
+        certificate: &CertificateNote::changed(EVIL.into(), None, vec![EVIL.into()]),
+    };
+    let (html, figures) = html_and_figures(&page);
+    loads_nothing(&html);
+    assert!(html.contains("&lt;script&gt;alert(1)"));
+    figures.iter().for_each(well_formed);
+}
+
+#[test]
+fn what_is_no_number_breaks_nothing() {
+    for bad in [
+        f64::NAN,
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+        0.0,
+        1e300,
+        -1e-300,
+    ] {
+        let (mut report, mut evidence) = (made::report(9), made::evidence(2));
+        report.rms_m = bad;
+        report.noise.sigma_m = bad;
+        report.noise.ar1 = bad;
+        report.noise.interval_s = bad;
+        report.noise.outlier_fraction = bad;
+        for axis in report.noise.axes.values_mut() {
+            axis.sigma_m = bad;
+        }
+        for (i, coefficient) in report.coefficients.values_mut().enumerate() {
+            match i {
+                0 => coefficient.value = bad,
+                1 => coefficient.std_error = bad,
+                2 => coefficient.interval = [bad, bad],
+                3 => coefficient.std_error_clustered = Some(bad),
+                4 => coefficient.model_value = bad,
+                _ => coefficient.prior = Some([bad, bad]),
+            }
+        }
+        report.correlations.values_mut().for_each(|row| {
+            row.values_mut().for_each(|v| *v = bad);
+        });
+        report.flights.iter_mut().for_each(|f| f.rms_m = Some(bad));
+        report.undetermined[0].relative_error = bad;
+        report.undetermined[0].weights.insert("C_L0".into(), bad);
+        for profile in &mut report.profiles {
+            profile.points[3] = [bad, bad];
+            profile.interval[0] = Some(bad);
+        }
+        for axis in report.residuals.values_mut() {
+            axis.autocorrelation[2] = bad;
+            axis.band = bad;
+            axis.quantiles[5] = [bad, bad];
+        }
+        report.seconds.insert("total".into(), bad);
+        evidence[0].predicted[10][0] = [bad; 3];
+        evidence[0].states[4] = vec![bad; 12];
+        evidence[0].quantities[7][0] = bad;
+        evidence[1].measured[3][1] = Some([bad; 3]);
+        made(&report, &evidence);
+    }
+}
+
+#[test]
+fn little_is_enough() {
+    let report = made::report(1);
+    let (html, _) = made(&report, &[]);
+    assert!(!html.contains("id=\"tracks\"") && !html.contains("id=\"states\""));
+    made(&report, &made::evidence(1));
+    // A flight of one sample, one of none, one of a marker never seen, one whose tables are shorter than its times.
+    let mut evidence = vec![
+        made::flight(1, 1),
+        made::flight(2, 0),
+        made::flight(3, 40),
+        made::flight(5, 40),
+    ];
+    evidence[2]
+        .measured
+        .iter_mut()
+        .for_each(|row| row[1] = None);
+    evidence[3].outlier.clear();
+    evidence[3].states.truncate(3);
+    evidence[3].quantities.clear();
+    made(&report, &evidence);
+    // Nothing was found at all.
+    let mut empty = made::report(0);
+    empty.coefficients.clear();
+    empty.correlations.clear();
+    empty.profiles.clear();
+    empty.undetermined.clear();
+    empty.residuals.clear();
+    empty.noise.axes.clear();
+    empty.seconds.clear();
+    let (_, figures) = made(&empty, &[]);
+    assert_eq!(figures, []);
+}
+
+#[test]
+fn much_stays_small() {
+    let mut report = made::report(10_000);
+    let long = "a long note ".repeat(400);
+    report
+        .flights
+        .iter_mut()
+        .for_each(|f| f.notes = vec![long.clone()]);
+    let row = report.correlations["C_L0"].clone();
+    for i in 0..200 {
+        report.correlations.insert(format!("C_{i}"), row.clone());
+    }
+    let mut evidence: Vec<FlightEvidence> = (1..=30).map(|n| made::flight(n, 4000)).collect();
+    for flight in &mut evidence {
+        flight.markers.extend(["m4", "m5", "m6"].map(str::to_owned));
+        for row in &mut flight.measured {
+            row.extend(row.clone());
+        }
+        for row in &mut flight.predicted {
+            row.extend(row.clone());
+        }
+    }
+    let (html, figures) = made(&report, &evidence);
+    assert!(html.contains("of 7500; all are in flights.csv"));
+    assert_eq!(
+        figures
+            .iter()
+            .filter(|f| f.name.starts_with("tracks"))
+            .count(),
+        12
+    );
+}
+
+#[test]
+fn alarms_are_said() {
+    let mut report = made::report(9);
+    let (calm, _) = made(&report, &[]);
+    assert!(!calm.contains("Do not rely") && !calm.contains("At a bound"));
+    report.reliable = false;
+    report.why = vec!["the fit did not converge in 9 steps".to_owned()];
+    report.noise.outlier_fraction = 0.04;
+    report.coefficients.get_mut("C_D0").unwrap().at_bound = true;
+    report
+        .coefficients
+        .get_mut("C_La")
+        .unwrap()
+        .std_error_clustered = Some(0.3);
+    report
+        .residuals
+        .get_mut("y")
+        .unwrap()
+        .whitened_autocorrelation[1] = 0.4;
+    report.flights[7].rms_m = Some(0.01);
+    let (html, _) = made(&report, &[]);
+    for text in [
+        "1 held-out flight was predicted with an error above 3 times",
+        "Do not rely on this fit",
+        "The fit did not converge in 9 steps",
+        "are not valid: C_D0.",
+        "4.0\u{a0}% of the points",
+        "C_La and C_Da",
+        "The whitened residuals along y are autocorrelated",
+        "1 flight was cut",
+        "throw02.csv: fitted again",
+    ] {
+        assert!(html.contains(text), "{text}");
+    }
+}
+
+#[test]
+fn what_was_left_out_is_counted_by_itself() {
+    let mut report = made::report(13);
+    let (_, all) = made(&report, &[]);
+    assert!(all.iter().any(|figure| figure.name == "rms"));
+    for flight in &mut report.flights {
+        let kept = ["throw01.csv", "throw02.csv", "throw04.csv"];
+        if !kept.contains(&flight.file.as_str()) {
+            flight.initial.clear();
+            flight.rms_m = None;
+            flight.outcome = identify::FlightOutcome::Excluded {
+                reason: String::new(),
+            };
+        }
+    }
+    let (html, figures) = made(&report, &[]);
+    assert!(html.contains("fitted to 2 flights"));
+    assert!(html.contains("1 flight held out for validation. 10 flights were excluded."));
+    assert!(html.contains("<h3>Excluded</h3>") && !html.contains("0.00\u{a0}mm"));
+    // Too few are left for a histogram.
+    assert!(figures.iter().all(|figure| figure.name != "rms"));
+}
+
+#[test]
+fn the_page_says_what_the_certificate_of_the_model_says() {
+    let (report, model) = (made::report(2), disc());
+    let says = |note: CertificateNote| {
+        let page = FitPage {
+            fit: None,
+            report: &report,
+            evidence: &[],
+            model: &model,
+            dataset: "throws",
+            certificate: &note,
+        };
+        let (html, _) = html_and_figures(&page);
+        let line = html
+            .lines()
+            .find(|line| line.contains("id=\"certificate\""));
+        line.expect("a line on the certificate").to_owned()
+    };
+    let file = || String::from("disc.certificate.json");
+    let stands = says(CertificateNote::stands(file(), "verified".into()));
+    assert!(stands.contains("class=\"calm\""), "{stands}");
+    assert!(stands.contains("Model verified: the certificate disc.certificate.json stands."));
+    let open = says(CertificateNote::stands(file(), "not verified".into()));
+    assert!(
+        open.contains("class=\"note\">Model not verified:"),
+        "{open}"
+    );
+    let changes = (1..=5).map(|k| format!("change {k}")).collect();
+    let changed = says(CertificateNote::changed(
+        file(),
+        Some("verified".into()),
+        changes,
+    ));
+    assert!(changed.contains("class=\"note\""), "{changed}");
+    assert!(changed.contains("does not stand: change 1; change 2; change 3; 2 more."));
+    assert!(says(CertificateNote::none()).contains("no certificate"));
+}

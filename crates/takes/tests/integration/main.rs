@@ -1,0 +1,10 @@
+//! Recordings: read in every format, and cut into throws; spoiled ones are refused.
+
+mod broken;
+mod clean;
+mod formats;
+mod mutated;
+mod real_c3d;
+mod support;
+mod template;
+mod throws;

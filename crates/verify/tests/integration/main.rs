@@ -1,0 +1,27 @@
+//! Models that are right hold under every check, and what is wrong, in a model, an effect or the compiled code, is refused by
+//! the check that is meant to; certificates, reports and mutants.
+
+mod certificate;
+mod claimed;
+mod compiler_on_mutants;
+mod difference;
+mod each_check_refuses;
+mod effect_references;
+mod effects;
+mod every_effect;
+mod every_row_can_fail;
+mod exact_functions;
+mod exact_kill_table;
+mod general_effects;
+mod generated_on_lanes;
+mod instruments;
+mod mutants;
+mod own_models;
+mod refuted;
+mod report;
+mod rounding;
+mod same_motion;
+mod seeds;
+mod support;
+mod tables;
+mod user_models;

@@ -1,0 +1,11 @@
+//! The language: what right models mean, what is said about broken ones, and that no text does harm.
+
+mod broken;
+mod effects;
+mod general_effects;
+mod language;
+mod meaning;
+mod models;
+mod robust;
+mod summary;
+mod tables;

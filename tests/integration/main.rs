@@ -1,0 +1,20 @@
+//! The program as its users run it: every command, its faults, its results, and how it ends when it is told to.
+
+mod bodies;
+mod bootstrap;
+mod certificate;
+mod cli;
+mod dask;
+mod design;
+mod diagnose;
+mod fit;
+mod generate;
+mod import;
+mod results;
+mod review;
+mod signals;
+mod support;
+mod sweep;
+mod synthesize;
+mod throws;
+mod wind;

@@ -1,0 +1,25 @@
+//! The program run as its users run it, in the repository.
+
+pub mod examples;
+
+use std::process::Command;
+
+use assert_cmd::cargo::CommandCargoExt;
+
+/// The program.
+pub fn hyzer() -> Command {
+    let mut command = Command::cargo_bin("hyzer").expect("the program");
+    command.current_dir(env!("CARGO_MANIFEST_DIR"));
+    command
+}
+
+/// Runs it; the exit status, what it printed, and its messages.
+pub fn told(command: &mut Command) -> (i32, String, String) {
+    let output = command.output().expect("it runs");
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("UTF-8");
+    (
+        output.status.code().unwrap_or(-1),
+        text(output.stdout),
+        text(output.stderr),
+    )
+}
