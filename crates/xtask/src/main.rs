@@ -7,6 +7,7 @@ mod docs;
 mod glossary;
 mod packages;
 mod source;
+mod test_files;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
@@ -85,6 +86,8 @@ fn check(root: &Path) -> Result<()> {
     section("import circles and long files");
     circles::check(root)?;
     source::check_lengths(root)?;
+    section("test files");
+    test_files::check(root)?;
     section("glossary");
     glossary::check(root)
 }
