@@ -36,9 +36,9 @@ pub fn each_on<R: Send>(threads: usize, count: usize, task: impl Fn(usize) -> R 
     }
     let results: Vec<Mutex<Option<R>>> = (0..count).map(|_| Mutex::new(None)).collect();
     run(threads, count, &|index| {
-        *results[index]
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner) = Some(task(index));
+        let result = task(index);
+        let slot = results[index].lock();
+        *slot.unwrap_or_else(PoisonError::into_inner) = Some(result);
     });
     let results = results.into_iter().map(|result| {
         let result = result.into_inner().unwrap_or_else(PoisonError::into_inner);
