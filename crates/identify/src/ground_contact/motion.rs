@@ -73,8 +73,7 @@ impl Character {
     }
 
     /// Regression rows for the position of a point and for the direction of its most steady body axis, in free motion:
-    /// values of a polynomial and of a sine and cosine at the wobble rate, at the time of the point relative to `about`,
-    /// s.
+    /// values of a polynomial and of a sine and cosine at the wobble rate. `about` is the origin of time, s.
     pub fn free_rows(&self, point: &Point, about: f64) -> (Row<7>, Row<6>) {
         let u = (point.time - about) / SCALE;
         let (sine, cosine) = (self.rate * (point.time - about)).sin_cos();
@@ -95,16 +94,16 @@ impl Character {
         )
     }
 
-    /// Prior precisions of the coefficients of the position in `free_rows`, each as the ratio of the noise variance to the prior
-    /// variance.
+    /// Prior precisions of the coefficients of the position in `free_rows`, each as the ratio of the noise variance to the
+    /// prior variance.
     pub fn position_precisions(&self) -> [f64; 7] {
         let snap = self.precision(0, SNAP * SCALE.powi(4) / 24.0);
         let wobble = self.precision(0, WOBBLE);
         [0.0, 0.0, 0.0, 0.0, snap, wobble, wobble]
     }
 
-    /// Prior precisions of the coefficients of the axis in `free_rows`, each as the ratio of the noise variance to the prior
-    /// variance.
+    /// Prior precisions of the coefficients of the axis in `free_rows`, each as the ratio of the noise variance to the
+    /// prior variance.
     pub fn axis_precisions(&self) -> [f64; 6] {
         [0.0, 0.0, 0.0, self.precision(1, BEND), 0.0, 0.0]
     }
