@@ -1,9 +1,10 @@
 //! Tape: a program as register bytecode, which can be evaluated for one number or for one number per lane.
 //!
-//! The instructions follow the schedule operation by operation through [`lanes::Real`], so that results are
-//! bit-identical to those of generated code over the same number type.
+//! The instructions are the operations of the schedule through [`lanes::Real`], so that results are bit-identical to
+//! those of generated code over the same number type. Independent operations are ordered in runs of one kind.
 
 mod allocate;
+mod steps;
 
 use crate::functions::MathFunction;
 use crate::program::{Binary, Fused, Op, Operand, Program, Unary};
@@ -11,7 +12,7 @@ use crate::table::Tables;
 use lanes::Real;
 
 /// Operation code of an instruction.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Opcode {
     Add,
     Sub,
@@ -52,22 +53,31 @@ impl Register for u32 {
     }
 }
 
-/// Operation on registers. Operand fields that the operation does not use repeat `a`.
+/// Registers of an instruction. Operand fields that its operation does not use repeat `a`.
 #[derive(Clone, Copy, Debug)]
 struct Instruction<R> {
-    opcode: Opcode,
     target: R,
     a: R,
     b: R,
     c: R,
 }
 
+/// Consecutive instructions with one operation.
+#[derive(Clone, Copy, Debug)]
+struct Run {
+    opcode: Opcode,
+    /// Number of instructions.
+    len: usize,
+}
+
 /// Bytecode whose register indices have one integer type `R`.
 #[derive(Clone, Debug)]
 struct Bytecode<R> {
-    instructions: Vec<Instruction<R>>,
     /// Inputs and constants that the program reads, each with the register into which it is loaded.
     loads: Vec<(Operand, R)>,
+    runs: Vec<Run>,
+    /// Instructions of all runs, in order.
+    instructions: Vec<Instruction<R>>,
     outputs: Vec<R>,
 }
 
@@ -187,31 +197,43 @@ impl<R: Register> Bytecode<R> {
                 Operand::Temp(_) => continue,
             };
         }
-        for i in &self.instructions {
-            let a = s[i.a.index()];
-            let value = match i.opcode {
-                Opcode::MulAdd => a.mul_add(s[i.b.index()], s[i.c.index()]),
-                Opcode::MulSub => a.mul_sub(s[i.b.index()], s[i.c.index()]),
-                Opcode::NegMulAdd => a.neg_mul_add(s[i.b.index()], s[i.c.index()]),
-                Opcode::Mul => a * s[i.b.index()],
-                Opcode::Add => a + s[i.b.index()],
-                Opcode::Sub => a - s[i.b.index()],
-                Opcode::Div => a / s[i.b.index()],
-                Opcode::Atan2 => a.atan2(s[i.b.index()]),
-                Opcode::Min => a.min(s[i.b.index()]),
-                Opcode::Max => a.max(s[i.b.index()]),
-                Opcode::IfZero => a.if_zero(s[i.b.index()], s[i.c.index()]),
+        let mut instructions = self.instructions.as_slice();
+        for run in &self.runs {
+            let (these, rest) = instructions.split_at(run.len);
+            instructions = rest;
+            // Not a closure, which would be a function for the baseline processor.
+            macro_rules! each {
+                (|$($operand:ident),*| $value:expr) => {
+                    for i in these {
+                        $(let $operand = s[i.$operand.index()];)*
+                        s[i.target.index()] = $value;
+                    }
+                };
+            }
+            match run.opcode {
+                Opcode::MulAdd => each!(|a, b, c| a.mul_add(b, c)),
+                Opcode::MulSub => each!(|a, b, c| a.mul_sub(b, c)),
+                Opcode::NegMulAdd => each!(|a, b, c| a.neg_mul_add(b, c)),
+                Opcode::Mul => each!(|a, b| a * b),
+                Opcode::Add => each!(|a, b| a + b),
+                Opcode::Sub => each!(|a, b| a - b),
+                Opcode::Div => each!(|a, b| a / b),
+                Opcode::Atan2 => each!(|a, b| a.atan2(b)),
+                Opcode::Min => each!(|a, b| a.min(b)),
+                Opcode::Max => each!(|a, b| a.max(b)),
+                Opcode::IfZero => each!(|a, b, c| a.if_zero(b, c)),
+                Opcode::Neg => each!(|a| -a),
+                Opcode::Recip => each!(|a| T::splat(1.0) / a),
+                Opcode::RecipOrZero => each!(|a| a.recip_or_zero()),
+                Opcode::Call(function) => each!(|a| function.eval(a, tables)),
                 Opcode::SinCos => {
-                    let (sin, cos) = a.sin_cos();
-                    s[i.b.index()] = cos;
-                    sin
+                    for i in these {
+                        let (sin, cos) = s[i.a.index()].sin_cos();
+                        s[i.target.index()] = sin;
+                        s[i.b.index()] = cos;
+                    }
                 }
-                Opcode::Neg => -a,
-                Opcode::Recip => T::splat(1.0) / a,
-                Opcode::RecipOrZero => a.recip_or_zero(),
-                Opcode::Call(function) => function.eval(a, tables),
-            };
-            s[i.target.index()] = value;
+            }
         }
         for (result, &register) in out[..self.outputs.len()].iter_mut().zip(&self.outputs) {
             *result = s[register.index()];
@@ -222,13 +244,13 @@ impl<R: Register> Bytecode<R> {
 impl<R: Copy> Bytecode<R> {
     fn map<S>(&self, register: impl Fn(R) -> S) -> Bytecode<S> {
         let instruction = |i: &Instruction<R>| Instruction {
-            opcode: i.opcode,
             target: register(i.target),
             a: register(i.a),
             b: register(i.b),
             c: register(i.c),
         };
         Bytecode {
+            runs: self.runs.clone(),
             instructions: self.instructions.iter().map(instruction).collect(),
             loads: self.loads.iter().map(|&(o, r)| (o, register(r))).collect(),
             outputs: self.outputs.iter().map(|&r| register(r)).collect(),

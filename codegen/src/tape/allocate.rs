@@ -1,10 +1,8 @@
 //! Register allocation: a linear scan over the live ranges of a program.
 
-use super::{Bytecode, Instruction, Opcode};
-use crate::backend::pairs::{OperandKey, sin_cos_pairs};
-use crate::functions::MathFunction;
-use crate::program::{Op, Operand, Program, Unary};
-use std::collections::HashMap;
+use super::steps::{Step, Steps, Value};
+use super::{Bytecode, Instruction, Run};
+use crate::program::{Operand, Program};
 
 /// Index of the last use that is assigned to program outputs, which stay live after the last instruction: greater than
 /// every instruction index.
@@ -15,140 +13,94 @@ const END: usize = usize::MAX;
 /// # Panics
 /// If an operand refers to a statement that does not precede its use.
 pub(super) fn bytecode(program: &Program) -> (Bytecode<u32>, usize) {
-    let pairs = sin_cos_pairs(program);
+    let steps = Steps::new(program);
     let mut allocator = Allocator {
-        last_use: last_uses(program, &pairs),
-        registers: HashMap::new(),
+        last_use: last_uses(&steps),
+        registers: vec![None; steps.values()],
         free: Vec::new(),
         count: 0,
     };
-    let loads = allocator.loads(program);
-    let mut instructions = Vec::with_capacity(program.statements.len());
-    for (k, statement) in program.statements.iter().enumerate() {
-        match pairs.get(&k) {
-            Some(&(sin, cos)) if k == sin.min(cos) => {
-                instructions.push(allocator.pair(statement.op, (sin, cos), k));
-            }
-            // The earlier statement of the pair has emitted the instruction.
-            Some(_) => {}
-            None => instructions.push(allocator.instruction(statement.op, k)),
-        }
+    let loads = allocator.loads(&steps);
+    let mut instructions = Vec::with_capacity(steps.steps.len());
+    for (k, step) in steps.steps.iter().enumerate() {
+        instructions.push(allocator.instruction(step, k));
     }
-    let outputs = program.outputs.iter();
+    let runs = steps.steps.chunk_by(|a, b| a.opcode == b.opcode);
+    let runs = runs.map(|run| Run {
+        opcode: run[0].opcode,
+        len: run.len(),
+    });
+    let outputs = steps.outputs.iter();
     let code = Bytecode {
-        outputs: outputs.map(|&output| allocator.register(output)).collect(),
-        instructions,
         loads,
+        runs: runs.collect(),
+        instructions,
+        outputs: outputs.map(|&output| allocator.register(output)).collect(),
     };
     (code, allocator.count as usize)
 }
 
-/// For each statement, the index of the last instruction that reads its result. A sine and cosine pair is one
-/// instruction at the earlier of its two statements, which reads the angle for both.
-fn last_uses(program: &Program, pairs: &HashMap<usize, (usize, usize)>) -> Vec<usize> {
-    let mut last = vec![0; program.statements.len()];
-    for (k, statement) in program.statements.iter().enumerate() {
-        let position = pairs.get(&k).map_or(k, |&(sin, cos)| sin.min(cos));
-        for operand in statement.op.operands() {
-            if let Operand::Temp(t) = operand {
-                assert!(
-                    (t as usize) < position,
-                    "statement {k} reads the later statement {t}"
-                );
-                last[t as usize] = last[t as usize].max(position);
-            }
+/// For each value, the index of the last step that reads it. Inputs and constants keep their registers for the whole
+/// evaluation.
+fn last_uses(steps: &Steps) -> Vec<usize> {
+    let mut last = vec![0; steps.statements];
+    last.resize(steps.values(), END);
+    for (k, step) in steps.steps.iter().enumerate() {
+        for &operand in &step.operands {
+            last[operand] = last[operand].max(k);
         }
     }
-    for output in &program.outputs {
-        if let Operand::Temp(t) = output {
-            last[*t as usize] = END;
-        }
+    for &output in &steps.outputs {
+        last[output] = END;
     }
     last
 }
 
 struct Allocator {
     last_use: Vec<usize>,
-    /// Register of each input, constant and live result.
-    registers: HashMap<OperandKey, u32>,
+    /// Register of each live value.
+    registers: Vec<Option<u32>>,
     free: Vec<u32>,
     count: u32,
 }
 
 impl Allocator {
-    /// Assigns a separate register to every input and constant for the whole evaluation.
-    fn loads(&mut self, program: &Program) -> Vec<(Operand, u32)> {
-        let inside = program.statements.iter().flat_map(|s| s.op.operands());
-        let mut loads = Vec::new();
-        for operand in inside.chain(program.outputs.iter().copied()) {
-            let is_new = !self.registers.contains_key(&operand.into());
-            if is_new && !matches!(operand, Operand::Temp(_)) {
-                loads.push((operand, self.define(operand)));
-            }
-        }
-        loads
+    fn loads(&mut self, steps: &Steps) -> Vec<(Operand, u32)> {
+        let inputs = steps.inputs.iter().zip(steps.statements..);
+        inputs
+            .map(|(&operand, value)| (operand, self.define(value)))
+            .collect()
     }
 
     /// Allocates a register for a new value: a free register if there is one, else an additional one.
-    fn define(&mut self, operand: Operand) -> u32 {
+    fn define(&mut self, value: Value) -> u32 {
         let register = self.free.pop().unwrap_or_else(|| {
             self.count += 1;
             self.count - 1
         });
-        self.registers.insert(operand.into(), register);
+        self.registers[value] = Some(register);
         register
     }
 
     /// Returns the register of a live value; panics if the value is not live.
-    fn register(&self, operand: Operand) -> u32 {
-        *self
-            .registers
-            .get(&operand.into())
-            .unwrap_or_else(|| panic!("{operand:?} is read outside its live range"))
+    fn register(&self, value: Value) -> u32 {
+        self.registers[value]
+            .unwrap_or_else(|| panic!("value {value} is read outside its live range"))
     }
 
-    /// Frees the registers of the operands whose live range ends at the statement `k`.
-    fn release(&mut self, operands: &[Operand], k: usize) {
-        for &operand in operands {
-            if let Operand::Temp(t) = operand
-                && self.last_use[t as usize] == k
-                && let Some(register) = self.registers.remove(&operand.into())
-            {
-                self.free.push(register);
+    /// Compiles step `k`.
+    fn instruction(&mut self, step: &Step, k: usize) -> Instruction<u32> {
+        let [a, b, c] = step.operands.map(|operand| self.register(operand));
+        for operand in step.operands {
+            if self.last_use[operand] == k {
+                self.free.extend(self.registers[operand].take());
             }
         }
-    }
-
-    fn instruction(&mut self, op: Op, k: usize) -> Instruction<u32> {
-        let operands = op.operands();
-        let registers: Vec<u32> = operands.iter().map(|&o| self.register(o)).collect();
-        self.release(&operands, k);
-        let operand = |n: usize| registers.get(n).copied().unwrap_or(registers[0]);
         Instruction {
-            opcode: op.into(),
-            target: self.define(Operand::Temp(k as u32)),
-            a: registers[0],
-            b: operand(1),
-            c: operand(2),
-        }
-    }
-
-    /// Returns the instruction that computes the statements `sin` and `cos`, the sine and cosine of one angle; `k` is
-    /// the earlier of these two statement indices.
-    fn pair(&mut self, op: Op, (sin, cos): (usize, usize), k: usize) -> Instruction<u32> {
-        debug_assert!(matches!(
-            op,
-            Op::Unary(Unary::Call(MathFunction::Sin | MathFunction::Cos), _)
-        ));
-        let operands = op.operands();
-        let angle = self.register(operands[0]);
-        self.release(&operands, k);
-        Instruction {
-            opcode: Opcode::SinCos,
-            target: self.define(Operand::Temp(sin as u32)),
-            a: angle,
-            b: self.define(Operand::Temp(cos as u32)),
-            c: angle,
+            target: self.define(step.result),
+            a,
+            b: step.second.map_or(b, |second| self.define(second)),
+            c,
         }
     }
 }
@@ -156,7 +108,8 @@ impl Allocator {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::program::{Binary, Statement};
+    use crate::functions::MathFunction;
+    use crate::program::{Binary, Op, Statement, Unary};
     use crate::tape::{Inputs, Tape};
 
     fn program(ops: &[Op], outputs: &[u32]) -> Program {
