@@ -3,10 +3,10 @@
 //! A. S. Willsky and H. L. Jones, "A generalized likelihood ratio approach to the detection and estimation of jumps in
 //! linear systems", IEEE Transactions on Automatic Control 21 (1976).
 
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
-use super::quadratic::Quadratic;
-use super::rows::{Point, Row};
+use super::quadratic::{Minimum, Quadratic};
+use super::rows::Point;
 use super::trajectory::{Trajectory, over_noise};
 use crate::noise::NoiseModel;
 
@@ -44,37 +44,35 @@ impl Jumps {
         let end = trajectory.first + rows.len();
         let of = |sample: usize| &rows[sample - trajectory.first];
         let mut sum = Quadratic::zeros(dimension);
-        (trajectory.first..tried)
-            .flat_map(of)
-            .for_each(|point| point.add_to(&mut sum));
-        let (mut sums, mut before, mut free) = (Vec::new(), Vec::new(), Vec::new());
-        for sample in tried..end {
-            before.push(sum.least()?.1);
-            sums.push(sum.clone());
-            of(sample).iter().for_each(|point| point.add_to(&mut sum));
-            free.push(sum.least()?.0);
+        for point in (trajectory.first..tried).flat_map(of) {
+            point.add_to(&mut sum);
         }
-        let each = (tried..).zip(trajectory.contacts.iter().zip(&sums));
-        let comparisons = each.map(|(contact, (contacts, sum))| {
-            let contacts = contacts.iter();
-            let held: Vec<_> = contacts
-                .map(|at| over_noise(at, noise.sigma) / SLACK)
-                .collect();
-            let mut sum = sum.extended(dimension);
-            let samples = contact..end.min(contact + AFTER);
-            let each = samples.map(|sample| {
-                for (point, row) in of(sample)
-                    .iter()
-                    .flat_map(|p| p.rows.iter().map(move |r| (p, r)))
-                {
-                    sum.add(&after(point, row, contact), row.residual);
-                }
-                let found = held.iter().filter_map(|held| sum.with_last(held)?.least());
-                let (least, solution) = found.min_by(|a, b| a.0.total_cmp(&b.0))?;
-                Some(Comparison {
-                    gain: free[sample - tried] - least,
-                    change: solution.rows(dimension, dimension).into_owned(),
-                })
+        // Free motion fitted to the samples before each tried sample, and to all.
+        let mut free = vec![sum.minimum()?];
+        let mut samples = Vec::with_capacity(end - tried);
+        for points in (tried..end).map(of) {
+            let mut sample = Quadratic::zeros(dimension);
+            points.iter().for_each(|point| point.add_to(&mut sample));
+            sum.add_all(&sample);
+            free.push(sum.minimum()?);
+            samples.push(SampleSum {
+                points,
+                sum: sample,
+            });
+        }
+        let before = free.iter().map(Minimum::unknowns).collect();
+        let each = (tried..).zip(&trajectory.contacts).zip(0..samples.len());
+        let comparisons = each.map(|((contact, contacts), first)| {
+            let held = contacts.iter().map(|at| {
+                let displacement = over_noise(at, noise.sigma) / SLACK;
+                displacement.tr_mul(&displacement)
+            });
+            let held: Vec<DMatrix<f64>> = held.collect();
+            let mut change = JumpSum::zeros(dimension);
+            let each = samples.iter().zip(&free[1..]).skip(first).take(AFTER);
+            let each = each.map(|(sample, free)| {
+                change.add(sample, contact);
+                change.compare(free, &held)
             });
             each.collect()
         });
@@ -110,14 +108,62 @@ impl Jumps {
     }
 }
 
-/// Derivatives of a residual, if the velocities jump just before sample `contact`: first with respect to the initial
-/// state before the jump, then with respect to the change of the initial state that represents the jump.
-fn after(point: &Point, row: &Row, contact: usize) -> DVector<f64> {
-    let is_first = point.previous.is_none_or(|previous| previous < contact);
-    let by_change = match is_first {
-        true => &row.fresh,
-        false => &row.derivatives,
-    };
-    let all = row.derivatives.iter().chain(by_change).copied();
-    DVector::from_iterator(2 * by_change.len(), all)
+/// Points of a sample, with their sum of squares as a function of the initial state.
+struct SampleSum<'a> {
+    points: &'a [Point],
+    sum: Quadratic,
+}
+
+/// Sum of squares of the samples after a jump, as a function of the initial state before the jump and of the change of
+/// the initial state that represents the jump. The part of the initial state is that of free motion.
+struct JumpSum {
+    /// Block of the normal matrix that couples the initial state (rows) and its change (columns).
+    cross: DMatrix<f64>,
+    change: Quadratic,
+}
+
+impl JumpSum {
+    fn zeros(dimension: usize) -> Self {
+        Self {
+            cross: DMatrix::zeros(dimension, dimension),
+            change: Quadratic::zeros(dimension),
+        }
+    }
+
+    /// Adds a sample after a jump just before sample `contact`.
+    fn add(&mut self, sample: &SampleSum<'_>, contact: usize) {
+        let is_first = |point: &Point| point.previous.is_none_or(|previous| previous < contact);
+        if !sample.points.iter().any(is_first) {
+            self.cross += &sample.sum.normal;
+            self.change.add_all(&sample.sum);
+            return;
+        }
+        for point in sample.points {
+            for row in &point.rows {
+                // Of a marker's first residual after the jump, the preceding sample does not move with the change.
+                let by_change = match is_first(point) {
+                    true => &row.fresh,
+                    false => &row.derivatives,
+                };
+                self.cross.ger(1.0, &row.derivatives, by_change, 1.0);
+                self.change.add(by_change, row.residual);
+            }
+        }
+    }
+
+    /// Compares the motion that jumps with `free` motion, both fitted to the samples up to the last one added. `held`
+    /// are the normal matrices of the displacement by the jump, one for each time of contact that is tried.
+    fn compare(&self, free: &Minimum, held: &[DMatrix<f64>]) -> Option<Comparison> {
+        let rest = free.eliminated(&self.cross, &self.change);
+        let found = held.iter().filter_map(|held| {
+            let diagonal = self.change.normal.diagonal() + held.diagonal();
+            let jump = Minimum::new(&rest.normal + held, &diagonal, &rest.right)?;
+            Some((jump.reduced.norm_squared(), jump))
+        });
+        let (gain, jump) = found.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        Some(Comparison {
+            gain,
+            change: jump.unknowns(),
+        })
+    }
 }

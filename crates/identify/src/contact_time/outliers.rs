@@ -60,9 +60,10 @@ pub fn leave_out_before(
             .iter()
             .flatten()
             .for_each(|point| point.add_to(&mut sum));
-        let Some((_, change)) = sum.least() else {
+        let Some(minimum) = sum.minimum() else {
             return;
         };
+        let change = minimum.unknowns();
         let each = (trajectory.first..).zip(before);
         let each =
             each.flat_map(|(sample, points)| points.iter().map(move |point| (sample, point)));

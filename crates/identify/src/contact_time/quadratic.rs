@@ -1,6 +1,6 @@
 //! A sum of squared linear residuals as a quadratic function of the unknowns.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 /// Relative increase of the diagonal of the normal matrix, so that it is invertible if the samples do not determine all
 /// unknowns.
@@ -9,10 +9,10 @@ const RIDGE: f64 = 1e-9;
 /// A sum of squared residuals that are linear in the unknowns.
 #[derive(Clone, Debug)]
 pub struct Quadratic {
-    /// Normal matrix JᵀJ; only its lower triangle is used.
-    normal: DMatrix<f64>,
-    right: DVector<f64>,
-    constant: f64,
+    /// Normal matrix JᵀJ.
+    pub normal: DMatrix<f64>,
+    /// Jᵀr with the residuals r at unknowns of 0.
+    pub right: DVector<f64>,
 }
 
 impl Quadratic {
@@ -21,54 +21,70 @@ impl Quadratic {
         Self {
             normal: DMatrix::zeros(unknowns, unknowns),
             right: DVector::zeros(unknowns),
-            constant: 0.0,
         }
     }
 
     /// Adds the square of a residual, given with its derivatives with respect to the unknowns.
     pub fn add(&mut self, derivatives: &DVector<f64>, residual: f64) {
-        self.normal.syger(1.0, derivatives, derivatives, 1.0);
+        self.normal.ger(1.0, derivatives, derivatives, 1.0);
         self.right.axpy(residual, derivatives, 1.0);
-        self.constant += residual * residual;
     }
 
-    /// Copy of the sum of squares with `further` unknowns appended, on which the sum does not depend.
-    pub fn extended(&self, further: usize) -> Self {
-        let few = self.right.len();
-        let mut extended = Self::zeros(few + further);
-        let mut normal = extended.normal.view_mut((0, 0), (few, few));
-        normal.copy_from(&self.normal);
-        extended.right.rows_mut(0, few).copy_from(&self.right);
-        extended.constant = self.constant;
-        extended
+    /// Adds another sum of squares in the same unknowns.
+    pub fn add_all(&mut self, other: &Self) {
+        self.normal += &other.normal;
+        self.right += &other.right;
     }
 
-    /// Copy of the sum of squares with the additional term |`rows` · u|². The vector u contains the last unknowns, one
-    /// for each column of `rows`. `None` if `rows` has more columns than there are unknowns.
-    pub fn with_last(&self, rows: &DMatrix<f64>) -> Option<Self> {
-        let count = rows.ncols();
-        let first = self.right.len().checked_sub(count)?;
-        let mut held = self.clone();
-        let mut normal = held.normal.view_mut((first, first), (count, count));
-        normal += rows.tr_mul(rows);
-        Some(held)
+    /// Solves the normal equations; `None` if they are singular.
+    pub fn minimum(&self) -> Option<Minimum> {
+        Minimum::new(self.normal.clone(), &self.normal.diagonal(), &self.right)
     }
+}
 
-    /// Minimum of the sum of squares, and the unknowns at the minimum; `None` if the normal equations are singular.
-    pub fn least(&self) -> Option<(f64, DVector<f64>)> {
-        let diagonal = self.normal.diagonal();
-        let scale = diagonal.map(|entry| entry.max(f64::MIN_POSITIVE).sqrt().recip());
-        let mut scaled = self.normal.clone();
-        for (mut column, by) in scaled.column_iter_mut().zip(&scale) {
-            column.component_mul_assign(&scale);
-            column *= *by;
+/// Factorised normal equations of a sum of squares.
+#[derive(Clone, Debug)]
+pub struct Minimum {
+    factor: Cholesky<f64, Dyn>,
+    /// L⁻¹ Jᵀr, where L is the Cholesky factor. Its square is the decrease of the sum of squares to its minimum.
+    pub reduced: DVector<f64>,
+}
+
+impl Minimum {
+    /// Factorises `normal`, whose ridge is relative to the entries `diagonal`; `None` if it is singular.
+    pub fn new(
+        mut normal: DMatrix<f64>,
+        diagonal: &DVector<f64>,
+        right: &DVector<f64>,
+    ) -> Option<Self> {
+        for (index, entry) in diagonal.iter().enumerate() {
+            // An unknown on which nothing depends stays 0.
+            normal[(index, index)] += if *entry == 0.0 { 1.0 } else { RIDGE * entry };
         }
-        for index in 0..scale.len() {
-            scaled[(index, index)] += RIDGE;
-        }
-        let right = self.right.component_mul(&scale);
-        let solution = scaled.cholesky()?.solve(&right);
-        let least = self.constant - right.dot(&solution);
-        Some((least, -solution.component_mul(&scale)))
+        let factor = Cholesky::new(normal)?;
+        let mut reduced = right.clone();
+        let is_regular = factor.l_dirty().solve_lower_triangular_mut(&mut reduced);
+        is_regular.then_some(Self { factor, reduced })
+    }
+
+    /// Unknowns at the minimum.
+    pub fn unknowns(&self) -> DVector<f64> {
+        let mut unknowns = -&self.reduced;
+        let lower = self.factor.l_dirty();
+        lower.ad_solve_lower_triangular_mut(&mut unknowns);
+        unknowns
+    }
+
+    /// Eliminates these unknowns from normal equations in these and further ones, which are coupled by the block
+    /// `cross` of the normal matrix. Returns the sum of squares in the further unknowns, `others`, at the minimum over
+    /// these unknowns.
+    pub fn eliminated(&self, cross: &DMatrix<f64>, others: &Quadratic) -> Quadratic {
+        let mut solved = cross.clone();
+        let lower = self.factor.l_dirty();
+        lower.solve_lower_triangular_mut(&mut solved);
+        let mut rest = others.clone();
+        rest.normal.gemm_tr(-1.0, &solved, &solved, 1.0);
+        rest.right.gemv_tr(-1.0, &solved, &self.reduced, 1.0);
+        rest
     }
 }
