@@ -3,6 +3,7 @@
 //! A. S. Willsky and H. L. Jones, "A generalized likelihood ratio approach to the detection and estimation of jumps in
 //! linear systems", IEEE Transactions on Automatic Control 21 (1976).
 
+use flight::batch;
 use nalgebra::{DMatrix, DVector};
 
 use super::quadratic::{Minimum, Quadratic};
@@ -38,8 +39,14 @@ pub struct Jumps {
 
 impl Jumps {
     /// Tests a jump just before each sample from `trajectory.tried` on. `rows` contains the whitened residuals by
-    /// sample from `trajectory.first` on. `None` if the samples before a jump do not determine the free motion.
-    pub fn new(trajectory: &Trajectory, rows: &[Vec<Point>], noise: &NoiseModel) -> Option<Self> {
+    /// sample from `trajectory.first` on. `None` if the samples before a jump do not determine the free motion. Uses
+    /// `threads` threads.
+    pub fn new(
+        trajectory: &Trajectory,
+        rows: &[Vec<Point>],
+        noise: &NoiseModel,
+        threads: usize,
+    ) -> Option<Self> {
         let (dimension, tried) = (trajectory.dimension, trajectory.tried);
         let end = trajectory.first + rows.len();
         let of = |sample: usize| &rows[sample - trajectory.first];
@@ -61,24 +68,23 @@ impl Jumps {
             });
         }
         let before = free.iter().map(Minimum::unknowns).collect();
-        let each = (tried..).zip(&trajectory.contacts).zip(0..samples.len());
-        let comparisons = each.map(|((contact, contacts), first)| {
-            let held = contacts.iter().map(|at| {
+        let comparisons = batch::each_on(threads, samples.len(), |first| {
+            let held = trajectory.contacts[first].iter().map(|at| {
                 let displacement = over_noise(at, noise.sigma) / SLACK;
                 displacement.tr_mul(&displacement)
             });
             let held: Vec<DMatrix<f64>> = held.collect();
             let mut change = JumpSum::zeros(dimension);
-            let each = samples.iter().zip(&free[1..]).skip(first).take(AFTER);
-            let each = each.map(|(sample, free)| {
-                change.add(sample, contact);
+            let after = samples[first..].iter().zip(&free[first + 1..]);
+            let each = after.take(AFTER).map(|(sample, free)| {
+                change.add(sample, tried + first);
                 change.compare(free, &held)
             });
-            each.collect()
+            each.collect::<Option<Vec<Comparison>>>()
         });
         Some(Self {
             tried,
-            comparisons: comparisons.collect::<Option<_>>()?,
+            comparisons: comparisons.into_iter().collect::<Option<_>>()?,
             before,
         })
     }
@@ -156,8 +162,8 @@ impl JumpSum {
     fn compare(&self, free: &Minimum, held: &[DMatrix<f64>]) -> Option<Comparison> {
         let rest = free.eliminated(&self.cross, &self.change);
         let found = held.iter().filter_map(|held| {
-            let diagonal = self.change.normal.diagonal() + held.diagonal();
-            let jump = Minimum::new(&rest.normal + held, &diagonal, &rest.right)?;
+            let diagonal = |index| self.change.normal[(index, index)] + held[(index, index)];
+            let jump = Minimum::new(&rest.normal + held, diagonal, &rest.right)?;
             Some((jump.reduced.norm_squared(), jump))
         });
         let (gain, jump) = found.max_by(|a, b| a.0.total_cmp(&b.0))?;

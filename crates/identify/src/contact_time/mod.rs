@@ -67,13 +67,14 @@ pub struct Onset {
 
 /// Finds the first contact within the range `tried` of samples, as a deviation from the flight that is predicted from
 /// `unknowns`, the global parameters and the fitted initial state. `None` if no contact is found or the trajectory
-/// cannot be computed.
+/// cannot be computed. Uses `threads` threads.
 pub fn contact_time(
     problem: &FitProblem,
     observations: &Observations,
     unknowns: (&DVector<f64>, &DVector<f64>),
     noise: &NoiseModel,
     tried: Range<usize>,
+    threads: usize,
 ) -> Option<Onset> {
     let sought = tried.start;
     let tried = sought.saturating_sub(USUAL).max(1)..tried.end.min(observations.times.len());
@@ -87,7 +88,7 @@ pub fn contact_time(
     leave_out_before(&mut observations, &trajectory, noise, MOST_OUTLIERS);
     for _ in 0..MOST_OUTLIERS {
         let rows = rows::whitened(&observations, &trajectory, noise);
-        let jumps = Jumps::new(&trajectory, &rows, noise)?;
+        let jumps = Jumps::new(&trajectory, &rows, noise, threads)?;
         let is_seen = |sample: &usize| !rows[sample - trajectory.first].is_empty();
         match departure(&jumps, tried.clone(), is_seen)? {
             Departure::Contact(sample, found) => {

@@ -38,7 +38,8 @@ impl Quadratic {
 
     /// Solves the normal equations; `None` if they are singular.
     pub fn minimum(&self) -> Option<Minimum> {
-        Minimum::new(self.normal.clone(), &self.normal.diagonal(), &self.right)
+        let diagonal = |index| self.normal[(index, index)];
+        Minimum::new(self.normal.clone(), diagonal, &self.right)
     }
 }
 
@@ -51,15 +52,16 @@ pub struct Minimum {
 }
 
 impl Minimum {
-    /// Factorises `normal`, whose ridge is relative to the entries `diagonal`; `None` if it is singular.
+    /// Factorises `normal`, whose ridge is relative to the entries of `diagonal`; `None` if it is singular.
     pub fn new(
         mut normal: DMatrix<f64>,
-        diagonal: &DVector<f64>,
+        diagonal: impl Fn(usize) -> f64,
         right: &DVector<f64>,
     ) -> Option<Self> {
-        for (index, entry) in diagonal.iter().enumerate() {
+        for index in 0..right.len() {
+            let entry = diagonal(index);
             // An unknown on which nothing depends stays 0.
-            normal[(index, index)] += if *entry == 0.0 { 1.0 } else { RIDGE * entry };
+            normal[(index, index)] += if entry == 0.0 { 1.0 } else { RIDGE * entry };
         }
         let factor = Cholesky::new(normal)?;
         let mut reduced = right.clone();

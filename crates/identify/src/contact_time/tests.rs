@@ -53,7 +53,7 @@ fn contacts(
                 crate::fit::fit_initial_state(&problem, &changed, SHOWN, &global, start, &options);
             let (_, local) = fitted.unwrap();
             let end = changed.times.len();
-            contact_time(&problem, &changed, (&global, &local), &noise, SHOWN..end)
+            contact_time(&problem, &changed, (&global, &local), &noise, SHOWN..end, 1)
         });
     each.collect()
 }

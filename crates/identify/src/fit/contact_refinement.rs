@@ -275,7 +275,14 @@ impl Search<'_> {
             // A prediction far beyond the fitted samples is not linear in the initial state.
             let until = to.min(2 * samples);
             let unknowns = (self.global, &local);
-            let found = contact_time(self.problem, whole, unknowns, self.noise, samples..until);
+            let found = contact_time(
+                self.problem,
+                whole,
+                unknowns,
+                self.noise,
+                samples..until,
+                self.options.threads(),
+            );
             if let Some(onset) = found {
                 return Some((onset, local));
             }
