@@ -15,8 +15,7 @@ model_spec::index_type!(
     pub struct TableId;
 );
 
-/// A table or one of its derivatives, as a function of one argument; encoded in two bytes, to keep the bytecode
-/// instructions that refer to it small.
+/// A table or one of its derivatives, as a function of one argument; encoded in two bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct TableFunction(u16);
 

@@ -34,32 +34,13 @@ enum Opcode {
     SinCos,
 }
 
-/// Register index: position of a value in the scratch space of an evaluation, as an integer of 16 or 32 bits.
-trait Register: Copy {
-    fn index(self) -> usize;
-}
-
-impl Register for u16 {
-    #[inline(always)]
-    fn index(self) -> usize {
-        self.into()
-    }
-}
-
-impl Register for u32 {
-    #[inline(always)]
-    fn index(self) -> usize {
-        self as usize
-    }
-}
-
 /// Registers of an instruction. Operand fields that its operation does not use repeat `a`.
 #[derive(Clone, Copy, Debug)]
-struct Instruction<R> {
-    target: R,
-    a: R,
-    b: R,
-    c: R,
+struct Instruction {
+    target: u32,
+    a: u32,
+    b: u32,
+    c: u32,
 }
 
 /// Consecutive instructions with one operation.
@@ -70,31 +51,17 @@ struct Run {
     len: usize,
 }
 
-/// Bytecode whose register indices have one integer type `R`.
-#[derive(Clone, Debug)]
-struct Bytecode<R> {
-    /// Inputs and constants that the program reads, each with the register into which it is loaded.
-    loads: Vec<(Operand, R)>,
-    runs: Vec<Run>,
-    /// Instructions of all runs, in order.
-    instructions: Vec<Instruction<R>>,
-    outputs: Vec<R>,
-}
-
 /// Register bytecode of a program; registers are allocated by the live ranges of the values.
 #[derive(Clone, Debug)]
 pub struct Tape {
-    code: Width,
+    /// Inputs and constants that the program reads, each with the register into which it is loaded.
+    loads: Vec<(Operand, u32)>,
+    runs: Vec<Run>,
+    /// Instructions of all runs, in order.
+    instructions: Vec<Instruction>,
+    outputs: Vec<u32>,
     registers: usize,
     tables: Tables,
-}
-
-/// Bytecode with 16-bit register indices if they suffice, else 32-bit ones: narrow indices halve the memory read per
-/// evaluation.
-#[derive(Clone, Debug)]
-enum Width {
-    Narrow(Bytecode<u16>),
-    Wide(Bytecode<u32>),
 }
 
 /// Inputs of a program, for one flight or one flight per lane.
@@ -119,24 +86,12 @@ impl Tape {
     /// If a statement or output refers to a statement that does not precede it; compiled models contain no such
     /// reference.
     pub fn new(program: &Program) -> Tape {
-        let (wide, registers) = allocate::bytecode(program);
-        let code = match u16::try_from(registers) {
-            Ok(_) => Width::Narrow(wide.map(|register| register as u16)),
-            Err(_) => Width::Wide(wide),
-        };
-        Tape {
-            code,
-            registers,
-            tables: program.tables.clone(),
-        }
+        allocate::tape(program)
     }
 
     /// Number of instructions of the tape.
     pub fn len(&self) -> usize {
-        match &self.code {
-            Width::Narrow(code) => code.instructions.len(),
-            Width::Wide(code) => code.instructions.len(),
-        }
+        self.instructions.len()
     }
 
     /// Whether the tape has no instructions.
@@ -151,10 +106,7 @@ impl Tape {
 
     /// Number of results of an evaluation.
     pub fn outputs(&self) -> usize {
-        match &self.code {
-            Width::Narrow(code) => code.outputs.len(),
-            Width::Wide(code) => code.outputs.len(),
-        }
+        self.outputs.len()
     }
 
     /// Evaluates the program. `scratch` grows to [`registers`](Tape::registers) elements and can be reused.
@@ -175,19 +127,9 @@ impl Tape {
     /// If an input, `scratch` or `out` is shorter than the program needs; see [`eval`](Tape::eval).
     #[inline(always)]
     pub fn eval_in<T: Real>(&self, inputs: Inputs<'_, T>, scratch: &mut [T], out: &mut [T]) {
-        let scratch = &mut scratch[..self.registers];
-        match &self.code {
-            Width::Narrow(code) => code.run(&self.tables, inputs, scratch, out),
-            Width::Wide(code) => code.run(&self.tables, inputs, scratch, out),
-        }
-    }
-}
-
-impl<R: Register> Bytecode<R> {
-    #[inline(always)]
-    fn run<T: Real>(&self, tables: &Tables, inputs: Inputs<'_, T>, s: &mut [T], out: &mut [T]) {
+        let s = &mut scratch[..self.registers];
         for &(operand, register) in &self.loads {
-            s[register.index()] = match operand {
+            s[register as usize] = match operand {
                 Operand::Time => inputs.t,
                 Operand::State(k) => inputs.x[k as usize],
                 Operand::Parameter(k) => inputs.p[k as usize],
@@ -205,8 +147,8 @@ impl<R: Register> Bytecode<R> {
             macro_rules! each {
                 (|$($operand:ident),*| $value:expr) => {
                     for i in these {
-                        $(let $operand = s[i.$operand.index()];)*
-                        s[i.target.index()] = $value;
+                        $(let $operand = s[i.$operand as usize];)*
+                        s[i.target as usize] = $value;
                     }
                 };
             }
@@ -225,35 +167,18 @@ impl<R: Register> Bytecode<R> {
                 Opcode::Neg => each!(|a| -a),
                 Opcode::Recip => each!(|a| T::splat(1.0) / a),
                 Opcode::RecipOrZero => each!(|a| a.recip_or_zero()),
-                Opcode::Call(function) => each!(|a| function.eval(a, tables)),
+                Opcode::Call(function) => each!(|a| function.eval(a, &self.tables)),
                 Opcode::SinCos => {
                     for i in these {
-                        let (sin, cos) = s[i.a.index()].sin_cos();
-                        s[i.target.index()] = sin;
-                        s[i.b.index()] = cos;
+                        let (sin, cos) = s[i.a as usize].sin_cos();
+                        s[i.target as usize] = sin;
+                        s[i.b as usize] = cos;
                     }
                 }
             }
         }
         for (result, &register) in out[..self.outputs.len()].iter_mut().zip(&self.outputs) {
-            *result = s[register.index()];
-        }
-    }
-}
-
-impl<R: Copy> Bytecode<R> {
-    fn map<S>(&self, register: impl Fn(R) -> S) -> Bytecode<S> {
-        let instruction = |i: &Instruction<R>| Instruction {
-            target: register(i.target),
-            a: register(i.a),
-            b: register(i.b),
-            c: register(i.c),
-        };
-        Bytecode {
-            runs: self.runs.clone(),
-            instructions: self.instructions.iter().map(instruction).collect(),
-            loads: self.loads.iter().map(|&(o, r)| (o, register(r))).collect(),
-            outputs: self.outputs.iter().map(|&r| register(r)).collect(),
+            *result = s[register as usize];
         }
     }
 }

@@ -1,18 +1,18 @@
 //! Register allocation: a linear scan over the live ranges of a program.
 
 use super::steps::{Step, Steps, Value};
-use super::{Bytecode, Instruction, Run};
+use super::{Instruction, Run, Tape};
 use crate::program::{Operand, Program};
 
 /// Index of the last use that is assigned to program outputs, which stay live after the last instruction: greater than
 /// every instruction index.
 const END: usize = usize::MAX;
 
-/// Compiles a program to bytecode, and returns it with the number of registers.
+/// Compiles a program to a tape.
 ///
 /// # Panics
 /// If an operand refers to a statement that does not precede its use.
-pub(super) fn bytecode(program: &Program) -> (Bytecode<u32>, usize) {
+pub(super) fn tape(program: &Program) -> Tape {
     let steps = Steps::new(program);
     let mut allocator = Allocator {
         last_use: last_uses(&steps),
@@ -31,13 +31,14 @@ pub(super) fn bytecode(program: &Program) -> (Bytecode<u32>, usize) {
         len: run.len(),
     });
     let outputs = steps.outputs.iter();
-    let code = Bytecode {
+    Tape {
         loads,
         runs: runs.collect(),
         instructions,
         outputs: outputs.map(|&output| allocator.register(output)).collect(),
-    };
-    (code, allocator.count as usize)
+        registers: allocator.count as usize,
+        tables: program.tables.clone(),
+    }
 }
 
 /// For each value, the index of the last step that reads it. Inputs and constants keep their registers for the whole
@@ -89,7 +90,7 @@ impl Allocator {
     }
 
     /// Compiles step `k`.
-    fn instruction(&mut self, step: &Step, k: usize) -> Instruction<u32> {
+    fn instruction(&mut self, step: &Step, k: usize) -> Instruction {
         let [a, b, c] = step.operands.map(|operand| self.register(operand));
         for operand in step.operands {
             if self.last_use[operand] == k {
