@@ -33,7 +33,7 @@ pub enum SsaDef {
     Constant(Number),
     /// Sum of signed terms, ordered by definition.
     Sum(Vec<Signed>),
-    /// Product of factors, repeated for powers, ordered by definition.
+    /// Product of two or more factors, sorted by index; a factor to the power n is listed n times.
     Product(Vec<DefId>),
     /// Square root of a nonnegative operand.
     Root(DefId),

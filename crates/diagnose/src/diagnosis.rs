@@ -161,9 +161,9 @@ struct Analysis<'a> {
     notes: Vec<String>,
 }
 
-/// Runs the search. If the samples of a flight do not determine its initial state, or its trajectory cannot be
-/// integrated, the flight is removed from the model, its file name is added to `set_aside`, and the search starts
-/// again.
+/// Searches for missing effects with the flights that can be tested. If the samples of a flight do not determine its
+/// initial state, or its trajectory cannot be integrated, the flight is removed from the score-test model, its file name
+/// is added to `set_aside`, and the search starts again with the other flights.
 fn search_testable<'a>(
     model: &mut ScoreTestModel,
     base: &mut Iterate,

@@ -175,7 +175,8 @@ impl FitProblem {
         markers.count() == self.markers.len()
     }
 
-    /// Noise group of each channel, by channel index.
+    /// For each channel, the index of its noise group. The channels of a group have the same standard deviations and
+    /// autocorrelations of the noise.
     pub fn noise_groups(&self) -> Vec<usize> {
         self.channels.iter().map(|channel| channel.group).collect()
     }

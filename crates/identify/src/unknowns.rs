@@ -37,8 +37,8 @@ pub struct Resolved<'d> {
     /// The model, with a quantity for each kind of instrument of the dataset and with an effect for each unknown of the
     /// dataset.
     pub model: Model,
-    /// The dataset, with its sensor positions, origin and vertical direction marked as known, because effects in the
-    /// model describe them.
+    /// The dataset, with all its sensor positions, origin and vertical direction marked as known: errors of those that
+    /// it declares unknown are estimated as coefficients of effects of the model instead.
     pub dataset: Cow<'d, Dataset>,
     /// Priors of the fit options and of the unknowns of the dataset.
     pub priors: Vec<Prior>,

@@ -50,7 +50,7 @@ pub enum Study {
     #[command(after_help = "Example:\n  hyzer-studies own-models --only 'glider strong'")]
     OwnModels(Runs),
     /// Whether typical laboratory mistakes are reported, harmless, or make results that are marked as unreliable;
-    /// includes the section of `cuts`
+    /// without `--only`, also runs the study `cuts`
     #[command(after_help = "Example:\n  hyzer-studies spoiled --seeds 2 --only 'labels one'")]
     Spoiled(Runs),
     /// Fits and diagnoses with poses, gyroscopes, accelerometers and speeds, alone and together with markers

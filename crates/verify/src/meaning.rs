@@ -45,8 +45,9 @@ impl<'a> Meaning<'a> {
         }
     }
 
-    /// Axis of revolution of the claimed body (1, 2 or 3): the axis of the rotation from the frame in which the inertia
-    /// is declared to the body-fixed frame. `None` if there is no such rotation.
+    /// Axis of revolution (1, 2 or 3) of the body that the model's `claim` statement describes: the axis of the
+    /// rotation from the frame in which the inertia is declared to the body-fixed frame. `None` if there is no such
+    /// rotation, or the meaning is not taken from a claim.
     pub fn axis_of_revolution(&self) -> Option<u8> {
         let Self::Claim(model) = self else {
             return None;

@@ -101,7 +101,7 @@ fn anywhere(model: &Model, random: &mut Random) -> Point<f64> {
     point
 }
 
-/// Typical magnitude, in flights, of a quantity with the given unit; the magnitude is in SI units.
+/// Magnitude, in SI units, that a quantity with the given unit typically has during a flight.
 pub fn typical(unit: Unit) -> f64 {
     let [metre, second, radian] =
         [Base::Metre, Base::Second, Base::Radian].map(|base| unit.doubled[base as usize]);

@@ -23,7 +23,8 @@ pub struct Subject<'a> {
     /// Reference law that the model claims, bound to the names of the model; `None` if none is claimed or binding
     /// failed.
     pub reference: Option<Reference>,
-    /// Reason why the claimed reference law cannot be bound; `None` if it is bound or none is claimed.
+    /// Why the names of the reference law that the model claims cannot be matched to the states, parameters and
+    /// coefficients of the model; `None` if they are matched, or no law is claimed.
     pub unbound: Option<BindError>,
     /// Conversion between states and physical quantities (position, velocity, attitude, angular velocity): from the
     /// reference law, else from the body declared in the model; `None` if neither exists.

@@ -23,10 +23,11 @@ use crate::{Answer, output, progress};
 /// File in the dataset's folder that lists the choices made in the import, such as units, axes and the samples of each
 /// flight.
 const DECISIONS: &str = "import.txt";
-/// Report page of the import, with the choices made (units, axes, samples) and the figures of each flight.
+/// File name of the report page of the import, with the choices made (units, axes, samples) and plots of each flight.
 const PAGE: &str = "import.html";
 
-/// Flights, choices made in the import (such as units and axes) and figures, gathered from all recordings.
+/// Result of the import of all recordings: flights, choices made (such as axes and tracked points) and data for the
+/// plots on the report page.
 #[derive(Default)]
 struct Found {
     flights: Vec<Flight>,

@@ -31,9 +31,9 @@ const MIN_CONCORDANT: f64 = 0.5;
 
 /// Result of the search for hypotheses on which the flights agree.
 pub(crate) struct Consensus {
-    /// Hypotheses that explain at least half of the excess χ² of all flights, best fit first. Empty if no hypothesis
-    /// does so, but one explains at least half of the excess χ² of the concordant flights, that is, after its
-    /// discordant flights are excluded.
+    /// Hypotheses that explain at least half of the excess χ² of all flights, best fit first. May be empty: then one
+    /// hypothesis explains at least half of the excess χ² of the flights outside `discordant`, but none explains half
+    /// of that of all flights.
     pub hypotheses: Vec<Hypothesis>,
     /// Fraction, 0 … 1, of the excess χ² (weighted sum of squares minus its expectation for pure noise) that the best
     /// hypothesis explains, over all flights, or over the concordant flights if `hypotheses` is empty.

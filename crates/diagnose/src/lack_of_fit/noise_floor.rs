@@ -29,7 +29,7 @@ const MAX_RESIDUALS: usize = 40_000;
 pub(super) struct FlightSeries {
     /// Residuals as `series[channel][axis]`, where a channel is a marker position or one quantity of a sensor.
     pub series: Vec<[Series; 3]>,
-    /// Spline basis fine enough to follow every smooth motion.
+    /// Spline basis whose knots are close enough to follow fast smooth motion; what it cannot follow counts as noise.
     pub fine: SplineBasis,
 }
 

@@ -20,7 +20,7 @@ const KNOT_INTERVAL: f64 = 0.2;
 /// Maximum number of knots of a load coefficient's history in one flight.
 const MAX_KNOTS: usize = 9;
 
-/// Maximum number of flights whose load histories are estimated.
+/// Maximum number of flights for which time histories of missing loads are estimated; further flights are ignored.
 const MAX_FLIGHTS: usize = 12;
 
 /// Value with which the expectation maximization starts, for two standard deviations of a load coefficient: that of its

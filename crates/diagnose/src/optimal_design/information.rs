@@ -22,7 +22,8 @@ pub(super) fn information(model: &ScoreTestModel, blocks: &[NormalBlock]) -> Opt
     Some(sum)
 }
 
-/// A fitted hypothesis, given by the differences of its coefficients from their null values.
+/// Differences of the fitted coefficients of a hypothesis from their null values (the values at which its effects are
+/// absent).
 pub(super) struct Alternative {
     columns: Vec<ColumnId>,
     /// For each of `columns`: fitted value minus null value of the coefficient to which the column belongs, SI.

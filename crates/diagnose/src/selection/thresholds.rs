@@ -1,6 +1,7 @@
 //! Significance thresholds of the specification search.
 
-/// Thresholds of log p-values, familywise over all tests.
+/// Thresholds of the natural logarithm of p-values. Under the null hypothesis, the smallest p-value of all tests falls
+/// below a threshold with the probability that was chosen as its familywise significance level.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Thresholds {
     /// Log p-value below which a model error is detected.

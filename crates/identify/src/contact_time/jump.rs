@@ -114,14 +114,16 @@ impl Jumps {
     }
 }
 
-/// Points of a sample, with their sum of squares as a function of the initial state.
+/// Whitened residuals of the markers in one sample, and the sum of their squares as a quadratic function of the change
+/// of the initial state.
 struct SampleSum<'a> {
     points: &'a [Point],
     sum: Quadratic,
 }
 
-/// Sum of squares of the samples after a jump, as a function of the initial state before the jump and of the change of
-/// the initial state that represents the jump. The part of the initial state is that of free motion.
+/// Sum of squared residuals of the samples after a jump, as a quadratic function of two vectors: the initial state before
+/// the jump, and the change of the initial state that represents the jump. The terms with the initial state alone are
+/// those of free motion, and are not stored here.
 struct JumpSum {
     /// Block of the normal matrix that couples the initial state (rows) and its change (columns).
     cross: DMatrix<f64>,

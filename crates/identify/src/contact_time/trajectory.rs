@@ -10,7 +10,8 @@ use crate::predict::each_residual;
 use crate::problem::FitProblem;
 use crate::state_manifold::StateManifold;
 
-/// Times within the interval between two samples at which a contact is tried, as fractions of the interval.
+/// Trial times of a contact between two successive samples, as fractions of the interval from the earlier to the later
+/// sample.
 const PARTS: [f64; 4] = [0.125, 0.375, 0.625, 0.875];
 
 /// Predicted marker positions of a flight, with derivatives with respect to the initial state.
@@ -33,7 +34,8 @@ pub struct Trajectory {
 pub struct Predicted {
     /// Predicted position in the inertial frame, m.
     pub position: [f64; 3],
-    /// Derivatives of each coordinate with respect to the free directions of the initial state (see [`StateManifold`]).
+    /// Derivatives of each coordinate of `position` with respect to the initial state, one entry for each direction in
+    /// which the state may vary (see [`StateManifold`]).
     pub derivatives: [DVector<f64>; 3],
 }
 

@@ -258,9 +258,9 @@ impl Search<'_> {
         scale.is_some_and(|scale| scale <= LIKE_RATIO * self.usual)
     }
 
-    /// Finds the first contact of the flight `whole` between the samples `from` and `to`. Returns the contact with the
-    /// initial state fitted to the samples before the range in which it was found; `None` if there is no contact.
-    /// `local` is the initial guess of the initial state.
+    /// Searches the samples `from..to` of the flight `whole` for the first contact, in successive ranges. Returns the
+    /// contact and the initial state fitted to the samples before the range in which it was found; `None` if no contact
+    /// was found. `local` is the initial guess of the initial state.
     fn contact(
         &self,
         whole: &Observations,

@@ -35,7 +35,8 @@ pub fn all_samples(flights: &[Observations]) -> Vec<usize> {
 }
 
 impl<'a> OutputError<'a> {
-    /// Creates the sum of squares over all samples of the given flights, as a function of global and local parameters.
+    /// Creates the sum of squared residuals (or of their `loss`) over all samples of the given flights, as a function
+    /// of the global parameters and the local parameters of each flight.
     pub fn of_all(
         problem: &'a FitProblem,
         flights: impl IntoIterator<Item = &'a Observations>,

@@ -32,6 +32,8 @@ pub struct FreeMotion {
     pub axis: Regression<6>,
     /// The measured positions and axes, whitened.
     values: [Whitened; 2],
+    /// For each point, the decrease of the sums of squares of position and axis if the point is removed.
+    removals: [Vec<f64>; 2],
 }
 
 /// Least-squares fits of free motion, and of motion with a velocity jump, to ranges of points of one flight. Ranges
@@ -70,10 +72,13 @@ impl MotionFits {
             designs.0.whiten(points.iter().map(|point| point.position)),
             designs.1.whiten(points.iter().map(|point| point.axis)),
         ];
+        let (position, of_position) = designs.0.solve_with_removals(&values[0]);
+        let (axis, of_axis) = designs.1.solve_with_removals(&values[1]);
         Some(FreeMotion {
-            position: designs.0.solve(&values[0]),
-            axis: designs.1.solve(&values[1]),
+            position,
+            axis,
             values,
+            removals: [of_position, of_axis],
         })
     }
 
@@ -115,9 +120,8 @@ impl MotionFits {
         let mut free = self.free(&kept, about)?;
         for _ in 0..MOST_OUTLIERS {
             let noise = self.character.noise.map(|noise| noise * noise);
-            let of = |index: usize| {
-                free.position.removable[index] / noise[0] + free.axis.removable[index] / noise[1]
-            };
+            let [position, axis] = &free.removals;
+            let of = |index: usize| position[index] / noise[0] + axis[index] / noise[1];
             let worst = (0..kept.len()).max_by(|&a, &b| of(a).total_cmp(&of(b)))?;
             if of(worst) <= OUTLIER || kept.len() <= LEAST_SIDES.0 {
                 break;

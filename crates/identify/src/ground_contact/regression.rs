@@ -61,9 +61,6 @@ pub struct Regression<const N: usize> {
     pub squares: f64,
     /// Degrees of freedom of the residuals; a value below 3 is replaced by 3.
     pub freedom: f64,
-    /// For each whitened row, the squared residual divided by 1 − leverage: the decrease of the sum of squares if the
-    /// row is removed.
-    pub removable: Vec<f64>,
     inverse: SMatrix<f64, N, N>,
     origin: Vector3<f64>,
     correlation: f64,
@@ -158,6 +155,21 @@ impl<const N: usize> Design<N> {
 
     /// Fits the basis functions to measured vectors, one for each row of the design.
     pub fn solve(&self, values: &Whitened) -> Regression<N> {
+        self.solve_rows(values, |_, _| {})
+    }
+
+    /// Fits the basis functions as [`solve`](Self::solve) does. Also returns, for each row, the decrease of the sum of
+    /// squares if the row is removed: the squared residual divided by 1 − leverage.
+    pub fn solve_with_removals(&self, values: &Whitened) -> (Regression<N>, Vec<f64>) {
+        let mut removals = Vec::with_capacity(self.rows.len());
+        let regression = self.solve_rows(values, |square, free_part| {
+            removals.push(square / free_part.max(LEAST_PART));
+        });
+        (regression, removals)
+    }
+
+    /// Calls `each` with the squared residual of each row and its 1 − leverage.
+    fn solve_rows(&self, values: &Whitened, mut each: impl FnMut(f64, f64)) -> Regression<N> {
         let mut right = [[0.0; 4]; N];
         for (row, value) in self.rows.iter().zip(&values.vectors) {
             for (sum, function) in right.iter_mut().zip(row) {
@@ -173,7 +185,7 @@ impl<const N: usize> Design<N> {
         }
         let mut squares = 0.0;
         let rows = self.rows.iter().zip(&values.vectors).zip(&self.free_parts);
-        let removable = rows.map(|((row, value), free_part)| {
+        for ((row, value), free_part) in rows {
             let mut residual = *value;
             for (coefficient, function) in negative.iter().zip(row) {
                 add_scaled(&mut residual, *function, coefficient);
@@ -181,9 +193,8 @@ impl<const N: usize> Design<N> {
             let [x, y, z, _] = residual;
             let square = x * x + y * y + z * z;
             squares += square;
-            square / free_part.max(LEAST_PART)
-        });
-        let removable = removable.collect();
+            each(square, *free_part);
+        }
         for (index, precision) in self.precisions.iter().enumerate() {
             squares += precision * coefficients.row(index).norm_squared();
         }
@@ -191,7 +202,6 @@ impl<const N: usize> Design<N> {
             coefficients,
             squares,
             freedom: self.freedom,
-            removable,
             inverse: self.inverse,
             origin: values.origin,
             correlation: self.correlation,

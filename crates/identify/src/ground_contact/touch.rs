@@ -29,7 +29,8 @@ const EARLIER: usize = 8;
 /// Minimum gains of a contact, in units of the usual gain (see `LEAST_USUAL`): the first value applies to the gain of
 /// the position and to that of the axis, the second value to the geometric mean of the two.
 const MIN_GAINS: (f64, f64) = (3.5, 5.5);
-/// Minimum upward velocity jump, m/s, of a contact that is evident from both the position and the axis.
+/// Minimum upward velocity jump, m/s, of a contact detected because the position and the most steady body axis
+/// both have gains above `MIN_GAINS`.
 const MIN_JUMP: f64 = 0.15;
 /// Minimum ratio of the upward component of a velocity jump at the ground to its magnitude; limited friction limits the
 /// horizontal component.

@@ -21,7 +21,8 @@ const SPIN_PART: usize = 3;
 const TURNS: (f64, f64, usize) = (0.25, 0.05, 56);
 /// Spacing of the trial values in the first, coarse search for the wobble rate, in multiples of the step of `TURNS`.
 const COARSE: usize = 3;
-/// Number of points in each segment to which a wobble is fitted at every trial rate.
+/// Number of samples in each of the segments into which a flight is divided. For every trial value of the wobble rate,
+/// a sinusoid with this rate is fitted to the axis in each segment.
 const CHUNK: usize = 12;
 /// Unit of time in a polynomial over a segment, s: its variable is time divided by this value.
 const SCALE: f64 = 0.05;

@@ -93,7 +93,8 @@ impl<'p> JacobianColumns<'p> {
             .collect()
     }
 
-    /// Zero rows for the three axes of an observation.
+    /// Rows of zeros for the three axes of an observation, as long as the rows of the accumulator of the normal
+    /// equations.
     pub fn empty_rows(&self) -> [Vec<f64>; 3] {
         let width = self.accumulator().width();
         [0; 3].map(|_| vec![0.0; width])

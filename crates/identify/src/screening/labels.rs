@@ -143,9 +143,10 @@ fn permuted(distances: &Distances, permutation: &[usize]) -> Vec<f64> {
         .collect()
 }
 
-/// Range of consecutive samples with the greatest log-likelihood ratio of exchanged to declared labels; `permuted` are
-/// the distances, m, that are expected if the labels are exchanged. `None` if the evidence for exchanged labels is
-/// insufficient.
+/// Tests one permutation of the marker labels; `permuted` is the distance of each pair of markers, m, that is expected
+/// with the permuted labels. Returns the range of consecutive samples with the greatest log-likelihood ratio of
+/// permuted to declared labels; `None` if this ratio is at most [`LEAST_EVIDENCE`] or the permutation does not remove
+/// most of the error of the distances (see [`ERROR_RATIO`]).
 fn stretch(distances: &Distances, permuted: &[f64]) -> Option<Stretch> {
     let variance = (CORRELATION * distances.noise).powi(2) + TEMPLATE_ERROR.powi(2);
     let errors = |row: &[f64], declared: &[f64]| -> f64 {

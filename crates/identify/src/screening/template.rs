@@ -65,18 +65,17 @@ fn units(distances: &Distances, flight: &Flight) -> Option<DataFault> {
 fn elsewhere(distances: &Distances, flight: &Flight, markers: &[Marker]) -> Option<DataFault> {
     let count = markers.len().min(MOST_MARKERS);
     let (mut measured, mut wrong) = (vec![0_usize; count], vec![0_usize; count]);
+    let (mut in_pairs, mut seen) = (vec![0_usize; count], vec![false; count]);
     for row in &distances.samples {
-        let gross: Vec<bool> = (0..row.len())
-            .map(|pair| !row[pair].is_nan() && distances.is_gross(row[pair], pair))
-            .collect();
         // The marker in most of the wrong pairs is taken to be the misplaced one.
-        let mut in_pairs = vec![0_usize; count];
-        let mut seen = vec![false; count];
+        in_pairs.fill(0);
+        seen.fill(false);
         for (pair, &(i, j)) in distances.pairs.iter().enumerate() {
-            if !row[pair].is_nan() {
-                (seen[i], seen[j]) = (true, true);
+            if row[pair].is_nan() {
+                continue;
             }
-            if gross[pair] {
+            (seen[i], seen[j]) = (true, true);
+            if distances.is_gross(row[pair], pair) {
                 in_pairs[i] += 1;
                 in_pairs[j] += 1;
             }

@@ -28,9 +28,9 @@ pub(super) enum Air {
     Wind,
     /// Horizontal wind proportional to the height.
     WindByHeight,
-    /// Relative error of the air density.
+    /// Relative error of the air density: the true density is (1 + value) times that of the model.
     Density,
-    /// Relative error of the gravitational acceleration.
+    /// Relative error of the gravitational acceleration: the true one is (1 + value) times that of the model.
     Gravity,
 }
 

@@ -64,7 +64,8 @@ pub(super) enum Observation {
     Tilted,
     /// All measured lengths have a common relative error.
     Scale,
-    /// The second and the third marker are sampled one and two delays later than the first one.
+    /// Each marker is sampled later than the preceding one by the same delay: the second marker by one delay after the
+    /// first, the third by two. The value of the effect is the delay, s.
     TimeOffset,
     /// The marker with this index, from 0, is elsewhere on the body than measured.
     Misplaced(usize),

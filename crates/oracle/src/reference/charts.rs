@@ -49,7 +49,11 @@ fn quaternion(model: &Model) -> Result<Chart, BindError> {
     })
 }
 
-/// Chart of a point mass: position and velocity in inertial components.
+/// Coordinate chart of a point mass: the states x, y, z (position) and vx, vy, vz (velocity), both in inertial
+/// components.
+///
+/// # Errors
+/// [`BindError::MissingState`] if the model lacks one of these states.
 pub(super) fn point_mass(model: &Model) -> Result<Chart, BindError> {
     in_inertial_axes(model, ["vx", "vy", "vz"])
 }

@@ -74,7 +74,7 @@ pub enum Size {
     Severe,
 }
 
-/// Ratio of a severe size to a strong one.
+/// Ratio of the value of an effect at [`Size::Severe`] to its value at [`Size::Strong`].
 const SEVERE: f64 = 4.0;
 
 impl Size {
@@ -87,7 +87,7 @@ impl Size {
         }
     }
 
-    /// Value of an effect at this size, from the effect's weak and strong values.
+    /// Value of an effect at this size, given its values at the sizes weak and strong.
     pub(super) fn of(self, weak: f64, strong: f64) -> f64 {
         match self {
             Size::Weak => weak,

@@ -27,7 +27,8 @@ pub const TWELVE: Plan<'static> = Plan {
     rate: 120.0,
 };
 
-/// A named noise condition.
+/// Noise that is added to the simulated marker positions of a study (white or correlated noise, outliers, missing
+/// positions), with a name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NoiseCondition {
     /// Name of the condition on pages. The seeds of the discovery study are derived from it, so another name would give

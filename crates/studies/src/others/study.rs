@@ -21,7 +21,7 @@ const OPTIONS: verify::Options = verify::Options {
     effects: false,
 };
 
-/// Results of the study for one simulator.
+/// Results of the verification of one published simulator's equations of motion.
 #[derive(Clone, Debug)]
 pub struct Verdicts {
     /// Published simulator whose equations were verified.

@@ -139,8 +139,9 @@ fn run(observed: &Observed, seed: u64) -> Run {
     Some((seconds, each.collect()))
 }
 
-/// Enters the number of failed fits, the coverage of the confidence intervals, the RMS z and the median time into
-/// `set`. Returns the median standard error of each coefficient over the successful fits.
+/// Stores statistics of the fits in `set`: number of failed fits, coverage of the confidence intervals, RMS z-score
+/// (error of an estimate divided by its standard error) and median time. Returns the median standard error of each
+/// coefficient over the successful fits.
 fn gather(runs: &[Run], set: &mut SensorSet) -> Vec<f64> {
     let good: Vec<_> = runs.iter().flatten().collect();
     set.failed = runs.len() - good.len();

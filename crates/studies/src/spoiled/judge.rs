@@ -7,7 +7,7 @@ use identify::{FitError, FitReport, FlightOutcome};
 /// Maximum error of a coefficient that counts as correct, in standard errors.
 pub(super) const MAX_Z: f64 = 4.0;
 
-/// Classification of a fit's answer to data into which a recording mistake was introduced.
+/// How a fit responds to data with a recording mistake that was introduced on purpose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Judgement {
     /// Every flight with the mistake is reported as faulty, truncated or excluded. In addition, every coefficient is

@@ -76,8 +76,8 @@ pub enum CentreHeight {
     Stated {
         /// Stated height of the centre of mass along the spin axis, relative to the mean of the markers, m.
         height: f64,
-        /// Height of the centre of mass as estimated from the flights and standard error of this estimate, m; `None` if
-        /// the flights do not determine the height.
+        /// Estimate of the same height from the flights, for comparison, and its standard error, m; `None` if the
+        /// flights do not determine the height.
         shown: Option<(f64, f64)>,
     },
     /// Assumed to be 0, the mean height of the markers, because the flights do not determine it.

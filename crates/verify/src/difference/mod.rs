@@ -74,8 +74,8 @@ pub struct RowChange {
     /// Maximum difference between the row in the old and in the new model at random points, relative to the sum of the
     /// magnitudes of the row's terms; 0 for a row that only one of the models has.
     pub error: f64,
-    /// Whether the row is the same function in both models if each parameter that only one of the models has is fixed
-    /// at its default value; false for a row that only one of the models has.
+    /// Whether the row is the same function in both models once each parameter that only one of the models has is fixed
+    /// at the default value stated in its model file; false for a row that only one of the models has.
     pub same_at_stated_values: bool,
     /// Statements (added, removed or changed) that cause the difference of the row, each described with the terms that
     /// differ.

@@ -28,7 +28,8 @@ pub enum Operator {
     Axis,
     /// The axis, the parent frame or the angle in the declaration of a rotated frame is replaced.
     Turn,
-    /// Sine and cosine are interchanged, a function is deleted, or a table's interpolation is changed.
+    /// Sine and cosine are interchanged, a call of `sqrt`, `unit` or `abs` is replaced by its argument, or the
+    /// interpolation of a table is changed.
     Function,
     /// A term, factor or load is deleted.
     Dropped,

@@ -5,7 +5,7 @@ use std::path::Path;
 use crate::error::StudyError;
 use crate::real_data::files::{bad_line, numbers, rows, text_of};
 
-/// One row of an aerodynamic table.
+/// Row of a table of aerodynamic coefficients: their values at one angle of attack.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in super::super) struct Measured {
     /// Angle of attack, rad.
