@@ -46,7 +46,7 @@ const ROUGH: f64 = 0.5;
 
 /// Spacing, in points, of the intervals that are tested in the first, cheap pass. Not every interval need be tested,
 /// because a contact affects the tests of several neighbouring intervals.
-const ROUGH_STEP: usize = 4;
+const ROUGH_STEP: usize = 2;
 
 /// A contact of a body with the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
