@@ -89,7 +89,7 @@ impl Allocator {
             .unwrap_or_else(|| panic!("value {value} is read outside its live range"))
     }
 
-    /// Compiles step `k`.
+    /// Compiles the step with index `k`, and frees the registers of the values that no later step reads.
     fn instruction(&mut self, step: &Step, k: usize) -> Instruction {
         let [a, b, c] = step.operands.map(|operand| self.register(operand));
         for operand in step.operands {

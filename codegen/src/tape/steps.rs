@@ -155,7 +155,7 @@ fn order_in_runs(steps: &[Step], values: usize) -> Vec<usize> {
 /// For each value, the steps that read it, once for each operand.
 struct Readers {
     steps: Vec<usize>,
-    /// Start of each value's part of `steps`; its end is the next value's start.
+    /// For each value, the index in `steps` of the first step that reads it; the last entry is the length of `steps`.
     starts: Vec<usize>,
 }
 

@@ -30,9 +30,9 @@ pub struct Comparison {
 pub struct Jumps {
     /// Index of the first sample for which a jump in the preceding interval is tested.
     tried: usize,
-    /// For each sample before which a jump is tested: change of the initial state, relative to that of the predicted
-    /// trajectory, for which free motion best fits all earlier samples.
-    before: Vec<DVector<f64>>,
+    /// For each sample before which a jump is tested, free motion fitted to all earlier samples; then free motion fitted
+    /// to all samples.
+    free: Vec<Minimum>,
     /// `comparisons[i][k]` tests a jump just before sample `tried + i`, with the samples up to `tried + i + k`.
     comparisons: Vec<Vec<Comparison>>,
 }
@@ -54,7 +54,6 @@ impl Jumps {
         for point in (trajectory.first..tried).flat_map(of) {
             point.add_to(&mut sum);
         }
-        // Free motion fitted to the samples before each tried sample, and to all.
         let mut free = vec![sum.minimum()?];
         let mut samples = Vec::with_capacity(end - tried);
         for points in (tried..end).map(of) {
@@ -67,7 +66,6 @@ impl Jumps {
                 sum: sample,
             });
         }
-        let before = free.iter().map(Minimum::unknowns).collect();
         let comparisons = batch::each_on(threads, samples.len(), |first| {
             let held = trajectory.contacts[first].iter().map(|at| {
                 let displacement = over_noise(at, noise.sigma) / SLACK;
@@ -85,7 +83,7 @@ impl Jumps {
         Some(Self {
             tried,
             comparisons: comparisons.into_iter().collect::<Option<_>>()?,
-            before,
+            free,
         })
     }
 
@@ -109,8 +107,8 @@ impl Jumps {
 
     /// Change of the initial state, relative to that of the predicted trajectory, for which free motion best fits the
     /// samples before the sample of index `contact`.
-    pub fn before(&self, contact: usize) -> &DVector<f64> {
-        &self.before[contact - self.tried]
+    pub fn before(&self, contact: usize) -> DVector<f64> {
+        self.free[contact - self.tried].unknowns()
     }
 }
 

@@ -99,7 +99,8 @@ pub fn contact_time(
             Departure::Outlier(sample) => {
                 let before = jumps.before(sample);
                 let points = rows[sample - trajectory.first].iter();
-                let worst = points.max_by(|a, b| a.square(before).total_cmp(&b.square(before)))?;
+                let worst =
+                    points.max_by(|a, b| a.square(&before).total_cmp(&b.square(&before)))?;
                 observations.outlier[sample * observations.markers + worst.marker] = true;
             }
         }

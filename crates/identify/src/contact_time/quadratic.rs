@@ -77,9 +77,9 @@ impl Minimum {
         unknowns
     }
 
-    /// Eliminates these unknowns from normal equations in these and further ones, which are coupled by the block
-    /// `cross` of the normal matrix. Returns the sum of squares in the further unknowns, `others`, at the minimum over
-    /// these unknowns.
+    /// Schur complement: minimises a sum of squares over the unknowns of `self`. The sum also depends on other unknowns:
+    /// `others` are its terms with these alone, and `cross` is the block of the normal matrix that couples the unknowns
+    /// of `self` (rows) with the others (columns). Returns the minimum as a function of the other unknowns.
     pub fn eliminated(&self, cross: &DMatrix<f64>, others: &Quadratic) -> Quadratic {
         let mut solved = cross.clone();
         let lower = self.factor.l_dirty();
