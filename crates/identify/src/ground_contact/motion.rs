@@ -123,35 +123,12 @@ impl Character {
         [0, 1].map(|part| of.gains[part] * there[part] / here[part])
     }
 
-    /// Regression rows for the position of a point and for its axis, in motion that a contact disturbs at the time
-    /// `about`, s. The contact changes the velocity and the acceleration of the position, and the drift and the wobble
-    /// of the axis.
-    pub fn disturbed_rows(&self, point: &Point, about: f64) -> (Row<9>, Row<9>) {
+    /// Values, at a point, of the functions by which a contact at the time `about`, s, changes the position and the
+    /// axis. The contact changes the velocity and the acceleration of the position, and the drift and the wobble of the
+    /// axis.
+    pub fn disturbance(&self, point: &Point, about: f64) -> (SVector<f64, 2>, SVector<f64, 3>) {
         let since = (point.time - about).max(0.0);
         let (u, (sine, cosine)) = (since / SCALE, (self.rate * since).sin_cos());
-        let (of_position, of_axis) = self.free_rows(point, about);
-        (
-            extended(&of_position, [u, u * u]),
-            extended(&of_axis, [u, sine, 1.0 - cosine]),
-        )
-    }
-}
-
-/// Copy of a regression row to which the values `further` of additional basis functions are appended.
-fn extended<const N: usize, const K: usize, const M: usize>(
-    row: &Row<N>,
-    further: [f64; K],
-) -> Row<M> {
-    let mut functions = SVector::<f64, M>::zeros();
-    for (place, value) in functions
-        .iter_mut()
-        .zip(row.functions.iter().chain(&further))
-    {
-        *place = *value;
-    }
-    Row {
-        sample: row.sample,
-        functions,
-        value: row.value,
+        ([u, u * u].into(), [u, sine, 1.0 - cosine].into())
     }
 }

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use super::designs::Designs;
 use super::motion::{Character, Comparison, Point, SCALE};
-use super::regression::{Design, Regression, Whitened};
+use super::regression::{Design, Extended, Extension, Regression, Residuals};
 
 /// Maximum numbers of points (samples with a pose) that are used before and after an interval between two successive
 /// points that is tested for a contact.
@@ -30,10 +30,37 @@ pub struct FreeMotion {
     pub position: Regression<7>,
     /// Regression of the direction of the most steady body axis.
     pub axis: Regression<6>,
-    /// The measured positions and axes, whitened.
-    values: [Whitened; 2],
+    /// Residuals of position and axis.
+    residuals: [Residuals; 2],
     /// For each point, the decrease of the sums of squares of position and axis if the point is removed.
     removals: [Vec<f64>; 2],
+}
+
+/// Designs of the regressions of position and axis over some points.
+#[derive(Debug)]
+struct MotionDesigns {
+    position: Design<7>,
+    axis: Design<6>,
+    /// Functions by which a contact changes position and axis; `None` if the points do not determine the change.
+    disturbance: Option<(Extension<7, 2>, Extension<6, 3>)>,
+}
+
+impl MotionDesigns {
+    /// Designs of the points, for motion that may change at the time `about`, s; `None` if the points do not determine
+    /// free motion.
+    fn new(of: &Character, points: &[&Point], about: f64) -> Option<Self> {
+        let rows = points.iter().map(|point| of.free_rows(point, about));
+        let (positions, axes): (Vec<_>, Vec<_>) = rows.unzip();
+        let position = Design::new(&positions, &of.position_precisions(), of.correlation)?;
+        let axis = Design::new(&axes, &of.axis_precisions(), of.correlation)?;
+        let functions = points.iter().map(|point| of.disturbance(point, about));
+        let (positions, axes): (Vec<_>, Vec<_>) = functions.unzip();
+        Some(Self {
+            disturbance: position.extended(&positions).zip(axis.extended(&axes)),
+            position,
+            axis,
+        })
+    }
 }
 
 /// Least-squares fits of free motion, and of motion with a velocity jump, to ranges of points of one flight. Ranges
@@ -42,8 +69,7 @@ pub struct FreeMotion {
 pub struct MotionFits {
     /// Wobble rate and noise that the regressions assume.
     pub character: Character,
-    free: Designs<(Design<7>, Design<6>)>,
-    disturbed: Designs<(Design<9>, Design<9>)>,
+    designs: Designs<MotionDesigns>,
 }
 
 impl MotionFits {
@@ -51,60 +77,52 @@ impl MotionFits {
     pub fn new(character: Character) -> Self {
         Self {
             character,
-            free: Designs::new(),
-            disturbed: Designs::new(),
+            designs: Designs::new(),
         }
+    }
+
+    /// Designs of the given points, with times relative to `about`, s; `None` if the points do not determine free
+    /// motion.
+    fn designs(&mut self, points: &[&Point], about: f64) -> Option<&MotionDesigns> {
+        let of = &self.character;
+        self.designs.of(points.iter().copied(), about, || {
+            MotionDesigns::new(of, points, about)
+        })
     }
 
     /// Fits free motion to the given points, separately to their positions and to the directions of their body axes.
     /// Times are relative to `about`, s. `None` if the points do not determine the motion.
     pub fn free(&mut self, points: &[&Point], about: f64) -> Option<FreeMotion> {
-        let of = &self.character;
-        let designs = self.free.of(points.iter().copied(), about, || {
-            let rows = points.iter().map(|point| of.free_rows(point, about));
-            let (positions, axes): (Vec<_>, Vec<_>) = rows.unzip();
-            Some((
-                Design::new(&positions, &of.position_precisions(), of.correlation)?,
-                Design::new(&axes, &of.axis_precisions(), of.correlation)?,
-            ))
-        })?;
-        let values = [
-            designs.0.whiten(points.iter().map(|point| point.position)),
-            designs.1.whiten(points.iter().map(|point| point.axis)),
-        ];
-        let (position, of_position) = designs.0.solve_with_removals(&values[0]);
-        let (axis, of_axis) = designs.1.solve_with_removals(&values[1]);
+        let MotionDesigns { position, axis, .. } = self.designs(points, about)?;
+        let positions = position.whiten(points.iter().map(|point| point.position));
+        let axes = axis.whiten(points.iter().map(|point| point.axis));
+        let (of_position, positions) = position.solve_with_residuals(&positions);
+        let (of_axis, axes) = axis.solve_with_residuals(&axes);
         Some(FreeMotion {
-            position,
-            axis,
-            values,
-            removals: [of_position, of_axis],
+            position: of_position,
+            axis: of_axis,
+            removals: [
+                position.removals(&positions).collect(),
+                axis.removals(&axes).collect(),
+            ],
+            residuals: [positions, axes],
         })
     }
 
-    /// Fits motion whose velocity and wobble change at the time `about`, s, to the given points, separately to their
-    /// positions and to the directions of their body axes. `values` are the positions and axes, whitened. `None` if the
-    /// points do not determine the motion.
+    /// Fits motion whose velocity and wobble change at the time `about`, s, to the points of the `free` motion,
+    /// separately to their positions and to the directions of their body axes. `None` if the points do not determine
+    /// the motion.
     fn disturbed(
         &mut self,
         points: &[&Point],
-        values: &[Whitened; 2],
+        free: &FreeMotion,
         about: f64,
-    ) -> Option<(Regression<9>, Regression<9>)> {
-        let of = &self.character;
-        let designs = self.disturbed.of(points.iter().copied(), about, || {
-            let rows = points.iter().map(|point| of.disturbed_rows(point, about));
-            let (positions, axes): (Vec<_>, Vec<_>) = rows.unzip();
-            let mut of_position = [0.0; 9];
-            of_position[..7].copy_from_slice(&of.position_precisions());
-            let mut of_axis = [0.0; 9];
-            of_axis[..6].copy_from_slice(&of.axis_precisions());
-            Some((
-                Design::new(&positions, &of_position, of.correlation)?,
-                Design::new(&axes, &of_axis, of.correlation)?,
-            ))
-        })?;
-        Some((designs.0.solve(&values[0]), designs.1.solve(&values[1])))
+    ) -> Option<(Extended<7, 2>, Extended<6, 3>)> {
+        let (position, axis) = self.designs(points, about)?.disturbance.as_ref()?;
+        Some((
+            position.solve(&free.position, &free.residuals[0]),
+            axis.solve(&free.axis, &free.residuals[1]),
+        ))
     }
 
     /// Removes up to `MOST_OUTLIERS` points without which free motion fits far better. An outlier is such a point; a
@@ -164,22 +182,19 @@ impl MotionFits {
         if before < LEAST_SIDES.0 || kept.len() - before < LEAST_SIDES.1 {
             return None;
         }
-        let disturbed = self.disturbed(&kept, &free.values, about)?;
-        let variances = [disturbed.0.variance(), disturbed.1.variance()];
+        let (position, axis) = self.disturbed(&kept, &free, about)?;
+        let variances = [position.variance, axis.variance];
         let noise = self.character.noise.map(|noise| noise * noise);
         let unit = self.character.units(variances);
-        let slope =
-            |row: usize| Vector3::from(disturbed.0.coefficients.row(row).transpose()) / SCALE;
+        let velocity = position.coefficients.row(1).transpose();
+        let jump = position.further.row(0).transpose();
         Some(Comparison {
             index,
-            gains: [
-                (free.position.squares - disturbed.0.squares) / unit[0],
-                (free.axis.squares - disturbed.1.squares) / unit[1],
-            ],
+            gains: [position.gain / unit[0], axis.gain / unit[1]],
             variances,
-            remaining: disturbed.0.squares / noise[0] + disturbed.1.squares / noise[1],
-            velocity: slope(1),
-            jump: slope(7),
+            remaining: position.squares / noise[0] + axis.squares / noise[1],
+            velocity: Vector3::from(velocity) / SCALE,
+            jump: Vector3::from(jump) / SCALE,
         })
     }
 }

@@ -59,8 +59,6 @@ pub struct Regression<const N: usize> {
     pub coefficients: SMatrix<f64, N, 3>,
     /// Sum of squared whitened residuals, plus the penalty by the priors of the coefficients.
     pub squares: f64,
-    /// Degrees of freedom of the residuals; a value below 3 is replaced by 3.
-    pub freedom: f64,
     inverse: SMatrix<f64, N, N>,
     origin: Vector3<f64>,
     correlation: f64,
@@ -70,11 +68,6 @@ pub struct Regression<const N: usize> {
 const LEAST_PART: f64 = 0.05;
 
 impl<const N: usize> Regression<N> {
-    /// Residual variance: sum of squared residuals per degree of freedom.
-    pub fn variance(&self) -> f64 {
-        self.squares / self.freedom
-    }
-
     /// Squared innovation of the measured vector of `row`, to which the regression was not fitted. The innovation is
     /// the difference between the whitened vector and its prediction by the regression. Its squared length is divided
     /// by the variance that each of its components has for noise of variance 1. `previous` is the preceding row, whose
@@ -96,8 +89,6 @@ pub struct Design<const N: usize> {
     rows: Vec<[f64; N]>,
     /// 1 − leverage of each row.
     free_parts: Vec<f64>,
-    /// Degrees of freedom of the residuals; a value below 3 is replaced by 3.
-    freedom: f64,
     inverse: SMatrix<f64, N, N>,
     precisions: [f64; N],
     correlation: f64,
@@ -133,7 +124,6 @@ impl<const N: usize> Design<N> {
         let free_part = |row: &SVector<f64, N>| 1.0 - row.dot(&(inverse * row));
         let free_parts: Vec<f64> = functions.iter().map(free_part).collect();
         Some(Self {
-            freedom: (3.0 * free_parts.iter().sum::<f64>()).max(3.0),
             free_parts,
             rows: functions.iter().map(|row| (*row).into()).collect(),
             whitenings,
@@ -155,28 +145,19 @@ impl<const N: usize> Design<N> {
 
     /// Fits the basis functions to measured vectors, one for each row of the design.
     pub fn solve(&self, values: &Whitened) -> Regression<N> {
-        self.solve_rows(values, |_, _| {})
+        self.solve_rows(values, |_| {})
     }
 
-    /// Fits the basis functions as [`solve`](Self::solve) does. Also returns, for each row, the decrease of the sum of
-    /// squares if the row is removed: the squared residual divided by 1 − leverage.
-    pub fn solve_with_removals(&self, values: &Whitened) -> (Regression<N>, Vec<f64>) {
-        let mut removals = Vec::with_capacity(self.rows.len());
-        let regression = self.solve_rows(values, |square, free_part| {
-            removals.push(square / free_part.max(LEAST_PART));
-        });
-        (regression, removals)
+    /// Fits the basis functions as [`solve`](Self::solve) does, and returns the whitened residual of each row too.
+    pub fn solve_with_residuals(&self, values: &Whitened) -> (Regression<N>, Residuals) {
+        let mut residuals = Vec::with_capacity(self.rows.len());
+        let regression = self.solve_rows(values, |residual| residuals.push(residual));
+        (regression, Residuals(residuals))
     }
 
-    /// Calls `each` with the squared residual of each row and its 1 − leverage.
-    fn solve_rows(&self, values: &Whitened, mut each: impl FnMut(f64, f64)) -> Regression<N> {
-        let mut right = [[0.0; 4]; N];
-        for (row, value) in self.rows.iter().zip(&values.vectors) {
-            for (sum, function) in right.iter_mut().zip(row) {
-                add_scaled(sum, *function, value);
-            }
-        }
-        let right = SMatrix::<f64, N, 3>::from_fn(|row, column| right[row][column]);
+    /// Calls `each` with the whitened residual of each row.
+    fn solve_rows(&self, values: &Whitened, mut each: impl FnMut([f64; 4])) -> Regression<N> {
+        let right = products(&self.rows, &values.vectors);
         let coefficients = self.inverse * right;
         let mut negative = [[0.0; 4]; N];
         for (index, negative) in negative.iter_mut().enumerate() {
@@ -184,16 +165,13 @@ impl<const N: usize> Design<N> {
             *negative = [x, y, z, 0.0];
         }
         let mut squares = 0.0;
-        let rows = self.rows.iter().zip(&values.vectors).zip(&self.free_parts);
-        for ((row, value), free_part) in rows {
+        for (row, value) in self.rows.iter().zip(&values.vectors) {
             let mut residual = *value;
             for (coefficient, function) in negative.iter().zip(row) {
                 add_scaled(&mut residual, *function, coefficient);
             }
-            let [x, y, z, _] = residual;
-            let square = x * x + y * y + z * z;
-            squares += square;
-            each(square, *free_part);
+            squares += square(&residual);
+            each(residual);
         }
         for (index, precision) in self.precisions.iter().enumerate() {
             squares += precision * coefficients.row(index).norm_squared();
@@ -201,12 +179,122 @@ impl<const N: usize> Design<N> {
         Regression {
             coefficients,
             squares,
-            freedom: self.freedom,
             inverse: self.inverse,
             origin: values.origin,
             correlation: self.correlation,
         }
     }
+
+    /// Decrease of the sum of squares if a row is removed, for each row: the squared residual divided by 1 − leverage.
+    pub fn removals(&self, residuals: &Residuals) -> impl Iterator<Item = f64> {
+        let rows = residuals.0.iter().zip(&self.free_parts);
+        rows.map(|(residual, free_part)| square(residual) / free_part.max(LEAST_PART))
+    }
+
+    /// Extends the design by functions without priors, given by their values for each row; `None` if the rows do not
+    /// determine their coefficients.
+    pub fn extended<const K: usize>(
+        &self,
+        functions: &[SVector<f64, K>],
+    ) -> Option<Extension<N, K>> {
+        let mut previous = None;
+        let whitened = self.whitenings.iter().zip(functions);
+        let rows = whitened.map(|(whitening, functions)| {
+            let row = whitening.apply(previous.replace(*functions), *functions);
+            <[f64; K]>::from(row)
+        });
+        let rows: Vec<[f64; K]> = rows.collect();
+        let pairs = || self.rows.iter().zip(&rows);
+        let (mut cross, mut schur) = (SMatrix::<f64, N, K>::zeros(), SMatrix::zeros());
+        for (known, row) in pairs() {
+            let (known, row) = (SVector::from(*known), SVector::<f64, K>::from(*row));
+            cross += known * row.transpose();
+            schur += row * row.transpose();
+        }
+        for index in 0..K {
+            schur[(index, index)] *= 1.0 + RIDGE;
+        }
+        let explained = self.inverse * cross;
+        schur -= cross.tr_mul(&explained);
+        let inverse = schur.cholesky()?.inverse();
+        let leverages = pairs().map(|(known, row)| {
+            let known = SVector::<f64, N>::from(*known);
+            let row = SVector::<f64, K>::from(*row) - explained.tr_mul(&known);
+            row.dot(&(inverse * row))
+        });
+        let free = self.free_parts.iter().sum::<f64>() - leverages.sum::<f64>();
+        Some(Extension {
+            rows,
+            explained,
+            inverse,
+            freedom: (3.0 * free).max(3.0),
+        })
+    }
+}
+
+/// Whitened residuals of the rows of a design, with a fourth component of 0.
+#[derive(Clone, Debug)]
+pub struct Residuals(Vec<[f64; 4]>);
+
+/// `K` further basis functions of a [`Design`] with `N`. Their effect is computed from the residuals of the regression
+/// without them, by the Schur complement of the normal equations.
+#[derive(Clone, Debug)]
+pub struct Extension<const N: usize, const K: usize> {
+    /// Values of the whitened further functions, one array per row.
+    rows: Vec<[f64; K]>,
+    /// Coefficients of the further functions, regressed on the functions of the design.
+    explained: SMatrix<f64, N, K>,
+    /// Inverse of the Schur complement.
+    inverse: SMatrix<f64, K, K>,
+    /// Degrees of freedom of the residuals; a value below 3 is replaced by 3.
+    freedom: f64,
+}
+
+/// Least-squares fit of the functions of a design and of its extension.
+#[derive(Clone, Debug)]
+pub struct Extended<const N: usize, const K: usize> {
+    /// Coefficients of the functions of the design; one column per component of the vector.
+    pub coefficients: SMatrix<f64, N, 3>,
+    /// Coefficients of the further functions.
+    pub further: SMatrix<f64, K, 3>,
+    /// Decrease of the sum of squares by the further functions.
+    pub gain: f64,
+    /// Sum of squared whitened residuals, plus the penalty by the priors of the coefficients.
+    pub squares: f64,
+    /// Residual variance: sum of squared residuals per degree of freedom.
+    pub variance: f64,
+}
+
+impl<const N: usize, const K: usize> Extension<N, K> {
+    /// Adds the further functions to a regression, given with its residuals.
+    pub fn solve(&self, of: &Regression<N>, residuals: &Residuals) -> Extended<N, K> {
+        let right = products(&self.rows, &residuals.0);
+        let further = self.inverse * right;
+        let gain = further.dot(&right);
+        let squares = (of.squares - gain).max(0.0);
+        Extended {
+            coefficients: of.coefficients - self.explained * further,
+            further,
+            gain,
+            squares,
+            variance: squares / self.freedom,
+        }
+    }
+}
+
+/// Sum over the rows of the products of each function with each component of the vector.
+fn products<const N: usize>(rows: &[[f64; N]], vectors: &[[f64; 4]]) -> SMatrix<f64, N, 3> {
+    let mut sums = [[0.0; 4]; N];
+    for (row, vector) in rows.iter().zip(vectors) {
+        for (sum, function) in sums.iter_mut().zip(row) {
+            add_scaled(sum, *function, vector);
+        }
+    }
+    SMatrix::from_fn(|row, column| sums[row][column])
+}
+
+fn square([x, y, z, _]: &[f64; 4]) -> f64 {
+    x * x + y * y + z * z
 }
 
 /// Adds `factor` × `vector` to `sum`.
@@ -250,5 +338,48 @@ impl Whitening {
             Some(previous) => (row - previous * self.shared) * self.scale,
             None => row * self.scale,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_extension_is_the_regression_with_all_functions() {
+        let at = |sample: usize, salt: usize| ((sample * 37 + salt * 101) % 17) as f64 / 17.0;
+        let samples: Vec<usize> = (0..14).filter(|sample| *sample != 5).collect();
+        let rows = samples.iter().map(|&sample| Row {
+            sample,
+            functions: SVector::<f64, 5>::from([0, 1, 2, 3, 4].map(|salt| at(sample, salt))),
+            value: Vector3::new(at(sample, 6), at(sample, 7), at(sample, 8)),
+        });
+        let rows: Vec<Row<5>> = rows.collect();
+        let known = rows.iter().map(|row| Row {
+            sample: row.sample,
+            functions: row.functions.fixed_rows::<3>(0).into_owned(),
+            value: row.value,
+        });
+        let known: Vec<Row<3>> = known.collect();
+        let further = rows.iter().map(|row| row.functions.fixed_rows::<2>(3));
+        let further: Vec<SVector<f64, 2>> = further.map(nalgebra::Matrix::into_owned).collect();
+        let values = || rows.iter().map(|row| row.value);
+
+        let design = Design::new(&rows, &[0.0, 0.3, 0.0, 0.0, 0.0], 0.4).unwrap();
+        let all = design.solve(&design.whiten(values()));
+        let design = Design::new(&known, &[0.0, 0.3, 0.0], 0.4).unwrap();
+        let (some, residuals) = design.solve_with_residuals(&design.whiten(values()));
+        let extended = design.extended(&further).unwrap();
+        let freedom = extended.freedom;
+        let extended = extended.solve(&some, &residuals);
+
+        let coefficients = all.coefficients.fixed_rows::<3>(0);
+        assert!((extended.coefficients - coefficients).amax() < 1e-6);
+        assert!((extended.further - all.coefficients.fixed_rows::<2>(3)).amax() < 1e-6);
+        assert!((extended.squares - all.squares).abs() < 1e-7 * all.squares);
+        assert!((extended.gain - (some.squares - all.squares)).abs() < 1e-7 * some.squares);
+        // 13 rows, 4 coefficients without a prior and most of one with a prior.
+        assert!((3.0 * 8.0..3.0 * 9.0).contains(&freedom), "{freedom}");
+        assert_eq!(extended.variance, extended.squares / freedom);
     }
 }
