@@ -17,6 +17,10 @@ const AFTER: usize = 40;
 /// coordinate. It is small, because a contact changes velocities and not positions.
 const SLACK: f64 = 0.3;
 
+/// Decrease of the whitened sum of squares by a jump, tested with all samples in reach, below which no jump is tested
+/// with fewer samples. It is far below that of a contact, and samples after a contact increase it further.
+const MIN_ROUGH_GAIN: f64 = 30.0;
+
 /// Result of the comparison of free motion with motion whose velocities jump just before a sample.
 #[derive(Clone, Debug)]
 pub struct Comparison {
@@ -33,7 +37,8 @@ pub struct Jumps {
     /// For each sample before which a jump is tested, free motion fitted to all earlier samples; then free motion fitted
     /// to all samples.
     free: Vec<Minimum>,
-    /// `comparisons[i][k]` tests a jump just before sample `tried + i`, with the samples up to `tried + i + k`.
+    /// `comparisons[i][k]` tests a jump just before sample `tried + i`, with the samples up to `tried + i + k`; empty if
+    /// no jump decreases the sum of squares noticeably.
     comparisons: Vec<Vec<Comparison>>,
 }
 
@@ -66,7 +71,9 @@ impl Jumps {
                 sum: sample,
             });
         }
-        let comparisons = batch::each_on(threads, samples.len(), |first| {
+        let count = samples.len();
+        // Tests a jump with each number of samples after it from `least` on.
+        let compare = |first: usize, least: usize| -> Option<Vec<Comparison>> {
             let held = trajectory.contacts[first].iter().map(|at| {
                 let displacement = over_noise(at, noise.sigma) / SLACK;
                 displacement.tr_mul(&displacement)
@@ -74,12 +81,24 @@ impl Jumps {
             let held: Vec<DMatrix<f64>> = held.collect();
             let mut change = JumpSum::zeros(dimension);
             let after = samples[first..].iter().zip(&free[first + 1..]);
-            let each = after.take(AFTER).map(|(sample, free)| {
-                change.add(sample, tried + first);
-                change.compare(free, &held)
-            });
-            each.collect::<Option<Vec<Comparison>>>()
+            let each = after
+                .take(AFTER)
+                .enumerate()
+                .filter_map(|(index, (sample, free))| {
+                    change.add(sample, tried + first);
+                    (index + 1 >= least).then(|| change.compare(free, &held))
+                });
+            each.collect()
+        };
+        let rough = batch::each_on(threads, count, |first| {
+            compare(first, AFTER.min(count - first))
         });
+        let rough = rough.into_iter().collect::<Option<Vec<_>>>()?;
+        let may_jump = rough.iter().flatten().any(|by| by.gain > MIN_ROUGH_GAIN);
+        let comparisons = match may_jump {
+            true => batch::each_on(threads, count, |first| compare(first, 1)),
+            false => Vec::new(),
+        };
         Some(Self {
             tried,
             comparisons: comparisons.into_iter().collect::<Option<_>>()?,
