@@ -47,6 +47,25 @@ pub fn each_on<R: Send>(threads: usize, count: usize, task: impl Fn(usize) -> R 
     results.collect()
 }
 
+/// Runs `task` on one of `threads` threads, which [`each_on`] then uses for the batches of the task. A batch starts
+/// sooner there than on a thread outside the pool, which has to wake another thread and wait for it.
+///
+/// # Panics
+/// If `task` panics.
+pub fn within<R: Send>(threads: usize, task: impl FnOnce() -> R + Send) -> R {
+    if threads <= 1 || rayon::current_thread_index().is_some() {
+        return task();
+    }
+    if threads == rayon::current_num_threads() {
+        return rayon::scope(|_| task());
+    }
+    match shared_pool(threads) {
+        Ok(pool) => pool.install(task),
+        // The operating system refuses further threads.
+        Err(_) => task(),
+    }
+}
+
 /// Runs `task(0)`, …, `task(count - 1)` on `threads` threads. It is compiled once for all kinds of tasks.
 fn run(threads: usize, count: usize, task: &(dyn Fn(usize) + Sync)) {
     // One task at a time per thread, since their durations differ.
@@ -103,5 +122,11 @@ mod tests {
             shared_pool(11).expect("11 threads").current_num_threads(),
             11
         );
+        for threads in [1, 3, super::threads()] {
+            let place = || (rayon::current_thread_index(), rayon::current_num_threads());
+            let (thread, of) = within(threads, place);
+            assert_eq!(thread.is_some(), threads > 1, "{threads} threads");
+            assert!(of == threads || threads == 1, "{of} of {threads} threads");
+        }
     }
 }

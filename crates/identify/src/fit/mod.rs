@@ -33,6 +33,7 @@ mod wrong_minimum;
 use std::borrow::Borrow;
 use std::time::Instant;
 
+use flight::batch;
 use model_spec::model::Model;
 use nalgebra::DVector;
 
@@ -111,8 +112,19 @@ fn fit_after(
     options: &FitOptions<'_>,
     earlier: Option<&Fit>,
 ) -> Result<Fit, FitError> {
-    let clock = Instant::now();
     options.validate()?;
+    batch::within(options.threads(), || {
+        fit_within(model, dataset, options, earlier)
+    })
+}
+
+fn fit_within(
+    model: &Model,
+    dataset: &Dataset,
+    options: &FitOptions<'_>,
+    earlier: Option<&Fit>,
+) -> Result<Fit, FitError> {
+    let clock = Instant::now();
     let mut problem = FitProblem::new(model, dataset, options)?;
     let mut fitted = flights_of(dataset, Role::Fit);
     if fitted.is_empty() {
