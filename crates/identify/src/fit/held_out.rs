@@ -13,7 +13,7 @@ use crate::dataset::{Dataset, Flight};
 use crate::error::FlightError;
 use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;
-use crate::least_squares::eliminate;
+use crate::least_squares::{StoppingCriteria, eliminate};
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::options::FitOptions;
@@ -92,16 +92,9 @@ fn predict(
     mark_outliers(problem, &mut observations, global, &local)?;
     // Autocorrelation of few residuals may be model error; white noise is the safest assumption.
     let white = noise.uncorrelated();
-    let loss = Loss::Whitened(&white);
-    let (local, solution) = solve_local(
-        problem,
-        &observations,
-        samples,
-        global,
-        local,
-        loss,
-        options,
-    )?;
+    let by = (Loss::Whitened(&white), StoppingCriteria::COARSE);
+    let (local, solution) =
+        solve_local(problem, &observations, samples, global, local, by, options)?;
     let system = eliminate(&solution.blocks, 0.0);
     let system = system.map_err(|_| FlightError::SingularInitialState)?;
     let covariance = system.local_covariance(0, &DMatrix::zeros(0, 0));

@@ -133,14 +133,17 @@ fn step_to_noise(
 ) -> Result<Option<ResidualCache>, FitError> {
     let cache = ResidualCache::new(problem, state, &all_samples(&state.flights), options);
     let loss = Loss::Huber(cache.median_scale().max(problem.sigma0));
-    let stepped = unevaluated_step(problem, state, loss, &cache, options)?;
-    let is_noise = |cache: &ResidualCache| {
-        let limit = MAX_FLIGHT_NOISE * problem.sigma0;
-        let mut scales = cache.scales().into_iter();
-        cache.median_scale() <= MAX_MEDIAN_NOISE * problem.sigma0
-            && scales.all(|scale| scale.is_some_and(|scale| scale <= limit))
-    };
-    Ok(stepped.map(|step| step.cache).filter(is_noise))
+    let stepped = unevaluated_step(problem, state, loss, &cache, options, |_, _| {})?;
+    let stepped = stepped.map(|step| step.cache);
+    Ok(stepped.filter(|cache| are_noise(problem, cache)))
+}
+
+/// Whether the residuals of all flights are at noise level.
+fn are_noise(problem: &FitProblem, residuals: &ResidualCache) -> bool {
+    let limit = MAX_FLIGHT_NOISE * problem.sigma0;
+    let mut scales = residuals.scales().into_iter();
+    residuals.median_scale() <= MAX_MEDIAN_NOISE * problem.sigma0
+        && scales.all(|scale| scale.is_some_and(|scale| scale <= limit))
 }
 
 /// A least-squares step that was accepted on the basis of the residuals after it, without computing the derivatives at
@@ -154,15 +157,19 @@ pub struct AcceptedStep {
 }
 
 /// Performs one step of all unknowns and accepts it according to the residuals after it, which cost far less than
-/// derivatives. `None` if the residuals grew or a flight cannot be predicted; the state is then unchanged.
+/// derivatives. `configure` may change the objective, which includes all samples. `None` if the residuals grew or a
+/// flight cannot be predicted; the state is then unchanged.
 pub fn unevaluated_step(
     problem: &FitProblem,
     state: &mut State,
     loss: Loss<'_>,
     before: &ResidualCache,
     options: &FitOptions<'_>,
+    configure: impl Fn(&State, &mut OutputError<'_>),
 ) -> Result<Option<AcceptedStep>, FitError> {
-    let objective = OutputError::of_all(problem, &state.flights, loss, options);
+    let mut objective = OutputError::of_all(problem, &state.flights, loss, options);
+    configure(state, &mut objective);
+    let samples = objective.samples.clone();
     let start = state.iterate();
     let solution = match solve(&objective, start.clone(), StoppingCriteria::SINGLE_STEP) {
         Ok(solution) => solution,
@@ -170,7 +177,7 @@ pub fn unevaluated_step(
         Err(SolveError::Start(_) | SolveError::Undetermined(_)) => return Ok(None),
     };
     state.take(&solution);
-    let cache = ResidualCache::new(problem, state, &all_samples(&state.flights), options);
+    let cache = ResidualCache::new(problem, state, &samples, options);
     let is_predicted = cache.scales().iter().all(Option::is_some);
     if is_predicted && cache.median_scale() <= MAX_GROWTH * before.median_scale() {
         let predicted_reduction = solution.predicted_reduction;
@@ -203,8 +210,12 @@ pub fn fit_horizon(
         }
     });
     let constraints: Vec<Constraint> = constraints.collect();
+    let configure = |state: &State, objective: &mut OutputError<'_>| {
+        objective.samples = state.samples_until(horizon);
+        objective.constraints.clone_from(&constraints);
+    };
     let mut scale = f64::INFINITY;
-    for _ in 0..MAX_SCALES {
+    for pass in 0..MAX_SCALES {
         let cache = ResidualCache::new(problem, state, &state.samples_until(horizon), options);
         state.limit_to_flyable(&cache.failures());
         let next = spread(&cache).max(problem.sigma0);
@@ -212,11 +223,16 @@ pub fn fit_horizon(
             break;
         }
         scale = next;
-        let by = (Loss::Huber(scale), StoppingCriteria::HORIZON);
-        let solution = solve_flights(problem, state, by, None, options, |state, objective| {
-            objective.samples = state.samples_until(horizon);
-            objective.constraints.clone_from(&constraints);
-        })?;
+        let loss = Loss::Huber(scale);
+        // From good initial guesses, one step is enough.
+        if pass == 0
+            && let Some(step) = unevaluated_step(problem, state, loss, &cache, options, configure)?
+            && are_noise(problem, &step.cache)
+        {
+            break;
+        }
+        let by = (loss, StoppingCriteria::HORIZON);
+        let solution = solve_flights(problem, state, by, None, options, configure)?;
         state.take(&solution);
         if scale < HORIZON_SCALE * problem.sigma0 {
             break;

@@ -32,9 +32,9 @@ pub fn fit_initial_state(
     start: DVector<f64>,
     options: &FitOptions<'_>,
 ) -> Result<(f64, DVector<f64>), FlightError> {
-    let solve = |local: DVector<f64>, scale: f64| {
-        let loss = Loss::Huber(scale);
-        solve_local(problem, observations, samples, global, local, loss, options)
+    let solve = |local: DVector<f64>, scale: f64, criteria: StoppingCriteria| {
+        let by = (Loss::Huber(scale), criteria);
+        solve_local(problem, observations, samples, global, local, by, options)
     };
     let (mut local, mut scale) = (start, f64::INFINITY);
     for _ in 0..MAX_SCALES {
@@ -45,17 +45,17 @@ pub fn fit_initial_state(
             break;
         }
         scale = next;
-        local = solve(local, scale)?.0;
+        local = solve(local, scale, StoppingCriteria::HORIZON)?.0;
     }
-    let (local, solution) = solve(local, problem.sigma0)?;
+    let (local, solution) = solve(local, problem.sigma0, StoppingCriteria::COARSE)?;
     if !solution.blocks[0].determines_local() {
         return Err(FlightError::SingularInitialState);
     }
     Ok((solution.squares, local))
 }
 
-/// Fits the initial state of one flight to its first `samples` samples under the given loss. Returns the initial state
-/// and the least-squares solution.
+/// Fits the initial state of one flight to its first `samples` samples under the given loss, until the given termination
+/// criteria are met. Returns the initial state and the least-squares solution.
 ///
 /// # Errors
 /// The errors of [`fit_initial_state`].
@@ -65,7 +65,7 @@ pub fn solve_local(
     samples: usize,
     global: &DVector<f64>,
     local: DVector<f64>,
-    loss: Loss<'_>,
+    (loss, criteria): (Loss<'_>, StoppingCriteria),
     options: &FitOptions<'_>,
 ) -> Result<(DVector<f64>, Solution), FlightError> {
     let objective = OutputError::of_local(problem, observations, samples, loss, global, options);
@@ -73,7 +73,7 @@ pub fn solve_local(
         global: DVector::zeros(0),
         local: vec![local],
     };
-    let solution = solve(&objective, start, StoppingCriteria::COARSE);
+    let solution = solve(&objective, start, criteria);
     let solution = solution.map_err(|error| match error {
         SolveError::Start(failures) => {
             let first = failures.into_iter().next();

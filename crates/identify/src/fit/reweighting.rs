@@ -109,7 +109,7 @@ fn agree(
         // One step improves the noise estimate, which needs only the residuals after the step.
         if round == 0
             && !options.is_past_deadline()
-            && let Some(step) = unevaluated_step(problem, state, loss, &cache, options)?
+            && let Some(step) = unevaluated_step(problem, state, loss, &cache, options, |_, _| {})?
         {
             (cache, predicted_reduction) = (step.cache, step.predicted_reduction);
             continue;

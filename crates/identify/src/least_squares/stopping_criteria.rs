@@ -50,7 +50,8 @@ impl StoppingCriteria {
         max_steps: 30,
         worthwhile_squares: f64::INFINITY,
     };
-    /// Criteria for fits of a short initial part of the flights, which precede the fit of a longer part.
+    /// Criteria for fits that lead to the start of another fit, of a longer part of the flights or with a smaller scale
+    /// of the loss.
     pub const HORIZON: StoppingCriteria = StoppingCriteria {
         ftol_rel: 1e-2,
         accept_unevaluated: f64::INFINITY,
