@@ -37,6 +37,10 @@ const MAX_STARTS: usize = 3;
 /// fitted next.
 const HORIZON_SCALE: f64 = 5.0;
 
+/// Scale of the robust loss of a single step that may end at noise level, in units of the initial noise estimate
+/// `sigma0`. The scale of the residuals before the step would cost another integration.
+const STEP_SCALE: f64 = 2.0;
+
 /// Maximum median over the flights of their residual scales (robust standard deviations of the residuals), in units of
 /// the initial noise estimate `sigma0`, at which the residuals are considered noise.
 const MAX_MEDIAN_NOISE: f64 = 1.1;
@@ -68,15 +72,19 @@ pub fn continue_horizon(
         .filter_map(|flight| flight.times.last());
     let longest = lengths.copied().fold(0.0, f64::max);
     let mut horizon = FIRST_HORIZON;
+    let constraints = weak_constraints(problem);
     while horizon < longest / MIN_REMAINING_GROWTH && !options.is_past_deadline() {
         options.stage_started(&format!("first {horizon:.1} s"), state.flights.len());
-        fit_undistorted(problem, state, horizon, options)?;
+        // From good initial guesses, one step is enough.
+        if step_to_noise(problem, state, options, until(horizon, &constraints))?.is_none() {
+            fit_undistorted(problem, state, horizon, options)?;
+        }
         horizon *= HORIZON_GROWTH;
     }
     options.stage_started("whole flights", state.flights.len());
     if horizon > FIRST_HORIZON
         && !options.is_past_deadline()
-        && let Some(cache) = step_to_noise(problem, state, options)?
+        && let Some(cache) = step_to_noise(problem, state, options, |_, _| {})?
     {
         return Ok(cache);
     }
@@ -124,18 +132,28 @@ fn fit_undistorted(
     Ok(())
 }
 
-/// Tries one step of all unknowns over whole flights. Returns the residuals after the step if they are at noise level;
-/// `None` otherwise.
+/// Tries one step of all unknowns. Returns the residuals after the step if they are at noise level. Otherwise returns
+/// `None`, and undoes the step if the residuals grew. `configure` may change the objective, which includes all samples.
 fn step_to_noise(
     problem: &FitProblem,
     state: &mut State,
     options: &FitOptions<'_>,
+    configure: impl Fn(&State, &mut OutputError<'_>),
 ) -> Result<Option<ResidualCache>, FitError> {
-    let cache = ResidualCache::new(problem, state, &all_samples(&state.flights), options);
-    let loss = Loss::Huber(cache.median_scale().max(problem.sigma0));
-    let stepped = unevaluated_step(problem, state, loss, &cache, options, |_, _| {})?;
-    let stepped = stepped.map(|step| step.cache);
-    Ok(stepped.filter(|cache| are_noise(problem, cache)))
+    let start = state.iterate();
+    let loss = Loss::Huber(STEP_SCALE * problem.sigma0);
+    let Some(step) = single_step(problem, state, loss, options, &configure)? else {
+        return Ok(None);
+    };
+    if are_noise(problem, &step.residuals) {
+        return Ok(Some(step.residuals));
+    }
+    let stepped = state.replace(start);
+    let before = ResidualCache::new(problem, state, &step.samples, options);
+    if step.is_no_worse_than(&before) {
+        state.replace(stepped);
+    }
+    Ok(None)
 }
 
 /// Whether the residuals of all flights are at noise level.
@@ -146,61 +164,72 @@ fn are_noise(problem: &FitProblem, residuals: &ResidualCache) -> bool {
         && scales.all(|scale| scale.is_some_and(|scale| scale <= limit))
 }
 
-/// A least-squares step that was accepted on the basis of the residuals after it, without computing the derivatives at
-/// the new iterate.
-pub struct AcceptedStep {
+/// A least-squares step, with the residuals after it. They cost far less than the derivatives at the new iterate.
+pub struct UnevaluatedStep {
     /// Residuals after the step.
-    pub cache: ResidualCache,
+    pub residuals: ResidualCache,
     /// Reduction of the sum of squares by the step that the linearised problem predicts; `None` if the solver predicts
     /// none.
     pub predicted_reduction: Option<f64>,
+    /// Number of samples of each flight in the objective.
+    samples: Vec<usize>,
 }
 
-/// Performs one step of all unknowns and accepts it according to the residuals after it, which cost far less than
-/// derivatives. `configure` may change the objective, which includes all samples. `None` if the residuals grew or a
-/// flight cannot be predicted; the state is then unchanged.
+impl UnevaluatedStep {
+    /// Whether all flights can be predicted after the step, and the residuals are hardly larger than `before`.
+    fn is_no_worse_than(&self, before: &ResidualCache) -> bool {
+        self.residuals.scales().iter().all(Option::is_some)
+            && self.residuals.median_scale() <= MAX_GROWTH * before.median_scale()
+    }
+}
+
+/// Performs one step of all unknowns. `configure` may change the objective, which includes all samples. `None` if a
+/// flight cannot be predicted before the step.
+fn single_step(
+    problem: &FitProblem,
+    state: &mut State,
+    loss: Loss<'_>,
+    options: &FitOptions<'_>,
+    configure: impl Fn(&State, &mut OutputError<'_>),
+) -> Result<Option<UnevaluatedStep>, FitError> {
+    let mut objective = OutputError::of_all(problem, &state.flights, loss, options);
+    configure(state, &mut objective);
+    let samples = objective.samples.clone();
+    let solution = match solve(&objective, state.iterate(), StoppingCriteria::SINGLE_STEP) {
+        Ok(solution) => solution,
+        Err(SolveError::Cancelled) => return Err(FitError::Interrupted),
+        Err(SolveError::Start(_) | SolveError::Undetermined(_)) => return Ok(None),
+    };
+    state.take(&solution);
+    Ok(Some(UnevaluatedStep {
+        residuals: ResidualCache::new(problem, state, &samples, options),
+        predicted_reduction: solution.predicted_reduction,
+        samples,
+    }))
+}
+
+/// Performs one step of all unknowns over whole flights and accepts it according to the residuals after it. `before` are
+/// the residuals before the step. `None` if the residuals grew or a flight cannot be predicted; the state is then
+/// unchanged.
 pub fn unevaluated_step(
     problem: &FitProblem,
     state: &mut State,
     loss: Loss<'_>,
     before: &ResidualCache,
     options: &FitOptions<'_>,
-    configure: impl Fn(&State, &mut OutputError<'_>),
-) -> Result<Option<AcceptedStep>, FitError> {
-    let mut objective = OutputError::of_all(problem, &state.flights, loss, options);
-    configure(state, &mut objective);
-    let samples = objective.samples.clone();
+) -> Result<Option<UnevaluatedStep>, FitError> {
     let start = state.iterate();
-    let solution = match solve(&objective, start.clone(), StoppingCriteria::SINGLE_STEP) {
-        Ok(solution) => solution,
-        Err(SolveError::Cancelled) => return Err(FitError::Interrupted),
-        Err(SolveError::Start(_) | SolveError::Undetermined(_)) => return Ok(None),
-    };
-    state.take(&solution);
-    let cache = ResidualCache::new(problem, state, &samples, options);
-    let is_predicted = cache.scales().iter().all(Option::is_some);
-    if is_predicted && cache.median_scale() <= MAX_GROWTH * before.median_scale() {
-        let predicted_reduction = solution.predicted_reduction;
-        return Ok(Some(AcceptedStep {
-            cache,
-            predicted_reduction,
-        }));
+    let step = single_step(problem, state, loss, options, |_, _| {})?;
+    let accepted = step.filter(|step| step.is_no_worse_than(before));
+    if accepted.is_none() {
+        state.replace(start);
     }
-    (state.global, state.local) = (start.global, start.local);
-    Ok(None)
+    Ok(accepted)
 }
 
-/// Fits the first samples of all flights, up to `horizon`, s. The fit is repeated with a smaller scale of the robust
-/// loss until the residuals are small enough for a longer horizon, or no longer decrease. Parameters without a prior
-/// get a weak prior, because short horizons do not determine all parameters. `spread` computes the scale of the loss,
-/// m, from the residuals of all flights.
-pub fn fit_horizon(
-    problem: &FitProblem,
-    state: &mut State,
-    horizon: f64,
-    spread: fn(&ResidualCache) -> f64,
-    options: &FitOptions<'_>,
-) -> Result<(), FitError> {
+/// Constraints of the global parameters with a weak prior for those that have none, because short horizons do not
+/// determine all parameters.
+fn weak_constraints(problem: &FitProblem) -> Vec<Constraint> {
     let constraints = problem.globals.iter().map(|global| {
         let weak = Some((global.model_value, global.x_scale));
         let prior = global.constraint.prior.or(weak);
@@ -209,13 +238,30 @@ pub fn fit_horizon(
             ..global.constraint
         }
     });
-    let constraints: Vec<Constraint> = constraints.collect();
-    let configure = |state: &State, objective: &mut OutputError<'_>| {
+    constraints.collect()
+}
+
+/// Restricts an objective to the samples up to `horizon`, s, with the given constraints of the global parameters.
+fn until(horizon: f64, constraints: &[Constraint]) -> impl Fn(&State, &mut OutputError<'_>) + Copy {
+    move |state, objective| {
         objective.samples = state.samples_until(horizon);
-        objective.constraints.clone_from(&constraints);
-    };
+        objective.constraints = constraints.to_vec();
+    }
+}
+
+/// Fits the first samples of all flights, up to `horizon`, s. The fit is repeated with a smaller scale of the robust
+/// loss until the residuals are small enough for a longer horizon, or no longer decrease. `spread` computes the scale of
+/// the loss, m, from the residuals of all flights.
+pub fn fit_horizon(
+    problem: &FitProblem,
+    state: &mut State,
+    horizon: f64,
+    spread: fn(&ResidualCache) -> f64,
+    options: &FitOptions<'_>,
+) -> Result<(), FitError> {
+    let constraints = weak_constraints(problem);
     let mut scale = f64::INFINITY;
-    for pass in 0..MAX_SCALES {
+    for _ in 0..MAX_SCALES {
         let cache = ResidualCache::new(problem, state, &state.samples_until(horizon), options);
         state.limit_to_flyable(&cache.failures());
         let next = spread(&cache).max(problem.sigma0);
@@ -223,15 +269,8 @@ pub fn fit_horizon(
             break;
         }
         scale = next;
-        let loss = Loss::Huber(scale);
-        // From good initial guesses, one step is enough.
-        if pass == 0
-            && let Some(step) = unevaluated_step(problem, state, loss, &cache, options, configure)?
-            && are_noise(problem, &step.cache)
-        {
-            break;
-        }
-        let by = (loss, StoppingCriteria::HORIZON);
+        let by = (Loss::Huber(scale), StoppingCriteria::HORIZON);
+        let configure = until(horizon, &constraints);
         let solution = solve_flights(problem, state, by, None, options, configure)?;
         state.take(&solution);
         if scale < HORIZON_SCALE * problem.sigma0 {

@@ -109,9 +109,9 @@ fn agree(
         // One step improves the noise estimate, which needs only the residuals after the step.
         if round == 0
             && !options.is_past_deadline()
-            && let Some(step) = unevaluated_step(problem, state, loss, &cache, options, |_, _| {})?
+            && let Some(step) = unevaluated_step(problem, state, loss, &cache, options)?
         {
-            (cache, predicted_reduction) = (step.cache, step.predicted_reduction);
+            (cache, predicted_reduction) = (step.residuals, step.predicted_reduction);
             continue;
         }
         let is_misfit = problem.is_misfit(noise.overall());

@@ -58,6 +58,14 @@ impl State {
         }
     }
 
+    /// Replaces the values of all unknowns, and returns the previous ones.
+    pub fn replace(&mut self, iterate: Iterate) -> Iterate {
+        Iterate {
+            global: std::mem::replace(&mut self.global, iterate.global),
+            local: std::mem::replace(&mut self.local, iterate.local),
+        }
+    }
+
     /// Sets the global parameters and initial states to those of a least-squares solution, and adds the solution's
     /// number of steps to `steps`.
     pub fn take(&mut self, solution: &Solution) {
