@@ -132,8 +132,8 @@ fn fit_undistorted(
     Ok(())
 }
 
-/// Tries one step of all unknowns. Returns the residuals after the step if they are at noise level. Otherwise returns
-/// `None`, and undoes the step if the residuals grew. `configure` may change the objective, which includes all samples.
+/// Tries one step of all unknowns. Returns the residuals after the step if they are at noise level. Otherwise
+/// undoes the step and returns `None`. `configure` may change the objective, which includes all samples.
 fn step_to_noise(
     problem: &FitProblem,
     state: &mut State,
@@ -142,18 +142,13 @@ fn step_to_noise(
 ) -> Result<Option<ResidualCache>, FitError> {
     let start = state.iterate();
     let loss = Loss::Huber(STEP_SCALE * problem.sigma0);
-    let Some(step) = single_step(problem, state, loss, options, &configure)? else {
-        return Ok(None);
-    };
-    if are_noise(problem, &step.residuals) {
-        return Ok(Some(step.residuals));
+    let step = single_step(problem, state, loss, options, configure)?;
+    let residuals = step.map(|step| step.residuals);
+    let noise = residuals.filter(|residuals| are_noise(problem, residuals));
+    if noise.is_none() {
+        state.replace(start);
     }
-    let stepped = state.replace(start);
-    let before = ResidualCache::new(problem, state, &step.samples, options);
-    if step.is_no_worse_than(&before) {
-        state.replace(stepped);
-    }
-    Ok(None)
+    Ok(noise)
 }
 
 /// Whether the residuals of all flights are at noise level.
@@ -171,16 +166,6 @@ pub struct UnevaluatedStep {
     /// Reduction of the sum of squares by the step that the linearised problem predicts; `None` if the solver predicts
     /// none.
     pub predicted_reduction: Option<f64>,
-    /// Number of samples of each flight in the objective.
-    samples: Vec<usize>,
-}
-
-impl UnevaluatedStep {
-    /// Whether all flights can be predicted after the step, and the residuals are hardly larger than `before`.
-    fn is_no_worse_than(&self, before: &ResidualCache) -> bool {
-        self.residuals.scales().iter().all(Option::is_some)
-            && self.residuals.median_scale() <= MAX_GROWTH * before.median_scale()
-    }
 }
 
 /// Performs one step of all unknowns. `configure` may change the objective, which includes all samples. `None` if a
@@ -204,7 +189,6 @@ fn single_step(
     Ok(Some(UnevaluatedStep {
         residuals: ResidualCache::new(problem, state, &samples, options),
         predicted_reduction: solution.predicted_reduction,
-        samples,
     }))
 }
 
@@ -220,7 +204,10 @@ pub fn unevaluated_step(
 ) -> Result<Option<UnevaluatedStep>, FitError> {
     let start = state.iterate();
     let step = single_step(problem, state, loss, options, |_, _| {})?;
-    let accepted = step.filter(|step| step.is_no_worse_than(before));
+    let accepted = step.filter(|step| {
+        let is_predicted = step.residuals.scales().iter().all(Option::is_some);
+        is_predicted && step.residuals.median_scale() <= MAX_GROWTH * before.median_scale()
+    });
     if accepted.is_none() {
         state.replace(start);
     }
@@ -242,7 +229,7 @@ fn weak_constraints(problem: &FitProblem) -> Vec<Constraint> {
 }
 
 /// Restricts an objective to the samples up to `horizon`, s, with the given constraints of the global parameters.
-fn until(horizon: f64, constraints: &[Constraint]) -> impl Fn(&State, &mut OutputError<'_>) + Copy {
+fn until(horizon: f64, constraints: &[Constraint]) -> impl Fn(&State, &mut OutputError<'_>) {
     move |state, objective| {
         objective.samples = state.samples_until(horizon);
         objective.constraints = constraints.to_vec();
