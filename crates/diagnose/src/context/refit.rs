@@ -25,7 +25,7 @@ const REFIT_STOPPING: StoppingCriteria = StoppingCriteria {
 /// little that its exact minimum does not matter.
 const MISFIT_RATIO: f64 = 3.0;
 
-/// Result of fitting the model under test with some candidates included.
+/// Result of fitting the model under test extended by some of the candidate effects (effects that it may lack).
 pub(crate) struct Refitted {
     /// Fitted values of all unknowns; candidates that were not fitted have their null values.
     pub iterate: Iterate,

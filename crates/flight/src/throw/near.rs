@@ -25,7 +25,7 @@ const SAME: f64 = 1e-9;
 /// Finds the states of throws that are near a known throw.
 pub struct NearThrows<'m> {
     thrown: &'m ThrownModel,
-    /// State with the motion of the known throw, at which the search starts.
+    /// State of the known throw: the starting point of the search for the state of each other throw.
     near: Vec<f64>,
     /// Indices of the attitude states (field `attitude`), and of the states on which the motion depends linearly (field
     /// `linear`).

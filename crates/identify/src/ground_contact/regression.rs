@@ -143,7 +143,8 @@ impl<const N: usize> Design<N> {
         })
     }
 
-    /// Fits the basis functions to measured vectors, one for each row of the design.
+    /// Fits the basis functions to whitened measured vectors, one for each row of the design, by linear least squares
+    /// with the priors of the design.
     pub fn solve(&self, values: &Whitened) -> Regression<N> {
         self.solve_rows(values, |_| {})
     }

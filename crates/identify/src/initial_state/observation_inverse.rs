@@ -164,8 +164,9 @@ fn quarter_turns() -> Vec<[f64; 4]> {
 }
 
 /// Levenberg–Marquardt iteration for the state at which the body-fixed points `probes` have the positions and
-/// velocities in `target`, starting from `state`. Returns the remaining distance from `target`, m, and the final state;
-/// `None` if the iteration fails.
+/// velocities in `target`, starting from `state`. `target` contains all positions, m, and then all velocities
+/// multiplied by `VELOCITY_WEIGHT`, m. Returns the norm of the remaining difference from `target`, m, and the final
+/// state; `None` if the iteration fails.
 fn descend(
     problem: &FitProblem,
     observations: &Observations,
@@ -254,8 +255,8 @@ impl<'a> ProbeMotion<'a> {
         }
     }
 
-    /// Distance of the body-fixed probe points from their target positions and velocities, m: root of the sum of
-    /// squares over all points. Velocities are multiplied by `VELOCITY_WEIGHT`.
+    /// Distance of the body-fixed probe points from their target positions, m: root of the sum of squares over all
+    /// points. The velocities in `target` are not compared.
     fn distance(&mut self, state: &DVector<f64>, target: &DVector<f64>) -> f64 {
         let mut squares = 0.0;
         for (probe, wanted) in self.probes.iter().zip(target.as_slice().chunks(3)) {

@@ -84,7 +84,8 @@ pub fn linearise_with(
     normal_equations(problem, observations, unknowns, samples, loss, by, cache)
 }
 
-/// [`linearise_with`] for one type of equations of motion: the integration of a fit is compiled for those of a model.
+/// Computes the normal equations for [`linearise`] and [`linearise_with`]. The function is generic over the type `M` of
+/// the equations of motion, so that integrations for [`linearise`] are compiled without dynamic dispatch.
 fn normal_equations<M: DifferentiableRhs>(
     problem: &FitProblem,
     observations: &Observations,

@@ -29,7 +29,7 @@ pub fn gravity(problem: &FitProblem) -> Option<Vector3<f64>> {
     others.into_iter().all(same).then_some(first)
 }
 
-/// Speed at which the drag of a point mass is evaluated, m/s.
+/// Speed at which [`drag`] computes the drag of a point mass, m/s.
 const SPEED: f64 = 8.0;
 
 /// Drag of a point mass with the model's coefficients: deceleration divided by squared speed, 1/m; `None` for a body
