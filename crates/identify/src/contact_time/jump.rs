@@ -38,7 +38,7 @@ pub struct Jumps {
     /// to all samples.
     free: Vec<Minimum>,
     /// `comparisons[i][k]` tests a jump just before sample `tried + i`, with the samples up to `tried + i + k`; empty if
-    /// no jump decreases the sum of squares noticeably.
+    /// no jump, tested with all samples in reach, has a gain above `MIN_ROUGH_GAIN`.
     comparisons: Vec<Vec<Comparison>>,
 }
 

@@ -146,7 +146,7 @@ fn step_to_noise(
     let residuals = step.map(|step| step.residuals);
     let noise = residuals.filter(|residuals| are_noise(problem, residuals));
     if noise.is_none() {
-        state.replace(start);
+        state.set(start);
     }
     Ok(noise)
 }
@@ -209,7 +209,7 @@ pub fn unevaluated_step(
         is_predicted && step.residuals.median_scale() <= MAX_GROWTH * before.median_scale()
     });
     if accepted.is_none() {
-        state.replace(start);
+        state.set(start);
     }
     Ok(accepted)
 }

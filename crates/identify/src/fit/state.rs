@@ -58,12 +58,9 @@ impl State {
         }
     }
 
-    /// Replaces the values of all unknowns, and returns the previous ones.
-    pub fn replace(&mut self, iterate: Iterate) -> Iterate {
-        Iterate {
-            global: std::mem::replace(&mut self.global, iterate.global),
-            local: std::mem::replace(&mut self.local, iterate.local),
-        }
+    /// Sets the values of all unknowns.
+    pub fn set(&mut self, iterate: Iterate) {
+        (self.global, self.local) = (iterate.global, iterate.local);
     }
 
     /// Sets the global parameters and initial states to those of a least-squares solution, and adds the solution's

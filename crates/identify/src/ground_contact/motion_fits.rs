@@ -30,7 +30,7 @@ pub struct FreeMotion {
     pub position: Regression<7>,
     /// Regression of the direction of the most steady body axis.
     pub axis: Regression<6>,
-    /// Residuals of position and axis.
+    /// Whitened residuals of position, m, and axis (a unit vector).
     residuals: [Residuals; 2],
     /// For each point, the decrease of the sums of squares of position and axis if the point is removed.
     removals: [Vec<f64>; 2],

@@ -243,7 +243,7 @@ pub struct Residuals(Vec<[f64; 4]>);
 pub struct Extension<const N: usize, const K: usize> {
     /// Values of the whitened further functions, one array per row.
     rows: Vec<[f64; K]>,
-    /// Coefficients of the further functions, regressed on the functions of the design.
+    /// Coefficients of the least-squares fit of the functions of the design to each of the further functions.
     explained: SMatrix<f64, N, K>,
     /// Inverse of the Schur complement.
     inverse: SMatrix<f64, K, K>,
