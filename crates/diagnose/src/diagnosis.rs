@@ -18,7 +18,7 @@ use crate::offer::{Chosen, measure};
 use crate::optimal_design::next_throw;
 use crate::parallel::join;
 use crate::report::{self, Consensus, Report, Verdict};
-use crate::selection::{Search, StepwiseModel, select_by_bic};
+use crate::selection::{FittedTerms, Search, StepwiseModel, are_alternative, select_by_bic};
 use crate::validation::{Validated, predictive_terms};
 
 /// Maximum number of unknowns with which a hypothesis of a single effect is accepted without comparison by BIC.
@@ -256,6 +256,14 @@ impl<'a> Analysis<'a> {
         self.search.accepted = select_by_bic(&self.model, accepted, stepwise, free);
     }
 
+    /// The fitted model with library terms, if these are an alternative to the accepted hypotheses.
+    fn alternative_terms(&self) -> Option<&FittedTerms> {
+        let hypotheses = &self.search.accepted;
+        let terms = self.stepwise.as_ref().filter(|_| !hypotheses.is_empty());
+        let terms = terms.filter(|terms| are_alternative(&self.model, hypotheses, terms))?;
+        terms.fitted.last()
+    }
+
     fn has_adequate_terms(&self) -> bool {
         let stepwise = self.stepwise.as_ref();
         stepwise.is_some_and(|stepwise| stepwise.is_adequate)
@@ -274,6 +282,9 @@ impl<'a> Analysis<'a> {
             let fitted = (&self.before, self.residuals.as_ref());
             let mut report = report::build_report(context, fitted, &self.model, &self.search);
             report.consensus.clone_from(&self.consensus);
+            if let Some(terms) = self.alternative_terms() {
+                report::add_alternative(&mut report, terms, &self.search);
+            }
             let Some(chosen) = self.choose(validated.take(), &mut report)? else {
                 break (report, None);
             };
@@ -416,6 +427,57 @@ mod tests {
     use super::*;
     use crate::test_support::mystery;
     use identify::FitOptions;
+
+    /// Four flights of `examples/mystery`, with the hypothesis that the model lacks the seeded effect and another one.
+    fn analysis_of_two_effects(context: Context<'_>) -> Analysis<'_> {
+        let mut analysis = Analysis::new(context, BaseFit::new(context).unwrap()).unwrap();
+        // An accepted explanation by fewer unknowns would end the selection of terms.
+        analysis.search.accepted.clear();
+        let (model, search) = (&analysis.model, &analysis.search);
+        let named = |name: &str| model.candidates().find(|(_, c)| c.name == name).unwrap().0;
+        let mut effects = ["stall", "gravity"].map(named);
+        effects.sort_unstable();
+        let pair = model.fit_hypothesis(&effects, &analysis.base, &search.noise);
+        let terms = StepwiseModel::select(context, model, search, &analysis.before, None);
+        let mut terms = terms.unwrap().unwrap();
+        terms.keep_first(2, model.terms.as_ref().unwrap());
+        analysis.search.accepted = Vec::from_iter(pair);
+        analysis.stepwise = Some(terms);
+        analysis
+    }
+
+    #[test]
+    fn terms_that_explain_as_much_as_several_effects_are_in_the_answer() {
+        let model = model_spec::load::load("disc", &[]).unwrap();
+        let (dataset, options) = (mystery(4), DiagnosisOptions::default());
+        let context = Context {
+            model: &model,
+            dataset: &dataset,
+            options: &options,
+        };
+        let mut analysis = analysis_of_two_effects(context);
+        let pair = analysis.search.accepted[0].squares;
+        let terms = analysis.stepwise.as_mut().unwrap();
+        (terms.is_adequate, terms.squares) = (true, pair + 100.0);
+        assert!(analysis.alternative_terms().is_none());
+        analysis.stepwise.as_mut().unwrap().squares = pair;
+        assert!(analysis.alternative_terms().is_some());
+
+        let (diagnosis, _) = analysis.finish(&|_| ()).unwrap();
+        let report = diagnosis.report;
+        assert_eq!(report.verdict, Verdict::Ambiguous);
+        let [first, second] = &report.causes[..] else {
+            panic!("two explanations: {}", report.summary);
+        };
+        let names = |cause: &report::Cause| cause.effects.iter().map(|e| e.name.clone()).collect();
+        let names: [Vec<String>; 2] = [names(first), names(second)];
+        assert!(names[0].contains(&"stall".to_owned()), "{names:?}");
+        assert!(
+            names[1].iter().all(|name| name.contains("-by-")),
+            "{names:?}"
+        );
+        assert!(second.chi2_decrease > 0.0);
+    }
 
     #[test]
     fn past_the_deadline_there_is_an_answer_that_says_so() {

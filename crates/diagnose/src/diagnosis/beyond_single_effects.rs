@@ -45,8 +45,10 @@ impl Analysis<'_> {
     }
 
     /// Adds library terms to the stepwise regression, as alternatives to the hypotheses. If a hypothesis is accepted,
-    /// the number of terms remains below the number of its unknowns. Otherwise up to `most` terms are selected, but
-    /// none is added if the next term is expected to explain much less than the best rejected hypothesis.
+    /// the number of terms remains below the number of its unknowns; it may reach this number if all effects of the
+    /// hypothesis act at one site, because they may then approximate a law of this load that is not in the catalogue.
+    /// Otherwise up to `most` terms are selected, but none is added if the next term is expected to explain much less
+    /// than the best rejected hypothesis.
     fn extend_terms(&mut self, most: usize) -> Result<(), DiagnosisError> {
         let (search, Some(stepwise)) = (&self.search, &mut self.stepwise) else {
             return Ok(());
@@ -54,7 +56,11 @@ impl Analysis<'_> {
         let most = match (search.accepted.first(), search.rejected.first()) {
             (Some(accepted), _) => {
                 let unknowns = self.model.unknowns_of(&accepted.effects);
-                unknowns.saturating_sub(1).min(MAX_SELECTED)
+                let limit = match accepted.combines_one_site(&self.model) {
+                    true => unknowns,
+                    false => unknowns.saturating_sub(1),
+                };
+                limit.min(MAX_SELECTED)
             }
             (None, Some(rejected)) => {
                 let expected = stepwise.expected_squares();

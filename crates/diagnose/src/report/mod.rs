@@ -1,16 +1,18 @@
 //! Last stage of a diagnosis: its report, with a summary as text.
 
 mod curves;
+mod extension;
 mod narrative;
 mod report_builder;
 mod residuals;
 mod types;
 
 pub(crate) use curves::curves;
-pub(crate) use narrative::{refused, summary};
-pub(crate) use report_builder::{
-    add_extension, build_report, note_not_applied, unattributed_report, use_clustered_errors,
+pub(crate) use extension::{
+    add_alternative, add_extension, note_not_applied, use_clustered_errors,
 };
+pub(crate) use narrative::{refused, summary};
+pub(crate) use report_builder::{build_report, unattributed_report};
 pub(crate) use residuals::{
     add_residuals, describe_departures, display_names, note_incomplete, note_not_offered,
 };

@@ -13,7 +13,6 @@ use super::types::{
 use crate::context::{
     Candidate, CandidateParameter, ColumnId, Context, ScoreTestModel, display_name,
 };
-use crate::extension::ExtendedModel;
 use crate::lack_of_fit::LackOfFit;
 use crate::noise::LoadHistory;
 use crate::power::detectable;
@@ -84,7 +83,7 @@ pub(crate) fn build_report(
 
 /// Derives the outcome of the diagnosis (verdict) from the accepted explanations `causes`. `is_significant` states
 /// whether the model under test has a significant candidate effect or lack of fit.
-fn verdict(is_significant: bool, causes: &[Cause]) -> Verdict {
+pub(super) fn verdict(is_significant: bool, causes: &[Cause]) -> Verdict {
     let is_negligible = |cause: &Cause| cause.effects.iter().all(|effect| effect.negligible);
     match causes {
         _ if !is_significant => Verdict::None,
@@ -98,7 +97,7 @@ fn verdict(is_significant: bool, causes: &[Cause]) -> Verdict {
 /// Sets two fields of `cause`: `explained`, the fraction of the excess χ² (misfit beyond noise) that the cause
 /// explains, and `remaining_m`, the root mean square of the residuals in excess of the noise once the cause is
 /// included, m.
-fn add_share(cause: &mut Cause, residuals: &LackOfFit) {
+pub(super) fn add_share(cause: &mut Cause, residuals: &LackOfFit) {
     let share = cause.chi2_decrease / residuals.excess_chi2.max(f64::MIN_POSITIVE);
     cause.explained = share.clamp(0.0, 1.0);
     cause.remaining_m = residuals.beyond_noise_m * (1.0 - cause.explained).sqrt();
@@ -139,7 +138,7 @@ fn flight_before(flight: &FlightReport) -> FlightGain {
 
 /// Estimates of all coefficients in `fit`, by name. If the fit of the model without the extension is given as `before`,
 /// each coefficient also contains its value in that fit.
-fn coefficients(fit: &Fit, before: Option<&Fit>) -> BTreeMap<String, Coefficient> {
+pub(super) fn coefficients(fit: &Fit, before: Option<&Fit>) -> BTreeMap<String, Coefficient> {
     let each = fit.report.coefficients.iter().map(|(name, c)| {
         let earlier = before.and_then(|before| before.report.coefficients.get(name));
         let coefficient = Coefficient {
@@ -321,103 +320,6 @@ fn load_channels(
         }
     });
     channels.collect()
-}
-
-/// Adds the fit of the extended model. If the report contains no explanation (`causes`) yet, the effects generated from
-/// library terms are added as an explanation; `chi2_decrease` is their decrease of χ².
-pub(crate) fn add_extension(
-    report: &mut Report,
-    (extension, chi2_decrease): (&ExtendedModel, f64),
-    before: &Fit,
-    after: &Fit,
-) {
-    for (flight, after) in report.flights.iter_mut().zip(&after.report.flights) {
-        flight.rms_after_m = after.rms_m;
-    }
-    report.coefficients = coefficients(after, Some(before));
-    note_convergence(report, after, "the extended model");
-    if report.causes.is_empty() {
-        report.causes.push(Cause {
-            effects: extension_effects(extension, after),
-            chi2_decrease,
-            explained: 0.0,
-            remaining_m: 0.0,
-            strongest_remaining: None,
-        });
-    }
-}
-
-/// Effects of an extension, with estimates of their coefficients from the fit of the extended model.
-fn extension_effects(extension: &ExtendedModel, after: &Fit) -> Vec<CauseEffect> {
-    let effects = extension.model.effects.iter();
-    let added = effects.filter(|effect| extension.effects.contains(&effect.name));
-    let effects = added.map(|effect| {
-        let estimates = effect.coefficients.iter().filter_map(|own| {
-            let coefficient = &extension.model.coefficients[own.index];
-            let found = after.report.coefficients.get(&coefficient.name)?;
-            let estimate = Estimate {
-                value: found.value,
-                std_error: found.std_error,
-                unit: coefficient.unit_text.clone(),
-                smallest_of_interest: own.smallest_of_interest,
-            };
-            Some((coefficient.name.clone(), estimate))
-        });
-        CauseEffect {
-            name: display_name(&effect.name),
-            doc: effect.doc.clone(),
-            site: effect.site.clone(),
-            variables: effect.variables.clone(),
-            estimates: estimates.collect(),
-            statistic: 0.0,
-            negligible: false,
-        }
-    });
-    effects.collect()
-}
-
-/// Replaces standard errors in the report by cluster-robust (by flight) standard errors where these are larger, because
-/// misfit that the extension does not explain is correlated within a flight. Also replaces the estimates of the first
-/// cause by those of `after`, the fit of the extended model.
-pub(crate) fn use_clustered_errors(report: &mut Report, after: &Fit) {
-    let fitted = |name: &str| {
-        let found = after.report.coefficients.get(name)?;
-        let clustered = found.std_error_clustered.unwrap_or(0.0);
-        Some((found.value, found.std_error.max(clustered)))
-    };
-    for (name, coefficient) in &mut report.coefficients {
-        if let Some((_, std_error)) = fitted(name) {
-            coefficient.std_error = std_error;
-        }
-    }
-    let first = report.causes.iter_mut().take(1);
-    for effect in first.flat_map(|cause| &mut cause.effects) {
-        for (name, estimate) in &mut effect.estimates {
-            if let Some((value, std_error)) = fitted(name) {
-                (estimate.value, estimate.std_error) = (value, std_error);
-            }
-        }
-    }
-}
-
-/// Adds a note on the held-out flights to which the extension is not applied; `flights` are their indices.
-pub(crate) fn note_not_applied(report: &mut Report, flights: &[usize]) {
-    if flights.is_empty() {
-        return;
-    }
-    for &flight in flights {
-        let flight = &mut report.flights[flight];
-        flight.rms_after_m = flight.rms_before_m;
-    }
-    let files = flights
-        .iter()
-        .map(|&flight| report.flights[flight].file.as_str());
-    let files: Vec<&str> = files.collect();
-    let note = format!(
-        "held-out flights that contradict the extension in the segment on which their initial state is fitted, predicted without it: {}",
-        files.join(", ")
-    );
-    report.notes.push(note);
 }
 
 /// Adds a note and marks the report as not converged if `fit` did not converge; `what` names the fitted model.

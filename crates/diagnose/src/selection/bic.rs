@@ -21,20 +21,42 @@ pub(crate) fn select_by_bic(
     terms: Option<&StepwiseModel>,
     free: usize,
 ) -> Vec<Hypothesis> {
-    let cost_per_unknown = (model.coordinates() as f64).ln();
-    let bic = |squares: f64, unknowns: usize| squares + cost_per_unknown * unknowns as f64;
     let scored: Vec<(f64, usize)> = hypotheses
         .iter()
         .map(|hypothesis| {
             let unknowns = model.unknowns_of(&hypothesis.effects);
-            (bic(hypothesis.squares, unknowns), unknowns)
+            (bic(model, hypothesis.squares, unknowns), unknowns)
         })
         .collect();
-    let of_terms = terms.filter(|terms| terms.is_adequate);
-    let of_terms = of_terms.map_or(f64::INFINITY, |terms| bic(terms.squares, terms.unknowns()));
+    let terms = terms.filter(|terms| terms.is_adequate);
+    let of_terms = terms.map_or(f64::INFINITY, |terms| bic_of_terms(model, terms));
     let keep = near_least(&scored, of_terms, free);
     let each = hypotheses.into_iter().zip(keep);
     each.filter(|(_, keep)| *keep).map(|(h, _)| h).collect()
+}
+
+/// Whether the library terms `terms` are an alternative to `hypotheses`, none of which is a single effect: they are
+/// adequate, and their BIC is near the smallest of the hypotheses.
+pub(crate) fn are_alternative(
+    model: &ScoreTestModel,
+    hypotheses: &[Hypothesis],
+    terms: &StepwiseModel,
+) -> bool {
+    let each = hypotheses.iter();
+    let bics = each.map(|h| bic(model, h.squares, model.unknowns_of(&h.effects)));
+    let least = bics.fold(f64::INFINITY, f64::min);
+    let is_combined = |hypothesis: &Hypothesis| hypothesis.effects.len() > 1;
+    terms.is_adequate
+        && hypotheses.iter().all(is_combined)
+        && bic_of_terms(model, terms) < least + MAX_BIC_DIFFERENCE
+}
+
+fn bic(model: &ScoreTestModel, squares: f64, unknowns: usize) -> f64 {
+    squares + (model.coordinates() as f64).ln() * unknowns as f64
+}
+
+fn bic_of_terms(model: &ScoreTestModel, terms: &StepwiseModel) -> f64 {
+    bic(model, terms.squares, terms.unknowns())
 }
 
 /// Returns for each hypothesis, given by (BIC, number of unknowns), whether it is retained. No hypothesis is retained

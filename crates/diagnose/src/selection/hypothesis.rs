@@ -46,6 +46,13 @@ impl Hypothesis {
         strongest.map(|(id, test)| (id, test.ln_p))
     }
 
+    /// Whether there are several effects, and all of them act at the same site, such as lift.
+    pub fn combines_one_site(&self, model: &ScoreTestModel) -> bool {
+        let mut sites = self.effects.iter().map(|&id| &model.candidate(id).site);
+        let first = sites.next();
+        self.effects.len() > 1 && sites.all(|site| Some(site) == first)
+    }
+
     /// Whether the hypothesis can fit almost any data: an effect has one value for each flight, or there are more than
     /// [`MAX_EFFECTS_UNVALIDATED`] effects. Such a hypothesis is accepted only if it improves out-of-sample
     /// predictions.

@@ -7,7 +7,7 @@ mod search;
 mod stepwise_terms;
 mod thresholds;
 
-pub(crate) use bic::select_by_bic;
+pub(crate) use bic::{are_alternative, select_by_bic};
 pub(crate) use hypothesis::Hypothesis;
 pub(crate) use search::{MAX_EFFECTS, Search};
 pub(crate) use stepwise_terms::{FittedTerms, MAX_SELECTED, StepwiseModel};

@@ -1,0 +1,122 @@
+//! Adds extended models and their fits to a report.
+
+use identify::Fit;
+
+use super::report_builder::{add_share, coefficients, note_convergence, verdict};
+use super::types::{Cause, CauseEffect, Estimate, Report};
+use crate::context::display_name;
+use crate::extension::ExtendedModel;
+use crate::selection::{FittedTerms, Search};
+
+/// Adds the library terms `terms` as a further explanation, which the data do not distinguish from the others.
+pub(crate) fn add_alternative(report: &mut Report, terms: &FittedTerms, search: &Search<'_>) {
+    let mut cause = Cause {
+        effects: extension_effects(&terms.extension, &terms.fit),
+        chi2_decrease: (search.squares - terms.squares).max(0.0),
+        explained: 0.0,
+        remaining_m: 0.0,
+        strongest_remaining: None,
+    };
+    if let Some(residuals) = &report.lack_of_fit {
+        add_share(&mut cause, residuals);
+    }
+    report.causes.push(cause);
+    report.verdict = verdict(true, &report.causes);
+}
+
+/// Adds the fit of the extended model. If the report contains no explanation (`causes`) yet, the effects generated from
+/// library terms are added as an explanation; `chi2_decrease` is their decrease of χ².
+pub(crate) fn add_extension(
+    report: &mut Report,
+    (extension, chi2_decrease): (&ExtendedModel, f64),
+    before: &Fit,
+    after: &Fit,
+) {
+    for (flight, after) in report.flights.iter_mut().zip(&after.report.flights) {
+        flight.rms_after_m = after.rms_m;
+    }
+    report.coefficients = coefficients(after, Some(before));
+    note_convergence(report, after, "the extended model");
+    if report.causes.is_empty() {
+        report.causes.push(Cause {
+            effects: extension_effects(extension, after),
+            chi2_decrease,
+            explained: 0.0,
+            remaining_m: 0.0,
+            strongest_remaining: None,
+        });
+    }
+}
+
+/// Effects of an extension, with estimates of their coefficients from the fit of the extended model.
+fn extension_effects(extension: &ExtendedModel, after: &Fit) -> Vec<CauseEffect> {
+    let effects = extension.model.effects.iter();
+    let added = effects.filter(|effect| extension.effects.contains(&effect.name));
+    let effects = added.map(|effect| {
+        let estimates = effect.coefficients.iter().filter_map(|own| {
+            let coefficient = &extension.model.coefficients[own.index];
+            let found = after.report.coefficients.get(&coefficient.name)?;
+            let estimate = Estimate {
+                value: found.value,
+                std_error: found.std_error,
+                unit: coefficient.unit_text.clone(),
+                smallest_of_interest: own.smallest_of_interest,
+            };
+            Some((coefficient.name.clone(), estimate))
+        });
+        CauseEffect {
+            name: display_name(&effect.name),
+            doc: effect.doc.clone(),
+            site: effect.site.clone(),
+            variables: effect.variables.clone(),
+            estimates: estimates.collect(),
+            statistic: 0.0,
+            negligible: false,
+        }
+    });
+    effects.collect()
+}
+
+/// Replaces standard errors in the report by cluster-robust (by flight) standard errors where these are larger, because
+/// misfit that the extension does not explain is correlated within a flight. Also replaces the estimates of the first
+/// cause by those of `after`, the fit of the extended model.
+pub(crate) fn use_clustered_errors(report: &mut Report, after: &Fit) {
+    let fitted = |name: &str| {
+        let found = after.report.coefficients.get(name)?;
+        let clustered = found.std_error_clustered.unwrap_or(0.0);
+        Some((found.value, found.std_error.max(clustered)))
+    };
+    for (name, coefficient) in &mut report.coefficients {
+        if let Some((_, std_error)) = fitted(name) {
+            coefficient.std_error = std_error;
+        }
+    }
+    let first = report.causes.iter_mut().take(1);
+    for effect in first.flat_map(|cause| &mut cause.effects) {
+        for (name, estimate) in &mut effect.estimates {
+            if let Some((value, std_error)) = fitted(name) {
+                (estimate.value, estimate.std_error) = (value, std_error);
+            }
+        }
+    }
+}
+
+/// Adds a note on the held-out flights to which the extension is not applied; `flights` are their indices.
+pub(crate) fn note_not_applied(report: &mut Report, flights: &[usize]) {
+    if flights.is_empty() {
+        return;
+    }
+    for &flight in flights {
+        let flight = &mut report.flights[flight];
+        flight.rms_after_m = flight.rms_before_m;
+    }
+    let files = flights
+        .iter()
+        .map(|&flight| report.flights[flight].file.as_str());
+    let files: Vec<&str> = files.collect();
+    let note = format!(
+        "held-out flights that contradict the extension in the segment on which their initial state is fitted, predicted without it: {}",
+        files.join(", ")
+    );
+    report.notes.push(note);
+}
