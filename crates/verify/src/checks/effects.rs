@@ -19,8 +19,9 @@ pub const EFFECTS: &str = "effects at null values";
 
 /// Returns (models with effects, model without effects); effects are optional model extensions. If the loaded model has
 /// effects, it is the only model with effects. Otherwise one model is built for each effect that can be added. A
-/// further model combines all of these effects that are not declared in the model file. `None` if the source does not
-/// load without effects.
+/// further model combines all of these effects that are not declared in the model file, and another one only those
+/// that are for models of this kind, which have reference implementations. `None` if the source does not load without
+/// effects.
 pub fn variants(loaded: &Loaded) -> Option<(Vec<Model>, Model)> {
     let source = loaded.sources.first()?;
     let apply = |with: &[&str]| from_text(&source.name, &source.text, with).ok();
@@ -28,7 +29,7 @@ pub fn variants(loaded: &Loaded) -> Option<(Vec<Model>, Model)> {
     if let Some(model) = loaded.model.as_ref().filter(|m| !m.effects.is_empty()) {
         return Some((vec![model.clone()], without));
     }
-    let (mut alone, mut together) = (Vec::new(), Vec::new());
+    let (mut alone, mut together, mut specific) = (Vec::new(), Vec::new(), Vec::new());
     for known in known_effects(&without) {
         // The effect is for another kind of model, or is a duplicate of another effect.
         if known.refused.is_some() {
@@ -40,11 +41,19 @@ pub fn variants(loaded: &Loaded) -> Option<(Vec<Model>, Model)> {
             if known.origin != Origin::Own {
                 together.push(name.to_owned());
             }
+            if known.origin == Origin::Specific {
+                specific.push(name.to_owned());
+            }
         }
     }
-    let together: Vec<&str> = together.iter().map(String::as_str).collect();
-    if together.len() > 1 {
-        alone.extend(apply(&together));
+    if specific == together {
+        specific.clear();
+    }
+    for several in [together, specific] {
+        let names: Vec<&str> = several.iter().map(String::as_str).collect();
+        if names.len() > 1 {
+            alone.extend(apply(&names));
+        }
     }
     Some((alone, without))
 }

@@ -1,10 +1,10 @@
 //! Every built-in effect agrees with its reference implementation; one with a changed sign does not.
 
-use model_spec::load::{EFFECTS, from_text, load};
+use model_spec::load::{EFFECTS, from_text, inspect, load};
 use model_spec::model::Model;
 use oracle::effect;
 use verify::Options;
-use verify::checks::effect_reference::compare;
+use verify::checks::effect_reference::{EFFECT_REFERENCE, compare};
 use verify::values::Values;
 
 use crate::support::QUICK;
@@ -46,6 +46,26 @@ fn all_at_once_agree_too() {
         let with = load(model, &names).unwrap_or_else(|why| panic!("{model}: {why}"));
         let error = error(&with, &QUICK);
         assert!(error < 1e-12, "{model}: {error:e}");
+    }
+}
+
+#[test]
+fn the_row_has_each_effect_alone_and_all_together() {
+    let load_all = |name: &str| {
+        EFFECTS
+            .iter()
+            .filter(|e| load(name, &[e.0]).is_ok())
+            .count()
+    };
+    for model in ["disc", "ball"] {
+        let loaded = inspect(model, &[]).unwrap();
+        let report = verify::run(&loaded, &QUICK);
+        let row = report
+            .rows
+            .iter()
+            .find(|row| row.check == EFFECT_REFERENCE)
+            .unwrap();
+        assert_eq!(row.cases, load_all(model) + 1, "{model}");
     }
 }
 
