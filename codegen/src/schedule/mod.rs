@@ -6,7 +6,7 @@ mod list_schedule;
 mod names;
 
 pub use hoist::Hoisted;
-pub use names::{Namer, is_reserved};
+pub use names::Namer;
 
 use crate::functions::MathFunction;
 use crate::graph::{ExprGraph, FastMap, Symbol};
