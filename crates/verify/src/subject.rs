@@ -237,18 +237,3 @@ pub struct Derivatives {
     /// Entries of the Jacobian, indexed by row and column.
     pub entries: Vec<Vec<f64>>,
 }
-
-impl Derivatives {
-    /// Column `j` of the Jacobian.
-    pub fn column(&self, j: usize) -> Vec<f64> {
-        self.entries.iter().map(|row| row[j]).collect()
-    }
-
-    /// Whether all values and Jacobian entries are finite.
-    pub fn finite(&self) -> bool {
-        self.values
-            .iter()
-            .chain(self.entries.iter().flatten())
-            .all(|v| v.is_finite())
-    }
-}
