@@ -337,7 +337,8 @@ impl Compiler {
     }
 }
 
-fn dense(name: &'static str, len: usize) -> Section {
+/// Section of a vector.
+pub(crate) fn dense(name: &'static str, len: usize) -> Section {
     Section {
         name,
         len,

@@ -133,6 +133,21 @@ pub struct Program {
     pub tables: Tables,
 }
 
+impl Program {
+    /// Renumbers the operands that are results of statements, after the statement `k` has moved to `places[k]`.
+    pub(crate) fn renumber(&mut self, places: &[u32]) {
+        let moved = |operand: &mut Operand| {
+            if let Operand::Temp(t) = operand {
+                *t = places[*t as usize];
+            }
+        };
+        for statement in &mut self.statements {
+            statement.op.for_operands(moved);
+        }
+        self.outputs.iter_mut().for_each(moved);
+    }
+}
+
 /// Consecutive outputs of a function that form one vector or matrix.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Section {

@@ -89,16 +89,6 @@ impl Tape {
         allocate::tape(program)
     }
 
-    /// Number of instructions of the tape.
-    pub fn len(&self) -> usize {
-        self.instructions.len()
-    }
-
-    /// Whether the tape has no instructions.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-
     /// Number of registers, which is the minimum length of the scratch space.
     pub fn registers(&self) -> usize {
         self.registers

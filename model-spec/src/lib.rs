@@ -45,7 +45,7 @@ pub mod unit;
 pub use compose::{EffectTree, ModelTree};
 pub use error::LoadError;
 // Checks of a syntax tree or of a model.
-pub use check::{Checked, SingularPoint, check, nonzero_constants, singular_points};
+pub use check::{Checked, SingularPoint, check, singular_points};
 pub use effect::{SITES, VARIABLES};
 // Order of states and parameters in arrays.
 pub use layout::Layout;

@@ -1,11 +1,11 @@
 //! Generated code of a single quantity or derivative, by the compiler stages that also compile whole models.
 
 use super::find::Found;
-use crate::compile::Compiled;
+use crate::compile::{Compiled, dense};
 use crate::count::{Count, count};
 use crate::differentiate::{EliminationOrder, Labelled, LinearizedGraph, share_values};
 use crate::graph::{ExprGraph, Symbol};
-use crate::program::{Function, Program, Section};
+use crate::program::{Function, Program};
 use crate::rust;
 use crate::schedule::{Hoisted, Namer, schedule};
 use crate::ssa::{Ssa, build};
@@ -119,14 +119,6 @@ fn derivative(
     let name = |&row: &u32| format!("d_{}_d_{wrt}", rows[row as usize]);
     let names = of.iter().map(name).collect();
     (ssa, names, of)
-}
-
-fn dense(name: &'static str, len: usize) -> Section {
-    Section {
-        name,
-        len,
-        pattern: None,
-    }
 }
 
 /// Extracts the statements of the body of a generated function from its source text. Loads from input arrays are

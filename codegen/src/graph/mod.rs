@@ -6,7 +6,6 @@
 
 mod calls;
 mod hash;
-mod print;
 mod product;
 mod project;
 mod sum;

@@ -39,11 +39,6 @@ impl ExprGraph {
         matches!(self.node(id), Node::Number(number) if number.is_one())
     }
 
-    /// Node of the product of all `factors`.
-    pub fn mul_all(&mut self, factors: &[NodeId]) -> NodeId {
-        self.product(factors.iter().map(|&factor| (factor, 2)).collect())
-    }
-
     /// Node of the quotient `a / b`; 0 where `b` = 0, unless `b` is known to be nonzero.
     pub fn div(&mut self, a: NodeId, b: NodeId) -> NodeId {
         self.product(vec![(a, 2), (b, -2)])

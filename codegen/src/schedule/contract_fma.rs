@@ -106,14 +106,6 @@ fn without(mut program: Program, gone: &[bool]) -> Program {
         k += 1;
         !gone[k - 1]
     });
-    let moved = |operand: &mut Operand| {
-        if let Operand::Temp(t) = operand {
-            *t = places[*t as usize];
-        }
-    };
-    for statement in &mut program.statements {
-        statement.op.for_operands(moved);
-    }
-    program.outputs.iter_mut().for_each(moved);
+    program.renumber(&places);
     program
 }

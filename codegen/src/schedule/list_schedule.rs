@@ -198,19 +198,11 @@ fn permuted(mut program: Program, sequence: &[usize]) -> Program {
     for (place, &k) in sequence.iter().enumerate() {
         places[k] = place as u32;
     }
-    let moved = |operand: &mut Operand| {
-        if let Operand::Temp(t) = operand {
-            *t = places[*t as usize];
-        }
-    };
     let mut statements: Vec<Option<Statement>> = program.statements.into_iter().map(Some).collect();
     program.statements = sequence
         .iter()
         .filter_map(|&k| statements[k].take())
         .collect();
-    for statement in &mut program.statements {
-        statement.op.for_operands(moved);
-    }
-    program.outputs.iter_mut().for_each(moved);
+    program.renumber(&places);
     program
 }

@@ -6,7 +6,7 @@ mod list_schedule;
 mod names;
 
 pub use hoist::Hoisted;
-pub use names::{Namer, is_reserved};
+pub use names::Namer;
 
 use crate::functions::MathFunction;
 use crate::graph::{ExprGraph, FastMap, Symbol};
@@ -305,11 +305,8 @@ impl Schedule<'_> {
             });
         }
         let first = values.iter().position(|(minus, _)| !minus);
-        let (mut value, rest) = match first {
-            Some(at) => {
-                let (_, start) = values.remove(at);
-                (start, values)
-            }
+        let start = match first {
+            Some(at) => values.remove(at).1,
             None => {
                 let (_, start) = values.remove(0);
                 // -a - b needs a negation of the first term.
@@ -317,19 +314,11 @@ impl Schedule<'_> {
                 if values.is_empty() {
                     return self.finish(op, id);
                 }
-                (self.push(op), values)
+                self.push(op)
             }
         };
-        let many = rest.len();
-        for (k, (minus, term)) in rest.into_iter().enumerate() {
-            let op = Op::Binary(if minus { Binary::Sub } else { Binary::Add }, value, term);
-            value = if k + 1 == many {
-                self.finish(op, id)
-            } else {
-                self.push(op)
-            };
-        }
-        value
+        let step = |(minus, term)| (if minus { Binary::Sub } else { Binary::Add }, term);
+        self.in_turn(start, values.into_iter().map(step).collect(), id)
     }
 
     fn product(&mut self, factors: &[DefId], id: DefId) -> Operand {
@@ -352,17 +341,19 @@ impl Schedule<'_> {
             let value = self.value(divisor);
             steps.push((Binary::Div, value));
         }
-        let mut value = match steps.first() {
+        let start = match steps.first() {
             Some(&(Binary::Mul, value)) => {
                 steps.remove(0);
                 value
             }
             _ => Operand::Constant(1.0),
         };
+        self.in_turn(start, steps, id)
+    }
+
+    /// Applies the operations `steps` to `value`, one after the other; the last gives the definition `id`.
+    fn in_turn(&mut self, mut value: Operand, steps: Vec<(Binary, Operand)>, id: DefId) -> Operand {
         let many = steps.len();
-        if many == 0 {
-            return value;
-        }
         for (k, (binary, operand)) in steps.into_iter().enumerate() {
             let op = Op::Binary(binary, value, operand);
             value = if k + 1 == many {

@@ -304,12 +304,6 @@ fn shorten(ssa: &Ssa, name: &str, id: DefId) -> String {
     format!("{}_{kind}", name[..cut].trim_end_matches('_'))
 }
 
-/// Whether a name is reserved: the name of an argument or of another item in scope of generated functions, or a Rust
-/// keyword.
-pub fn is_reserved(name: &str) -> bool {
-    ARGUMENTS.contains(&name) || is_keyword(name)
-}
-
 fn is_keyword(name: &str) -> bool {
     const KEYWORDS: [&str; 41] = [
         "as", "async", "await", "box", "break", "const", "continue", "crate", "do", "dyn", "else",

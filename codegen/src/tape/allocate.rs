@@ -177,7 +177,7 @@ mod tests {
             })
             .collect();
         let tape = Tape::new(&program(&chain, &[99]));
-        assert_eq!((tape.len(), tape.registers()), (100, 3));
+        assert_eq!((tape.instructions.len(), tape.registers()), (100, 3));
         let all: Vec<u32> = (0..100).collect();
         assert_eq!(Tape::new(&program(&chain, &all)).registers(), 102);
     }

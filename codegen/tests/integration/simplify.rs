@@ -1,5 +1,6 @@
 //! What the constructors of the graph make of an expression, one line each.
 
+use crate::support::print::show;
 use codegen::functions::MathFunction;
 use codegen::graph::{ExprGraph, NodeId, Symbol};
 use codegen::number::Number;
@@ -35,7 +36,7 @@ fn simplified(build: impl Fn(&mut Bench, [NodeId; 4]) -> NodeId) -> String {
     let mut bench = Bench::new();
     let leaves = [0, 1, 2, 3].map(|k| bench.s(k));
     let node = build(&mut bench, leaves);
-    bench.g.show(node, &|symbol| match symbol {
+    show(&bench.g, node, &|symbol| match symbol {
         Symbol::State(k) => ["a", "b", "c", "d", "e", "f"][k as usize].to_string(),
         other => format!("{other:?}"),
     })

@@ -6,17 +6,7 @@ use codegen::tape_model::{At, Scratch, TapeModel};
 pub type Workspace = Scratch;
 
 /// Point at which a model's functions are evaluated: the arguments of these functions.
-#[derive(Clone, Copy, Debug)]
-pub struct EvaluationPoint<'a> {
-    /// Time since release, s.
-    pub t: f64,
-    /// State vector, in the order of the model's [`Layout`](codegen::Layout).
-    pub x: &'a [f64],
-    /// Parameters, coefficients and input components, in the order of the model's [`Layout`](codegen::Layout).
-    pub p: &'a [f64],
-    /// Parameter-only values that [`ModelFunctions::prepare`] computed from `p`.
-    pub prepared: &'a [f64],
-}
+pub type EvaluationPoint<'a> = At<'a>;
 
 /// Sparsity patterns of a model's Jacobians: (row, column) of each stored entry, ordered by row.
 #[derive(Clone, Copy, Debug, Default)]
@@ -48,14 +38,6 @@ pub trait ModelFunctions: Send + Sync {
     fn prepare(&self, p: &[f64], prepared: &mut [f64]);
     /// Computes the state derivative f = dx/dt, in state units per second.
     fn f(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, dx: &mut [f64]);
-    /// Computes the state derivative f and the entries of its state Jacobian ∂f/∂x.
-    fn f_jac(
-        &self,
-        at: EvaluationPoint<'_>,
-        workspace: &mut Workspace,
-        dx: &mut [f64],
-        jacobian: &mut [f64],
-    );
     /// Computes the state derivative f and the entries of its Jacobians ∂f/∂x and ∂f/∂p.
     fn f_jac_par(
         &self,
@@ -113,10 +95,6 @@ impl ModelFunctions for generated::Model {
         (self.f)(at.t, at.x, at.p, at.prepared, dx);
     }
 
-    fn f_jac(&self, at: EvaluationPoint<'_>, _: &mut Workspace, dx: &mut [f64], j: &mut [f64]) {
-        (self.f_jac)(at.t, at.x, at.p, at.prepared, dx, j);
-    }
-
     fn f_jac_par(
         &self,
         at: EvaluationPoint<'_>,
@@ -159,12 +137,6 @@ impl ModelFunctions for generated::Model {
     }
 }
 
-/// Converts an evaluation point to the arguments of a tape.
-fn tape_arguments(at: EvaluationPoint<'_>) -> At<'_> {
-    let EvaluationPoint { t, x, p, prepared } = at;
-    At { t, x, p, prepared }
-}
-
 impl ModelFunctions for TapeModel {
     fn prepared_len(&self) -> usize {
         self.prepared
@@ -185,17 +157,7 @@ impl ModelFunctions for TapeModel {
     }
 
     fn f(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, dx: &mut [f64]) {
-        TapeModel::f(self, tape_arguments(at), workspace, dx);
-    }
-
-    fn f_jac(
-        &self,
-        at: EvaluationPoint<'_>,
-        workspace: &mut Workspace,
-        dx: &mut [f64],
-        j: &mut [f64],
-    ) {
-        TapeModel::f_jac(self, tape_arguments(at), workspace, dx, j);
+        TapeModel::f(self, at, workspace, dx);
     }
 
     fn f_jac_par(
@@ -206,7 +168,7 @@ impl ModelFunctions for TapeModel {
         j: &mut [f64],
         jp: &mut [f64],
     ) {
-        TapeModel::f_jac_par(self, tape_arguments(at), workspace, dx, j, jp);
+        TapeModel::f_jac_par(self, at, workspace, dx, j, jp);
     }
 
     fn observe(
@@ -216,7 +178,7 @@ impl ModelFunctions for TapeModel {
         workspace: &mut Workspace,
         y: &mut [f64; 3],
     ) {
-        TapeModel::observe(self, tape_arguments(at), marker, workspace, y);
+        TapeModel::observe(self, at, marker, workspace, y);
     }
 
     fn observe_jac(
@@ -228,14 +190,14 @@ impl ModelFunctions for TapeModel {
         [dy_dx, dy_dp, dy_dmarker]: [&mut [f64]; 3],
     ) {
         let results = [y, dy_dx, dy_dp, dy_dmarker];
-        TapeModel::observe_jac(self, tape_arguments(at), marker, workspace, results);
+        TapeModel::observe_jac(self, at, marker, workspace, results);
     }
 
     fn quantities(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, q: &mut [f64]) {
-        TapeModel::quantities(self, tape_arguments(at), workspace, q);
+        TapeModel::quantities(self, at, workspace, q);
     }
 
     fn limits(&self, at: EvaluationPoint<'_>, workspace: &mut Workspace, l: &mut [f64]) {
-        TapeModel::limits(self, tape_arguments(at), workspace, l);
+        TapeModel::limits(self, at, workspace, l);
     }
 }

@@ -86,9 +86,7 @@ impl<X: StateVector> HermiteStep<'_, X> {
     /// Cubic interpolant of component `i` at the fraction `s` of the step.
     #[inline(always)]
     pub(crate) fn component(&self, i: usize, s: f64) -> f64 {
-        let (a, b, da, db) = self.ends(i);
-        let r = 1.0 - s;
-        a * r + b * s + s * r * ((da - (b - a)) * r - (db - (b - a)) * s)
+        cubic(self.ends(i), s)
     }
 
     /// h times the derivative of the cubic interpolant of component `i` at the fraction `s` of the step.
@@ -98,4 +96,12 @@ impl<X: StateVector> HermiteStep<'_, X> {
         let r = 1.0 - s;
         da * r + db * s + 3.0 * s * r * (2.0 * (b - a) - da - db)
     }
+}
+
+/// Value at the fraction `s` of a step of the cubic with the values `a` and `b` at the start and end of the step, where
+/// its derivatives times the step size are `da` and `db`.
+#[inline(always)]
+pub(crate) fn cubic((a, b, da, db): (f64, f64, f64, f64), s: f64) -> f64 {
+    let r = 1.0 - s;
+    a * r + b * s + s * r * ((da - (b - a)) * r - (db - (b - a)) * s)
 }

@@ -8,14 +8,12 @@ use std::borrow::Cow;
 /// Number of equal subintervals of a step that are searched for a sign change of an event function.
 const SEARCH_INTERVALS: u32 = 8;
 
-/// Event: a zero of a function g(t, x), passed in one direction.
+/// Event: where a function g(t, x) falls from positive to zero or below.
 ///
-/// By default an event is recorded where g falls from positive to zero or below; [`rising`](Self::rising) and
-/// [`terminal`](Self::terminal) change that.
+/// By default an event is recorded; [`terminal`](Self::terminal) makes it end the integration.
 pub struct Event<'a, X> {
     pub(crate) name: Cow<'a, str>,
     function: EventFunction<'a, X>,
-    direction: Direction,
     pub(crate) action: EventAction,
 }
 
@@ -30,25 +28,6 @@ enum EventFunction<'a, X> {
     Derivative(usize),
     /// User function g(t, x).
     Function(Scalar<'a, X>),
-}
-
-/// Direction of the sign change of the event function that counts as an event.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Direction {
-    Falling,
-    Rising,
-}
-
-impl Direction {
-    /// Returns the value `value` of the event function, negated for rising events, so that all events are falling
-    /// zeros.
-    #[inline(always)]
-    fn as_falling(self, value: f64) -> f64 {
-        match self {
-            Direction::Falling => value,
-            Direction::Rising => -value,
-        }
-    }
 }
 
 /// Action of the integration at an event: record the event, stop, or fail.
@@ -95,14 +74,6 @@ impl<'a, X: StateVector> Event<'a, X> {
         }
     }
 
-    /// Turns the event into one where the event function rises to 0 instead of falling.
-    pub fn rising(self) -> Self {
-        Event {
-            direction: Direction::Rising,
-            ..self
-        }
-    }
-
     /// Turns the event into a terminal one: the integration stops at its first occurrence.
     pub fn terminal(self) -> Self {
         Event {
@@ -115,24 +86,21 @@ impl<'a, X: StateVector> Event<'a, X> {
         Event {
             name: name.into(),
             function,
-            direction: Direction::Falling,
             action: EventAction::Record,
         }
     }
 
-    /// Value of the event function at the time `t` and the state `x`, negated for rising events, so that all events are
-    /// falling zeros; `dx` is scratch space.
+    /// Value of the event function at the time `t` and the state `x`; `dx` is scratch space.
     #[inline(always)]
     fn value<D: OdeRhs<State = X>>(&mut self, rhs: &mut D, t: f64, x: &X, dx: &mut X) -> f64 {
-        let value = match &mut self.function {
+        match &mut self.function {
             EventFunction::Component(i, level) => x.as_ref()[*i] - *level,
             EventFunction::Derivative(i) => {
                 rhs.derivative(t, x, dx);
                 dx.as_ref()[*i]
             }
             EventFunction::Function(g) => g(t, x),
-        };
-        self.direction.as_falling(value)
+        }
     }
 
     /// Whether the event function is past its zero at the initial state, or is 0 there and moves past 0.
@@ -145,7 +113,7 @@ impl<'a, X: StateVector> Event<'a, X> {
     ) -> bool {
         let value = self.value(rhs, t, x, &mut dx.clone());
         let is_falling = if let EventFunction::Component(i, _) = self.function {
-            self.direction.as_falling(dx.as_ref()[i]) < 0.0
+            dx.as_ref()[i] < 0.0
         } else {
             self.action == EventAction::Fail
         };
@@ -156,35 +124,33 @@ impl<'a, X: StateVector> Event<'a, X> {
     /// cheaper than the search for the event in the dense output.
     #[inline(always)]
     pub(crate) fn may_occur(&mut self, step: &HermiteStep<'_, X>, scratch: &mut X) -> bool {
-        let sign = self.direction.as_falling(1.0);
         match &mut self.function {
             EventFunction::Component(i, level) => {
                 // The cubic is within 1/4 (|h x'(0)| + |h x'(1)| + |x(1) - x(0)|) of its chord.
                 let (a, b, da, db) = step.ends(*i);
-                let (a, b) = (sign * (a - *level), sign * (b - *level));
+                let (a, b) = (a - *level, b - *level);
                 let chord_distance = 0.25 * ((da.abs() + db.abs()) + (b - a).abs());
                 if a.min(b) > chord_distance || a.max(b) < -chord_distance {
                     return false;
                 }
-                has_falling_zero(4, |s| sign * (step.component(*i, s) - *level))
+                has_falling_zero(4, |s| step.component(*i, s) - *level)
             }
             EventFunction::Derivative(i) => {
                 // The derivative of the cubic is a parabola within this distance of its chord.
                 let (a, b, da, db) = step.ends(*i);
                 let chord_distance = 0.75 * (2.0 * (b - a) - da - db).abs();
-                let (low, high) = ((sign * da).min(sign * db), (sign * da).max(sign * db));
-                if low > chord_distance || high < -chord_distance {
+                if da.min(db) > chord_distance || da.max(db) < -chord_distance {
                     return false;
                 }
-                has_falling_zero(2, |s| sign * step.scaled_derivative(*i, s))
+                has_falling_zero(2, |s| step.scaled_derivative(*i, s))
             }
             EventFunction::Function(g) => {
-                let first = sign * g(step.t, step.x);
+                let first = g(step.t, step.x);
                 for (i, x) in scratch.as_mut().iter_mut().enumerate() {
                     *x = step.component(i, 0.5);
                 }
-                let middle = sign * g(step.t + 0.5 * step.h, scratch);
-                let last = sign * g(step.t + step.h, step.x_end);
+                let middle = g(step.t + 0.5 * step.h, scratch);
+                let last = g(step.t + step.h, step.x_end);
                 first > 0.0 && middle <= 0.0 || middle > 0.0 && last <= 0.0
             }
         }
@@ -199,12 +165,7 @@ impl<'a, X: StateVector> Event<'a, X> {
         found: &mut Vec<f64>,
     ) {
         if let EventFunction::Component(i, level) = self.function {
-            let sign = self.direction.as_falling(1.0);
-            return falling_zeros(
-                (step.t, step.h),
-                |s| sign * (step.component(s, i) - level),
-                found,
-            );
+            return falling_zeros((step.t, step.h), |s| step.component(s, i) - level, found);
         }
         let [x, dx] = scratch;
         let value = |s: f64| {

@@ -45,6 +45,20 @@ impl Point<f64> {
 }
 
 impl<T: Field> Point<T> {
+    /// Values of parameters, coefficients and components of inputs in one list, in this order.
+    pub fn parameters(&self) -> Vec<T> {
+        let inputs = self.inputs.iter().flat_map(|v| v.iter());
+        let constants = self.params.iter().chain(&self.coefficients);
+        constants.chain(inputs).copied().collect()
+    }
+
+    /// Iterates mutably over the values of [`parameters`](Self::parameters).
+    pub fn parameters_mut(&mut self) -> impl Iterator<Item = &mut T> {
+        let inputs = self.inputs.iter_mut().flat_map(|v| v.iter_mut());
+        let constants = self.params.iter_mut().chain(&mut self.coefficients);
+        constants.chain(inputs)
+    }
+
     /// Applies a conversion to every value.
     pub fn map<U: Field>(&self, mut f: impl FnMut(T) -> U) -> Point<U> {
         Point {

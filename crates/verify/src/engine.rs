@@ -65,17 +65,15 @@ impl Entries {
     }
 }
 
-/// Values of parameters, coefficients and components of inputs in one list, in the order of the compiled model's
-/// parameter vector.
-pub fn parameters(point: &Point<f64>) -> Vec<f64> {
-    let inputs = point.inputs.iter().flat_map(|v| [v.x, v.y, v.z]);
-    point
-        .params
-        .iter()
-        .chain(&point.coefficients)
-        .copied()
-        .chain(inputs)
-        .collect()
+/// Inputs of a tape (a program of the bytecode interpreter) at a point, with the point's parameter vector `p`.
+pub fn inputs<'a>(point: &'a Point<f64>, p: &'a [f64], prepared: &'a [f64]) -> Inputs<'a, f64> {
+    Inputs {
+        t: point.time,
+        x: &point.states,
+        p,
+        prepared,
+        marker: point.marker.as_slice(),
+    }
 }
 
 impl Engine {
@@ -107,27 +105,13 @@ impl Engine {
     }
 
     fn eval(&self, tape: &Tape, point: &Point<f64>) -> Vec<f64> {
-        let p = parameters(point);
+        let p = point.parameters();
         let mut scratch = Vec::new();
         let mut prepared = vec![0.0; self.prepare.outputs()];
-        let marker = [point.marker.x, point.marker.y, point.marker.z];
-        let before = Inputs {
-            t: point.time,
-            x: &point.states,
-            p: &p,
-            prepared: &[],
-            marker: &marker,
-        };
-        self.prepare.eval(before, &mut scratch, &mut prepared);
+        self.prepare
+            .eval(inputs(point, &p, &[]), &mut scratch, &mut prepared);
         let mut out = vec![0.0; tape.outputs()];
-        tape.eval(
-            Inputs {
-                prepared: &prepared,
-                ..before
-            },
-            &mut scratch,
-            &mut out,
-        );
+        tape.eval(inputs(point, &p, &prepared), &mut scratch, &mut out);
         out
     }
 }

@@ -38,18 +38,10 @@ impl<'a> Machine<'a> {
     /// of a function that is not rational, such as exp, is a pseudo-random element that depends on function and
     /// argument; if false, such a function has no value.
     pub fn new(point: &'a Point<Prime>, circles: &'a [(Prime, Prime)], symbols: bool) -> Self {
-        let inputs = point.inputs.iter().flat_map(|v| [v.x, v.y, v.z]);
-        let parameters = point
-            .params
-            .iter()
-            .chain(&point.coefficients)
-            .copied()
-            .chain(inputs)
-            .collect();
         Self {
             point,
             circles,
-            parameters,
+            parameters: point.parameters(),
             prepared: Vec::new(),
             symbols,
         }

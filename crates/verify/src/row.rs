@@ -17,6 +17,13 @@ pub enum Verdict {
     Unverified,
 }
 
+impl Verdict {
+    /// Verdict of a check that was carried out for the whole model.
+    pub fn of(holds: bool) -> Self {
+        if holds { Self::Holds } else { Self::Refuted }
+    }
+}
+
 /// Unit in which the errors of a check are expressed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -57,18 +64,13 @@ pub struct Row {
 impl Row {
     /// Creates the row of a check that holds if its maximum relative error is at most `tolerance`.
     pub fn judged(check: &'static str, cases: usize, worst: &Worst, tolerance: f64) -> Self {
-        let holds = worst.error <= tolerance;
         Self {
             check,
             cases,
             worst: worst.error,
             measure: Measure::Relative,
             tolerance,
-            verdict: if holds {
-                Verdict::Holds
-            } else {
-                Verdict::Refuted
-            },
+            verdict: Verdict::of(worst.error <= tolerance),
             detail: worst.place.clone(),
             remark: None,
         }
@@ -83,11 +85,7 @@ impl Row {
             worst: faults.len() as f64,
             measure: Measure::Count,
             tolerance: 0.0,
-            verdict: if faults.is_empty() {
-                Verdict::Holds
-            } else {
-                Verdict::Refuted
-            },
+            verdict: Verdict::of(faults.is_empty()),
             detail: if faults.is_empty() {
                 holds.to_owned()
             } else {

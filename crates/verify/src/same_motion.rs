@@ -21,6 +21,12 @@ pub struct Pair {
     pub flights: Row,
 }
 
+impl Pair {
+    fn holds(&self) -> bool {
+        self.accelerations.verdict == Verdict::Holds && self.flights.verdict != Verdict::Refuted
+    }
+}
+
 /// Results of the pairwise comparison of models.
 #[derive(Clone, Debug, Serialize)]
 pub struct SameMotion {
@@ -32,17 +38,13 @@ impl SameMotion {
     /// Whether, for every pair of models, the comparison of accelerations holds and that of the flights was not
     /// refuted.
     pub fn holds(&self) -> bool {
-        self.pairs.iter().all(|p| {
-            p.accelerations.verdict == Verdict::Holds && p.flights.verdict != Verdict::Refuted
-        })
+        self.pairs.iter().all(Pair::holds)
     }
 
     /// Formats the results as a text table.
     pub fn table(&self) -> String {
         let mut table = plain_table(&["models", "accelerations", "flights", "verdict", "where"]);
         for pair in &self.pairs {
-            let holds = pair.accelerations.verdict == Verdict::Holds
-                && pair.flights.verdict != Verdict::Refuted;
             table.add_row(vec![
                 pair.models.join(" and "),
                 format!(
@@ -50,7 +52,11 @@ impl SameMotion {
                     pair.accelerations.worst, pair.accelerations.cases
                 ),
                 format!("{:.1e} of {}", pair.flights.worst, pair.flights.cases),
-                String::from(if holds { "same motion" } else { "DIFFERENT" }),
+                String::from(if pair.holds() {
+                    "same motion"
+                } else {
+                    "DIFFERENT"
+                }),
                 format!("{} {}", pair.accelerations.detail, pair.flights.detail)
                     .trim()
                     .to_owned(),

@@ -122,18 +122,20 @@ impl<'a> Subject<'a> {
     pub fn extras(&self) -> Vec<(usize, f64)> {
         match &self.reference {
             Some(reference) => reference.null_values(self.model),
-            None => {
-                let of_effects = self.model.effects.iter().flat_map(|e| &e.coefficients);
-                of_effects.map(|c| (c.index, c.null_value)).collect()
-            }
+            None => self.of_effects().collect(),
         }
+    }
+
+    /// Index and null value of each coefficient of an effect.
+    fn of_effects(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
+        let coefficients = self.model.effects.iter().flat_map(|e| &e.coefficients);
+        coefficients.map(|c| (c.index, c.null_value))
     }
 
     /// Indices of the coefficients added by the model's author: coefficients that neither the reference law nor an
     /// effect contains; empty without a reference law.
     pub fn own_coefficients(&self) -> Vec<usize> {
-        let of_effects = self.model.effects.iter().flat_map(|e| &e.coefficients);
-        let of_effects: Vec<usize> = of_effects.map(|c| c.index).collect();
+        let of_effects: Vec<usize> = self.of_effects().map(|(index, _)| index).collect();
         let extras = self.extras().into_iter().map(|(index, _)| index);
         extras.filter(|i| !of_effects.contains(i)).collect()
     }
@@ -146,14 +148,8 @@ impl<'a> Subject<'a> {
 
     /// Returns the point with the coefficients of effects at their null values. All states that are not states of the
     /// body, such as those of effects, are set to their default values.
-    pub fn without_effects(&self, mut point: Point<f64>) -> Point<f64> {
-        for coefficient in self.model.effects.iter().flat_map(|e| &e.coefficients) {
-            point.coefficients[coefficient.index] = coefficient.null_value;
-        }
-        for state in self.model.added_states() {
-            point.states[state] = self.model.states[state].value;
-        }
-        point
+    pub fn without_effects(&self, point: Point<f64>) -> Point<f64> {
+        self.of_body_alone(point, self.of_effects())
     }
 
     /// Row of the report for a check that requires a reference law, for a model that claims none. The check is skipped
@@ -183,8 +179,18 @@ impl<'a> Subject<'a> {
 
     /// Returns the point with the coefficients that the reference law does not contain at their null values. All states
     /// that are not states of the body, such as those of effects, are set to their default values.
-    pub fn without_extras(&self, mut point: Point<f64>) -> Point<f64> {
-        for (index, value) in self.extras() {
+    pub fn without_extras(&self, point: Point<f64>) -> Point<f64> {
+        self.of_body_alone(point, self.extras())
+    }
+
+    /// Returns the point with the given coefficients (index, value), and with all states that are not states of the
+    /// body at their default values.
+    fn of_body_alone(
+        &self,
+        mut point: Point<f64>,
+        coefficients: impl IntoIterator<Item = (usize, f64)>,
+    ) -> Point<f64> {
+        for (index, value) in coefficients {
             point.coefficients[index] = value;
         }
         for state in self.model.added_states() {
@@ -236,19 +242,4 @@ pub struct Derivatives {
     pub values: Vec<f64>,
     /// Entries of the Jacobian, indexed by row and column.
     pub entries: Vec<Vec<f64>>,
-}
-
-impl Derivatives {
-    /// Column `j` of the Jacobian.
-    pub fn column(&self, j: usize) -> Vec<f64> {
-        self.entries.iter().map(|row| row[j]).collect()
-    }
-
-    /// Whether all values and Jacobian entries are finite.
-    pub fn finite(&self) -> bool {
-        self.values
-            .iter()
-            .chain(self.entries.iter().flatten())
-            .all(|v| v.is_finite())
-    }
 }

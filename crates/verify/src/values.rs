@@ -1,11 +1,11 @@
 //! A model compiled to values only, without derivatives and without hoisting of parameter-only code. This is sufficient
 //! for mutants and effects, and takes a tenth of the compilation time.
 
-use crate::engine::parameters;
+use crate::engine::inputs;
 use crate::subject::Equations;
 use codegen::Layout;
 use codegen::program::Program;
-use codegen::tape::{Inputs, Tape};
+use codegen::tape::Tape;
 use model_spec::model::Model;
 use nalgebra::Vector3;
 use oracle::Point;
@@ -58,18 +58,8 @@ impl Equations for Values {
 
 /// Floating-point outputs of a tape (a program of the bytecode interpreter) at a point.
 pub(crate) fn evaluated(tape: &Tape, point: &Point<f64>) -> Vec<f64> {
-    let (p, marker) = (
-        parameters(point),
-        [point.marker.x, point.marker.y, point.marker.z],
-    );
+    let p = point.parameters();
     let mut out = vec![0.0; tape.outputs()];
-    let inputs = Inputs {
-        t: point.time,
-        x: &point.states,
-        p: &p,
-        prepared: &[],
-        marker: &marker,
-    };
-    tape.eval(inputs, &mut Vec::new(), &mut out);
+    tape.eval(inputs(point, &p, &[]), &mut Vec::new(), &mut out);
     out
 }

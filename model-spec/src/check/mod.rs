@@ -40,7 +40,7 @@ use unitless::Unitless;
 
 pub(crate) use quantity::si_value;
 pub(crate) use scope::OF_BODY;
-pub use singular::{SingularPoint, nonzero_constants, singular_points};
+pub use singular::{SingularPoint, singular_points};
 
 /// Result of [`check`](fn@check): the model and the diagnostics.
 #[derive(Clone, Debug)]

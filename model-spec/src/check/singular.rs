@@ -94,7 +94,7 @@ impl<'m> Signs<'m> {
             K::Number { value, .. } if *value < 0.0 => Sign::NotZero,
             K::Number { .. } => Sign::NotNegative,
             K::Pi | K::Call(Function::Exp, _) => Sign::Positive,
-            // Parameters that are divisors are checked to be nonzero when they are set.
+            // A divisor must not contain one whose default is 0: see `zero_default`.
             K::Param(i) => bounded(self.model.params[*i].bounds),
             K::Coefficient(i) => bounded(self.model.coefficients[*i].bounds),
             K::AuxVariable(i) => self.lets.get(*i).copied().unwrap_or(Sign::Unknown),
@@ -314,46 +314,6 @@ fn factors<'e>(e: &'e Expr, visit: &mut dyn FnMut(&'e Expr)) {
         ExprKind::Neg(a) | ExprKind::Pow(a, _) => factors(a, visit),
         _ => visit(e),
     }
-}
-
-/// Returns the parameters that a model divides by and that must therefore be nonzero: indices into [`Model::params`],
-/// and indices into [`Model::coefficients`].
-pub fn nonzero_constants(model: &Model) -> (Vec<usize>, Vec<usize>) {
-    let (mut params, mut coefficients) = (Vec::new(), Vec::new());
-    let mut lets = vec![false; model.aux_variables.len()];
-    let mut look = |e: &Expr, lets: &mut Vec<bool>| {
-        factors(e, &mut |factor| match factor.kind {
-            ExprKind::Param(i) => params.push(i),
-            ExprKind::Coefficient(i) => coefficients.push(i),
-            ExprKind::AuxVariable(i) => lets[i] = true,
-            _ => {}
-        });
-    };
-    // The equations of motion divide by the mass and the principal entries of the inertia tensor.
-    if let Some(body) = &model.body {
-        look(&body.mass, &mut lets);
-        if let Some(rotation) = &body.rotation {
-            (0..3).for_each(|i| look(&rotation.inertia[i][i], &mut lets));
-        }
-    }
-    for root in roots(model) {
-        walk(root, &mut |e| {
-            if let Some(divisor) = divisor(e) {
-                look(divisor, &mut lets);
-            }
-        });
-    }
-    // Reverse order, because auxiliary variables follow those that they use.
-    for i in (0..model.aux_variables.len()).rev() {
-        if lets[i] {
-            look(&model.aux_variables[i].value, &mut lets);
-        }
-    }
-    for list in [&mut params, &mut coefficients] {
-        list.sort_unstable();
-        list.dedup();
-    }
-    (params, coefficients)
 }
 
 /// Returns the singular points of a model with their defined behaviour, in the order of their source spans.

@@ -9,15 +9,10 @@ impl Parser<'_> {
     pub fn effect(&mut self, doc: String) -> Read<ItemKind> {
         self.advance();
         let name = self.name("a name after `effect`")?;
-        let mut on = Vec::new();
-        if self.eat_word("on") {
-            loop {
-                on.push(self.name("the name of a model after `on`")?);
-                if !self.eat(Token::Comma) {
-                    break;
-                }
-            }
-        }
+        let on = match self.eat_word("on") {
+            true => self.list(|parser| parser.name("the name of a model after `on`"))?,
+            false => Vec::new(),
+        };
         let parts = self.braces(&format!("`effect {}`", name.text), Self::effect_part)?;
         Ok(ItemKind::Effect(Effect {
             name,
@@ -39,25 +34,13 @@ impl Parser<'_> {
             }
             "needs" => {
                 self.advance();
-                let mut needs = Vec::new();
-                loop {
-                    needs.push(self.needed_quantity()?);
-                    if !self.eat(Token::Comma) {
-                        break;
-                    }
-                }
+                let needs = self.list(Self::needed_quantity)?;
                 self.semicolon("this `needs`")?;
                 return Ok(EffectPart::Needs(needs));
             }
             "generalises" => {
                 self.advance();
-                let mut names = Vec::new();
-                loop {
-                    names.push(self.name("the name of an effect")?);
-                    if !self.eat(Token::Comma) {
-                        break;
-                    }
-                }
+                let names = self.list(|parser| parser.name("the name of an effect"))?;
                 self.semicolon("this `generalises`")?;
                 return Ok(EffectPart::Generalises(names));
             }
@@ -79,13 +62,8 @@ impl Parser<'_> {
             }
             "variables" => {
                 self.advance();
-                let mut names = Vec::new();
-                loop {
-                    names.push(self.name("what the effect depends on, such as `alpha`")?);
-                    if !self.eat(Token::Comma) {
-                        break;
-                    }
-                }
+                let what = "what the effect depends on, such as `alpha`";
+                let names = self.list(|parser| parser.name(what))?;
                 self.semicolon("this `variables`")?;
                 return Ok(EffectPart::Variables(names, start.to(self.behind())));
             }

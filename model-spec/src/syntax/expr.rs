@@ -265,23 +265,17 @@ impl Parser<'_> {
             self.closing(open)?;
             return self.grown(ExprKind::Derivative(state), start.to(self.behind()), 0);
         }
-        let mut arguments = Vec::new();
-        let mut height = 0;
-        if self.peek() != Token::Close {
-            loop {
-                let argument = self.tree(0)?;
-                height = height.max(argument.height);
-                arguments.push(argument.expr);
-                if !self.eat(Token::Comma) {
-                    break;
-                }
-            }
-        }
+        let arguments = match self.peek() {
+            Token::Close => Vec::new(),
+            _ => self.list(|parser| parser.tree(0))?,
+        };
         self.closing(open)?;
+        let height = arguments.iter().map(|argument| argument.height).max();
+        let arguments = arguments.into_iter().map(|argument| argument.expr);
         self.grown(
-            ExprKind::Call(name, arguments),
+            ExprKind::Call(name, arguments.collect()),
             start.to(self.behind()),
-            height,
+            height.unwrap_or(0),
         )
     }
 }

@@ -176,6 +176,15 @@ impl<'a> Parser<'a> {
         found
     }
 
+    /// Parses one or more items that are separated by commas.
+    pub fn list<T>(&mut self, mut item: impl FnMut(&mut Self) -> Read<T>) -> Read<Vec<T>> {
+        let mut items = vec![item(self)?];
+        while self.eat(Token::Comma) {
+            items.push(item(self)?);
+        }
+        Ok(items)
+    }
+
     pub fn at_word(&self, word: &str) -> bool {
         self.peek() == Token::Name && self.raw() == word
     }

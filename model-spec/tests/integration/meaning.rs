@@ -3,7 +3,7 @@
 use model_spec::diagnostic::Kind;
 use model_spec::load::{self, from_text, inspect_text};
 use model_spec::model::{ClaimedAttitude, Expr, ExprKind, Function, Model, Shape};
-use model_spec::{nonzero_constants, singular_points};
+use model_spec::singular_points;
 
 const POINT: &str = "\
 model probe;
@@ -195,21 +195,6 @@ fn divisors_are_what_cannot_vanish() {
     ] {
         assert_eq!(faults(wrong), [Kind::Singular], "{wrong}");
     }
-}
-
-#[test]
-fn constants_that_are_divided_by_are_known() {
-    let model = model(
-        "param k = 2 m;\nparam l = 3 /m;\ncoefficient c = 1;\nlet d = 2*k;\nlet a = z/d + l*z/c;\n",
-    );
-    let (params, coefficients) = nonzero_constants(&model);
-    let names: Vec<&str> = params
-        .iter()
-        .map(|&i| model.params[i].name.as_str())
-        .collect();
-    // The mass is divided by in the equations of motion.
-    assert_eq!(names, ["m", "k"]);
-    assert_eq!(coefficients, [0]);
 }
 
 #[test]

@@ -1,4 +1,6 @@
-//! Shared by the tests: dual numbers as lanes, random states, models.
+//! Shared by the tests: dual numbers as lanes, random states, models, expressions as text.
+
+pub mod print;
 
 use lanes::{ElementaryFunction, Real};
 use model_spec::model::Model;

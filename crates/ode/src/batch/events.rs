@@ -1,5 +1,6 @@
 //! Event location in one lane: where in a step the height falls to 0, and where the height has its maximum.
 
+use crate::dense_output::cubic;
 use crate::event::{falling_zeros, has_falling_zero, location_width};
 use crate::method::{Method, ROWS};
 use crate::root::first_past_root;
@@ -37,12 +38,8 @@ impl HeightEnds {
     /// subintervals of the step.
     #[inline(never)]
     fn dips(&self) -> bool {
-        let (a, b) = (self.start, self.end);
-        has_falling_zero(4, |s| {
-            let r = 1.0 - s;
-            let (da, db) = (self.start_slope, self.end_slope);
-            a * r + b * s + s * r * ((da - (b - a)) * r - (db - (b - a)) * s)
-        })
+        let ends = (self.start, self.end, self.start_slope, self.end_slope);
+        has_falling_zero(4, |s| cubic(ends, s))
     }
 
     /// Whether the cubic interpolant may reach 0 within the step, by a bound that is cheaper to compute than

@@ -37,21 +37,7 @@ impl Zero for ComplexStep {
     }
 }
 
-impl One for ComplexStep {
-    fn one() -> Self {
-        Self::lit(1.0)
-    }
-}
-
-impl Field for ComplexStep {
-    fn integer(value: i64) -> Self {
-        Self::lit(value as f64)
-    }
-
-    fn literal(value: f64, _exact: Option<(i64, i64)>) -> Option<Self> {
-        Some(Self::lit(value))
-    }
-}
+super::rounded_literals!(ComplexStep);
 
 impl Real for ComplexStep {
     fn lit(value: f64) -> Self {

@@ -104,21 +104,7 @@ impl Zero for ErrorBound {
     }
 }
 
-impl One for ErrorBound {
-    fn one() -> Self {
-        Self::lit(1.0)
-    }
-}
-
-impl Field for ErrorBound {
-    fn integer(value: i64) -> Self {
-        Self::lit(value as f64)
-    }
-
-    fn literal(value: f64, _exact: Option<(i64, i64)>) -> Option<Self> {
-        Some(Self::lit(value))
-    }
-}
+super::rounded_literals!(ErrorBound);
 
 impl Real for ErrorBound {
     fn lit(value: f64) -> Self {

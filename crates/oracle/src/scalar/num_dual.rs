@@ -35,21 +35,7 @@ impl Zero for NumDual {
     }
 }
 
-impl One for NumDual {
-    fn one() -> Self {
-        Self::lit(1.0)
-    }
-}
-
-impl Field for NumDual {
-    fn integer(value: i64) -> Self {
-        Self::lit(value as f64)
-    }
-
-    fn literal(value: f64, _exact: Option<(i64, i64)>) -> Option<Self> {
-        Some(Self::lit(value))
-    }
-}
+super::rounded_literals!(NumDual);
 
 impl Real for NumDual {
     fn lit(value: f64) -> Self {

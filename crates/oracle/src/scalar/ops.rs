@@ -1,4 +1,4 @@
-//! Macros that implement arithmetic operators in terms of other operators.
+//! Macros that implement arithmetic operators in terms of other operators, and constants in terms of literals.
 
 /// Implements `+=`, `-=`, `*=` and `/=` of a type by its `+`, `-`, `*` and `/`.
 macro_rules! assign_ops {
@@ -62,4 +62,25 @@ macro_rules! wrapped_ops {
     };
 }
 
-pub(super) use {assign_ops, wrapped_ops};
+/// Implements [`One`](num_traits::One) and [`Field`](super::Field) of a scalar that holds every literal as the nearest
+/// `f64`, by its `Real::lit`.
+macro_rules! rounded_literals {
+    ($type:ty) => {
+        impl One for $type {
+            fn one() -> Self {
+                Self::lit(1.0)
+            }
+        }
+        impl Field for $type {
+            fn integer(value: i64) -> Self {
+                Self::lit(value as f64)
+            }
+
+            fn literal(value: f64, _exact: Option<(i64, i64)>) -> Option<Self> {
+                Some(Self::lit(value))
+            }
+        }
+    };
+}
+
+pub(super) use {assign_ops, rounded_literals, wrapped_ops};

@@ -223,9 +223,7 @@ fn seed<T: Real>(
     let Some(k) = j.checked_sub(out.states.len()) else {
         return out;
     };
-    let constants = out.params.iter_mut().chain(&mut out.coefficients);
-    let inputs = out.inputs.iter_mut().flat_map(|v| v.iter_mut());
-    if let Some(value) = constants.chain(inputs).nth(k) {
+    if let Some(value) = out.parameters_mut().nth(k) {
         *value = variable(value.re(), 1.0);
     }
     out
@@ -271,17 +269,14 @@ fn cancelled(value: ErrorBound, variable: f64) -> f64 {
 /// Absolute value of the variable with the given index. The variables are numbered like the Jacobian's columns: states,
 /// parameters, coefficients, components of inputs.
 fn size(point: &Point<f64>, variable: usize) -> f64 {
-    let inputs = point.inputs.iter().flat_map(|v| v.iter());
-    let all = { point.states.iter() }
-        .chain(&point.params)
-        .chain(&point.coefficients)
-        .chain(inputs);
-    all.map(|v| v.abs()).nth(variable).unwrap_or(0.0)
+    let parameters = point.parameters();
+    let mut all = point.states.iter().chain(&parameters);
+    all.nth(variable).map_or(0.0, |v| v.abs())
 }
 
 /// State derivatives, followed by the observation, from the model's vector expressions; `None` if these cannot be
 /// evaluated.
-fn tree_column<T: Real>(model: &Model, point: &Point<T>) -> Option<Vec<T>> {
+pub(super) fn tree_column<T: Real>(model: &Model, point: &Point<T>) -> Option<Vec<T>> {
     let tree = Tree::new(model, point);
     let mut out = derivatives_of(&tree).ok()?;
     if let Some(observed) = &model.observation {

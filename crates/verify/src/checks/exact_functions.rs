@@ -4,6 +4,7 @@
 //! of their arguments. Branches and rounded constants, which the field cannot decide, are compared in 256-bit
 //! arithmetic at states of the model.
 
+use super::derivatives::tree_column;
 use super::exact::{POINTS, Spot};
 use super::function_rows::{along, direction, row_name, sections};
 use super::long_functions;
@@ -17,8 +18,8 @@ use codegen::functions::MathFunction;
 use codegen::program::{Binary, Function, Op, Operand, Unary};
 use model_spec::model::Model;
 use num_traits::One;
+use oracle::Point;
 use oracle::scalar::{Dual, Prime};
-use oracle::{Point, Tree, derivatives_of};
 
 /// Name of this check in reports: state derivatives f, Jacobians J (states) and Jp (parameters) and the observation in
 /// exact arithmetic.
@@ -171,23 +172,14 @@ fn law(
     for (state, &d) in point.states.iter_mut().zip(direction) {
         state.derivative = Symbolic(d);
     }
-    if let Some(k) = variable.checked_sub(model.states.len()) {
-        let constants = point.params.iter_mut().chain(&mut point.coefficients);
-        let inputs = point.inputs.iter_mut().flat_map(|v| v.iter_mut());
-        if let Some(value) = constants.chain(inputs).nth(k) {
-            value.derivative = Symbolic(Prime::one());
-        }
+    if let Some(k) = variable.checked_sub(model.states.len())
+        && let Some(value) = point.parameters_mut().nth(k)
+    {
+        value.derivative = Symbolic(Prime::one());
     }
     let states = spot.point.states.iter().zip(&spot.circles);
     let angles: Vec<Angle> = states.map(|(&s, &circle)| (s, circle)).collect();
-    let rows = evaluate(angles, || {
-        let tree = Tree::new(model, &point);
-        let mut rows = derivatives_of(&tree).ok()?;
-        if let Some(observed) = &model.observation {
-            rows.extend(tree.vector(&observed.value).iter());
-        }
-        Some(rows)
-    })??;
+    let rows = evaluate(angles, || tree_column(model, &point))??;
     Some(
         rows.iter()
             .map(|row| (row.value.0, row.derivative.0))

@@ -2,6 +2,7 @@
 //! the declared law and its dual numbers, at states of the model. Only constants that the code rounds to f64 may cause
 //! differences.
 
+use super::derivatives::tree_column;
 use super::function_rows::{along, direction, row_name, sections};
 use crate::random::Random;
 use crate::rounding::big::{Big, with_numbers};
@@ -10,8 +11,8 @@ use crate::sample;
 use codegen::Compiled;
 use codegen::program::Function;
 use model_spec::model::Model;
+use oracle::Point;
 use oracle::scalar::{Dual, ErrorBound, Real};
-use oracle::{Point, Tree, derivatives_of};
 
 /// Number of points at which the functions are compared. It is more than one so that functions with branches are likely
 /// to be compared on every branch.
@@ -143,17 +144,10 @@ fn law<T: Real>(
     for (state, &d) in point.states.iter_mut().zip(direction) {
         state.derivative = d;
     }
-    if let Some(k) = variable.checked_sub(model.states.len()) {
-        let constants = point.params.iter_mut().chain(&mut point.coefficients);
-        let inputs = point.inputs.iter_mut().flat_map(|v| v.iter_mut());
-        if let Some(value) = constants.chain(inputs).nth(k) {
-            value.derivative = T::one();
-        }
+    if let Some(k) = variable.checked_sub(model.states.len())
+        && let Some(value) = point.parameters_mut().nth(k)
+    {
+        value.derivative = T::one();
     }
-    let tree = Tree::new(model, &point);
-    let mut rows = derivatives_of(&tree).ok()?;
-    if let Some(observed) = &model.observation {
-        rows.extend(tree.vector(&observed.value).iter());
-    }
-    Some(rows)
+    tree_column(model, &point)
 }

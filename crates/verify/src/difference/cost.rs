@@ -1,11 +1,12 @@
 //! Compares the cost of two models: operations, nonzero entries of the Jacobians, computing time of the derivatives.
 
-use super::pairing::{Pairing, parameters};
+use super::pairing::Pairing;
 use super::values::Everything;
+use crate::engine::inputs;
 use crate::random::Random;
 use crate::sample;
 use codegen::Compiled;
-use codegen::tape::{Inputs, Tape};
+use codegen::tape::Tape;
 use oracle::Point;
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -176,7 +177,7 @@ impl Derivatives {
     fn new(compiled: &Compiled, points: Vec<Point<f64>>) -> Self {
         let prepare = Tape::new(&compiled.prepare.program);
         let prepared = |point: Point<f64>| {
-            let p = parameters(&point);
+            let p = point.parameters();
             let mut out = vec![0.0; prepare.outputs()];
             prepare.eval(inputs(&point, &p, &[]), &mut Vec::new(), &mut out);
             (point, p, out)
@@ -199,15 +200,5 @@ impl Derivatives {
             std::hint::black_box(&mut self.out);
         }
         start.elapsed().as_secs_f64() * 1e9 / self.points.len() as f64
-    }
-}
-
-fn inputs<'a>(point: &'a Point<f64>, p: &'a [f64], prepared: &'a [f64]) -> Inputs<'a, f64> {
-    Inputs {
-        t: point.time,
-        x: &point.states,
-        p,
-        prepared,
-        marker: point.marker.as_slice(),
     }
 }

@@ -141,7 +141,7 @@ fn unpaired_at<T: Field>(
     defaults: &Point<T>,
     keep: impl Fn(usize) -> bool,
 ) -> Point<T> {
-    let count = super::pairing::parameters(point).len();
+    let count = point.parameters().len();
     let only = Pairing {
         states: (0..point.states.len()).map(Some).collect(),
         parameters: (0..count).map(|k| keep(k).then_some(k)).collect(),

@@ -100,17 +100,16 @@ impl Pairing {
     /// Returns the point `there` of the new model with the values of all paired states and parameters, the time and the
     /// marker position replaced by those of the point `here` of the old model.
     pub fn carry<T: Field>(&self, here: &Point<T>, there: &Point<T>) -> Point<T> {
-        let (given, mut flat) = (parameters(here), parameters(there));
+        let given = here.parameters();
         let mut out = there.clone();
         out.time = here.time;
         out.marker = here.marker;
         for (to, from) in out.states.iter_mut().zip(&self.states) {
             *to = from.map_or(*to, |from| here.states[from]);
         }
-        for (to, from) in flat.iter_mut().zip(&self.parameters) {
+        for (to, from) in out.parameters_mut().zip(&self.parameters) {
             *to = from.map_or(*to, |from| given[from]);
         }
-        set_parameters(&mut out, &flat);
         out
     }
 
@@ -171,7 +170,7 @@ impl Pairing {
     /// Lists the symbols (states and parameters) of the old model, and those of the new model, that are not paired yet.
     fn open(&self, old: &Model, new: &Model) -> (Vec<Symbol>, Vec<Symbol>) {
         let states = (0..old.states.len()).filter(|&i| self.new_state(i).is_none());
-        let count = parameters(&Point::defaults(old)).len();
+        let count = Point::defaults(old).parameters().len();
         let rest = (0..count).filter(|&i| self.new_parameter(i).is_none());
         let olds = states.map(|i| (true, i)).chain(rest.map(|i| (false, i)));
         let states = (0..new.states.len()).filter(|&i| self.states[i].is_none());
@@ -185,22 +184,6 @@ fn by_name(old: &[String], new: &[String]) -> Vec<Option<usize>> {
     new.iter()
         .map(|name| old.iter().position(|o| o == name))
         .collect()
-}
-
-/// Values of parameters, coefficients and components of inputs in one list, in the order of the compiled model's
-/// parameter vector.
-pub fn parameters<T: Field>(point: &Point<T>) -> Vec<T> {
-    let inputs = point.inputs.iter().flat_map(|v| v.iter().copied());
-    let constants = point.params.iter().chain(&point.coefficients).copied();
-    constants.chain(inputs).collect()
-}
-
-fn set_parameters<T: Field>(point: &mut Point<T>, flat: &[T]) {
-    let constants = point.params.iter_mut().chain(&mut point.coefficients);
-    let inputs = point.inputs.iter_mut().flat_map(|v| v.iter_mut());
-    for (to, from) in constants.chain(inputs).zip(flat) {
-        *to = *from;
-    }
 }
 
 /// Index of the state for each role in the model's body. The key is (role, index of the component), where the role is
@@ -250,7 +233,7 @@ fn value(model: &Model, (is_state, index): Symbol) -> f64 {
     if is_state {
         model.states[index].value
     } else {
-        parameters(&Point::defaults(model))[index]
+        Point::defaults(model).parameters()[index]
     }
 }
 
@@ -286,11 +269,9 @@ impl Effects {
             for i in 0..point.states.len() {
                 point.states[i] = draw((true, i), state(i));
             }
-            let mut flat = parameters(&point);
-            for (i, to) in flat.iter_mut().enumerate() {
+            for (i, to) in point.parameters_mut().enumerate() {
                 *to = draw((false, i), parameter(i));
             }
-            set_parameters(&mut point, &flat);
             point.time = 0.3;
             point.marker = [0.03, -0.05, 0.07].into();
             model.numbers(&point)

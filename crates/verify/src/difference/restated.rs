@@ -4,6 +4,7 @@ use super::pairing::Pairing;
 use super::values::Everything;
 use model_spec::model::{Model, Parameter};
 use serde::Serialize;
+use std::fmt::Display;
 
 /// A changed unit, value or bound of a constant, an input or a state.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -22,7 +23,8 @@ pub struct Restated {
 /// `a` and the new model `b`.
 pub fn restated(a: &Everything<'_>, b: &Everything<'_>, pairing: &Pairing) -> Vec<Restated> {
     let mut out = Vec::new();
-    let mut note = |name: &str, what, old: String, new: String| {
+    let mut note = |name: &str, what, old: &dyn Display, new: &dyn Display| {
+        let (old, new) = (old.to_string(), new.to_string());
         if old != new {
             let name = name.to_owned();
             out.push(Restated {
@@ -37,18 +39,8 @@ pub fn restated(a: &Everything<'_>, b: &Everything<'_>, pairing: &Pairing) -> Ve
         let Some(old) = old.map(|old| &a.model.states[old]) else {
             continue;
         };
-        note(
-            &state.name,
-            "unit",
-            old.unit.to_string(),
-            state.unit.to_string(),
-        );
-        note(
-            &state.name,
-            "value",
-            old.value.to_string(),
-            state.value.to_string(),
-        );
+        note(&state.name, "unit", &old.unit, &state.unit);
+        note(&state.name, "value", &old.value, &state.value);
     }
     let constants = |model: &Model| -> Vec<Parameter> {
         let all = model.params.iter().chain(&model.coefficients);
@@ -66,30 +58,15 @@ pub fn restated(a: &Everything<'_>, b: &Everything<'_>, pairing: &Pairing) -> Ve
             continue;
         };
         let name = &constant.name;
-        note(
-            name,
-            "unit",
-            old.unit.to_string(),
-            constant.unit.to_string(),
-        );
-        note(
-            name,
-            "value",
-            old.value.to_string(),
-            constant.value.to_string(),
-        );
-        note(name, "bounds", bounds(old), bounds(constant));
+        note(name, "unit", &old.unit, &constant.unit);
+        note(name, "value", &old.value, &constant.value);
+        note(name, "bounds", &bounds(old), &bounds(constant));
     }
     let (first, count) = (news.len(), olds.len());
     for (k, value) in b.code.layout.defaults.iter().enumerate().skip(first) {
         let old = pairing.parameters[k].filter(|&old| old >= count);
         if let Some(old) = old.map(|old| a.code.layout.defaults[old]) {
-            note(
-                &b.code.layout.parameters[k],
-                "value",
-                old.to_string(),
-                value.to_string(),
-            );
+            note(&b.code.layout.parameters[k], "value", &old, &value);
         }
     }
     out

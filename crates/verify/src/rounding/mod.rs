@@ -206,11 +206,7 @@ pub fn row(rounding: &Rounding) -> Row {
         worst: worst.worst,
         measure: Measure::Magnitude,
         tolerance: ALLOWED,
-        verdict: if worst.worst <= ALLOWED {
-            Verdict::Holds
-        } else {
-            Verdict::Refuted
-        },
+        verdict: Verdict::of(worst.worst <= ALLOWED),
         detail: format!(
             "{} by {}; medians up to {median:.2}",
             worst.place, worst.backend

@@ -25,7 +25,7 @@ impl<T: Real> Inputs<T> {
         Self {
             time: T::lit(point.time),
             states: all(&point.states),
-            parameters: all(&crate::engine::parameters(point)),
+            parameters: all(&point.parameters()),
             marker: all(point.marker.as_slice()),
             prepared: Vec::new(),
         }

@@ -7,10 +7,10 @@
 
 use super::big::{Big, with_numbers};
 use super::program::{Inputs, outputs};
-use crate::engine::parameters;
+use crate::engine;
 use crate::expressions::{children_mut, roots_mut};
 use codegen::compile_every_value;
-use codegen::tape::{self, Tape};
+use codegen::tape::Tape;
 use model_spec::diagnostic::Span;
 use model_spec::model::{AuxVariable, Expr, ExprKind, Input, Model, Parameter, Shape};
 use model_spec::unit::Unit;
@@ -71,21 +71,15 @@ pub fn losses(model: &Model, points: &[(String, Point<f64>)]) -> Vec<Loss> {
             let p = rearranged(
                 model,
                 &whole.lets,
-                &parameters(point),
+                &point.parameters(),
                 given.iter().map(|v| v.re()),
             );
-            let exact_p: Vec<Big> = parameters(point).iter().map(|&v| Big::lit(v)).collect();
+            let exact_p: Vec<Big> = point.parameters().into_iter().map(Big::lit).collect();
             let exact_p = rearranged(model, &whole.lets, &exact_p, given.iter().copied());
             let inputs = Inputs::of(point).with_parameters(exact_p);
             let exact: Vec<Big> = outputs(&parts.program, &inputs);
             let mut rounded = vec![0.0; tape.outputs()];
-            let inputs = tape::Inputs {
-                t: point.time,
-                x: &point.states,
-                p: &p,
-                prepared: &[],
-                marker: point.marker.as_slice(),
-            };
+            let inputs = engine::inputs(point, &p, &[]);
             tape.eval(inputs, &mut Vec::new(), &mut rounded);
             let mut at = start_alone;
             for (statement, &width) in parts.lets.iter().enumerate() {

@@ -5,7 +5,6 @@ use generated::{Equations, Visitor};
 use lanes::{Isa, Kernel, Lanes, Real, dispatch_with};
 use oracle::Point;
 use verify::checks::backends::runs;
-use verify::engine::parameters;
 use verify::random::Random;
 use verify::sample;
 
@@ -34,7 +33,7 @@ impl<E: Equations> Kernel for Native<'_, E> {
             let out = evaluate::<E, T>(
                 pick(&|point| vec![point.time])[0],
                 &pick(&|point| point.states.clone()),
-                &pick(&parameters),
+                &pick(&Point::parameters),
                 &pick(&|point| point.marker.iter().copied().collect()),
             );
             results.extend((0..chunk.len()).map(|lane| out.iter().map(|v| v.lane(lane)).collect()));

@@ -19,7 +19,7 @@ impl Numbers<f64> {
         Self {
             t: point.time,
             x: point.states.clone(),
-            p: crate::engine::parameters(point),
+            p: point.parameters(),
             marker: point.marker.iter().copied().collect(),
         }
     }

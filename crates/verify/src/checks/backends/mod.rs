@@ -134,20 +134,15 @@ pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
         }
     }
     let names: Vec<&str> = runs.iter().map(|run| run.backend.as_str()).collect();
-    let holds = worst.error == 0.0;
-    Row {
-        check: BACKENDS,
-        cases: runs.iter().map(|run| run.results.len()).sum(),
-        worst: worst.error,
+    let cases = runs.iter().map(|run| run.results.len()).sum();
+    let row = Row {
         measure: Measure::Ulp,
-        tolerance: 0.0,
-        verdict: if holds {
-            Verdict::Holds
-        } else {
-            Verdict::Refuted
-        },
-        detail: if holds { names.join(", ") } else { worst.place },
-        remark: None,
+        ..Row::judged(BACKENDS, cases, &worst, 0.0)
+    };
+    if row.verdict == Verdict::Holds {
+        row.saying(names.join(", "))
+    } else {
+        row
     }
 }
 

@@ -6,7 +6,6 @@ use codegen::tape::{Inputs, Tape};
 use model_spec::load::{Loaded, inspect, inspect_text};
 use oracle::Point;
 use verify::Options;
-use verify::engine::parameters;
 use verify::report::{Report, Row, Verdict};
 
 /// Few points and no mutants: a fault shows at almost every point.
@@ -99,7 +98,7 @@ pub fn results(compiled: &Compiled, function: &Function, points: &[Point<f64>]) 
     );
     let mut all = Vec::new();
     for point in points {
-        let p = parameters(point);
+        let p = point.parameters();
         let before = Inputs {
             t: point.time,
             x: &point.states,
