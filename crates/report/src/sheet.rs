@@ -4,7 +4,7 @@ use minijinja::context;
 use minijinja::value::Value;
 use serde::Serialize;
 
-use crate::figures::svg::{STYLE, without_style};
+use crate::figures::svg::without_style;
 use crate::figures::{Layout, Panel, figure_of};
 use crate::fit::page::{plain_values, rendered};
 
@@ -91,14 +91,11 @@ impl Sheet {
             }
         };
         let context = context! {
-            css => Value::from_safe_string(include_str!("fit/page.css").to_owned()),
-            style => Value::from_safe_string(STYLE.to_owned()),
             kind => &self.kind,
             title => &self.title,
             lead => &self.lead,
             warnings => &self.warnings,
             sections => self.sections.iter().map(section).collect::<Vec<_>>(),
-            version => env!("CARGO_PKG_VERSION"),
         };
         rendered(include_str!("sheet.html"), context)
     }
