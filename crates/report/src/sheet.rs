@@ -7,6 +7,7 @@ use serde::Serialize;
 use crate::figures::svg::without_style;
 use crate::figures::{Layout, Panel, figure_of};
 use crate::fit::page::{plain_values, rendered};
+use crate::result_folder::ResultFile;
 
 /// HTML page of paragraphs, tables and figures.
 #[derive(Clone, Debug, Default)]
@@ -66,9 +67,10 @@ impl SheetFigure {
 }
 
 impl Sheet {
-    /// Figures of all sections, in the order in which they appear on the page.
-    pub fn figures(&self) -> impl Iterator<Item = &SheetFigure> {
-        self.sections.iter().flat_map(|section| &section.figures)
+    /// SVG file of each figure, in the order in which the figures appear on the page.
+    pub fn figure_files(&self) -> impl Iterator<Item = ResultFile> {
+        let figures = self.sections.iter().flat_map(|section| &section.figures);
+        figures.map(|figure| ResultFile::new(format!("{}.svg", figure.name), figure.svg()))
     }
 
     /// Renders the page as one self-contained HTML file.
