@@ -1,6 +1,5 @@
 //! Builds datasets in memory and reads them from files.
 
-use std::collections::BTreeMap;
 use std::path::Path;
 
 use identify::dataset::{Dataset, Flight, KnownValue, Marker, Role};
@@ -33,13 +32,7 @@ impl DatasetBuilder {
         DatasetBuilder {
             dataset: Dataset {
                 model: model.to_owned(),
-                parameters: BTreeMap::new(),
-                markers: Vec::new(),
-                sensors: Vec::new(),
-                unknown_vertical: false,
-                origin_error: None,
-                sigma: None,
-                flights: Vec::new(),
+                ..Dataset::default()
             },
         }
     }
@@ -83,10 +76,9 @@ impl DatasetBuilder {
         self.dataset.flights.push(Flight {
             file: name.to_owned(),
             role,
-            known: BTreeMap::new(),
             times: times.to_vec(),
             positions,
-            readings: Vec::new(),
+            ..Flight::default()
         });
         self
     }

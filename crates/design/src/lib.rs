@@ -38,10 +38,10 @@ mod throw_flight;
 
 pub use bounds::{Bounds, Scatter};
 pub use design::{Design, DesignError, SearchOptions, design, numbers};
+pub use flight::release::ReleaseError as BoundsError;
 pub use goal::{GOALS, Goal, Obstacle, Side};
 pub use path::{Landing, Path};
 pub use point::Point;
-pub use read_bounds::BoundsError;
 pub use sensitivity::{OneUnit, Sensitivity, sensitivities};
 pub use spread::{
     Agreement, Band, CoefficientErrors, Landings, QUANTILES, SampleOptions, Sampled, Scattered,

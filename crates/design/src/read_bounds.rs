@@ -1,12 +1,11 @@
 //! Parser of bounds files (TOML); it reports all faults of a file at once.
 
-use std::fmt;
 use std::ops::Range;
 use std::path::Path;
 
+use flight::release::{Fault, Reader, ReleaseError, Value};
 use flight::throw::{FIELDS, Throw, ThrowError};
 use nalgebra::Vector2;
-use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::bounds::Bounds;
@@ -16,44 +15,20 @@ use crate::throw_flight::ThrownBody;
 /// Maximum size of a bounds file, bytes.
 const MAX_FILE_BYTES: u64 = 1 << 20;
 
-/// Error for an invalid bounds file, with all of its faults.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct BoundsError {
-    /// Name of the file in messages.
-    pub file: String,
-    /// Faults in the order of the file, at least one: (line, column) from 1, or `None` for the whole file, and a text
-    /// of what was found and what was expected.
-    pub faults: Vec<(Option<(usize, usize)>, String)>,
-}
-
-impl fmt::Display for BoundsError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (k, (location, message)) in self.faults.iter().enumerate() {
-            let newline = if k > 0 { "\n" } else { "" };
-            match location {
-                Some((line, column)) => {
-                    write!(f, "{newline}{}:{line}:{column}: {message}", self.file)?;
-                }
-                None => write!(f, "{newline}{}: {message}", self.file)?,
-            }
-        }
-        Ok(())
-    }
-}
-
-impl std::error::Error for BoundsError {}
-
 impl Bounds {
     /// Reads a bounds file; see [`Bounds::read`].
     ///
     /// # Errors
-    /// [`BoundsError`] with all faults of the file, or if the file cannot be read, is not UTF-8 or is larger than 1
+    /// [`ReleaseError`] with all faults of the file, or if the file cannot be read, is not UTF-8 or is larger than 1
     /// MiB.
-    pub fn read_file(path: &Path, body: &ThrownBody) -> Result<Bounds, BoundsError> {
+    pub fn read_file(path: &Path, body: &ThrownBody) -> Result<Bounds, ReleaseError> {
         let file = path.display().to_string();
-        let refuse = |message: String| BoundsError {
+        let refuse = |message: String| ReleaseError {
             file: file.clone(),
-            faults: vec![(None, message)],
+            faults: vec![Fault {
+                location: None,
+                message,
+            }],
         };
         let size = std::fs::metadata(path).map_err(|e| refuse(format!("cannot be read: {e}")))?;
         if size.len() > MAX_FILE_BYTES {
@@ -72,45 +47,24 @@ impl Bounds {
     /// in messages.
     ///
     /// # Errors
-    /// [`BoundsError`] with all faults of the file.
-    pub fn read(file: &str, text: &str, body: &ThrownBody) -> Result<Bounds, BoundsError> {
-        let mut reader = Reader {
-            text,
-            faults: Vec::new(),
-        };
-        let bounds = reader.bounds(body);
-        reader.faults.sort();
-        match bounds {
-            Some(bounds) if reader.faults.is_empty() => Ok(bounds),
-            _ => Err(BoundsError {
-                file: file.into(),
-                faults: reader.faults,
-            }),
-        }
+    /// [`ReleaseError`] with all faults of the file.
+    pub fn read(file: &str, text: &str, body: &ThrownBody) -> Result<Bounds, ReleaseError> {
+        let mut reader = BoundsReader(Reader::new(text));
+        let bounds = reader.bounds(text, body);
+        reader.0.finish(file, bounds)
     }
 }
 
-type Value<'t> = Spanned<DeValue<'t>>;
+/// Reader of a bounds file, which collects its faults.
+struct BoundsReader<'t>(Reader<'t>);
 
-struct Reader<'t> {
-    text: &'t str,
-    faults: Vec<(Option<(usize, usize)>, String)>,
-}
-
-impl<'t> Reader<'t> {
-    fn fault(&mut self, span: Range<usize>, message: impl Into<String>) {
-        let before = &self.text[..self.text.floor_char_boundary(span.start)];
-        let line = before.matches('\n').count() + 1;
-        let column = before.chars().rev().take_while(|c| *c != '\n').count() + 1;
-        self.faults.push((Some((line, column)), message.into()));
-    }
-
-    fn bounds(&mut self, body: &ThrownBody) -> Option<Bounds> {
-        let document = match DeTable::parse(self.text) {
+impl<'t> BoundsReader<'t> {
+    fn bounds(&mut self, text: &'t str, body: &ThrownBody) -> Option<Bounds> {
+        let document = match DeTable::parse(text) {
             Ok(document) => document,
             Err(e) => {
                 let message = format!("this is no TOML: {}", e.message().replace('\n', "; "));
-                self.fault(e.span().unwrap_or(0..0), message);
+                self.0.fault(e.span().unwrap_or(0..0), message);
                 return None;
             }
         };
@@ -141,7 +95,7 @@ impl<'t> Reader<'t> {
             let names = FIELDS.map(|(name, ..)| name).join(", ");
             let message =
                 format!("unknown key {name:?}; expected {names}, obstacle, circle or scatter");
-            self.fault(span, message);
+            self.0.fault(span, message);
             return None;
         };
         if !body.fields().contains(&field) {
@@ -150,7 +104,7 @@ impl<'t> Reader<'t> {
                 "found {name}, but the model {model} is a point mass, which has no attitude; expected speed, heading, launch \
                  and height alone"
             );
-            self.fault(span, message);
+            self.0.fault(span, message);
             return None;
         }
         Some(field)
@@ -176,7 +130,7 @@ impl<'t> Reader<'t> {
                         "{name} is a list of {}; expected the least and the greatest value, as in [1, 2]",
                         items.len()
                     );
-                    self.fault(value.span(), message);
+                    self.0.fault(value.span(), message);
                     return None;
                 };
                 (
@@ -188,14 +142,14 @@ impl<'t> Reader<'t> {
         if least > greatest {
             let message =
                 format!("{name} is from {least} to {greatest}; expected the least value first");
-            self.fault(value.span(), message);
+            self.0.fault(value.span(), message);
             return None;
         }
         for end in [least, greatest] {
             let mut alone = Throw::at_speed(1.0);
             alone.set(name, end);
             if let Err(fault @ ThrowError::Range { .. }) = alone.check() {
-                self.fault(value.span(), fault.to_string());
+                self.0.fault(value.span(), fault.to_string());
                 return None;
             }
         }
@@ -205,34 +159,31 @@ impl<'t> Reader<'t> {
     fn obstacle(&mut self, value: &Value<'t>) -> Option<Obstacle> {
         let names = ["x", "y", "radius", "side"];
         let table = self.table(value, "obstacle", &names)?;
-        let mut numbers = [None; 3];
-        for (slot, name) in numbers.iter_mut().zip(names) {
-            match table.get(name) {
-                Some(value) => *slot = self.number(value, name, "a number of metres"),
-                None => {
-                    let message =
-                        format!("found no {name} in [obstacle]; expected x, y and radius, m");
-                    self.fault(value.span(), message);
-                }
+        let mut metres = |name| {
+            let given = table.get(name);
+            if given.is_none() {
+                let message = format!("found no {name} in [obstacle]; expected x, y and radius, m");
+                self.0.fault(value.span(), message);
             }
-        }
+            self.number(given?, name, "a number of metres")
+        };
+        let (radius, x, y) = (metres("radius"), metres("x"), metres("y"));
         let side = match table.get("side") {
             None => None,
             Some(value) => match value.get_ref().as_str() {
                 Some("left") => Some(Side::Left),
                 Some("right") => Some(Side::Right),
                 _ => {
-                    self.fault(value.span(), "side is something else; expected \"left\" or \"right\", or none for either");
+                    self.0.fault(value.span(), "side is something else; expected \"left\" or \"right\", or none for either");
                     None
                 }
             },
         };
-        let [x, y, radius] = numbers;
         let (x, y, radius) = (x?, y?, radius?);
         if radius <= 0.0 {
             let message =
                 format!("the radius of the obstacle is {radius}; expected a number above 0");
-            self.fault(value.span(), message);
+            self.0.fault(value.span(), message);
             return None;
         }
         Some(Obstacle {
@@ -245,7 +196,7 @@ impl<'t> Reader<'t> {
     fn circle(&mut self, value: &Value<'t>) -> Option<f64> {
         let table = self.table(value, "circle", &["radius"])?;
         let Some(radius) = table.get("radius") else {
-            self.fault(
+            self.0.fault(
                 value.span(),
                 "found no radius in [circle]; expected radius = … (m)",
             );
@@ -253,7 +204,7 @@ impl<'t> Reader<'t> {
         };
         let number = self.number(radius, "radius", "a number of metres")?;
         if number <= 0.0 {
-            self.fault(
+            self.0.fault(
                 radius.span(),
                 format!("the radius is {number}; expected a number above 0"),
             );
@@ -279,7 +230,7 @@ impl<'t> Reader<'t> {
                     .map(|a| a.iter().collect())
                     .unwrap_or_default();
                 if items.len() != 3 {
-                    self.fault(
+                    self.0.fault(
                         value.span(),
                         "wind has other than three standard deviations; expected [x, y, z], m/s",
                     );
@@ -303,7 +254,7 @@ impl<'t> Reader<'t> {
                     "unknown key {name:?} in [scatter]; expected {}, or a parameter or coefficient of the model",
                     names.join(", ")
                 );
-                self.fault(key.span(), message);
+                self.0.fault(key.span(), message);
             }
         }
         bounds.scatter.release.sort_by_key(|(field, _)| *field);
@@ -313,7 +264,7 @@ impl<'t> Reader<'t> {
     fn deviation(&mut self, value: &Value<'t>, name: &str) -> Option<f64> {
         let sd = self.number(value, name, "a standard deviation")?;
         if sd < 0.0 {
-            self.fault(
+            self.0.fault(
                 value.span(),
                 format!("the standard deviation of {name} is {sd}; expected 0 or a number above"),
             );
@@ -336,7 +287,7 @@ impl<'t> Reader<'t> {
                     own.get_ref(),
                     names.join(", ")
                 );
-                self.fault(own.span(), message);
+                self.0.fault(own.span(), message);
             }
         }
         Some(table)
@@ -346,7 +297,7 @@ impl<'t> Reader<'t> {
     fn any_table<'d>(&mut self, value: &'d Value<'t>, key: &str) -> Option<&'d DeTable<'t>> {
         let table = value.get_ref().as_table();
         if table.is_none() {
-            self.fault(
+            self.0.fault(
                 value.span(),
                 format!("{key} is no table; expected one, as in [{key}]"),
             );
@@ -370,7 +321,7 @@ impl<'t> Reader<'t> {
                     DeValue::Integer(integer) => integer.as_str().to_owned(),
                     other => format!("a {}", other.type_str()),
                 };
-                self.fault(
+                self.0.fault(
                     value.span(),
                     format!("{name} is {found}; expected {expected}"),
                 );

@@ -246,9 +246,4 @@ impl ThrowFlights<'_> {
     pub(crate) fn place(&self, x: &[f64]) -> Vector3<f64> {
         Vector3::from(self.body.position.map(|state| x[state]))
     }
-
-    /// Name of the parameter with this index in the model's layout.
-    pub fn parameter_name(&self, index: usize) -> &str {
-        &self.body.compiled.layout().parameters[index]
-    }
 }

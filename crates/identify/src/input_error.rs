@@ -55,11 +55,7 @@ impl std::error::Error for InputError {}
 
 /// Line and column (both from 1, column in characters) of a byte offset in a text.
 pub fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
-    let mut end = offset.min(text.len());
-    while !text.is_char_boundary(end) {
-        end -= 1;
-    }
-    let before = &text[..end];
+    let before = &text[..text.floor_char_boundary(offset)];
     let line = before.matches('\n').count() + 1;
     let column = before
         .rsplit('\n')

@@ -4,9 +4,10 @@ use minijinja::context;
 use minijinja::value::Value;
 use serde::Serialize;
 
-use crate::figures::svg::{STYLE, without_style};
+use crate::figures::svg::without_style;
 use crate::figures::{Layout, Panel, figure_of};
 use crate::fit::page::{plain_values, rendered};
+use crate::result_folder::ResultFile;
 
 /// HTML page of paragraphs, tables and figures.
 #[derive(Clone, Debug, Default)]
@@ -66,9 +67,10 @@ impl SheetFigure {
 }
 
 impl Sheet {
-    /// Figures of all sections, in the order in which they appear on the page.
-    pub fn figures(&self) -> impl Iterator<Item = &SheetFigure> {
-        self.sections.iter().flat_map(|section| &section.figures)
+    /// SVG file of each figure, in the order in which the figures appear on the page.
+    pub fn figure_files(&self) -> impl Iterator<Item = ResultFile> {
+        let figures = self.sections.iter().flat_map(|section| &section.figures);
+        figures.map(|figure| ResultFile::new(format!("{}.svg", figure.name), figure.svg()))
     }
 
     /// Renders the page as one self-contained HTML file.
@@ -91,14 +93,11 @@ impl Sheet {
             }
         };
         let context = context! {
-            css => Value::from_safe_string(include_str!("fit/page.css").to_owned()),
-            style => Value::from_safe_string(STYLE.to_owned()),
             kind => &self.kind,
             title => &self.title,
             lead => &self.lead,
             warnings => &self.warnings,
             sections => self.sections.iter().map(section).collect::<Vec<_>>(),
-            version => env!("CARGO_PKG_VERSION"),
         };
         rendered(include_str!("sheet.html"), context)
     }

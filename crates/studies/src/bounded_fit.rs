@@ -1,4 +1,4 @@
-//! A single-threaded fit with a time limit.
+//! Fits and diagnoses with a time limit.
 
 use std::sync::mpsc;
 use std::time::{Duration, Instant};
@@ -17,12 +17,23 @@ pub(crate) struct BoundedFit {
 
 /// Fits a model on one thread and cancels the fit after `limit`. A cancelled fit ends shortly after the limit.
 pub(crate) fn bounded_fit(model: &Model, dataset: &Dataset, limit: Duration) -> BoundedFit {
+    cancelled_after(limit, |token| {
+        let options = FitOptions {
+            threads: Some(1),
+            cancellation: Some(token),
+            ..FitOptions::default()
+        };
+        let clock = Instant::now();
+        BoundedFit {
+            result: fit(model, dataset, &options),
+            seconds: clock.elapsed().as_secs_f64(),
+        }
+    })
+}
+
+/// Returns the result of `work`, which is to end when its token is cancelled, after `limit`.
+pub(crate) fn cancelled_after<R>(limit: Duration, work: impl FnOnce(&CancellationToken) -> R) -> R {
     let token = CancellationToken::default();
-    let options = FitOptions {
-        threads: Some(1),
-        cancellation: Some(&token),
-        ..FitOptions::default()
-    };
     let (finished, wait) = mpsc::channel::<()>();
     let watched = token.clone();
     std::thread::scope(|scope| {
@@ -31,12 +42,8 @@ pub(crate) fn bounded_fit(model: &Model, dataset: &Dataset, limit: Duration) -> 
                 watched.cancel();
             }
         });
-        let clock = Instant::now();
-        let result = fit(model, dataset, &options);
+        let result = work(&token);
         drop(finished);
-        BoundedFit {
-            result,
-            seconds: clock.elapsed().as_secs_f64(),
-        }
+        result
     })
 }

@@ -10,13 +10,13 @@ use ::design::{
     numbers, spread,
 };
 use anyhow::{Context, bail};
-use flight::release::{Release, Stop};
+use flight::release::Release;
 use flight::throw::FIELDS;
 use nalgebra::Vector3;
 use report::ResultFile;
 use report::viewer::View;
 
-use super::simulate::apply;
+use super::simulate::{apply, throws};
 use super::vector;
 use crate::cli::Design as Options;
 use crate::{Answer, output};
@@ -26,14 +26,9 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
     let out = output::folder(options.out.as_deref())?;
     let mut model = model_spec::load::load(&options.model, &super::names(&options.with))?;
     let mut release = Release {
-        model: options.model.clone(),
-        stop: Stop::Ground,
-        parameters: Vec::new(),
-        coefficients: Vec::new(),
+        // The search sets the motion of the throw.
         initial: Vec::new(),
-        wind: [0.0; 3],
-        wind_field: None,
-        known: Vec::new(),
+        ..throws::at_defaults(&options.model, &model)
     };
     if let Some(wind) = &options.wind {
         model = super::wind::apply(wind, model, &mut release)?;
@@ -102,11 +97,7 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
             ),
             ResultFile::new("report.html", sheet.html()),
         ];
-        files.extend(
-            sheet
-                .figures()
-                .map(|figure| ResultFile::new(format!("{}.svg", figure.name), figure.svg())),
-        );
+        files.extend(sheet.figure_files());
         let view = View::of_trajectory(
             &title,
             &body.model,

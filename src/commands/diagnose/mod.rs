@@ -7,14 +7,15 @@ use ::diagnose::{Diagnosis, DiagnosisOptions, ExtendedModel, Verified, diagnose_
 use anyhow::Context;
 use codegen::generate::generate_with;
 use identify::dataset::{self, Dataset};
-use identify::{Fit, FitOptions, FitStatus};
+use identify::{FitOptions, FitStatus};
 use report::diagnosis::{DiagnosisPage, Fits};
 use report::viewer::View;
 use report::{CertificateNote, ResultFile, WithCertificate};
 
 use super::certificate;
 use super::fit::{
-    FIGURE_DATA, FLIGHTS, dataset_name, deadline, drawn, fitted_text, held, model_of, priors,
+    FIGURE_DATA, FLIGHTS, dataset_name, deadline, drawn, evidence, fitted_text, held, model_of,
+    priors,
 };
 use crate::cli::Diagnose;
 use crate::progress::Progress;
@@ -197,12 +198,6 @@ fn results(
         files.push(ResultFile::new(EXTENDED, text.clone()));
         extended = Some(text);
     }
-    let evidence = |fitted: &Fit, flights: &[usize]| {
-        let each = flights
-            .iter()
-            .filter_map(|&flight| fitted.evidence(identify::FlightId::new(flight)));
-        each.collect::<Vec<_>>()
-    };
     let flights = drawn(&found.before);
     let after = found.after.as_ref();
     let page = DiagnosisPage {

@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 
 use anyhow::{Context, bail};
 use identify::dataset::{self, Dataset, Role};
-use identify::{FitOptions, Prior};
+use identify::{FitOptions, FlightEvidence, FlightId, Prior};
 use model_spec::ModelTree;
 use model_spec::model::Model;
 use report::fit::Figure;
@@ -97,6 +97,13 @@ pub(super) fn drawn(fitted: &identify::Fit) -> Vec<usize> {
     drawn
 }
 
+/// Measurements and predictions of the flights with the given indices, without those that were not fitted.
+pub(super) fn evidence(fitted: &identify::Fit, flights: &[usize]) -> Vec<FlightEvidence> {
+    let each = flights.iter();
+    each.filter_map(|&flight| fitted.evidence(FlightId::new(flight)))
+        .collect()
+}
+
 /// Name of a dataset in reports: the name of its folder.
 pub(super) fn dataset_name(folder: &Path) -> String {
     folder.file_name().map_or_else(
@@ -114,10 +121,7 @@ fn results(
     certificate: &CertificateNote,
 ) -> anyhow::Result<Vec<ResultFile>> {
     let name = dataset_name(from);
-    let evidence: Vec<_> = drawn(fitted)
-        .into_iter()
-        .filter_map(|flight| fitted.evidence(identify::FlightId::new(flight)))
-        .collect();
+    let evidence = evidence(fitted, &drawn(fitted));
     let page = FitPage {
         report: &fitted.report,
         fit: Some(fitted),

@@ -10,7 +10,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use anyhow::{Context, bail};
-use identify::dataset::{Dataset, Flight, Role, Sensor, SensorKind, write_commented};
+use identify::dataset::{Dataset, Flight, Sensor, SensorKind, write_commented};
 use report::import::{ImportPage, ImportedTake};
 use takes::words::listed;
 use takes::{Axis, Format, LengthUnit, ReadOptions, Take, Throw, ThrowOptions, TimeUnit};
@@ -252,11 +252,9 @@ fn add(
             .map(|sample| followed.positions(&turned, sample));
         let flight = Flight {
             file: format!("flight{:02}.csv", all.flights.len() + 1),
-            role: Role::Fit,
-            known: BTreeMap::new(),
             times: turned.times[throw.samples()].to_vec(),
             positions: positions.collect(),
-            readings: Vec::new(),
+            ..Flight::default()
         };
         describe(throw, &flight.file, &mut lines);
         flights.push(shown.flight(throw, &flight));

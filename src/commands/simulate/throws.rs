@@ -13,8 +13,7 @@ pub fn are_enough(options: &ThrowOptions) -> bool {
     options.speed.is_some() || options.techdisc.is_some()
 }
 
-/// Loads the model that the options name, and creates a release (launch conditions) with the model's default values and
-/// without wind, whose simulation ends at the ground. The caller sets the motion of a throw in this release.
+/// Loads the model that the options name, and creates a release for it; see [`at_defaults`].
 pub fn bare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     let Some(name) = &options.model else {
         bail!(
@@ -22,9 +21,16 @@ pub fn bare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
         );
     };
     let model = model_spec::load::load(name, &super::super::names(&options.with))?;
+    let release = at_defaults(name, &model);
+    Ok((model, release))
+}
+
+/// Creates a release (launch conditions) of the model called `name`, with the model's default values and without wind,
+/// whose simulation ends at the ground. The caller sets the motion of a throw in this release.
+pub fn at_defaults(name: &str, model: &Model) -> Release {
     let states = model.states.iter();
-    let release = Release {
-        model: name.clone(),
+    Release {
+        model: name.to_owned(),
         stop: Stop::Ground,
         parameters: Vec::new(),
         coefficients: Vec::new(),
@@ -32,8 +38,7 @@ pub fn bare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
         wind: [0.0; 3],
         wind_field: None,
         known: Vec::new(),
-    };
-    Ok((model, release))
+    }
 }
 
 /// Sets the initial states of the release to the motion of `throw`, in which the options replace single quantities. If

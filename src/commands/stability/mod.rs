@@ -6,7 +6,6 @@ mod words;
 
 use ::stability::{Body, Instant, along, at, map, trim};
 use anyhow::bail;
-use flight::release::{Release, Stop};
 use flight::simulate;
 use flight::throw::Throw;
 use ode::IntegrationOptions;
@@ -55,17 +54,7 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
         }
         None => {
             let model = model_spec::load::load(&options.model, &super::names(&options.with))?;
-            let states = model.states.iter();
-            let release = Release {
-                model: options.model.clone(),
-                stop: Stop::Ground,
-                parameters: Vec::new(),
-                coefficients: Vec::new(),
-                initial: states.map(|s| (s.name.clone(), s.value)).collect(),
-                wind: [0.0; 3],
-                wind_field: None,
-                known: Vec::new(),
-            };
+            let release = throws::at_defaults(&options.model, &model);
             let throw = Throw {
                 spin: Some(THROW.1),
                 ..Throw::at_speed(THROW.0)
@@ -122,11 +111,7 @@ pub fn run(options: &Options) -> anyhow::Result<Answer> {
             ResultFile::new("modes.csv", words::csv(&found.flight)),
             ResultFile::new("map.csv", words::csv(&found.map)),
         ];
-        files.extend(
-            sheet
-                .figures()
-                .map(|figure| ResultFile::new(format!("{}.svg", figure.name), figure.svg())),
-        );
+        files.extend(sheet.figure_files());
         output::add_figures(&mut files, &options.figures)?;
         output::replace(folder, &files)?;
         eprintln!(

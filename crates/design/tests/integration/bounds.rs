@@ -126,7 +126,7 @@ fn a_point_mass_has_no_attitude_to_bound() {
         error
             .faults
             .iter()
-            .map(|(place, _)| *place)
+            .map(|fault| fault.location)
             .collect::<Vec<_>>(),
         [Some((2, 1)), Some((4, 1))]
     );

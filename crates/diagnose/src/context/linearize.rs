@@ -99,30 +99,18 @@ impl ScoreTestModel {
         let observations = &self.flights[flight];
         let unknowns = (&iterate.global, &iterate.local[flight]);
         let conditions = conditions(problem, observations, unknowns.0);
+        let mut visit = |motion: &mut dyn DifferentiableRhs, parameters: &[ParamId]| {
+            each_residual(problem, observations, unknowns, motion, parameters, each)
+        };
         let done = match &self.terms {
             Some(terms) => {
                 let (mut motion, parameters) = self.motion_with_terms(&conditions, terms);
-                each_residual(
-                    problem,
-                    observations,
-                    unknowns,
-                    &mut motion,
-                    &parameters,
-                    each,
-                )
+                visit(&mut motion, &parameters)
             }
-            None => {
-                let mut motion = conditions.differentiable_rhs();
-                let parameters = self.global_parameters();
-                each_residual(
-                    problem,
-                    observations,
-                    unknowns,
-                    &mut motion,
-                    &parameters,
-                    each,
-                )
-            }
+            None => visit(
+                &mut conditions.differentiable_rhs(),
+                &self.global_parameters(),
+            ),
         };
         done.map_err(|reason| self.flight_error(flight, reason))
     }

@@ -35,8 +35,8 @@ use crate::input_error::InputError;
 /// Maximum size of a table or C3D file, bytes.
 const LARGEST: u64 = 1 << 30;
 
-/// Measured flights of one body.
-#[derive(Clone, Debug, PartialEq)]
+/// Measured flights of one body. By default without flights, all values unknown.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Dataset {
     /// Name or path of the model, as in `dataset.toml`.
     pub model: String,
@@ -88,8 +88,8 @@ pub enum KnownValue {
     Vector([f64; 3]),
 }
 
-/// One measured flight.
-#[derive(Clone, Debug, PartialEq)]
+/// One measured flight. By default a fitted one without samples.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Flight {
     /// File name of the flight, relative to the dataset's folder.
     pub file: String,

@@ -14,7 +14,7 @@ use crate::channel::ChannelKind;
 use crate::dataset::Flight;
 use crate::error::FlightError;
 use crate::ids::GlobalId;
-use crate::least_squares::{ReducedSystem, eliminate};
+use crate::least_squares::{ReducedSystem, StoppingCriteria, eliminate, solve};
 use crate::observations::Observations;
 use crate::options::FitOptions;
 use crate::predict::Loss;
@@ -297,10 +297,14 @@ fn profiles(
         let Some(index) = index else { continue };
         options.stage_started(&format!("profile of {name}"), state.flights.len());
         let loss = Loss::Whitened(&fitted.noise);
-        let objective = OutputError::of_all(problem, &state.flights, loss, options);
+        let mut objective = OutputError::of_all(problem, &state.flights, loss, options);
+        let fit_at = |value, start| {
+            objective.constraints[index].bounds = (value, value);
+            solve(&objective, start, StoppingCriteria::CONVERGED)
+        };
         let id = GlobalId::new(index);
         let found = profile(
-            &objective,
+            fit_at,
             &fitted.solution,
             &problem.globals,
             id,

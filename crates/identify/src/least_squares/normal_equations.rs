@@ -72,40 +72,6 @@ impl NormalBlock {
             ..*self
         }
     }
-
-    /// Normal equations in which the `promoted` local parameters are treated as global ones, placed before the present
-    /// global parameters. Only the `remaining` local parameters are left for elimination.
-    pub fn promote(&self, promoted: &[LocalId], remaining: &[LocalId]) -> NormalBlock {
-        let first = promoted.len();
-        let size = first + self.global.nrows();
-        let (p, r) = (
-            |i: usize| promoted[i].index(),
-            |i: usize| remaining[i].index(),
-        );
-        let entry = |i: usize, j: usize| match (i < first, j < first) {
-            (true, true) => self.local[(p(i), p(j))],
-            (true, false) => self.cross[(p(i), j - first)],
-            (false, true) => self.cross[(p(j), i - first)],
-            (false, false) => self.global[(i - first, j - first)],
-        };
-        let cross = |i: usize, j: usize| match j < first {
-            true => self.local[(r(i), p(j))],
-            false => self.cross[(r(i), j - first)],
-        };
-        let gradient = |i: usize| match i < first {
-            true => self.local_gradient[p(i)],
-            false => self.global_gradient[i - first],
-        };
-        let locals = remaining.len();
-        NormalBlock {
-            local: DMatrix::from_fn(locals, locals, |i, j| self.local[(r(i), r(j))]),
-            cross: DMatrix::from_fn(locals, size, cross),
-            global: DMatrix::from_fn(size, size, entry),
-            local_gradient: DVector::from_fn(locals, |i, _| self.local_gradient[r(i)]),
-            global_gradient: DVector::from_fn(size, |i, _| gradient(i)),
-            ..*self
-        }
-    }
 }
 
 /// Error for a flight whose samples do not determine its local parameters; contains the index of the flight in the
@@ -304,19 +270,13 @@ mod tests {
     }
 
     #[test]
-    fn selection_and_promotion_give_the_blocks_of_the_same_rows() {
+    fn selection_gives_the_blocks_of_the_same_rows() {
         let (blocks, ..) = example();
         let (l, g) = (LocalId::new, GlobalId::new);
         let selected = blocks[0].select(&[l(1)], &[g(1), g(0)]);
         assert_eq!(selected.local[(0, 0)], blocks[0].local[(1, 1)]);
         assert_eq!(selected.cross[(0, 0)], blocks[0].cross[(1, 1)]);
         assert_eq!(selected.global[(0, 1)], blocks[0].global[(1, 0)]);
-        let promoted = blocks[0].promote(&[l(1)], &[l(0)]);
-        assert_eq!(promoted.global[(0, 0)], blocks[0].local[(1, 1)]);
-        assert_eq!(promoted.global[(2, 0)], blocks[0].cross[(1, 1)]);
-        assert_eq!(promoted.cross[(0, 0)], blocks[0].local[(0, 1)]);
-        assert_eq!(promoted.global_gradient[0], blocks[0].local_gradient[1]);
-        assert_eq!(promoted.squares, blocks[0].squares);
     }
 
     #[test]

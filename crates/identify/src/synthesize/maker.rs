@@ -67,7 +67,7 @@ impl Maker<'_> {
             known,
             times,
             positions,
-            readings: Vec::new(),
+            ..Flight::default()
         };
         Ok((flight, state))
     }

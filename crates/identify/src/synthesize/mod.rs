@@ -156,11 +156,8 @@ pub fn flights(model: &Model, releases: &[Release], plan: &Plan) -> Result<Made,
             model: model.name.clone(),
             parameters: named(&model.params, parameters),
             markers,
-            sensors: Vec::new(),
-            unknown_vertical: false,
-            origin_error: None,
-            sigma: None,
             flights,
+            ..Dataset::default()
         },
         truth: Truth {
             model: model.name.clone(),

@@ -1,13 +1,7 @@
 //! Profile likelihood of one global parameter.
 
-use nalgebra::DVector;
-
-use crate::error::FlightError;
 use crate::ids::GlobalId;
-use crate::least_squares::{
-    Constraint, LeastSquaresProblem, NormalBlock, Solution, SolveError, StoppingCriteria, Unknowns,
-    solve,
-};
+use crate::least_squares::{Iterate, Solution, SolveError};
 use crate::problem::GlobalParameter;
 use crate::report::Profile;
 
@@ -21,13 +15,13 @@ const POINTS_PER_SIDE: usize = 6;
 const SPACING: f64 = 0.5;
 
 /// Computes the profile likelihood of one global parameter with standard error `error` around a solution: the parameter
-/// is fixed at several values, and all other unknowns are fitted again. The profile ends before a point that cannot be
-/// fitted.
+/// is fixed at several values, and all other unknowns are fitted again. `fit_at` fits them for one value of the
+/// parameter, beginning with the given iterate. The profile ends before a point that cannot be fitted.
 ///
 /// # Errors
 /// [`SolveError::Cancelled`] if the iteration is cancelled.
 pub fn profile(
-    problem: &impl LeastSquaresProblem,
+    mut fit_at: impl FnMut(f64, Iterate) -> Result<Solution, SolveError>,
     solution: &Solution,
     global: &[GlobalParameter],
     parameter: GlobalId,
@@ -45,13 +39,7 @@ pub fn profile(
                 break;
             }
             point.global[index] = value;
-            let mut constraints = problem.constraints().to_vec();
-            constraints[index].bounds = (value, value);
-            let constrained = Constrained {
-                problem,
-                constraints,
-            };
-            match solve(&constrained, point.clone(), StoppingCriteria::CONVERGED) {
+            match fit_at(value, point.clone()) {
                 Ok(found) => {
                     points.push([value, (found.squares - solution.squares).max(0.0)]);
                     point = found.iterate;
@@ -87,41 +75,6 @@ fn crossing(points: &[[f64; 2]], best: f64, direction: f64) -> Option<f64> {
             from + part * (to - from)
         })
     })
-}
-
-/// A least-squares problem with other constraints (bounds and priors) than the original `problem`.
-struct Constrained<'a, P> {
-    problem: &'a P,
-    constraints: Vec<Constraint>,
-}
-
-impl<P: LeastSquaresProblem> LeastSquaresProblem for Constrained<'_, P> {
-    fn flights(&self) -> usize {
-        self.problem.flights()
-    }
-    fn linearise(
-        &self,
-        flight: usize,
-        unknowns: (&DVector<f64>, &DVector<f64>),
-        by: Unknowns,
-    ) -> Result<NormalBlock, FlightError> {
-        self.problem.linearise(flight, unknowns, by)
-    }
-    fn plus(&self, flight: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
-        self.problem.plus(flight, local, step)
-    }
-    fn constraints(&self) -> &[Constraint] {
-        &self.constraints
-    }
-    fn threads(&self) -> usize {
-        self.problem.threads()
-    }
-    fn is_cancelled(&self) -> bool {
-        self.problem.is_cancelled()
-    }
-    fn is_past_deadline(&self) -> bool {
-        self.problem.is_past_deadline()
-    }
 }
 
 #[cfg(test)]

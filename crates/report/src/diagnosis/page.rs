@@ -14,7 +14,7 @@ use crate::figures::svg::STYLE;
 use crate::fit::Drawn;
 use crate::fit::flights::short;
 use crate::fit::numbers::{millimetres, percent, plain};
-use crate::fit::page::{capitalized, plain_values, reached, rendered, sentence, table_link};
+use crate::fit::page::{capitalized, one, plain_values, reached, rendered, sentence, shown};
 use crate::fit::words::names;
 
 /// Maximum number of characters of the extended model's text shown on the page.
@@ -98,30 +98,12 @@ pub(super) fn html(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figure
         noise => noise(report),
         schema => &report.schema,
         seconds => seconds.join(", "),
-        version => env!("CARGO_PKG_VERSION"),
     };
     rendered(include_str!("page.html"), context)
 }
 
 fn split(drawn: &[Drawn]) -> (&[Drawn], &[Drawn]) {
     drawn.split_at(OPEN.min(drawn.len()))
-}
-
-fn shown(drawn: &[Drawn]) -> Vec<Value> {
-    drawn.iter().map(one).collect()
-}
-
-fn one(drawn: &Drawn) -> Value {
-    // The SVG writer has already escaped all external text.
-    let safe = |svg: &String| Value::from_safe_string(draw::without_style(svg));
-    context! {
-        name => &drawn.figure.name,
-        title => &drawn.figure.title,
-        caption => &drawn.figure.caption,
-        svg => safe(&drawn.figure.svg),
-        narrow => drawn.narrow.as_ref().map(safe),
-        csv => table_link(&drawn.figure),
-    }
 }
 
 /// Truncates the text of a model file to [`MOST_TEXT`] characters.

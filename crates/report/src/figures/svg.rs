@@ -166,9 +166,11 @@ impl Svg {
     }
 }
 
-/// Removes the style sheet [`STYLE`] from an SVG text, for a page that already includes it.
+/// Removes the style sheets from an SVG text, for a page that already includes them.
 pub(crate) fn without_style(svg: &str) -> String {
-    svg.replacen(&format!("<style>\n{STYLE}</style>\n"), "", 1)
+    let parts = svg.split("<style>\n");
+    let after = |part| str::split_once(part, "</style>\n").map_or(part, |(_, after)| after);
+    parts.map(after).collect()
 }
 
 /// Truncates a text to the width `room`, with `…` at the end if it is shortened; `letter` is the width of one

@@ -63,17 +63,8 @@ pub struct Figure {
     pub csv: String,
 }
 
-/// Renders the HTML report of a fit as one self-contained page.
-pub fn html(page: &FitPage<'_>) -> String {
-    page::written(page, &Figures::of(page))
-}
-
-/// Draws all figures of the HTML report, in the order in which they appear on the page.
-pub fn figures(page: &FitPage<'_>) -> Vec<Figure> {
-    Figures::of(page).in_order()
-}
-
-/// Renders the HTML report and returns it with its figures; each figure is drawn only once.
+/// Renders the HTML report of a fit as one self-contained page, and returns it with its figures in the order in which
+/// they appear on the page.
 pub fn html_and_figures(page: &FitPage<'_>) -> (String, Vec<Figure>) {
     let figures = Figures::of(page);
     (page::written(page, &figures), figures.in_order())

@@ -44,8 +44,6 @@ pub(super) fn written(page: &FitPage<'_>, figures: &Figures) -> String {
         .map(|(what, s)| format!("{what} {} s", plain(*s, 2)))
         .collect();
     let context = context! {
-        css => Value::from_safe_string(include_str!("page.css").to_owned()),
-        style => Value::from_safe_string(STYLE.to_owned()),
         model => &report.model,
         dataset => page.dataset,
         effects => words::names(report.effects.iter().map(String::as_str)),
@@ -90,7 +88,6 @@ pub(super) fn written(page: &FitPage<'_>, figures: &Figures) -> String {
         rounds => count(report.iterations.rounds, "time"),
         converged => report.iterations.converged,
         seconds => seconds.join(", "),
-        version => env!("CARGO_PKG_VERSION"),
     };
     rendered(include_str!("page.html"), context)
 }
@@ -107,7 +104,8 @@ fn reasons_against(report: &FitReport) -> Vec<String> {
     }
 }
 
-/// Renders a template of this crate with the given values; panics if the template is invalid.
+/// Renders a template of this crate with the given values; panics if the template is invalid. The values `css` and
+/// `style`, if not given, are the style sheets of the page of a fit and of figures.
 pub(crate) fn rendered(template: &str, context: Value) -> String {
     let mut environment = Environment::new();
     environment.set_undefined_behavior(UndefinedBehavior::Strict);
@@ -117,6 +115,10 @@ pub(crate) fn rendered(template: &str, context: Value) -> String {
         .lstrip_blocks(true)
         .build();
     environment.set_syntax(syntax.unwrap_or_default());
+    environment.add_global("version", env!("CARGO_PKG_VERSION"));
+    for (name, sheet) in [("css", include_str!("page.css")), ("style", STYLE)] {
+        environment.add_global(name, Value::from_safe_string(sheet.to_owned()));
+    }
     let faults = environment.add_template("data_faults.html", include_str!("../data_faults.html"));
     let figure = environment.add_template("figure.html", include_str!("../figure.html"));
     faults
@@ -155,6 +157,7 @@ pub(crate) fn one(drawn: &Drawn) -> Value {
     let figure = &drawn.figure;
     context! {
         name => &figure.name,
+        title => &figure.title,
         caption => &figure.caption,
         svg => safe(&figure.svg),
         narrow => drawn.narrow.as_ref().map(safe),
@@ -166,7 +169,7 @@ pub(crate) fn one(drawn: &Drawn) -> Value {
 const MOST_EMBEDDED: usize = 10_000;
 
 /// Link to the CSV table of a figure: a data URI, or the path of the file if the table is large.
-pub(crate) fn table_link(figure: &Figure) -> String {
+fn table_link(figure: &Figure) -> String {
     match figure.csv.len() <= MOST_EMBEDDED {
         true => format!("data:text/csv;charset=utf-8,{}", encoded(&figure.csv)),
         false => format!("figure-data/{}.csv", figure.name),

@@ -6,7 +6,6 @@ use minijinja::value::Value;
 use serde::Serialize;
 
 use super::{ImportPage, ImportedFlight, ImportedTake, draw};
-use crate::figures::svg::STYLE;
 use crate::fit::flights::short;
 use crate::fit::numbers::plain;
 use crate::fit::page::{capitalized, one, plain_values, rendered};
@@ -71,13 +70,11 @@ pub(super) fn html(page: &ImportPage) -> String {
     }
     let context = context! {
         css => Value::from_safe_string(include_str!("../fit/page.css").to_owned() + include_str!("page.css")),
-        style => Value::from_safe_string(STYLE.to_owned()),
         model => &page.model,
         dataset => &page.dataset,
         summary => format!("{} from {}.", count(flights, "flight"), count(page.takes.len(), "recording")),
         undrawn => flights - drawn,
         takes => takes,
-        version => env!("CARGO_PKG_VERSION"),
     };
     rendered(include_str!("page.html"), context)
 }

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use flight::batch;
-use identify::dataset::{Dataset, Flight, Role};
+use identify::dataset::{Dataset, Flight};
 use identify::synthesize::{MARKERS, corrupt};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
@@ -156,11 +156,9 @@ pub(crate) fn bouncing_flight(index: usize, random: &mut impl Rng) -> (Flight, (
         });
         let flight = Flight {
             file: file_name(index),
-            role: Role::Fit,
-            known: Default::default(),
             positions: positions.collect(),
-            readings: Vec::new(),
             times,
+            ..Flight::default()
         };
         return (flight, touch);
     }

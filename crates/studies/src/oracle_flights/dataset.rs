@@ -1,6 +1,6 @@
 //! Datasets of a disc with flights simulated by the oracle.
 
-use identify::dataset::{Dataset, Flight, Role};
+use identify::dataset::{Dataset, Flight};
 use identify::synthesize::{MARKERS, default_markers};
 use model_spec::model::Model;
 use oracle::Point;
@@ -72,11 +72,9 @@ pub fn flights(model: &Model, plan: &Plan<'_>, seed: u64) -> Dataset {
         });
         Flight {
             file: file_name(index),
-            role: Role::Fit,
-            known: Default::default(),
             positions: positions.collect(),
-            readings: Vec::new(),
             times,
+            ..Flight::default()
         }
     });
     Dataset {
@@ -89,13 +87,8 @@ pub fn flights(model: &Model, plan: &Plan<'_>, seed: u64) -> Dataset {
 pub(crate) fn empty(model: &Model) -> Dataset {
     Dataset {
         model: model.name.clone(),
-        parameters: Default::default(),
         markers: default_markers(model),
-        sensors: Vec::new(),
-        unknown_vertical: false,
-        origin_error: None,
-        sigma: None,
-        flights: Vec::new(),
+        ..Dataset::default()
     }
 }
 

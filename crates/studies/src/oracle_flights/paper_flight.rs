@@ -1,7 +1,7 @@
 //! The paper's two flights, simulated by the oracle.
 
 use flight::release;
-use identify::dataset::{Dataset, Flight, Role};
+use identify::dataset::{Dataset, Flight};
 use identify::synthesize::MARKERS;
 use model_spec::model::Model;
 use nalgebra::Vector3;
@@ -58,11 +58,9 @@ pub fn paper_flight(model: &Model, name: &str, curves: Option<Curves<'_>>) -> Da
     dataset.parameters = release.parameters.iter().cloned().collect();
     dataset.flights = vec![Flight {
         file: format!("{name}.csv"),
-        role: Role::Fit,
-        known: Default::default(),
         positions: positions.collect(),
-        readings: Vec::new(),
         times,
+        ..Flight::default()
     }];
     dataset
 }

@@ -3,21 +3,20 @@
 
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
 use diagnose::{DiagnosisOptions, Report, Verdict, diagnose};
 use flight::batch;
+use identify::FitOptions;
 use identify::dataset::{Dataset, Flight};
 use identify::synthesize::Corruption;
-use identify::{CancellationToken, FitOptions};
 use model_spec::model::Model;
 
 use super::hidden::Hidden;
 use super::hidden_lists::hidden_of;
 use super::subjects::{SUBJECTS, Subject};
 use super::world::dataset;
-use crate::bounded_fit::bounded_fit;
+use crate::bounded_fit::{bounded_fit, cancelled_after};
 
 /// Time limit of a diagnosis or a fit.
 const LIMIT: Duration = Duration::from_secs(60);
@@ -198,31 +197,22 @@ fn outcome(task: Task, model: &Model, threads: usize) -> Outcome {
 
 /// Diagnoses a dataset and cancels the diagnosis after [`LIMIT`]. The error is the message of the diagnosis.
 fn bounded_diagnosis(model: &Model, observed: &Dataset, threads: usize) -> Result<Report, String> {
-    let token = CancellationToken::default();
-    let options = DiagnosisOptions {
-        dataset: "hidden",
-        fit: FitOptions {
-            threads: Some(threads),
-            cancellation: Some(&token),
-            ..FitOptions::default()
-        },
-        ..DiagnosisOptions::default()
-    };
-    let (finished, wait) = mpsc::channel::<()>();
-    let watched = token.clone();
-    std::thread::scope(|scope| {
-        scope.spawn(move || {
-            if wait.recv_timeout(LIMIT) == Err(mpsc::RecvTimeoutError::Timeout) {
-                watched.cancel();
-            }
-        });
-        let found = diagnose(model, observed, &options);
-        drop(finished);
-        match found {
-            Ok(found) => Ok(found.report),
-            Err(error) => Err(error.to_string()),
-        }
-    })
+    let found = cancelled_after(LIMIT, |token| {
+        let options = DiagnosisOptions {
+            dataset: "hidden",
+            fit: FitOptions {
+                threads: Some(threads),
+                cancellation: Some(token),
+                ..FitOptions::default()
+            },
+            ..DiagnosisOptions::default()
+        };
+        diagnose(model, observed, &options)
+    });
+    match found {
+        Ok(found) => Ok(found.report),
+        Err(error) => Err(error.to_string()),
+    }
 }
 
 /// Size of a hidden effect / minimum detectable size. It is the root of the χ² that remains when the model without the

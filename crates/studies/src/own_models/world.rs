@@ -69,10 +69,9 @@ pub(super) fn dataset(
                 true => Role::Fit,
                 false => Role::HeldOut,
             },
-            known: Default::default(),
             times,
             positions,
-            readings: Vec::new(),
+            ..Flight::default()
         }
     });
     let flights = flights.collect();
@@ -86,13 +85,9 @@ pub(super) fn dataset(
         });
     Dataset {
         model: model.name.clone(),
-        parameters: Default::default(),
         markers: markers.collect(),
-        sensors: Vec::new(),
-        unknown_vertical: false,
-        origin_error: None,
-        sigma: None,
         flights,
+        ..Dataset::default()
     }
 }
 

@@ -121,11 +121,8 @@ pub fn dataset(plan: &Plan<'_>, seeded: &SeededEffects, seed: u64) -> Dataset {
             name: "m1".to_owned(),
             position: marker,
         }],
-        sensors: Vec::new(),
-        unknown_vertical: false,
-        origin_error: None,
-        sigma: None,
         flights: flights.collect(),
+        ..Dataset::default()
     }
 }
 

@@ -63,9 +63,8 @@ pub(super) fn seeded_flight(
     Flight {
         file: file_name(index),
         role,
-        known: Default::default(),
         positions,
-        readings: Vec::new(),
         times,
+        ..Flight::default()
     }
 }

@@ -1,6 +1,6 @@
 //! Flights of a disc simulated by the oracle, with simulated readings of sensors on the disc.
 
-use identify::dataset::{Dataset, Flight, Reading, Role, Sensor, SensorKind};
+use identify::dataset::{Dataset, Flight, Reading, Sensor, SensorKind};
 use identify::synthesize::MARKERS;
 use model_spec::compose::Instrument;
 use model_spec::model::Model;
@@ -100,14 +100,13 @@ pub fn sensor_flights(model: &Model, plan: &Plan<'_>, observed: &Observed, seed:
         let (positions, readings) = rows.unzip();
         Flight {
             file: file_name(index),
-            role: Role::Fit,
-            known: Default::default(),
             times,
             positions,
             readings: match observed.sensors.is_empty() {
                 true => Vec::new(),
                 false => readings,
             },
+            ..Flight::default()
         }
     });
     let flights = flights.collect();

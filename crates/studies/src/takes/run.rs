@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
 use flight::batch;
-use identify::dataset::{Dataset, Flight, Marker, Role};
+use identify::dataset::{Dataset, Flight, Marker};
 use takes::{
     Axis, CentreHeight, EstimatedTemplate, FreeFlight, Point, ReadOptions, Take, ThrowOptions,
     Throws, estimate_template, find_throws,
@@ -291,11 +291,9 @@ fn add_flights(
         };
         flights.push(Flight {
             file: file_name(flights.len()),
-            role: Role::Fit,
-            known: Default::default(),
             times: take.times[range.clone()].to_vec(),
             positions: range.map(row).collect(),
-            readings: Vec::new(),
+            ..Flight::default()
         });
     }
 }

@@ -106,9 +106,3 @@ fn described(svg: &str, words: &str) -> String {
     let more = format!("</title>\n<desc>{words}</desc>\n<style>\n{STYLE}</style>\n");
     svg.replacen("</title>\n", &more, 1)
 }
-
-/// Removes the style sheets from an SVG, for a page that already includes them.
-pub(super) fn without_style(svg: &str) -> String {
-    let own = format!("<style>\n{STYLE}</style>\n");
-    crate::figures::svg::without_style(&svg.replacen(&own, "", 1))
-}

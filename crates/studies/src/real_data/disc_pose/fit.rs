@@ -141,12 +141,9 @@ fn fitted(model: &Model, flights: Vec<Flight>, air: Air) -> Result<Fit, FitError
     let dataset = Dataset {
         model: model.name.clone(),
         parameters: BODY.map(|(name, value)| (name.to_owned(), value)).into(),
-        markers: Vec::new(),
         sensors: vec![Sensor::new("tag", SensorKind::Pose, [0.0; 3])],
-        unknown_vertical: false,
-        origin_error: None,
-        sigma: None,
         flights,
+        ..Dataset::default()
     };
     let priors = PRIORS.map(|(name, value, sigma)| Prior {
         name: name.to_owned(),

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use identify::dataset::{Flight, Reading, Role};
+use identify::dataset::{Flight, Reading};
 use nalgebra::{Quaternion, Rotation3, UnitQuaternion, Vector3};
 
 use crate::error::StudyError;
@@ -65,11 +65,10 @@ impl Poses {
             };
             Ok(Flight {
                 file: name,
-                role: Role::Fit,
-                known: Default::default(),
                 times: rows.iter().map(|row| row.0 - start).collect(),
                 positions: vec![Vec::new(); rows.len()],
                 readings: rows.iter().map(reading).collect(),
+                ..Flight::default()
             })
         });
         Ok(Self {

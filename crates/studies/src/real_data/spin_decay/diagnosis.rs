@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use diagnose::{CauseEffect, DiagnosisOptions, diagnose};
-use identify::dataset::{Dataset, Flight, Reading, Role, Sensor, SensorKind};
+use identify::dataset::{Dataset, Flight, Reading, Sensor, SensorKind};
 use identify::{FitOptions, Prior};
 use model_spec::compose::Instrument;
 use serde::Serialize;
@@ -140,22 +140,17 @@ fn dataset(file: &Path) -> Result<Dataset, StudyError> {
         |name: &str, instrument| Sensor::new(name, SensorKind::Instrument(instrument), [0.0; 3]);
     Ok(Dataset {
         model: MODEL.0.to_owned(),
-        parameters: Default::default(),
-        markers: Vec::new(),
         sensors: vec![
             sensor("gyroscope", Instrument::Gyroscope),
             sensor("accelerometer", Instrument::Accelerometer),
         ],
-        unknown_vertical: false,
-        origin_error: None,
-        sigma: None,
         flights: vec![Flight {
             file: "flight.csv".to_owned(),
-            role: Role::Fit,
-            known: Default::default(),
             positions: vec![Vec::new(); times.len()],
             times,
             readings,
+            ..Flight::default()
         }],
+        ..Dataset::default()
     })
 }
