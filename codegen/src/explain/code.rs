@@ -73,15 +73,12 @@ pub(super) fn generate(found: &Found, by: Option<(Symbol, &str)>) -> Made {
         other.sections.clear();
         other.results.clear();
     }
-    let files = rust::emit(&compiled, &found.model);
-    let body = |function: &str, array: &str, outputs: &[String]| {
-        let file = format!("/{function}.rs");
-        let found = files.iter().find(|found| found.path.ends_with(&file));
-        found.map_or_else(String::new, |found| statements(&found.text, array, outputs))
+    let body = |function: &Function, array: &str, outputs: &[String]| {
+        statements(&rust::function_text(&compiled, function), array, outputs)
     };
     Made {
-        once: body("prepare", "prepared", &compiled.prepared),
-        code: body("quantities", "values", &compiled.layout.quantities),
+        once: body(&compiled.prepare, "prepared", &compiled.prepared),
+        code: body(&compiled.quantities, "values", &compiled.layout.quantities),
         cost_once: count(&compiled.prepare.program),
         cost: count(&compiled.quantities.program),
         compiled,

@@ -22,8 +22,6 @@ pub(super) struct Found {
     /// LaTeX name of each component of the quantity.
     pub symbols: Vec<String>,
     pub nodes: Vec<NodeId>,
-    /// Model to which the nodes belong; an explained force or moment is an additional auxiliary variable of this model.
-    pub model: Model,
     pub compiled: Compiled,
 }
 
@@ -122,7 +120,6 @@ pub(super) fn quantity(model: &Model, wanted: &str) -> Result<Found, ExplainErro
         names,
         symbols,
         nodes,
-        model: changed,
         compiled,
     })
 }

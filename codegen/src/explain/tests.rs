@@ -38,71 +38,82 @@ fn values(tape: &TapeModel, count: usize, x: &[f64], p: &[f64]) -> Vec<f64> {
     q
 }
 
-/// Checks that code and formula of every derivative of every quantity agree with finite differences.
-#[test]
-fn derivatives_agree_with_differences() {
-    for model in ["disc", "disc_appendix", "disc_quaternion", "ball", "discus"].map(load) {
-        let layout = Layout::new(&model);
-        let (x, p) = point(&layout);
-        // Marker-dependent variables are not computed without a marker.
-        let lets = model
-            .aux_variables
-            .iter()
-            .zip(crate::layout::is_of_observation(&model));
-        let lets = lets.filter(|(_, of_marker)| !of_marker);
-        let mut quantities: Vec<String> = lets.map(|(l, _)| l.name.clone()).collect();
-        quantities.extend(model.states.iter().map(|s| format!("der({})", s.name)));
-        quantities.extend(model.forces.iter().map(|l| format!("force {}", l.name)));
-        quantities.extend(model.moments.iter().map(|l| format!("moment {}", l.name)));
-        let wrt: Vec<&String> = layout.states.iter().chain(&layout.parameters).collect();
-        for quantity in &quantities {
-            let found = find::quantity(&model, quantity).unwrap_or_else(|e| panic!("{e}"));
-            let count = found.nodes.len();
-            let plain = TapeModel::new(&code::generate(&found, None).compiled);
-            for (k, name) in wrt.iter().enumerate() {
-                let symbol = find::symbol(&model, name).unwrap_or_else(|e| panic!("{e}"));
-                let made = code::generate(&found, Some((symbol, name)));
-                let tape = TapeModel::new(&made.compiled);
-                let mut exact = vec![0.0; count];
-                let entries = values(&tape, made.rows.len(), &x, &p);
-                for (&row, entry) in made.rows.iter().zip(entries) {
-                    exact[row as usize] = entry;
+/// Checks that code and formula of every derivative of every quantity of a model agree with finite differences.
+fn derivatives_agree_with_differences(model: &Model) {
+    let layout = Layout::new(model);
+    let (x, p) = point(&layout);
+    // Marker-dependent variables are not computed without a marker.
+    let lets = model
+        .aux_variables
+        .iter()
+        .zip(crate::layout::is_of_observation(model));
+    let lets = lets.filter(|(_, of_marker)| !of_marker);
+    let mut quantities: Vec<String> = lets.map(|(l, _)| l.name.clone()).collect();
+    quantities.extend(model.states.iter().map(|s| format!("der({})", s.name)));
+    quantities.extend(model.forces.iter().map(|l| format!("force {}", l.name)));
+    quantities.extend(model.moments.iter().map(|l| format!("moment {}", l.name)));
+    let wrt: Vec<&String> = layout.states.iter().chain(&layout.parameters).collect();
+    for quantity in &quantities {
+        let found = find::quantity(model, quantity).unwrap_or_else(|e| panic!("{e}"));
+        let count = found.nodes.len();
+        let plain = TapeModel::new(&code::generate(&found, None).compiled);
+        for (k, name) in wrt.iter().enumerate() {
+            let symbol = find::symbol(model, name).unwrap_or_else(|e| panic!("{e}"));
+            let made = code::generate(&found, Some((symbol, name)));
+            let tape = TapeModel::new(&made.compiled);
+            let mut exact = vec![0.0; count];
+            let entries = values(&tape, made.rows.len(), &x, &p);
+            for (&row, entry) in made.rows.iter().zip(entries) {
+                exact[row as usize] = entry;
+            }
+            let written = written(model, &found, symbol, &x, &p);
+            let moved = |step: f64| {
+                let (mut x, mut p) = (x.clone(), p.clone());
+                match k.checked_sub(x.len()) {
+                    None => x[k] += step,
+                    Some(k) => p[k] += step,
                 }
-                let written = written(&model, &found, symbol, &x, &p);
-                let moved = |step: f64| {
-                    let (mut x, mut p) = (x.clone(), p.clone());
-                    match k.checked_sub(x.len()) {
-                        None => x[k] += step,
-                        Some(k) => p[k] += step,
-                    }
-                    values(&plain, count, &x, &p)
-                };
-                let size = match k.checked_sub(x.len()) {
-                    None => x[k].abs(),
-                    Some(k) => p[k].abs(),
-                };
-                let h = 1e-4 * size.max(1e-8);
-                let (low, high) = (moved(-h), moved(h));
-                let (lower, higher) = (moved(-2.0 * h), moved(2.0 * h));
-                for row in 0..count {
-                    let difference =
-                        (8.0 * (high[row] - low[row]) - (higher[row] - lower[row])) / (12.0 * h);
-                    let scale = difference
-                        .abs()
-                        .max(1e-6 * high[row].abs() / size.max(1e-8))
-                        .max(1e-9);
-                    for value in [exact[row], written[row]] {
-                        assert!(
-                            (value - difference).abs() <= 2e-5 * scale,
-                            "{}: {quantity}[{row}] by {name}: {value} is not {difference}",
-                            model.name
-                        );
-                    }
+                values(&plain, count, &x, &p)
+            };
+            let size = match k.checked_sub(x.len()) {
+                None => x[k].abs(),
+                Some(k) => p[k].abs(),
+            };
+            let h = 1e-4 * size.max(1e-8);
+            let (low, high) = (moved(-h), moved(h));
+            let (lower, higher) = (moved(-2.0 * h), moved(2.0 * h));
+            for row in 0..count {
+                let difference =
+                    (8.0 * (high[row] - low[row]) - (higher[row] - lower[row])) / (12.0 * h);
+                let scale = difference
+                    .abs()
+                    .max(1e-6 * high[row].abs() / size.max(1e-8))
+                    .max(1e-9);
+                for value in [exact[row], written[row]] {
+                    assert!(
+                        (value - difference).abs() <= 2e-5 * scale,
+                        "{}: {quantity}[{row}] by {name}: {value} is not {difference}",
+                        model.name
+                    );
                 }
             }
         }
     }
 }
+
+/// One test for each model, so that they run on several threads.
+macro_rules! derivatives_agree_with_differences {
+    ($($model:ident),*) => {
+        mod derivatives_agree_with_differences {
+            $(#[test]
+            fn $model() {
+                super::derivatives_agree_with_differences(&super::load(stringify!($model)));
+            })*
+        }
+    };
+}
+
+derivatives_agree_with_differences!(disc, disc_appendix, disc_quaternion, ball, discus);
 
 /// Values of the derivatives of the components of a quantity with respect to `symbol`, at the states `x` and parameters
 /// `p`, computed from the graph nodes from which the LaTeX formulas are written.
@@ -136,7 +147,6 @@ fn written(
         doc: String::new(),
         latex: None,
         symbols: Vec::new(),
-        model: model.clone(),
     };
     let made = code::generate(&found, None);
     values(&TapeModel::new(&made.compiled), found.nodes.len(), x, p)

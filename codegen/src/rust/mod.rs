@@ -24,6 +24,7 @@ pub use library::library;
 
 use crate::backend::{Backend, SourceFile};
 use crate::compile::Compiled;
+use crate::program::Function;
 use model_spec::model::Model;
 use scalar::Scalar;
 
@@ -80,10 +81,15 @@ pub fn emit(compiled: &Compiled, model: &Model) -> Vec<SourceFile> {
     for function in compiled.functions() {
         files.push(SourceFile {
             path: format!("{folder}/{}.rs", function.name),
-            text: function::file(compiled, function),
+            text: function_text(compiled, function),
         });
     }
     files
+}
+
+/// Text of the source file of one function of a model in the crate `generated`.
+pub(crate) fn function_text(compiled: &Compiled, function: &Function) -> String {
+    function::file(compiled, function)
 }
 
 /// Hash of all source texts of a model (64-bit FNV-1a); generated code stores the hash of its source model.

@@ -6,10 +6,13 @@ use codegen::program::Function;
 use codegen::tape::{Inputs, Tape};
 use nalgebra::Vector3;
 use oracle::Point;
+use std::sync::{Mutex, PoisonError};
 
 /// Compiled equations of motion, with one program of the bytecode interpreter (tape) for each function.
 pub struct Engine {
     prepare: Tape,
+    /// Parameters of the last evaluation, with the results of `prepare` for them: a flight keeps its parameters.
+    last: Mutex<(Vec<f64>, Vec<f64>)>,
     f: Tape,
     f_jac: Tape,
     f_jac_par: Tape,
@@ -85,6 +88,7 @@ impl Engine {
         );
         Self {
             prepare: Tape::new(&compiled.prepare.program),
+            last: Mutex::default(),
             f: Tape::new(&compiled.f.program),
             f_jac: Tape::new(&compiled.f_jac.program),
             f_jac_par: Tape::new(&compiled.f_jac_par.program),
@@ -107,12 +111,25 @@ impl Engine {
     fn eval(&self, tape: &Tape, point: &Point<f64>) -> Vec<f64> {
         let p = point.parameters();
         let mut scratch = Vec::new();
-        let mut prepared = vec![0.0; self.prepare.outputs()];
-        self.prepare
-            .eval(inputs(point, &p, &[]), &mut scratch, &mut prepared);
+        let prepared = self.prepared(inputs(point, &p, &[]), &mut scratch);
         let mut out = vec![0.0; tape.outputs()];
         tape.eval(inputs(point, &p, &prepared), &mut scratch, &mut out);
         out
+    }
+
+    /// Results of `prepare`, which depend on the parameters alone.
+    fn prepared(&self, inputs: Inputs<'_, f64>, scratch: &mut Vec<f64>) -> Vec<f64> {
+        let mut last = self.last.lock().unwrap_or_else(PoisonError::into_inner);
+        let same = |a: &f64, b: &f64| a.to_bits() == b.to_bits();
+        let is_last =
+            last.0.len() == inputs.p.len() && last.0.iter().zip(inputs.p).all(|(a, b)| same(a, b));
+        // Without parameters, what was never computed would look like the last.
+        if !is_last || last.1.len() != self.prepare.outputs() {
+            let mut prepared = vec![0.0; self.prepare.outputs()];
+            self.prepare.eval(inputs, scratch, &mut prepared);
+            *last = (inputs.p.to_vec(), prepared);
+        }
+        last.1.clone()
     }
 }
 

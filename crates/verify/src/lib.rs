@@ -117,10 +117,19 @@ pub fn run(loaded: &Loaded, options: &Options) -> Report {
 /// null values with the model without effects, the second compares effects with their reference implementations.
 fn of_effects(loaded: &Loaded, options: &Options) -> [Row; 2] {
     match checks::effects::variants(loaded) {
-        Some((with, without)) => [
-            checks::effects::check(&without, &with, options),
-            checks::effect_reference::check(&with, options),
-        ],
+        Some((with, without)) => {
+            let with: Vec<(Model, Values)> = with
+                .into_iter()
+                .map(|model| {
+                    let values = Values::of(&model);
+                    (model, values)
+                })
+                .collect();
+            [
+                checks::effects::check(&without, &with, options),
+                checks::effect_reference::check(&with, options),
+            ]
+        }
         None => [
             checks::effects::EFFECTS,
             checks::effect_reference::EFFECT_REFERENCE,

@@ -50,7 +50,7 @@ impl<T: Real> ExtendedLaw<T> {
     ) -> Motion<T> {
         let constants = self.scaled_constants();
         let air = self.air_velocity(at);
-        let unextended = self.law.motion(&constants, at, air);
+        let unextended = self.law.loads(&constants, at, air);
         let flow = Flow::new(self.law, &constants, at, air, time, self.omega);
         let (mut force, mut moment) = (unextended.force + force, unextended.moment + moment);
         for active in &self.effects {

@@ -1,14 +1,15 @@
 //! Ball as a point mass with weight and drag.
 
+use super::Loads;
 use crate::dynamics::MassProperties;
-use crate::physical::{Motion, Physical};
+use crate::physical::Physical;
 use crate::scalar::Real;
 use crate::tree::norm;
 use nalgebra::Vector3;
 
 pub(super) const CONSTANTS: [&str; 5] = ["m", "radius", "rho", "g", "C_D"];
 
-pub(super) fn motion<T: Real>(constants: &[T], body: &Physical<T>, wind: Vector3<T>) -> Motion<T> {
+pub(super) fn loads<T: Real>(constants: &[T], body: &Physical<T>, wind: Vector3<T>) -> Loads<T> {
     let &[m, radius, rho, g, drag] = constants else {
         unreachable!("bound to {CONSTANTS:?}")
     };
@@ -17,11 +18,9 @@ pub(super) fn motion<T: Real>(constants: &[T], body: &Physical<T>, wind: Vector3
     let area = T::lit(std::f64::consts::PI) * radius * radius;
     let force = -through_air * (rho * area * drag * norm(&through_air) / T::lit(2.0));
     let force = force + Vector3::new(T::zero(), T::zero(), -m * g);
-    Motion {
+    Loads {
         force,
         moment: Vector3::zeros(),
-        acceleration: force / m,
-        angular_acceleration: Vector3::zeros(),
     }
 }
 

@@ -1,8 +1,9 @@
 //! Disc of Hubbard and Hummel (2000), with the sign conventions of this project's model contract.
 
+use super::Loads;
 use super::spinning::{Body, Coefficients, Stream};
 use crate::dynamics::MassProperties;
-use crate::physical::{Motion, Physical};
+use crate::physical::Physical;
 use crate::scalar::Real;
 use nalgebra::Vector3;
 
@@ -12,7 +13,7 @@ pub(super) const CONSTANTS: [&str; 15] = [
 ];
 
 #[allow(non_snake_case)]
-pub(super) fn motion<T: Real>(constants: &[T], at: &Physical<T>, wind: Vector3<T>) -> Motion<T> {
+pub(super) fn loads<T: Real>(constants: &[T], at: &Physical<T>, wind: Vector3<T>) -> Loads<T> {
     let &[
         _,
         _,
@@ -44,7 +45,7 @@ pub(super) fn motion<T: Real>(constants: &[T], at: &Physical<T>, wind: Vector3<T
         damping: C_Mq,
         spin_down: C_Nr,
     };
-    body(constants).motion(at, &stream, &coefficients)
+    body(constants).loads(&stream, &coefficients)
 }
 
 pub(super) fn mass_properties<T: Real>(constants: &[T]) -> MassProperties<T> {

@@ -12,6 +12,7 @@ use crate::dynamics::MassProperties;
 use crate::error::BindError;
 use crate::physical::{Motion, Physical};
 use crate::point::Point;
+use crate::rigid::{angular_acceleration, inertia_in_n};
 use crate::scalar::Real;
 use model_spec::model::{Model, Parameter};
 use nalgebra::Vector3;
@@ -51,6 +52,12 @@ enum Slot {
     Coefficient(usize),
 }
 
+/// Sums of the forces, N, and of the moments about the mass centre, N·m, in inertial components.
+pub(crate) struct Loads<T> {
+    pub force: Vector3<T>,
+    pub moment: Vector3<T>,
+}
+
 impl Law {
     /// Law with the given name, as written after `reference` in a model; `None` for unknown names.
     pub fn by_name(name: &str) -> Option<Self> {
@@ -79,10 +86,32 @@ impl Law {
     /// Loads on a body and its accelerations by this law at the physical state `at`, in air of velocity `air`, m/s;
     /// `constants` are in the order of [`Law::constants`].
     pub fn motion<T: Real>(self, constants: &[T], at: &Physical<T>, air: Vector3<T>) -> Motion<T> {
+        let Loads { force, moment } = self.loads(constants, at, air);
+        let properties = self.mass_properties(constants);
+        let omega = at.angular_velocity;
+        let angular_acceleration = properties.inertia.map_or_else(Vector3::zeros, |inertia| {
+            let inertia = inertia_in_n(&at.attitude.matrix(), &inertia);
+            angular_acceleration(&inertia, &omega, &omega, &moment)
+        });
+        Motion {
+            force,
+            moment,
+            acceleration: force / properties.mass,
+            angular_acceleration,
+        }
+    }
+
+    /// Loads on a body by this law; arguments as of [`Law::motion`].
+    pub(crate) fn loads<T: Real>(
+        self,
+        constants: &[T],
+        at: &Physical<T>,
+        air: Vector3<T>,
+    ) -> Loads<T> {
         match self {
-            Self::Disc => disc::motion(constants, at, air),
-            Self::Ball => ball::motion(constants, at, air),
-            Self::Discus => discus::motion(constants, at, air),
+            Self::Disc => disc::loads(constants, at, air),
+            Self::Ball => ball::loads(constants, at, air),
+            Self::Discus => discus::loads(constants, at, air),
         }
     }
 

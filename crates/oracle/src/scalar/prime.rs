@@ -27,37 +27,55 @@ impl Prime {
 
     /// Multiplicative inverse; 0 for 0, by convention.
     pub fn inverse(self) -> Self {
-        let (mut power, mut product, mut exponent) = (self, Self(1), PRIME - 2);
-        while exponent > 0 {
-            if exponent & 1 == 1 {
-                product *= power;
-            }
-            power *= power;
-            exponent >>= 1;
-        }
-        product
+        // The inverse is the power 2^61 − 3 = 4·(2^59 − 1) + 1. From the powers 2^m − 1 and 2^n − 1 follows the power
+        // 2^(m+n) − 1, by n squarings and one product.
+        let joined = |high: Self, low: Self, squarings: u32| high.squared(squarings) * low;
+        let of_2 = joined(self, self, 1);
+        let of_3 = joined(of_2, self, 1);
+        let of_6 = joined(of_3, of_3, 3);
+        let of_7 = joined(of_6, self, 1);
+        let of_14 = joined(of_7, of_7, 7);
+        let of_28 = joined(of_14, of_14, 14);
+        let of_29 = joined(of_28, self, 1);
+        let of_58 = joined(of_29, of_29, 29);
+        let of_59 = joined(of_58, self, 1);
+        joined(of_59, self, 2)
+    }
+
+    /// The element squared so many times in turn.
+    fn squared(self, times: u32) -> Self {
+        (0..times).fold(self, |power, _| power * power)
+    }
+
+    /// Residue class of an integer below twice [`PRIME`].
+    #[inline]
+    fn reduced(value: u64) -> Self {
+        Self(if value < PRIME { value } else { value - PRIME })
     }
 }
 
 impl Add for Prime {
     type Output = Self;
+    #[inline]
     fn add(self, o: Self) -> Self {
-        Self::new(self.0 + o.0)
+        Self::reduced(self.0 + o.0)
     }
 }
 
 impl Sub for Prime {
     type Output = Self;
+    #[inline]
     fn sub(self, o: Self) -> Self {
-        Self::new(self.0 + PRIME - o.0)
+        Self::reduced(self.0 + PRIME - o.0)
     }
 }
 
 impl Mul for Prime {
     type Output = Self;
+    #[inline]
     fn mul(self, o: Self) -> Self {
         let product = u128::from(self.0) * u128::from(o.0);
-        Self::new((product as u64 & PRIME) + (product >> 61) as u64)
+        Self::reduced((product as u64 & PRIME) + (product >> 61) as u64)
     }
 }
 
@@ -71,8 +89,9 @@ impl Div for Prime {
 
 impl Neg for Prime {
     type Output = Self;
+    #[inline]
     fn neg(self) -> Self {
-        Self::new(PRIME - self.0)
+        Self::reduced(PRIME - self.0)
     }
 }
 

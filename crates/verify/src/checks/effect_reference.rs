@@ -18,16 +18,16 @@ use oracle::{BindError, Point};
 pub const EFFECT_REFERENCE: &str = "effects: reference";
 
 /// Compares the state derivatives and the observation of each model whose effects are all built in with those of its
-/// reference implementation.
-pub fn check(with: &[Model], options: &Options) -> Row {
-    let catalogued: Vec<&Model> = with.iter().filter(|model| catalogued(model)).collect();
+/// reference implementation. Each model comes with its compiled values.
+pub fn check(with: &[(Model, Values)], options: &Options) -> Row {
+    let catalogued: Vec<&(Model, Values)> =
+        with.iter().filter(|(model, _)| catalogued(model)).collect();
     if catalogued.is_empty() {
         return Row::skipped(EFFECT_REFERENCE, "no built-in effects for this model");
     }
     let mut worst = Worst::default();
-    for model in &catalogued {
-        let engine = Values::of(model);
-        match compare(model, &engine, options) {
+    for (model, engine) in catalogued.iter().copied() {
+        match compare(model, engine, options) {
             Some(Ok(one)) => worst.see(one.error, || one.place),
             Some(Err(why)) => return Row::counted(EFFECT_REFERENCE, 1, &[why.to_string()], ""),
             None => return Row::skipped(EFFECT_REFERENCE, "the model claims no reference"),

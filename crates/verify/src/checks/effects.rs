@@ -59,8 +59,9 @@ pub fn variants(loaded: &Loaded) -> Option<(Vec<Model>, Model)> {
 }
 
 /// Checks for each model of `with` that its effects change nothing at their null values: the state derivatives equal
-/// those of the model `without` effects, and are computed with no more operations.
-pub fn check(without: &Model, with: &[Model], options: &Options) -> Row {
+/// those of the model `without` effects, and are computed with no more operations. Each model comes with its compiled
+/// values.
+pub fn check(without: &Model, with: &[(Model, Values)], options: &Options) -> Row {
     if with.is_empty() {
         return Row::skipped(EFFECTS, "no effects for this model");
     }
@@ -68,10 +69,9 @@ pub fn check(without: &Model, with: &[Model], options: &Options) -> Row {
     let mut random = Random::new(options.seed, "effects off");
     let mut worst = Worst::default();
     let mut faults = Vec::new();
-    for model in with {
+    for (model, engine) in with {
         let names: Vec<&str> = model.effects.iter().map(|e| e.name.as_str()).collect();
         let names = names.join(" with ");
-        let engine = Values::of(model);
         for _ in 0..options.cases.div_ceil(10) {
             let point = off(model, sample::point(model, &mut random));
             let Some(bare) = bare(without, model, &point) else {

@@ -1,13 +1,15 @@
 //! 256-bit floating-point numbers as a scalar of the oracle.
 //!
 //! The oracle's scalars are `Copy`, but a 256-bit number is not. A value is therefore an index into a thread-local list
-//! of numbers, which [`with_numbers`] creates and drops.
+//! of numbers, which [`with_numbers`] creates and drops. The list also has the function values that were computed: a
+//! comparison differentiates a model by each variable in turn, and so calls a function with the same argument many times.
 
 use astro_float_num::{BigFloat, Consts, RoundingMode, Sign, WORD_BIT_SIZE};
 use num_traits::{One, Zero};
 use oracle::scalar::{Elementary, Field, Real};
 use std::cell::RefCell;
 use std::cmp::Ordering;
+use std::collections::HashMap;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// Precision of the numbers, bits.
@@ -16,15 +18,41 @@ const NEAREST: RoundingMode = RoundingMode::ToEven;
 
 thread_local! {
     static NUMBERS: RefCell<Vec<BigFloat>> = const { RefCell::new(Vec::new()) };
+    static CALLS: RefCell<HashMap<Call, Big>> = RefCell::new(HashMap::new());
     static CONSTANTS: RefCell<Option<Consts>> = const { RefCell::new(None) };
 }
 
 /// Runs a task with a new list of numbers, which is dropped afterwards. The task's result must not contain a [`Big`].
 pub fn with_numbers<R>(task: impl FnOnce() -> R) -> R {
-    let outer = NUMBERS.take();
+    let outer = (NUMBERS.take(), CALLS.take());
     let result = task();
-    NUMBERS.set(outer);
+    NUMBERS.set(outer.0);
+    CALLS.set(outer.1);
     result
+}
+
+/// A function with its argument: the mantissa, the sign, the exponent, and whether the argument is rounded.
+#[derive(PartialEq, Eq, Hash)]
+struct Call {
+    function: u8,
+    words: Vec<u64>,
+    is_negative: bool,
+    exponent: i32,
+    is_inexact: bool,
+}
+
+impl Call {
+    /// `None` for an argument that is no number.
+    fn new(function: Elementary, argument: &BigFloat) -> Option<Self> {
+        let (words, _, sign, exponent, is_inexact) = argument.as_raw_parts()?;
+        Some(Self {
+            function: function as u8,
+            words: words.to_vec(),
+            is_negative: sign == Sign::Neg,
+            exponent,
+            is_inexact,
+        })
+    }
 }
 
 /// A number of [`PRECISION`] bits, valid only within the [`with_numbers`] call that created it.
@@ -174,22 +202,16 @@ impl Real for Big {
     }
 
     fn elementary(self, function: Elementary) -> Self {
-        let one = || BigFloat::from_i64(1, PRECISION);
-        let x = self.re();
-        match function {
-            Elementary::Sqrt | Elementary::Log if x <= 0.0 => Self::zero(),
-            Elementary::Sqrt => self.map(|x| x.sqrt(PRECISION, NEAREST)),
-            Elementary::Log => self.call(|x, c| x.ln(PRECISION, NEAREST, c)),
-            Elementary::Sin => self.call(|x, c| x.sin(PRECISION, NEAREST, c)),
-            Elementary::Cos => self.call(|x, c| x.cos(PRECISION, NEAREST, c)),
-            Elementary::Exp => self.call(|x, c| x.exp(PRECISION, NEAREST, c)),
-            Elementary::Tanh => self.call(|x, c| x.tanh(PRECISION, NEAREST, c)),
-            Elementary::Atan => self.call(|x, c| x.atan(PRECISION, NEAREST, c)),
-            Elementary::Asin => {
-                let within = self.map(|x| x.clamp(&one().neg(), &one()));
-                within.call(|x, c| x.asin(PRECISION, NEAREST, c))
-            }
+        let call = NUMBERS.with_borrow(|numbers| Call::new(function, &numbers[self.0 as usize]));
+        let Some(call) = call else {
+            return self.computed(function);
+        };
+        if let Some(known) = CALLS.with_borrow(|calls| calls.get(&call).copied()) {
+            return known;
         }
+        let value = self.computed(function);
+        CALLS.with_borrow_mut(|calls| calls.insert(call, value));
+        value
     }
 
     fn atan2(self, x: Self) -> Self {
@@ -214,6 +236,25 @@ impl Real for Big {
 }
 
 impl Big {
+    fn computed(self, function: Elementary) -> Self {
+        let one = || BigFloat::from_i64(1, PRECISION);
+        let x = self.re();
+        match function {
+            Elementary::Sqrt | Elementary::Log if x <= 0.0 => Self::zero(),
+            Elementary::Sqrt => self.map(|x| x.sqrt(PRECISION, NEAREST)),
+            Elementary::Log => self.call(|x, c| x.ln(PRECISION, NEAREST, c)),
+            Elementary::Sin => self.call(|x, c| x.sin(PRECISION, NEAREST, c)),
+            Elementary::Cos => self.call(|x, c| x.cos(PRECISION, NEAREST, c)),
+            Elementary::Exp => self.call(|x, c| x.exp(PRECISION, NEAREST, c)),
+            Elementary::Tanh => self.call(|x, c| x.tanh(PRECISION, NEAREST, c)),
+            Elementary::Atan => self.call(|x, c| x.atan(PRECISION, NEAREST, c)),
+            Elementary::Asin => {
+                let within = self.map(|x| x.clamp(&one().neg(), &one()));
+                within.call(|x, c| x.asin(PRECISION, NEAREST, c))
+            }
+        }
+    }
+
     fn abs_compare(self, other: Self) -> Option<Ordering> {
         let sign = NUMBERS
             .with_borrow(|numbers| numbers[self.0 as usize].abs_cmp(&numbers[other.0 as usize]))?;

@@ -1,7 +1,7 @@
 //! Every check can fail: for each a model with a line changed, or code of another model, that this very
 //! check refuses, and the model as it is that it lets through.
 
-use crate::support::{QUICK, built_in, edited, row, verdict, with_lines};
+use crate::support::{QUICK, WITHOUT_EFFECTS, built_in, edited, row, verdict, with_lines};
 use model_spec::model::Model;
 use verify::checks::{
     backends, cases, derivatives, effects, exact, identities, reference, singular,
@@ -63,7 +63,7 @@ fn the_reference_implementation() {
         "C_D0 + C_Da*alpha^3",
     );
     refuses(reference::REFERENCE, "marker mark in C", "marker mark in B");
-    let report = verify::run(&edited("disc", "rate_2)", "rate_1)"), &QUICK);
+    let report = verify::run(&edited("disc", "rate_2)", "rate_1)"), &WITHOUT_EFFECTS);
     assert_eq!(
         row(&report, reference::REFERENCE).detail,
         "differ from the reference implementation: der(phidot), der(thetadot), der(gammadot)"
@@ -142,7 +142,7 @@ fn metamorphic_relations() {
     let broken = |line: &str| {
         let loaded = with_lines("disc", line);
         assert!(loaded.model.is_some(), "{:#?}", loaded.diagnostics);
-        let report = verify::run(&loaded, &QUICK);
+        let report = verify::run(&loaded, &WITHOUT_EFFECTS);
         assert_eq!(
             row(&report, metamorphic::METAMORPHIC).verdict,
             Verdict::Refuted,
@@ -249,7 +249,7 @@ fn fused_and_not() {
 fn singular_points() {
     let lines = "force burst = 0.1 [N]*exp(z*1e5 [1/m])*d1;";
     let loaded = with_lines("disc", lines);
-    let report = verify::run(&loaded, &QUICK);
+    let report = verify::run(&loaded, &WITHOUT_EFFECTS);
     let row = row(&report, singular::SINGULAR);
     assert_eq!(
         row.verdict,

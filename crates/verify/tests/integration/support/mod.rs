@@ -6,6 +6,8 @@ use codegen::tape::{Inputs, Tape};
 use model_spec::load::{Loaded, inspect, inspect_text};
 use oracle::Point;
 use verify::Options;
+use verify::checks::effect_reference::EFFECT_REFERENCE;
+use verify::checks::effects::EFFECTS;
 use verify::report::{Report, Row, Verdict};
 
 /// Few points and no mutants: a fault shows at almost every point.
@@ -14,6 +16,13 @@ pub const QUICK: Options = Options {
     cases: 24,
     mutants: false,
     effects: true,
+};
+
+/// [`QUICK`] without the checks of effects.
+#[allow(dead_code)]
+pub const WITHOUT_EFFECTS: Options = Options {
+    effects: false,
+    ..QUICK
 };
 
 /// Checks that refute a built-in model for a defect that is known and not the model's.
@@ -60,11 +69,16 @@ pub fn row<'a>(report: &'a Report, check: &str) -> &'a Row {
     found.unwrap_or_else(|| panic!("no check is called `{check}`"))
 }
 
-/// What a check says of a model.
+/// What a check says of a model. The checks of effects, which compile the model with each effect, run only where they
+/// are asked for.
 #[allow(dead_code)]
 pub fn verdict(loaded: &Loaded, check: &str) -> Verdict {
     assert!(loaded.model.is_some(), "{:#?}", loaded.diagnostics);
-    row(&verify::run(loaded, &QUICK), check).verdict
+    let options = Options {
+        effects: [EFFECTS, EFFECT_REFERENCE].contains(&check),
+        ..QUICK
+    };
+    row(&verify::run(loaded, &options), check).verdict
 }
 
 /// A body of revolution about its first axis, by angles about 3, 2 and 1, in still air.
