@@ -337,7 +337,7 @@ impl Compiler {
     }
 }
 
-/// Section of a vector.
+/// Section with all `len` entries of a vector.
 pub(crate) fn dense(name: &'static str, len: usize) -> Section {
     Section {
         name,
