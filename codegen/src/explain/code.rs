@@ -74,7 +74,7 @@ pub(super) fn generate(found: &Found, by: Option<(Symbol, &str)>) -> Made {
         other.results.clear();
     }
     let body = |function: &Function, array: &str, outputs: &[String]| {
-        statements(&rust::function_text(&compiled, function), array, outputs)
+        statements(&rust::function_file(&compiled, function), array, outputs)
     };
     Made {
         once: body(&compiled.prepare, "prepared", &compiled.prepared),

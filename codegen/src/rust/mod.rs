@@ -22,9 +22,10 @@ mod tables;
 
 pub use library::library;
 
+pub(crate) use function::file as function_file;
+
 use crate::backend::{Backend, SourceFile};
 use crate::compile::Compiled;
-use crate::program::Function;
 use model_spec::model::Model;
 use scalar::Scalar;
 
@@ -81,15 +82,10 @@ pub fn emit(compiled: &Compiled, model: &Model) -> Vec<SourceFile> {
     for function in compiled.functions() {
         files.push(SourceFile {
             path: format!("{folder}/{}.rs", function.name),
-            text: function_text(compiled, function),
+            text: function::file(compiled, function),
         });
     }
     files
-}
-
-/// Text of the source file of one function of a model in the crate `generated`.
-pub(crate) fn function_text(compiled: &Compiled, function: &Function) -> String {
-    function::file(compiled, function)
 }
 
 /// Hash of all source texts of a model (64-bit FNV-1a); generated code stores the hash of its source model.

@@ -351,7 +351,7 @@ impl Schedule<'_> {
         self.in_turn(start, steps, id)
     }
 
-    /// Applies the operations `steps` to `value`, one after the other; the last gives the definition `id`.
+    /// Applies the operations `steps` to `value`, one after the other; the result of the last one defines `id`.
     fn in_turn(&mut self, mut value: Operand, steps: Vec<(Binary, Operand)>, id: DefId) -> Operand {
         let many = steps.len();
         for (k, (binary, operand)) in steps.into_iter().enumerate() {

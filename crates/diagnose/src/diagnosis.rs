@@ -256,7 +256,7 @@ impl<'a> Analysis<'a> {
         self.search.accepted = select_by_bic(&self.model, accepted, stepwise, free);
     }
 
-    /// The fitted model with library terms, if these are an alternative to the accepted hypotheses.
+    /// The fitted model with library terms; `None` unless its BIC is near the smallest BIC of the accepted hypotheses.
     fn alternative_terms(&self) -> Option<&FittedTerms> {
         let hypotheses = &self.search.accepted;
         let terms = self.stepwise.as_ref().filter(|_| !hypotheses.is_empty());

@@ -31,7 +31,8 @@ pub(crate) fn bounded_fit(model: &Model, dataset: &Dataset, limit: Duration) -> 
     })
 }
 
-/// Returns the result of `work`, which is to end when its token is cancelled, after `limit`.
+/// Runs `work` with a cancellation token that is cancelled after `limit`, and returns its result. `work` must end soon
+/// after the cancellation.
 pub(crate) fn cancelled_after<R>(limit: Duration, work: impl FnOnce(&CancellationToken) -> R) -> R {
     let token = CancellationToken::default();
     let (finished, wait) = mpsc::channel::<()>();

@@ -10,13 +10,8 @@ use crate::selection::{FittedTerms, Search};
 
 /// Adds the library terms `terms` as a further explanation, which the data do not distinguish from the others.
 pub(crate) fn add_alternative(report: &mut Report, terms: &FittedTerms, search: &Search<'_>) {
-    let mut cause = Cause {
-        effects: extension_effects(&terms.extension, &terms.fit),
-        chi2_decrease: (search.squares - terms.squares).max(0.0),
-        explained: 0.0,
-        remaining_m: 0.0,
-        strongest_remaining: None,
-    };
+    let chi2_decrease = (search.squares - terms.squares).max(0.0);
+    let mut cause = cause(&terms.extension, &terms.fit, chi2_decrease);
     if let Some(residuals) = &report.lack_of_fit {
         add_share(&mut cause, residuals);
     }
@@ -38,13 +33,18 @@ pub(crate) fn add_extension(
     report.coefficients = coefficients(after, Some(before));
     note_convergence(report, after, "the extended model");
     if report.causes.is_empty() {
-        report.causes.push(Cause {
-            effects: extension_effects(extension, after),
-            chi2_decrease,
-            explained: 0.0,
-            remaining_m: 0.0,
-            strongest_remaining: None,
-        });
+        report.causes.push(cause(extension, after, chi2_decrease));
+    }
+}
+
+/// Explanation by the effects of an extension; its share of the excess χ² is not computed.
+fn cause(extension: &ExtendedModel, fit: &Fit, chi2_decrease: f64) -> Cause {
+    Cause {
+        effects: extension_effects(extension, fit),
+        chi2_decrease,
+        explained: 0.0,
+        remaining_m: 0.0,
+        strongest_remaining: None,
     }
 }
 

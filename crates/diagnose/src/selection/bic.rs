@@ -21,12 +21,9 @@ pub(crate) fn select_by_bic(
     terms: Option<&StepwiseModel>,
     free: usize,
 ) -> Vec<Hypothesis> {
-    let scored: Vec<(f64, usize)> = hypotheses
-        .iter()
-        .map(|hypothesis| {
-            let unknowns = model.unknowns_of(&hypothesis.effects);
-            (bic(model, hypothesis.squares, unknowns), unknowns)
-        })
+    let each = hypotheses.iter();
+    let scored: Vec<(f64, usize)> = each
+        .map(|h| (bic_of_hypothesis(model, h), model.unknowns_of(&h.effects)))
         .collect();
     let terms = terms.filter(|terms| terms.is_adequate);
     let of_terms = terms.map_or(f64::INFINITY, |terms| bic_of_terms(model, terms));
@@ -43,7 +40,7 @@ pub(crate) fn are_alternative(
     terms: &StepwiseModel,
 ) -> bool {
     let each = hypotheses.iter();
-    let bics = each.map(|h| bic(model, h.squares, model.unknowns_of(&h.effects)));
+    let bics = each.map(|hypothesis| bic_of_hypothesis(model, hypothesis));
     let least = bics.fold(f64::INFINITY, f64::min);
     let is_combined = |hypothesis: &Hypothesis| hypothesis.effects.len() > 1;
     terms.is_adequate
@@ -53,6 +50,11 @@ pub(crate) fn are_alternative(
 
 fn bic(model: &ScoreTestModel, squares: f64, unknowns: usize) -> f64 {
     squares + (model.coordinates() as f64).ln() * unknowns as f64
+}
+
+fn bic_of_hypothesis(model: &ScoreTestModel, hypothesis: &Hypothesis) -> f64 {
+    let unknowns = model.unknowns_of(&hypothesis.effects);
+    bic(model, hypothesis.squares, unknowns)
 }
 
 fn bic_of_terms(model: &ScoreTestModel, terms: &StepwiseModel) -> f64 {

@@ -35,7 +35,7 @@ use crate::input_error::InputError;
 /// Maximum size of a table or C3D file, bytes.
 const LARGEST: u64 = 1 << 30;
 
-/// Measured flights of one body. By default without flights, all values unknown.
+/// Measured flights of one body. The default has no flights, no sensors and no known values.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Dataset {
     /// Name or path of the model, as in `dataset.toml`.
@@ -88,7 +88,7 @@ pub enum KnownValue {
     Vector([f64; 3]),
 }
 
-/// One measured flight. By default a fitted one without samples.
+/// One measured flight. The default is a fitted flight without samples.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Flight {
     /// File name of the flight, relative to the dataset's folder.
