@@ -4,6 +4,7 @@ mod stop;
 
 use super::control::{Control, MAX_LANES};
 use super::events::HeightEnds;
+use super::functions::LaneFunctions;
 use super::norms::error_norm;
 use super::stages::Stages;
 use super::staging::{LaneValues, Staging, merge};
@@ -11,32 +12,47 @@ use super::{FlightEnd, FlightOutcome, FlightQueue, FlightSpan, LanePoint, LaneRh
 use crate::method::tableau::Tableau;
 use crate::method::{ErrorTolerance, ROWS};
 use crate::options::IntegrationOptions;
-use lanes::{Kernel, Lanes};
+use lanes::{Kernel, LaneKernel, Lanes};
 
 /// Kernel that integrates all flights of a queue and returns the number of vector evaluations of the right-hand side.
-pub(crate) struct Batch<'a, R, Q: ?Sized> {
+pub(crate) struct Batch<'a, R> {
     pub rhs: &'a R,
-    pub queue: &'a mut Q,
+    pub queue: &'a mut dyn FlightQueue,
     pub span: &'a FlightSpan,
     pub options: &'a IntegrationOptions,
 }
 
-impl<R: LaneRhs, Q: FlightQueue + ?Sized> Kernel for Batch<'_, R, Q> {
+impl<R: LaneRhs> Kernel for Batch<'_, R> {
     type Output = u64;
 
     #[inline(always)]
     fn run<T: Lanes>(self) -> u64 {
-        let Batch {
-            rhs,
-            queue,
-            span,
-            options,
-        } = self;
-        let mut lanes = Flying::<T, R>::new(rhs, span, options);
+        let mut evaluations = 0;
+        T::outlined(StepLoop {
+            lanes: Flying::<T>::new(self.rhs, self.span, self.options),
+            queue: self.queue,
+            evaluations: &mut evaluations,
+        });
+        evaluations
+    }
+}
+
+/// The step loop, which does not depend on the type of the right-hand side.
+struct StepLoop<'a, T> {
+    lanes: Flying<'a, T>,
+    queue: &'a mut dyn FlightQueue,
+    evaluations: &'a mut u64,
+}
+
+impl<T: Lanes> LaneKernel<T> for StepLoop<'_, T> {
+    #[inline(always)]
+    fn run(self) {
+        let (mut lanes, queue) = (self.lanes, self.queue);
         loop {
             lanes.refill(queue);
             if lanes.control.flight[..T::WIDTH].iter().all(Option::is_none) {
-                return lanes.evaluations;
+                *self.evaluations = lanes.evaluations;
+                return;
             }
             lanes.step(queue);
         }
@@ -44,8 +60,8 @@ impl<R: LaneRhs, Q: FlightQueue + ?Sized> Kernel for Batch<'_, R, Q> {
 }
 
 /// State of a batch integration between two steps: the flights in the lanes, and work arrays.
-struct Flying<'a, T, R> {
-    rhs: &'a R,
+struct Flying<'a, T> {
+    rhs: &'a dyn LaneFunctions<T>,
     span: &'a FlightSpan,
     options: &'a IntegrationOptions,
     tableau: &'static Tableau,
@@ -81,9 +97,13 @@ enum EndState {
     Within,
 }
 
-impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
+impl<'a, T: Lanes> Flying<'a, T> {
     #[inline(always)]
-    fn new(rhs: &'a R, span: &'a FlightSpan, options: &'a IntegrationOptions) -> Self {
+    fn new(
+        rhs: &'a dyn LaneFunctions<T>,
+        span: &'a FlightSpan,
+        options: &'a IntegrationOptions,
+    ) -> Self {
         let (sizes, tableau) = (rhs.sizes(), options.method.tableau());
         let zeros = |n| vec![T::splat(0.0); n];
         Flying {
@@ -114,7 +134,7 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
 
     /// Starts, in each idle lane, the flight that waits for the lane, and takes further waiting flights from the queue.
     #[inline(always)]
-    fn refill<Q: FlightQueue + ?Sized>(&mut self, queue: &mut Q) {
+    fn refill(&mut self, queue: &mut dyn FlightQueue) {
         loop {
             let mut keep = [1.0; MAX_LANES];
             let (mut any, mut wants) = (false, false);
@@ -149,7 +169,7 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
 
     /// Tries a step in every lane, and reports the flights that end in the step.
     #[inline(always)]
-    fn step<Q: FlightQueue + ?Sized>(&mut self, queue: &mut Q) {
+    fn step(&mut self, queue: &mut dyn FlightQueue) {
         for lane in 0..T::WIDTH {
             if self.control.flight[lane].is_some() && self.control.is_exhausted(lane) {
                 let time = self.control.t[lane];
@@ -204,7 +224,7 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
                 prepared: &self.values.prepared,
             };
             self.rhs
-                .derivative(point, &mut self.scratch, self.stages.stage_mut(s));
+                .derivative(&point, &mut self.scratch, self.stages.stage_mut(s));
         }
         self.evaluations += rows.len() as u64;
     }
@@ -212,7 +232,7 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
     /// Applies the error test and returns for each lane whether its step is accepted. Ends the flights whose next step
     /// size would be below the minimum.
     #[inline(always)]
-    fn judge<Q: FlightQueue + ?Sized>(&mut self, h: T, queue: &mut Q) -> [bool; MAX_LANES] {
+    fn judge(&mut self, h: T, queue: &mut dyn FlightQueue) -> [bool; MAX_LANES] {
         let ends = (&self.values.x[..], &self.end[..]);
         let norm = error_norm(self.tableau, &self.stages, ends, h, &self.tolerance);
         let (mut errors, mut accepted) = ([0.0; MAX_LANES], [false; MAX_LANES]);
@@ -277,7 +297,7 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
                 p: &self.values.p,
                 prepared: &self.values.prepared,
             };
-            self.rhs.limits(point, &mut self.scratch, margins);
+            self.rhs.limits(&point, &mut self.scratch, margins);
             for margin in margins {
                 least = margin.min(least);
             }
@@ -292,7 +312,7 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
 
     /// Advances the lanes with accepted steps to the end of the step; flights that reach the final time end.
     #[inline(always)]
-    fn advance<Q: FlightQueue + ?Sized>(&mut self, accepted: &[bool; MAX_LANES], queue: &mut Q) {
+    fn advance(&mut self, accepted: &[bool; MAX_LANES], queue: &mut dyn FlightQueue) {
         let mut keep = [1.0; MAX_LANES];
         for lane in 0..T::WIDTH {
             if !accepted[lane] {
@@ -322,13 +342,13 @@ impl<'a, T: Lanes, R: LaneRhs> Flying<'a, T, R> {
 
     /// Reports the end of the flight in a lane and leaves the lane idle.
     #[inline(always)]
-    fn finish<Q: FlightQueue + ?Sized>(
+    fn finish(
         &mut self,
         lane: usize,
         outcome: FlightOutcome,
         time: f64,
         state: EndState,
-        queue: &mut Q,
+        queue: &mut dyn FlightQueue,
     ) {
         let from = match state {
             EndState::Start => &self.values.x,

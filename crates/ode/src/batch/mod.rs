@@ -8,6 +8,7 @@
 
 mod control;
 mod events;
+mod functions;
 mod kernel;
 mod norms;
 mod stages;
@@ -15,7 +16,7 @@ mod staging;
 
 use crate::input::is_valid;
 use crate::options::{IntegrationOptions, SolverStats};
-use lanes::{Isa, LaneKernel, Lanes, dispatch, dispatch_widest, dispatch_with};
+use lanes::{Isa, Lanes, dispatch, dispatch_widest, dispatch_with};
 
 /// Lengths of the arrays that a [`LaneRhs`] reads and writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,37 +60,6 @@ pub trait LaneRhs {
     /// Writes the margin of each limit of validity to `margins`; the right-hand side is valid where all margins are
     /// above 0.
     fn limits<T: Lanes>(&self, at: LanePoint<'_, T>, scratch: &mut [T], margins: &mut [T]);
-}
-
-/// Computes the margins of the limits of validity in a separate function that is not inlined. Rarely executed code
-/// calls this function, so that the limits are not compiled again at each call.
-#[inline(always)]
-fn outlined_limits<T: Lanes, R: LaneRhs>(
-    rhs: &R,
-    at: LanePoint<'_, T>,
-    scratch: &mut [T],
-    margins: &mut [T],
-) {
-    T::outlined(Limits {
-        rhs,
-        at,
-        scratch,
-        margins,
-    });
-}
-
-struct Limits<'a, T, R> {
-    rhs: &'a R,
-    at: LanePoint<'a, T>,
-    scratch: &'a mut [T],
-    margins: &'a mut [T],
-}
-
-impl<T: Lanes, R: LaneRhs> LaneKernel<T> for Limits<'_, T, R> {
-    #[inline(always)]
-    fn run(self) {
-        self.rhs.limits(self.at, self.scratch, self.margins);
-    }
 }
 
 /// Source of the flights to integrate, and receiver of their results.
@@ -206,9 +176,9 @@ impl FlightSpan {
 ///     assert!((time - (2.0 * height / 9.81).sqrt()).abs() < 1e-9);
 /// }
 /// ```
-pub fn fly<R: LaneRhs, Q: FlightQueue + ?Sized>(
+pub fn fly<R: LaneRhs>(
     rhs: &R,
-    queue: &mut Q,
+    queue: &mut dyn FlightQueue,
     span: &FlightSpan,
     options: &IntegrationOptions,
 ) -> u64 {
@@ -219,10 +189,10 @@ pub fn fly<R: LaneRhs, Q: FlightQueue + ?Sized>(
 ///
 /// # Panics
 /// Under the same conditions as [`fly`].
-pub fn fly_on<R: LaneRhs, Q: FlightQueue + ?Sized>(
+pub fn fly_on<R: LaneRhs>(
     isa: Isa,
     rhs: &R,
-    queue: &mut Q,
+    queue: &mut dyn FlightQueue,
     span: &FlightSpan,
     options: &IntegrationOptions,
 ) -> Option<u64> {
@@ -234,10 +204,10 @@ pub fn fly_on<R: LaneRhs, Q: FlightQueue + ?Sized>(
 ///
 /// # Panics
 /// Under the same conditions as [`fly`].
-pub fn fly_on_widest<R: LaneRhs, Q: FlightQueue + ?Sized>(
+pub fn fly_on_widest<R: LaneRhs>(
     isa: Isa,
     rhs: &R,
-    queue: &mut Q,
+    queue: &mut dyn FlightQueue,
     span: &FlightSpan,
     options: &IntegrationOptions,
 ) -> Option<u64> {
@@ -246,12 +216,12 @@ pub fn fly_on_widest<R: LaneRhs, Q: FlightQueue + ?Sized>(
 
 /// Checks the options, the final time, the number of states and the index of the height, and returns the kernel that
 /// integrates the flights. Panics under the conditions of [`fly`].
-fn batch<'a, R: LaneRhs, Q: FlightQueue + ?Sized>(
+fn batch<'a, R: LaneRhs>(
     rhs: &'a R,
-    queue: &'a mut Q,
+    queue: &'a mut dyn FlightQueue,
     span: &'a FlightSpan,
     options: &'a IntegrationOptions,
-) -> kernel::Batch<'a, R, Q> {
+) -> kernel::Batch<'a, R> {
     let states = rhs.sizes().states;
     assert!(
         is_valid(options, span.t_end) && span.t_end.is_finite(),

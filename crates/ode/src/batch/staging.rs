@@ -2,11 +2,9 @@
 //! derivative and initial step size.
 
 use super::control::MAX_LANES;
+use super::functions::LaneFunctions;
 use super::norms::{change_norm, euler_steps, initial_norms, initial_step};
-use super::{
-    FlightEnd, FlightOutcome, FlightQueue, FlightSpan, LanePoint, LaneRhs, LaneSizes,
-    outlined_limits,
-};
+use super::{FlightEnd, FlightOutcome, FlightQueue, FlightSpan, LanePoint, LaneSizes};
 use crate::method::ErrorTolerance;
 use crate::options::{IntegrationOptions, SolverStats};
 use lanes::Lanes;
@@ -96,10 +94,10 @@ impl<T: Lanes> Staging<T> {
     /// derivative and initial step size. A flight that cannot start is reported to the queue as ended; no flight then
     /// waits for the lane.
     #[inline(always)]
-    pub(crate) fn fill<R: LaneRhs, Q: FlightQueue + ?Sized>(
+    pub(crate) fn fill(
         &mut self,
-        rhs: &R,
-        queue: &mut Q,
+        rhs: &dyn LaneFunctions<T>,
+        queue: &mut dyn FlightQueue,
         (span, options): (&FlightSpan, &IntegrationOptions),
         order: i32,
         scratch: &mut [T],
@@ -141,8 +139,7 @@ impl<T: Lanes> Staging<T> {
         let max_step = options.max_step.min(span.t_end);
         let mut norms = [T::splat(0.0); 2];
         let mut euler_step = T::splat(0.0);
-        // A loop, so that the right-hand side is compiled once: first evaluated at the start, then one Euler step
-        // ahead.
+        // First at the start, then one Euler step ahead.
         for pass in 0..2 {
             let (t, at, to) = match pass {
                 0 => (T::splat(0.0), &*x, &mut *dx),
@@ -161,7 +158,7 @@ impl<T: Lanes> Staging<T> {
                 p,
                 prepared,
             };
-            rhs.derivative(point, scratch, to);
+            rhs.derivative(&point, scratch, to);
         }
         let change = change_norm(x, (dx, &self.euler_rate), &tolerance);
         let start = LanePoint {
@@ -170,7 +167,7 @@ impl<T: Lanes> Staging<T> {
             p,
             prepared,
         };
-        outlined_limits(rhs, start, scratch, margins);
+        rhs.limits(&start, scratch, margins);
         for (lane, is_new) in is_new.iter().enumerate().take(T::WIDTH) {
             if !is_new {
                 continue;
@@ -188,12 +185,7 @@ impl<T: Lanes> Staging<T> {
     /// Takes flights from the queue until the initial state and the parameters of one are finite; that flight then
     /// waits for the lane. The other flights are reported to the queue as ended. Returns false if the queue is empty.
     #[inline(always)]
-    fn draw<Q: FlightQueue + ?Sized>(
-        &mut self,
-        lane: usize,
-        queue: &mut Q,
-        span: &FlightSpan,
-    ) -> bool {
+    fn draw(&mut self, lane: usize, queue: &mut dyn FlightQueue, span: &FlightSpan) -> bool {
         while !self.is_drained {
             let Some(flight) = queue.next(&mut self.x_next, &mut self.p_next) else {
                 self.is_drained = true;
@@ -240,11 +232,11 @@ impl<T: Lanes> Staging<T> {
     }
 
     #[inline(always)]
-    fn end_at_start<Q: FlightQueue + ?Sized>(
+    fn end_at_start(
         &mut self,
         lane: usize,
         outcome: FlightOutcome,
-        queue: &mut Q,
+        queue: &mut dyn FlightQueue,
         span: &FlightSpan,
     ) {
         for (i, value) in self.x_next.iter_mut().enumerate() {

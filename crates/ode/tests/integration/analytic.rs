@@ -1,8 +1,8 @@
 //! Problems with closed-form solutions or literature values: solution, sensitivities and events.
 
+use crate::rhs;
 use ode::{
     DifferentiableRhs, Event, IntegrationOptions, Method, Sensitivities, integrate, integrate_at,
-    rhs_from_fn,
 };
 
 /// Harmonic oscillator x'' = -k x, with its Jacobians by (x, v) and by the stiffness k.
@@ -70,7 +70,7 @@ fn sensitivities_of_an_oscillator_equal_their_closed_form() {
 fn the_limit_cycle_of_van_der_pol_has_the_period_of_the_literature() {
     // Period for a damping of 1 (Andersen & Geer, SIAM J. Appl. Math. 42, 1982, among others).
     const PERIOD: f64 = 6.663_286_859_323_13;
-    let mut rhs = rhs_from_fn(&["x", "v"], |_, x: &[f64; 2], dx: &mut [f64; 2]| {
+    let mut rhs = rhs(&["x", "v"], |_, x: &[f64; 2], dx: &mut [f64; 2]| {
         *dx = [x[1], (1.0 - x[0] * x[0]) * x[1] - x[0]];
     });
     for method in [Method::Tsit5, Method::Dop853] {
@@ -93,7 +93,7 @@ fn the_limit_cycle_of_van_der_pol_has_the_period_of_the_literature() {
 fn work_is_counted_and_does_not_grow() {
     // Two turns of a circle: counters catch a slower integrator without a clock.
     let mut evaluations = 0;
-    let mut rhs = rhs_from_fn(&[], |_, x: &[f64; 2], dx: &mut [f64; 2]| {
+    let mut rhs = ode::rhs_from_fn(&[], |_, x: &[f64; 2], dx: &mut [f64; 2]| {
         evaluations += 1;
         *dx = [x[1], -x[0]];
     });

@@ -1,9 +1,9 @@
 //! Events are found where they are, and flights that cannot be flown say why.
 
-use crate::disc;
+use crate::{disc, rhs};
 use ode::{
     Event, IntegrationError, IntegrationFailure, IntegrationOptions, Method, integrate,
-    integrate_at, integrate_to_end, integrate_to_event, rhs_from_fn,
+    integrate_at, integrate_to_end, integrate_to_event,
 };
 use proptest::prelude::*;
 
@@ -24,7 +24,7 @@ proptest! {
             // Long steps too, in which it rises and lands at once.
             let options = IntegrationOptions { method, max_step: step, ..IntegrationOptions::default() };
             let mut events = [Event::falls_to("ground", 0, 0.0).terminal(), Event::peak_of("apex", 0)];
-            let flight = integrate_to_event(&mut rhs_from_fn(&["z", "vz"], stone), (0.0, &[height, speed]), 20.0, &options, &mut events).unwrap();
+            let flight = integrate_to_event(&mut rhs(&["z", "vz"], stone), (0.0, &[height, speed]), 20.0, &options, &mut events).unwrap();
             let lands = (speed + (speed * speed + 2.0 * 9.81 * height).sqrt()) / 9.81;
             prop_assert!((flight.end - lands).abs() < 3e-12 * lands.max(1.0), "{} is {}", flight.end, lands);
             prop_assert!(flight.end_state[0].abs() < 1e-10 && flight.end_state[0] <= 0.0);
@@ -41,7 +41,7 @@ proptest! {
 
 #[test]
 fn every_crossing_is_recorded_in_order() {
-    let mut d = rhs_from_fn(&[], |_, x: &[f64; 2], dx: &mut [f64; 2]| {
+    let mut d = rhs(&[], |_, x: &[f64; 2], dx: &mut [f64; 2]| {
         *dx = [x[1], -x[0]];
     });
     for method in METHODS {
@@ -78,7 +78,7 @@ fn every_crossing_is_recorded_in_order() {
 #[test]
 fn two_crossings_in_one_step_are_both_found() {
     // It dips below 0 from 0.9 to 1.1, in one step.
-    let mut d = rhs_from_fn(&[], |t, _: &[f64; 1], dx: &mut [f64; 1]| {
+    let mut d = rhs(&[], |t, _: &[f64; 1], dx: &mut [f64; 1]| {
         dx[0] = 2.0 * (t - 1.0);
     });
     for method in METHODS {
@@ -108,7 +108,7 @@ fn two_crossings_in_one_step_are_both_found() {
 #[test]
 fn a_peak_between_two_rises_is_found() {
     // It rises, falls from 0.9 to 1.1, and rises again, in one step.
-    let mut d = rhs_from_fn(&[], |t, _: &[f64; 1], dx: &mut [f64; 1]| {
+    let mut d = rhs(&[], |t, _: &[f64; 1], dx: &mut [f64; 1]| {
         dx[0] = (t - 0.9) * (t - 1.1);
     });
     for method in METHODS {
@@ -130,7 +130,7 @@ fn samples_beyond_the_landing_are_the_landing() {
     let mut ground = [Event::falls_to("ground", 0, 0.0).terminal()];
     let times = [0.0, 0.5, 1.5, 2.0];
     let end = integrate_at(
-        &mut rhs_from_fn(&[], stone),
+        &mut rhs(&[], stone),
         (0.0, &[5.0, 0.0]),
         &times,
         &IntegrationOptions::default(),
@@ -163,7 +163,7 @@ fn a_model_without_an_answer() {
             ..IntegrationOptions::default()
         };
         let error = integrate(
-            &mut rhs_from_fn(&["x", "v"], cliff),
+            &mut rhs(&["x", "v"], cliff),
             (0.0, &[0.0, 1.0]),
             5.0,
             &options,
@@ -177,11 +177,11 @@ fn a_model_without_an_answer() {
         assert!(error.states[0].1 <= 1.0 && error.states[0].1 > 1.0 - 1e-6);
     }
     let never = |_: f64, _: &[f64; 1], dx: &mut [f64; 1]| dx[0] = f64::INFINITY;
-    insta::assert_snapshot!(refused(integrate(&mut rhs_from_fn(&["z"], never), (0.0, &[2.0]), 1.0, &IntegrationOptions::default(), &mut [])), @r#"
+    insta::assert_snapshot!(refused(integrate(&mut rhs(&["z"], never), (0.0, &[2.0]), 1.0, &IntegrationOptions::default(), &mut [])), @r#"
     integration failed at t = 0 s: the derivative of z is inf
       last state: z = 2
     "#);
-    insta::assert_snapshot!(refused(integrate(&mut rhs_from_fn(&["x", "v"], cliff), (0.0, &[0.0, 1.0]), 5.0, &IntegrationOptions::default(), &mut [])), @r#"
+    insta::assert_snapshot!(refused(integrate(&mut rhs(&["x", "v"], cliff), (0.0, &[0.0, 1.0]), 5.0, &IntegrationOptions::default(), &mut [])), @r#"
     integration failed at t = 0.7613056 s: the derivative of v is NaN
       last state: x = 1, v = 1.527524
     "#);
@@ -190,12 +190,12 @@ fn a_model_without_an_answer() {
 #[test]
 fn a_state_that_grows_without_bound() {
     let explosion = |_: f64, x: &[f64; 1], dx: &mut [f64; 1]| dx[0] = x[0] * x[0];
-    insta::assert_snapshot!(refused(integrate(&mut rhs_from_fn(&["x"], explosion), (0.0, &[1.0]), 2.0, &IntegrationOptions::default(), &mut [])), @r#"
+    insta::assert_snapshot!(refused(integrate(&mut rhs(&["x"], explosion), (0.0, &[1.0]), 2.0, &IntegrationOptions::default(), &mut [])), @r#"
     integration failed at t = 1.000001 s: step size below minimum (1.907e-14 s): d(x)/dt is 9.184e25
       last state: x = 9.583e12
     "#);
     let overflow = |_: f64, x: &[f64; 1], dx: &mut [f64; 1]| dx[0] = 1e300 * x[0].signum();
-    insta::assert_snapshot!(refused(integrate(&mut rhs_from_fn(&["x"], overflow), (0.0, &[1.0]), 1e10, &IntegrationOptions::default(), &mut [])), @r#"
+    insta::assert_snapshot!(refused(integrate(&mut rhs(&["x"], overflow), (0.0, &[1.0]), 1e10, &IntegrationOptions::default(), &mut [])), @r#"
     integration failed at t = 0 s: step size below minimum (0 s): d(x)/dt is 1.000e300
       last state: x = 1
     "#);
@@ -208,7 +208,7 @@ fn a_stiff_model_ends_by_the_count_of_steps() {
         max_steps: 5000,
         ..IntegrationOptions::default()
     };
-    insta::assert_snapshot!(refused(integrate(&mut rhs_from_fn(&["x"], stiff), (0.0, &[1.0]), 10.0, &options, &mut [])), @r#"
+    insta::assert_snapshot!(refused(integrate(&mut rhs(&["x"], stiff), (0.0, &[1.0]), 10.0, &options, &mut [])), @r#"
     integration failed at t = 1.767e-5 s: the end was not reached in 5000 steps
       last state: x = 0.9999987
     "#);
@@ -222,7 +222,7 @@ fn limits_grounds_and_times_that_do_not_come() {
         })
     };
     let ground = || Event::falls_to("ground", 0, 0.0).terminal();
-    let mut d = rhs_from_fn(&["z", "vz"], stone);
+    let mut d = rhs(&["z", "vz"], stone);
     let options = IntegrationOptions::default();
     insta::assert_snapshot!(refused(integrate(&mut d, (0.0, &[0.0, 2.0]), 10.0, &options, &mut [limit()])), @r#"
     integration failed at t = 1.646198 s: limit of validity of the model: it is 10 m below the cliff's edge
@@ -252,7 +252,7 @@ fn limits_grounds_and_times_that_do_not_come() {
 
 #[test]
 fn starts_that_are_no_numbers() {
-    let mut d = rhs_from_fn(&["z", "vz"], stone);
+    let mut d = rhs(&["z", "vz"], stone);
     let fly_with = |d: &mut _, x: [f64; 2], end: f64, options: IntegrationOptions| {
         refused(integrate_to_end(d, (0.0, &x), end, &options, &mut []))
     };

@@ -1,7 +1,7 @@
 //! The methods do what their orders promise.
 
-use crate::disc;
-use ode::{IntegrationOptions, Method, integrate, integrate_at, integrate_to_end, rhs_from_fn};
+use crate::{disc, rhs};
+use ode::{IntegrationOptions, Method, integrate, integrate_at, integrate_to_end};
 use proptest::prelude::*;
 
 /// Steps of one length, whatever their error.
@@ -31,16 +31,9 @@ fn errors(method: Method, steps: u32) -> (f64, f64) {
         ..IntegrationOptions::with_tolerance(1e-14)
     };
     let x = [1.0, 0.5];
-    let exact = integrate(
-        &mut rhs_from_fn(&[], pendulum),
-        (0.0, &x),
-        0.6,
-        &tight,
-        &mut [],
-    )
-    .unwrap();
+    let exact = integrate(&mut rhs(&[], pendulum), (0.0, &x), 0.6, &tight, &mut []).unwrap();
     let found = integrate(
-        &mut rhs_from_fn(&[], pendulum),
+        &mut rhs(&[], pendulum),
         (0.0, &x),
         0.6,
         &even(method, 0.6 / f64::from(steps)),
@@ -86,7 +79,7 @@ fn polynomials_in_time_are_exact() {
     // A quadrature of t^k is exact for k below the order, a curve for k below its own.
     for (method, quadrature, curve) in [(Method::Tsit5, 4, 3), (Method::Dop853, 7, 6)] {
         for power in 0..=quadrature {
-            let mut d = rhs_from_fn(&[], |t: f64, _: &[f64; 1], dx: &mut [f64; 1]| {
+            let mut d = rhs(&[], |t: f64, _: &[f64; 1], dx: &mut [f64; 1]| {
                 dx[0] = t.powi(power);
             });
             let integral = |t: f64| t.powi(power + 1) / f64::from(power + 1);
@@ -140,7 +133,7 @@ fn the_two_methods_and_both_kinds_of_storage_agree_on_a_disc() {
         );
     }
     #[allow(clippy::borrowed_box)] // the storage is the box
-    let mut boxed = rhs_from_fn(&disc::NAMES, |_, x: &Box<[f64]>, dx: &mut Box<[f64]>| {
+    let mut boxed = rhs(&disc::NAMES, |_, x: &Box<[f64]>, dx: &mut Box<[f64]>| {
         let to: &mut [f64; 12] = (&mut **dx).try_into().unwrap();
         disc::rate((&**x).try_into().unwrap(), &disc::DISC, &disc::AIR, to);
     });
@@ -198,7 +191,7 @@ fn a_tolerance_is_kept_and_costs_no_more_than_it_must() {
 fn a_free_rigid_body_keeps_its_energy_and_angular_momentum() {
     let inertia = [1.0, 2.0, 3.5];
     // Quaternion of the attitude, then the angular velocity in the body.
-    let mut body = rhs_from_fn(&[], |_, x: &[f64; 7], dx: &mut [f64; 7]| {
+    let mut body = rhs(&[], |_, x: &[f64; 7], dx: &mut [f64; 7]| {
         let [q0, q1, q2, q3, p, q, r] = *x;
         dx[0] = 0.5 * (-q1 * p - q2 * q - q3 * r);
         dx[1] = 0.5 * (q0 * p + q2 * r - q3 * q);
@@ -264,10 +257,10 @@ proptest! {
         for method in [Method::Tsit5, Method::Dop853] {
             let options = IntegrationOptions { method, ..IntegrationOptions::default() };
             let mut samples = vec![0.0; 2 * times.len()];
-            let finish = integrate_at(&mut rhs_from_fn(&[], pendulum), (0.0, &[a, b]), &times, &options, &mut [], &mut samples).unwrap();
+            let finish = integrate_at(&mut rhs(&[], pendulum), (0.0, &[a, b]), &times, &options, &mut [], &mut samples).unwrap();
             prop_assert_eq!(finish.time, end);
             prop_assume!(end > 0.0);
-            let flight = integrate(&mut rhs_from_fn(&[], pendulum), (0.0, &[a, b]), end, &options, &mut []).unwrap();
+            let flight = integrate(&mut rhs(&[], pendulum), (0.0, &[a, b]), end, &options, &mut []).unwrap();
             for (t, x) in times.iter().zip(samples.chunks(2)) {
                 let kept = flight.sample(*t).unwrap();
                 prop_assert!((kept[0] - x[0]).abs() < 1e-12 && (kept[1] - x[1]).abs() < 1e-12);
@@ -279,7 +272,7 @@ proptest! {
     fn an_oscillator_is_within_tolerance(frequency in 0.1..50.0_f64, size in 1e-3..1e3_f64, tolerance in -9.0..-3.0_f64) {
         let tolerance = 10_f64.powf(tolerance);
         let options = IntegrationOptions { atol: tolerance * size, ..IntegrationOptions::with_tolerance(tolerance) };
-        let mut d = rhs_from_fn(&[], |_, x: &[f64; 2], dx: &mut [f64; 2]| *dx = [frequency * x[1], -frequency * x[0]]);
+        let mut d = rhs(&[], |_, x: &[f64; 2], dx: &mut [f64; 2]| *dx = [frequency * x[1], -frequency * x[0]]);
         let end = integrate_to_end(&mut d, (0.0, &[size, 0.0]), 2.0, &options, &mut []).unwrap();
         let exact = size * (frequency * 2.0).cos();
         prop_assert!((end.state[0] - exact).abs() < 30.0 * tolerance * size * (1.0 + frequency));
@@ -300,7 +293,7 @@ fn a_pendulum_is_where_another_program_says() {
             ..IntegrationOptions::with_tolerance(1e-13)
         };
         let flight = integrate(
-            &mut rhs_from_fn(&[], pendulum),
+            &mut rhs(&[], pendulum),
             (0.0, &[1.0, 0.5]),
             5.0,
             &options,

@@ -1,9 +1,9 @@
 //! Sensitivities against closed forms and against flights that start a little elsewhere.
 
+use crate::rhs;
 use ode::{DifferentiableRhs, Sensitivities};
 use ode::{
     IntegrationOptions, Method, integrate, integrate_at, integrate_to_end, integrate_with_callback,
-    rhs_from_fn,
 };
 
 /// A driven pendulum: constants are its stiffness, friction, and one that it does not depend on.
@@ -67,7 +67,7 @@ fn sensitivities_are_the_slopes_of_flights() {
 
     let flown = |p: [f64; 3], x: [f64; 2]| {
         let mut samples = vec![0.0; 2 * times.len()];
-        let mut d = rhs_from_fn(&[], |t, x: &[f64; 2], dx: &mut [f64; 2]| {
+        let mut d = rhs(&[], |t, x: &[f64; 2], dx: &mut [f64; 2]| {
             *dx = Pendulum::rate(&p, t, x);
         });
         integrate_at(&mut d, (0.0, &x), &times, &tight, &mut [], &mut samples).unwrap();
@@ -101,7 +101,7 @@ fn sensitivities_are_the_slopes_of_flights() {
 #[test]
 fn steps_are_those_of_the_state_alone_unless_told_otherwise() {
     let options = IntegrationOptions::with_tolerance(1e-6);
-    let mut plain = rhs_from_fn(&[], |t, x: &[f64; 2], dx: &mut [f64; 2]| {
+    let mut plain = rhs(&[], |t, x: &[f64; 2], dx: &mut [f64; 2]| {
         *dx = Pendulum::rate(&P, t, x);
     });
     let alone = integrate(&mut plain, (0.0, &X), 2.0, &options, &mut []).unwrap();

@@ -6,13 +6,13 @@
 use super::{EndState, Flying};
 use crate::batch::control::MAX_LANES;
 use crate::batch::events::HeightStep;
-use crate::batch::{FlightOutcome, FlightQueue, LanePoint, LaneRhs, outlined_limits};
+use crate::batch::{FlightOutcome, FlightQueue, LanePoint};
 use crate::dense_output::DenseOutput;
 use crate::event::falling_zeros;
 use crate::method::{Method, ROWS, dop853, tsit5};
 use lanes::Lanes;
 
-impl<T: Lanes, R: LaneRhs> Flying<'_, T, R> {
+impl<T: Lanes> Flying<'_, T> {
     /// Coefficients of the dense output of state component `i` in each lane.
     #[inline(always)]
     fn dense_rows(&self, i: usize, h: T) -> [T; ROWS] {
@@ -63,12 +63,7 @@ impl<T: Lanes, R: LaneRhs> Flying<'_, T, R> {
     /// Locates landings, apexes and crossings of limits of validity in the steps of the lanes marked in `asks`, and
     /// ends the flights that land or cross a limit.
     #[inline(always)]
-    pub(super) fn stop<Q: FlightQueue + ?Sized>(
-        &mut self,
-        asks: &[bool; MAX_LANES],
-        h: T,
-        queue: &mut Q,
-    ) {
+    pub(super) fn stop(&mut self, asks: &[bool; MAX_LANES], h: T, queue: &mut dyn FlightQueue) {
         let method = self.tableau.method;
         let mut height_terms = [[0.0; MAX_LANES]; ROWS];
         if let Some(z) = self.span.height {
@@ -172,7 +167,7 @@ impl<T: Lanes, R: LaneRhs> Flying<'_, T, R> {
                 p: &self.values.p,
                 prepared: &self.values.prepared,
             };
-            outlined_limits(self.rhs, point, &mut self.scratch, margins);
+            self.rhs.limits(&point, &mut self.scratch, margins);
             margins[limit].lane(lane)
         };
         self.found.clear();

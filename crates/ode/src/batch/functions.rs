@@ -1,0 +1,89 @@
+//! The right-hand side of a batch behind a vtable, so that the step loop is compiled once for each lane type instead of
+//! once for each lane type and model.
+
+use super::{LanePoint, LaneRhs, LaneSizes};
+use lanes::{LaneKernel, Lanes};
+
+/// A [`LaneRhs`] on lanes of the type `T`. Each method is a function of its own, compiled for the instruction set of
+/// these lanes.
+pub(crate) trait LaneFunctions<T> {
+    fn sizes(&self) -> LaneSizes;
+    fn prepare(&self, p: &[T], scratch: &mut [T], prepared: &mut [T]);
+    fn derivative(&self, at: &LanePoint<'_, T>, scratch: &mut [T], dx: &mut [T]);
+    fn limits(&self, at: &LanePoint<'_, T>, scratch: &mut [T], margins: &mut [T]);
+}
+
+impl<T: Lanes, R: LaneRhs> LaneFunctions<T> for R {
+    fn sizes(&self) -> LaneSizes {
+        LaneRhs::sizes(self)
+    }
+
+    fn prepare(&self, p: &[T], scratch: &mut [T], prepared: &mut [T]) {
+        T::outlined(Prepare {
+            rhs: self,
+            p,
+            scratch,
+            prepared,
+        });
+    }
+
+    fn derivative(&self, at: &LanePoint<'_, T>, scratch: &mut [T], dx: &mut [T]) {
+        T::outlined(Derivative {
+            rhs: self,
+            at,
+            scratch,
+            dx,
+        });
+    }
+
+    fn limits(&self, at: &LanePoint<'_, T>, scratch: &mut [T], margins: &mut [T]) {
+        T::outlined(Limits {
+            rhs: self,
+            at,
+            scratch,
+            margins,
+        });
+    }
+}
+
+struct Prepare<'a, T, R> {
+    rhs: &'a R,
+    p: &'a [T],
+    scratch: &'a mut [T],
+    prepared: &'a mut [T],
+}
+
+impl<T: Lanes, R: LaneRhs> LaneKernel<T> for Prepare<'_, T, R> {
+    #[inline(always)]
+    fn run(self) {
+        self.rhs.prepare(self.p, self.scratch, self.prepared);
+    }
+}
+
+struct Derivative<'a, T, R> {
+    rhs: &'a R,
+    at: &'a LanePoint<'a, T>,
+    scratch: &'a mut [T],
+    dx: &'a mut [T],
+}
+
+impl<T: Lanes, R: LaneRhs> LaneKernel<T> for Derivative<'_, T, R> {
+    #[inline(always)]
+    fn run(self) {
+        self.rhs.derivative(*self.at, self.scratch, self.dx);
+    }
+}
+
+struct Limits<'a, T, R> {
+    rhs: &'a R,
+    at: &'a LanePoint<'a, T>,
+    scratch: &'a mut [T],
+    margins: &'a mut [T],
+}
+
+impl<T: Lanes, R: LaneRhs> LaneKernel<T> for Limits<'_, T, R> {
+    #[inline(always)]
+    fn run(self) {
+        self.rhs.limits(*self.at, self.scratch, self.margins);
+    }
+}
