@@ -8,6 +8,11 @@ use oracle::Point;
 
 /// Duration of each flight along which states are sampled, s.
 const DURATION: f64 = 0.5;
+/// Maximum number of integration steps between two sampled states. From most random points fewer than 300 are needed;
+/// from some the motion is so fast that 100,000 would not do.
+const MAX_STEPS: usize = 2_000;
+/// Maximum number of random points from which a flight is attempted.
+const MAX_STARTS: usize = 4;
 /// Values that a state is set to in order to measure rounding near 0, relative to the state's typical magnitude.
 const SMALL: [f64; 2] = [1e-3, 1e-7];
 
@@ -19,7 +24,7 @@ pub fn random(subject: &Subject<'_>, count: usize, random: &mut Random) -> Vec<P
 }
 
 /// Points along `flights` simulated flights from random points, at most `each` per flight. A flight ends early if it
-/// leaves the model's validity limits or its integration fails.
+/// leaves the model's validity limits or its integration fails; another is attempted if it ends before its first point.
 pub fn flown(
     subject: &Subject<'_>,
     flights: usize,
@@ -28,16 +33,21 @@ pub fn flown(
 ) -> Vec<Point<f64>> {
     let mut points = Vec::new();
     for _ in 0..flights {
-        let mut at = sample::point(subject.model, random);
-        for _ in 0..each {
-            match flown_on(subject, &at, DURATION / each as f64) {
-                Some(next) if is_valid(subject.model, &next) => at = next,
-                _ => break,
-            }
-            points.push(at.clone());
-        }
+        let flight = (0..MAX_STARTS)
+            .map(|_| flight(subject, sample::point(subject.model, random), each))
+            .find(|flight| !flight.is_empty());
+        points.extend(flight.unwrap_or_default());
     }
     points
+}
+
+/// At most `count` points along a flight from the point `at`.
+fn flight(subject: &Subject<'_>, mut at: Point<f64>, count: usize) -> Vec<Point<f64>> {
+    let points = (0..count).map_while(|_| {
+        at = flown_on(subject, &at, DURATION / count as f64)?;
+        is_valid(subject.model, &at).then(|| at.clone())
+    });
+    points.collect()
 }
 
 /// Point reached by a flight `seconds` after the point `from`; `None` if the integration fails or a state is not
@@ -51,6 +61,7 @@ fn flown_on(subject: &Subject<'_>, from: &Point<f64>, seconds: f64) -> Option<Po
     });
     let options = ode::IntegrationOptions {
         method: Method::Tsit5,
+        max_steps: MAX_STEPS,
         ..ode::IntegrationOptions::with_tolerance(1e-6)
     };
     let end = ode::integrate_to_end(&mut moving, (0.0, &from.states), seconds, &options, &mut []);
