@@ -9,7 +9,7 @@
 //! | order of states and parameters in arrays | [`layout`]: [`Layout`], [`index`] |
 //! | products of variables for unknown effects | [`term_library`] |
 //! | read, change and print syntax trees | [`syntax`], [`check`] |
-//! | show faults | [`diagnostic`], [`render`], [`LoadError`] |
+//! | show faults | [`diagnostic`], [`render`], [`location`], [`LoadError`] |
 //!
 //! ```
 //! let model = model_spec::load::load("disc", &["wind"])?;
@@ -31,6 +31,7 @@ pub mod index;
 pub mod layout;
 mod library;
 pub mod load;
+pub mod location;
 pub mod model;
 mod read;
 mod render;

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::diagnostic::{Diagnostic, Kind, Source, Span};
 use crate::error::LoadError;
+use crate::location::line_and_column;
 use crate::syntax::{MAX_SOURCE_BYTES, Parsed, too_long};
 
 /// Reads a model or effect file as text.
@@ -42,13 +43,7 @@ pub fn decode(name: &str, bytes: Vec<u8>) -> Result<String, LoadError> {
     };
     let at = error.utf8_error().valid_up_to();
     let bytes = error.as_bytes();
-    let line_start = bytes[..at].iter().rposition(|&b| b == b'\n');
-    let line_start = line_start.map_or(0, |newline| newline + 1);
-    let line = bytes[..at].iter().filter(|&&b| b == b'\n').count() + 1;
-    let column = String::from_utf8_lossy(&bytes[line_start..at])
-        .chars()
-        .count()
-        + 1;
+    let (line, column) = line_and_column(&String::from_utf8_lossy(&bytes[..at]), at);
     let message = format!(
         "the file is not UTF-8: byte {at} (0x{:02X}), line {line} column {column}, begins no character",
         bytes[at]

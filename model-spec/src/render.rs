@@ -3,6 +3,7 @@
 use ariadne::{CharSet, Color, Config, IndexType, Label, Report, ReportKind};
 
 use crate::diagnostic::{self, Diagnostic, MAX_SHOWN};
+use crate::location::{line_and_column, line_of};
 use crate::source::{Source, Span};
 
 /// Maximum length, bytes, of a source line that is shown as an excerpt. An error on a longer line is printed without
@@ -34,21 +35,6 @@ pub fn render(diagnostics: &[Diagnostic], sources: &[Source], color: bool) -> St
         out.push_str(&format!("\n… and {more} more {noun}\n"));
     }
     out
-}
-
-/// Line and column of a byte offset in a text, both counted from 1; columns count characters.
-pub fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
-    let mut byte = byte.min(text.len());
-    while !text.is_char_boundary(byte) {
-        byte -= 1;
-    }
-    let before = &text[..byte];
-    let line = before.matches('\n').count() + 1;
-    let column = before[before.rfind('\n').map_or(0, |i| i + 1)..]
-        .chars()
-        .count()
-        + 1;
-    (line, column)
 }
 
 /// Whether a diagnostic can be printed with source excerpts: all its spans lie inside their source texts, on lines of
@@ -102,7 +88,7 @@ fn draw(
     // A label on the line of the error replaces the plain underline.
     let line = |span: Span| {
         let text = texts[usize::from(span.source)].1.text();
-        text[..span.range().start].matches('\n').count()
+        line_of(text, span.range().start)
     };
     let own = |l: &diagnostic::Label| {
         l.span.source == diagnostic.span.source && line(l.span) == line(diagnostic.span)

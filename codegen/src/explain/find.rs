@@ -7,6 +7,7 @@ use crate::latex;
 use crate::layout::{Layout, is_of_observation};
 use crate::lower::lower;
 use model_spec::diagnostic::Span;
+use model_spec::location::line_of;
 use model_spec::model::{AuxVariable, Load, Model};
 
 /// Quantity found by name: label, source location, formula, and the names and graph nodes of its components.
@@ -257,20 +258,17 @@ fn source(model: &Model, from: Span, to: Span) -> (String, String) {
         return (model.name.clone(), String::new());
     };
     let text = &source.text;
-    let clip = |at: u32| (at as usize).min(text.len());
-    let line_of = |at: usize| {
-        text.as_bytes()[..at]
-            .iter()
-            .filter(|&&b| b == b'\n')
-            .count()
-    };
-    let first = line_of(clip(from.start));
+    let first = line_of(text, from.start as usize);
     let last = if to.source == from.source {
-        line_of(clip(to.end)).max(first)
+        line_of(text, to.end as usize).max(first)
     } else {
         first
     };
-    let lines: Vec<&str> = text.lines().skip(first).take(last - first + 1).collect();
+    let lines: Vec<&str> = text
+        .lines()
+        .skip(first - 1)
+        .take(last - first + 1)
+        .collect();
     let file = source.name.rsplit('/').next().unwrap_or(&source.name);
-    (format!("{file}:{}", first + 1), lines.join("\n"))
+    (format!("{file}:{first}"), lines.join("\n"))
 }

@@ -11,6 +11,7 @@ use crate::layout::Layout;
 use crate::table::Tables;
 use frames::Vector;
 use model_spec::diagnostic::Span;
+use model_spec::location::line_of;
 use model_spec::model::{ExprKind, Model};
 use std::collections::HashSet;
 
@@ -235,7 +236,7 @@ impl Lowering<'_> {
         }
         let source = self.model.sources.get(usize::from(span.source));
         let (line, text) = source.map_or((0, String::new()), |source| {
-            line_of(&source.text, span.start as usize)
+            line_at(&source.text, span.start as usize)
         });
         let source = source.map_or_else(|| self.model.name.clone(), |source| source.name.clone());
         self.provenance.push(Provenance {
@@ -255,14 +256,8 @@ fn mentions_let(expr: &model_spec::model::Expr) -> bool {
 }
 
 /// Returns the number (from 1) and the trimmed text of the line that contains the byte offset `at`.
-pub(crate) fn line_of(text: &str, at: usize) -> (usize, String) {
-    let at = at.min(text.len());
-    let line = text.as_bytes()[..at]
-        .iter()
-        .filter(|&&byte| byte == b'\n')
-        .count();
-    (
-        line + 1,
-        text.lines().nth(line).unwrap_or("").trim().to_string(),
-    )
+fn line_at(text: &str, at: usize) -> (usize, String) {
+    let line = line_of(text, at);
+    let content = text.lines().nth(line - 1).unwrap_or("");
+    (line, content.trim().to_string())
 }

@@ -3,6 +3,8 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 
+use model_spec::location::line_and_column;
+
 /// A malformed input file: the location of the error, what was found there and what was expected.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct InputError {
@@ -52,18 +54,6 @@ impl fmt::Display for InputError {
 }
 
 impl std::error::Error for InputError {}
-
-/// Line and column (both from 1, column in characters) of a byte offset in a text.
-pub fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
-    let before = &text[..text.floor_char_boundary(offset)];
-    let line = before.matches('\n').count() + 1;
-    let column = before
-        .rsplit('\n')
-        .next()
-        .map_or(0, |last| last.chars().count())
-        + 1;
-    (line, column)
-}
 
 /// Decodes the bytes of a file as UTF-8 and removes a byte-order mark.
 ///

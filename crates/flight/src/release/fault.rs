@@ -39,22 +39,6 @@ impl fmt::Display for ReleaseError {
 
 impl std::error::Error for ReleaseError {}
 
-/// Converts a byte offset in a text to line and column (from 1, in characters).
-pub(super) fn location(text: &str, byte: usize) -> (usize, usize) {
-    let before = &text.as_bytes()[..byte.min(text.len())];
-    let line_start = before
-        .iter()
-        .rposition(|b| *b == b'\n')
-        .map_or(0, |i| i + 1);
-    let line = 1 + before.iter().filter(|b| **b == b'\n').count();
-    // Continuation bytes of a UTF-8 character begin with the bits 10.
-    let column = 1 + before[line_start..]
-        .iter()
-        .filter(|b| **b & 0xc0 != 0x80)
-        .count();
-    (line, column)
-}
-
 /// End of an error message on an unknown name: `; did you mean "…"?` if a valid name is similar, otherwise the list of
 /// all valid names.
 pub fn suggestion<'a>(found: &str, names: impl Iterator<Item = &'a str> + Clone) -> String {
@@ -93,13 +77,6 @@ fn distance(a: &str, b: &str) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn locations_count_characters() {
-        assert_eq!(location("a\nαβ = 1\n", 2), (2, 1));
-        assert_eq!(location("a\nαβ = 1\n", 6), (2, 3));
-        assert_eq!(location("a", 9), (1, 2));
-    }
 
     #[test]
     fn similar_names_are_suggested() {

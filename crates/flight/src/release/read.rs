@@ -1,8 +1,9 @@
 //! Parser of release files; it reports all faults of a file at once.
 
-use super::fault::{location, suggestion};
+use super::fault::suggestion;
 use super::{Fault, Name, Release, ReleaseError, Stop, Vocabulary};
 use crate::wind::WindField;
+use model_spec::location::line_and_column;
 use std::ops::Range;
 use std::path::Path;
 use toml::Spanned;
@@ -61,7 +62,7 @@ pub(crate) fn read_text<V>(
                 "found the byte {:#04x}; expected UTF-8 text",
                 bytes[e.valid_up_to()]
             );
-            Err(refuse(Some(location(&good, good.len())), message))
+            Err(refuse(Some(line_and_column(&good, good.len())), message))
         }
     }
 }
@@ -138,7 +139,7 @@ impl<'t> Reader<'t> {
     /// Records a fault at a byte range of the text.
     pub fn fault(&mut self, span: Range<usize>, message: impl Into<String>) {
         self.faults.push(Fault {
-            location: Some(location(self.text, span.start)),
+            location: Some(line_and_column(self.text, span.start)),
             message: message.into(),
         });
     }

@@ -4,11 +4,12 @@
 use std::ops::Range;
 use std::path::Path;
 
+use model_spec::location::line_and_column;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::words::{listed, meant, shown};
-use crate::input_error::{InputError, line_and_column};
+use crate::input_error::InputError;
 
 /// A TOML value with its byte range in the text.
 pub(super) type Value<'t> = Spanned<DeValue<'t>>;

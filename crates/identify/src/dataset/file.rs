@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
-use crate::input_error::{InputError, line_and_column, utf8};
+use model_spec::location::line_and_column;
+
+use crate::input_error::{InputError, utf8};
 
 /// Reads a regular file of at most `largest` bytes; `what` describes the expected file in the error message.
 pub(super) fn bytes(file: &Path, largest: u64, what: &str) -> Result<Vec<u8>, InputError> {

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::path::Path;
 
+use model_spec::location::line_and_column;
 use toml::de::DeTable;
 
 use super::fields::{Fields, Value};
@@ -11,7 +12,7 @@ use super::recording::Recording;
 use super::unplaced::Unplaced;
 use super::words::{meant, shown};
 use super::{KnownValue, Marker, Role, Sensor, file, names};
-use crate::input_error::{InputError, line_and_column};
+use crate::input_error::InputError;
 
 /// Maximum size of `dataset.toml`, bytes.
 const LARGEST: u64 = 4 << 20;

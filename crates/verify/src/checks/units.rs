@@ -3,6 +3,7 @@
 use crate::row::Row;
 use model_spec::diagnostic::Diagnostic;
 use model_spec::load::Loaded;
+use model_spec::location::line_of;
 use model_spec::model::Source;
 
 /// Name of this check in reports: diagnostics on units and frames.
@@ -20,9 +21,6 @@ pub fn check(loaded: &Loaded) -> Row {
 
 fn line(fault: &Diagnostic, sources: &[Source]) -> String {
     let source = sources.get(usize::from(fault.span.source));
-    let before = source
-        .and_then(|s| s.text.get(..fault.span.range().start))
-        .unwrap_or_default();
-    let line = before.matches('\n').count() + 1;
+    let line = source.map_or(1, |s| line_of(&s.text, fault.span.range().start));
     format!("line {line}: {}", fault.message)
 }

@@ -12,6 +12,7 @@ use crate::expressions::{children_mut, roots_mut};
 use codegen::compile_every_value;
 use codegen::tape::Tape;
 use model_spec::diagnostic::Span;
+use model_spec::location::line_of;
 use model_spec::model::{AuxVariable, Expr, ExprKind, Input, Model, Parameter, Shape};
 use model_spec::unit::Unit;
 use oracle::Point;
@@ -148,7 +149,7 @@ fn loss(
     lost.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
     let &(bits, place) = lost.first().filter(|(bits, _)| *bits > 0.0)?;
     let source = model.sources.get(usize::from(statement.span.source))?;
-    let line = line(&source.text, statement.span);
+    let line = line_of(&source.text, statement.span.range().start);
     let text = source.text.lines().nth(line - 1).unwrap_or_default();
     Some(Loss {
         name: statement.name.clone(),
@@ -162,12 +163,6 @@ fn loss(
         median_bits: lost[lost.len() / 2].0,
         place: points[place].0.clone(),
     })
-}
-
-/// Line number of the start of a span, from 1.
-fn line(text: &str, span: Span) -> usize {
-    let before = text.get(..span.range().start).unwrap_or_default();
-    before.matches('\n').count() + 1
 }
 
 /// Builds a model in which every statement becomes an auxiliary variable and reads the original auxiliary variables as
