@@ -12,36 +12,41 @@ pub(crate) fn reference_of(model: &Model) -> Reference {
     bound.expect("the model has the names of its reference")
 }
 
-/// Sets the coefficient `name` in `constants` to `value` (SI); does nothing if the model has no coefficient of that
-/// name.
-pub(crate) fn set_coefficient(model: &Model, constants: &mut Point<f64>, name: &str, value: f64) {
-    if let Some(index) = model.coefficients.iter().position(|c| c.name == name) {
-        constants.coefficients[index] = value;
-    }
+/// The coefficients of a disc that determine its curves of lift, drag and pitching moment.
+pub(crate) struct CurveCoefficients {
+    /// Indices of `C_L0`, `C_La`, `C_D0`, `C_Da` and `C_Ma` among the model's coefficients; `None` for each that the
+    /// model does not have.
+    indices: [Option<usize>; 5],
+    /// Angle of attack (rad) below which the pitching moment is set to 0.
+    min_alpha: f64,
 }
 
-/// Sets lift, drag and pitching-moment coefficients of the disc so that the model's curves take the given values at the
-/// angle of attack `alpha` (rad). The model's moment is proportional to the angle, so it is set to 0 for |alpha| below
-/// `min_alpha`.
-pub(crate) fn set_curves(
-    model: &Model,
-    constants: &mut Point<f64>,
-    alpha: f64,
-    [lift, drag, moment]: [f64; 3],
-    min_alpha: f64,
-) {
-    let slope = match alpha.abs() > min_alpha {
-        true => moment / alpha,
-        false => 0.0,
-    };
-    for (name, value) in [
-        ("C_L0", lift),
-        ("C_La", 0.0),
-        ("C_D0", drag),
-        ("C_Da", 0.0),
-        ("C_Ma", slope),
-    ] {
-        set_coefficient(model, constants, name, value);
+impl CurveCoefficients {
+    pub(crate) fn of(model: &Model, min_alpha: f64) -> Self {
+        let index = |name| model.coefficients.iter().position(|c| c.name == name);
+        Self {
+            indices: ["C_L0", "C_La", "C_D0", "C_Da", "C_Ma"].map(index),
+            min_alpha,
+        }
+    }
+
+    /// Sets the coefficients so that the model's curves take the given values at the angle of attack `alpha` (rad). The
+    /// model's moment is proportional to the angle, so it is set to 0 at small angles.
+    pub(crate) fn set(
+        &self,
+        constants: &mut Point<f64>,
+        alpha: f64,
+        [lift, drag, moment]: [f64; 3],
+    ) {
+        let slope = match alpha.abs() > self.min_alpha {
+            true => moment / alpha,
+            false => 0.0,
+        };
+        for (index, value) in self.indices.iter().zip([lift, 0.0, drag, 0.0, slope]) {
+            if let Some(index) = *index {
+                constants.coefficients[index] = value;
+            }
+        }
     }
 }
 

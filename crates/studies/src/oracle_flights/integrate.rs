@@ -1,5 +1,7 @@
 //! Integration of the oracle's equations of motion by the classic Runge–Kutta method with a small constant step.
 
+use std::cell::RefCell;
+
 use nalgebra::Vector3;
 use oracle::{Motion, Physical, Point, Quaternion, Reference};
 
@@ -17,24 +19,30 @@ pub fn integrate(
     start: Physical<f64>,
     times: &[f64],
 ) -> Vec<Physical<f64>> {
-    integrate_with_constants(reference, &|_| constants.clone(), start, times)
+    integrate_with_constants(reference, constants, &|_, _| {}, start, times)
 }
 
 /// Integrates a motion from the state `start` at time 0, with parameters and coefficients that are functions of the
-/// state. Tabulated aerodynamic curves can thus replace the model's polynomials. Returns the states at `times` (s,
-/// increasing).
+/// state: `set` writes those that are not constant. Tabulated aerodynamic curves can thus replace the model's
+/// polynomials. Returns the states at `times` (s, increasing).
 ///
 /// # Panics
 /// If `times` decrease.
 pub fn integrate_with_constants(
     reference: &Reference,
-    constants: &dyn Fn(&Physical<f64>) -> Point<f64>,
+    constants: &Point<f64>,
+    set: &dyn Fn(&Physical<f64>, &mut Point<f64>),
     start: Physical<f64>,
     times: &[f64],
 ) -> Vec<Physical<f64>> {
-    let law = |body: &Physical<f64>, _: f64, _: f64| Derivatives {
-        motion: reference.motion_at(body, &constants(body)),
-        internal_rate: 0.0,
+    let constants = RefCell::new(constants.clone());
+    let law = |body: &Physical<f64>, _: f64, _: f64| {
+        let mut constants = constants.borrow_mut();
+        set(body, &mut constants);
+        Derivatives {
+            motion: reference.motion_at(body, &constants),
+            internal_rate: 0.0,
+        }
     };
     integrate_law(&law, start, 0.0, times)
 }

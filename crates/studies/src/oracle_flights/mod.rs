@@ -8,7 +8,7 @@ mod paper_flight;
 mod throws;
 
 pub use conditions::{NoiseCondition, TRUTH, TWELVE, noise_conditions};
-pub(crate) use constants::{angle_of_attack, reference_of, set_curves};
+pub(crate) use constants::{CurveCoefficients, angle_of_attack, reference_of};
 pub use dataset::{Plan, disc, flights, truth};
 pub(crate) use dataset::{disc_constants, empty, file_name, sample_times};
 pub(crate) use integrate::{

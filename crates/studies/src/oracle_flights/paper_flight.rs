@@ -7,7 +7,7 @@ use model_spec::model::Model;
 use nalgebra::Vector3;
 use oracle::{Physical, Point};
 
-use super::constants::{angle_of_attack, reference_of, set_curves};
+use super::constants::{CurveCoefficients, angle_of_attack, reference_of};
 use super::dataset::empty;
 use super::integrate::{integrate_with_constants, marker_positions};
 
@@ -41,15 +41,14 @@ pub fn paper_flight(model: &Model, name: &str, curves: Option<Curves<'_>>) -> Da
     let start = reference.chart.physical(&release.state());
     let samples = (duration * SAMPLE_RATE).round() as usize;
     let times: Vec<f64> = (0..=samples).map(|k| k as f64 / SAMPLE_RATE).collect();
-    let constants_at = |body: &Physical<f64>| {
-        let mut constants = constants.clone();
+    let coefficients = CurveCoefficients::of(model, MIN_ALPHA);
+    let set_curves = |body: &Physical<f64>, constants: &mut Point<f64>| {
         if let Some(curves) = curves {
             let alpha = angle_of_attack(body, Vector3::zeros());
-            set_curves(model, &mut constants, alpha, curves(alpha), MIN_ALPHA);
+            coefficients.set(constants, alpha, curves(alpha));
         }
-        constants
     };
-    let states = integrate_with_constants(&reference, &constants_at, start, &times);
+    let states = integrate_with_constants(&reference, &constants, &set_curves, start, &times);
     let positions = states.iter().map(|body| {
         let positions = marker_positions(body, &MARKERS);
         positions.into_iter().map(Some).collect()

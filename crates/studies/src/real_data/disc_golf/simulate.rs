@@ -6,7 +6,9 @@ use oracle::{Physical, Point, Quaternion, Reference};
 
 use super::throw::{Disc, Launch, Throw};
 use crate::error::StudyError;
-use crate::oracle_flights::{angle_of_attack, integrate_with_constants, reference_of, set_curves};
+use crate::oracle_flights::{
+    CurveCoefficients, angle_of_attack, integrate_with_constants, reference_of,
+};
 use crate::real_data::wind_tunnel::{Measured, interpolated};
 
 /// Mass of the discs, kg, as stated by Giljarhus and others (2022).
@@ -32,15 +34,15 @@ pub(super) type Factors = [f64; 3];
 
 /// Simulates throws of one disc with tabulated aerodynamic coefficients.
 pub(super) struct Simulator<'a> {
-    model: &'a Model,
     reference: Reference,
+    coefficients: CurveCoefficients,
     constants: Point<f64>,
     table: &'a [Measured],
 }
 
 impl<'a> Simulator<'a> {
     /// Creates a simulator for a disc. Pitch and spin damping, which the table lacks, are those of the model.
-    pub(super) fn new(model: &'a Model, disc: &'a Disc) -> Result<Self, StudyError> {
+    pub(super) fn new(model: &Model, disc: &'a Disc) -> Result<Self, StudyError> {
         let mut constants = Point::defaults(model);
         let radius = disc.diameter / 2.0;
         let known = [
@@ -63,8 +65,8 @@ impl<'a> Simulator<'a> {
             constants.coefficients[index] = 0.0;
         }
         Ok(Self {
-            model,
             reference: reference_of(model),
+            coefficients: CurveCoefficients::of(model, MIN_ALPHA),
             constants,
             table: &disc.table,
         })
@@ -79,14 +81,14 @@ impl<'a> Simulator<'a> {
         times: &[f64],
     ) -> Vec<[f64; 2]> {
         let [.., tailwind, crosswind] = *launch;
+        let profile = |height: f64| ((height + ROUGHNESS) / ROUGHNESS).ln();
+        let at_wind_height = profile(WIND_HEIGHT);
         let wind = |height: f64| {
-            let profile = |height: f64| ((height + ROUGHNESS) / ROUGHNESS).ln();
-            let factor = profile(height.max(0.0)) / profile(WIND_HEIGHT);
+            let factor = profile(height.max(0.0)) / at_wind_height;
             Vector3::new(tailwind * factor, crosswind * factor, 0.0)
         };
-        let constants = |body: &Physical<f64>| {
-            let wind = wind(body.position.z);
-            self.constants_at(body, wind, factors)
+        let set = |body: &Physical<f64>, constants: &mut Point<f64>| {
+            self.set_constants(constants, body, wind(body.position.z), factors);
         };
         let duration = times.last().copied().unwrap_or(0.0);
         let intervals = (duration / MAX_INTERVAL).ceil().max(1.0);
@@ -94,7 +96,8 @@ impl<'a> Simulator<'a> {
             .map(|k| k as f64 * duration / intervals)
             .collect();
         let start = release(throw, launch);
-        let states = integrate_with_constants(&self.reference, &constants, start, &fine_times);
+        let states =
+            integrate_with_constants(&self.reference, &self.constants, &set, start, &fine_times);
         let path: Vec<Vector3<f64>> = states.iter().map(|body| body.position).collect();
         let at = |time: f64| {
             let index = (time / duration * intervals).clamp(0.0, intervals);
@@ -117,23 +120,22 @@ impl<'a> Simulator<'a> {
         positions.collect()
     }
 
-    /// Parameters and coefficients of the model, and the wind (m/s). The coefficients are set so that the model's lift,
-    /// drag and pitching moment at the body's angle of attack equal the tabulated values multiplied by `factors`.
-    fn constants_at(
+    /// Sets the wind (m/s), and the coefficients so that the model's lift, drag and pitching moment at the body's angle
+    /// of attack equal the tabulated values multiplied by `factors`.
+    fn set_constants(
         &self,
+        constants: &mut Point<f64>,
         body: &Physical<f64>,
         wind: Vector3<f64>,
         factors: &Factors,
-    ) -> Point<f64> {
+    ) {
         let alpha = angle_of_attack(body, wind);
         let found = interpolated(self.table, alpha);
-        let mut constants = self.constants.clone();
         if let Some(input) = constants.inputs.first_mut() {
             *input = wind;
         }
         let curves = [0, 1, 2].map(|k| factors[k] * found[k]);
-        set_curves(self.model, &mut constants, alpha, curves, MIN_ALPHA);
-        constants
+        self.coefficients.set(constants, alpha, curves);
     }
 }
 
