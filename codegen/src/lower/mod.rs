@@ -11,7 +11,7 @@ use crate::layout::Layout;
 use crate::table::Tables;
 use frames::Vector;
 use model_spec::diagnostic::Span;
-use model_spec::location::line_of;
+use model_spec::location::trimmed_line;
 use model_spec::model::{ExprKind, Model};
 use std::collections::HashSet;
 
@@ -235,8 +235,8 @@ impl Lowering<'_> {
             return;
         }
         let source = self.model.sources.get(usize::from(span.source));
-        let (line, text) = source.map_or((0, String::new()), |source| {
-            line_at(&source.text, span.start as usize)
+        let (line, text) = source.map_or((0, ""), |source| {
+            trimmed_line(&source.text, span.start as usize)
         });
         let source = source.map_or_else(|| self.model.name.clone(), |source| source.name.clone());
         self.provenance.push(Provenance {
@@ -244,7 +244,7 @@ impl Lowering<'_> {
             span,
             source,
             line,
-            text,
+            text: text.to_string(),
         });
     }
 }
@@ -253,11 +253,4 @@ fn mentions_let(expr: &model_spec::model::Expr) -> bool {
     let mut found = matches!(expr.kind, ExprKind::AuxVariable(_));
     expr.children(&mut |child| found |= mentions_let(child));
     found
-}
-
-/// Returns the number (from 1) and the trimmed text of the line that contains the byte offset `at`.
-fn line_at(text: &str, at: usize) -> (usize, String) {
-    let line = line_of(text, at);
-    let content = text.lines().nth(line - 1).unwrap_or("");
-    (line, content.trim().to_string())
 }

@@ -9,7 +9,7 @@ use oracle::Point;
 /// Duration of each flight along which states are sampled, s.
 const DURATION: f64 = 0.5;
 /// Maximum number of integration steps between two sampled states. From most random points fewer than 300 are needed;
-/// from some the motion is so fast that 100,000 would not do.
+/// from a few the motion is so fast that 100,000 do not suffice.
 const MAX_STEPS: usize = 2_000;
 /// Maximum number of random points from which a flight is attempted.
 const MAX_STARTS: usize = 4;

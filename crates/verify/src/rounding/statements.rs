@@ -12,7 +12,7 @@ use crate::expressions::{children_mut, roots_mut};
 use codegen::compile_every_value;
 use codegen::tape::Tape;
 use model_spec::diagnostic::Span;
-use model_spec::location::line_of;
+use model_spec::location::trimmed_line;
 use model_spec::model::{AuxVariable, Expr, ExprKind, Input, Model, Parameter, Shape};
 use model_spec::unit::Unit;
 use oracle::Point;
@@ -149,8 +149,7 @@ fn loss(
     lost.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
     let &(bits, place) = lost.first().filter(|(bits, _)| *bits > 0.0)?;
     let source = model.sources.get(usize::from(statement.span.source))?;
-    let line = line_of(&source.text, statement.span.range().start);
-    let text = source.text.lines().nth(line - 1).unwrap_or_default();
+    let (line, text) = trimmed_line(&source.text, statement.span.range().start);
     Some(Loss {
         name: statement.name.clone(),
         source: match Path::new(&source.name).file_name() {
@@ -158,7 +157,7 @@ fn loss(
             None => source.name.clone(),
         },
         line,
-        text: text.trim().to_owned(),
+        text: text.to_owned(),
         bits,
         median_bits: lost[lost.len() / 2].0,
         place: points[place].0.clone(),
