@@ -75,5 +75,5 @@ pub use screening::{DataFault, FaultKind};
 pub use least_squares::{
     Constraint, FailedFlight, Iterate, LeastSquaresProblem, NormalBlock, ReducedSystem, Solution,
     SolveError, StopReason, StoppingCriteria, UndeterminedFlight, Unknowns, eliminate,
-    pseudo_inverse, solve,
+    pseudo_inverse, solve, solve_with_watchdog,
 };

@@ -3,7 +3,7 @@
 use identify::{
     Constraint, FitProblem, FlightError, Iterate, LeastSquaresProblem, Loss, NoiseModel,
     NormalBlock, Observations, Solution, SolveError, StateManifold, StopReason, StoppingCriteria,
-    Unknowns, linearise, solve,
+    Unknowns, linearise, solve_with_watchdog,
 };
 use model_spec::layout::StateId;
 use nalgebra::DVector;
@@ -58,7 +58,7 @@ impl ScoreTestModel {
             worthwhile_squares: MISFIT_RATIO * self.coordinates() as f64,
             ..REFIT_STOPPING
         };
-        let found = solve(&refit, start, stopping)?;
+        let found = solve_with_watchdog(&refit, start, stopping)?;
         let Solution {
             iterate,
             squares,

@@ -1,14 +1,10 @@
 //! Levenberg–Marquardt iteration over all flights, with bounds.
 
-use flight::batch;
 use nalgebra::DVector;
 
+use super::linearization::{Evaluated, Step};
 use super::local_refinement::{Backoff, OneFlight, with_refined_locals};
-use super::{
-    Iterate, LeastSquaresProblem, NormalBlock, ReducedSystem, SchurComplement, SolveError,
-    StopReason, StoppingCriteria, Unknowns, constrained_step,
-};
-use crate::error::FlightError;
+use super::{Iterate, LeastSquaresProblem, NormalBlock, SolveError, StopReason, StoppingCriteria};
 
 /// Result of a least-squares iteration.
 #[derive(Clone, Debug)]
@@ -43,7 +39,7 @@ impl Solution {
 }
 
 /// Initial damping, relative to the diagonal of JᵀJ.
-const INITIAL_DAMPING: f64 = 1e-9;
+pub(super) const INITIAL_DAMPING: f64 = 1e-9;
 
 /// Maximum damping at which a step is tried.
 const MAX_DAMPING: f64 = 1e8;
@@ -76,12 +72,24 @@ pub fn solve_after(
     problem: &impl LeastSquaresProblem,
     start: Iterate,
     criteria: StoppingCriteria,
+    previous: Option<f64>,
+) -> Result<Solution, SolveError> {
+    let start = Evaluated::new(problem, start, INITIAL_DAMPING)?;
+    descend(problem, start, criteria, previous)
+}
+
+/// Minimises the sum of squares as [`solve_after`] does, from an iterate that is already evaluated.
+///
+/// # Errors
+/// [`SolveError::Cancelled`] if the iteration is cancelled.
+pub(super) fn descend(
+    problem: &impl LeastSquaresProblem,
+    start: Evaluated,
+    criteria: StoppingCriteria,
     mut previous: Option<f64>,
 ) -> Result<Solution, SolveError> {
-    let mut iterate = start;
+    let mut at = start;
     let mut damping = INITIAL_DAMPING;
-    let mut linearization = Linearization::new(problem, &iterate, damping)?;
-    let mut squares = linearization.squares(problem, &iterate);
     let (mut iterations, mut rejections) = (0, 0);
     let mut refinement = Backoff::default();
     let mut stop_reason = StopReason::MaxSteps;
@@ -91,7 +99,7 @@ pub fn solve_after(
             break;
         }
         iterations += 1;
-        let Some(step) = linearization.step(problem, &iterate, damping) else {
+        let Some(step) = at.step(problem, damping) else {
             if damping >= MAX_DAMPING {
                 stop_reason = StopReason::NoDescent;
                 break;
@@ -103,23 +111,21 @@ pub fn solve_after(
             candidate,
             predicted_reduction,
         } = step;
-        if criteria.is_reached(predicted_reduction, previous, squares) {
-            iterate = candidate;
-            squares -= predicted_reduction;
+        if criteria.is_reached(predicted_reduction, previous, at.squares) {
+            at.iterate = candidate;
+            at.squares -= predicted_reduction;
             previous = Some(predicted_reduction);
             stop_reason = StopReason::Converged;
             break;
         }
-        if criteria.is_hopeless(iterations, predicted_reduction, squares) {
+        if criteria.is_hopeless(iterations, predicted_reduction, at.squares) {
             stop_reason = StopReason::GivenUp;
             break;
         }
         let less_damping = (damping * 0.1).max(MIN_DAMPING);
-        let evaluated = evaluate(problem, &candidate, less_damping)?;
-        if let Some((at_candidate, after)) = evaluated
-            && after < squares
-        {
-            (iterate, linearization, squares) = (candidate, at_candidate, after);
+        let evaluated = Evaluated::candidate(problem, &candidate, less_damping)?;
+        if let Some(evaluated) = evaluated.filter(|evaluated| evaluated.squares < at.squares) {
+            at = evaluated;
             // Damped steps are no evidence of the rate of convergence.
             previous = (damping <= NEGLIGIBLE_DAMPING).then_some(predicted_reduction);
             // Less damping than at the last rejected step would lead to another rejection.
@@ -130,14 +136,14 @@ pub fn solve_after(
             continue;
         }
         // Optimal local parameters depend nonlinearly on the global ones, and a linear step leaves this curve.
-        if rejections == 0 && !iterate.global.is_empty() && refinement.is_due() {
+        if rejections == 0 && !at.iterate.global.is_empty() && refinement.is_due() {
             iterations += 1;
             if let Some(candidate) =
-                with_refined_locals(problem, &candidate, &iterate, squares, refine)?
-                && let Some((at_candidate, after)) = evaluate(problem, &candidate, less_damping)?
-                && after < squares
+                with_refined_locals(problem, &candidate, &at.iterate, at.squares, refine)?
+                && let Some(evaluated) = Evaluated::candidate(problem, &candidate, less_damping)?
+                && evaluated.squares < at.squares
             {
-                (iterate, linearization, squares) = (candidate, at_candidate, after);
+                at = evaluated;
                 (previous, damping) = (None, less_damping);
                 refinement.succeeded();
                 continue;
@@ -158,9 +164,9 @@ pub fn solve_after(
         damping = (damping * growth).max(NEGLIGIBLE_DAMPING);
     }
     Ok(Solution {
-        iterate,
-        blocks: linearization.blocks,
-        squares,
+        iterate: at.iterate,
+        blocks: at.linearization.blocks,
+        squares: at.squares,
         iterations,
         stop_reason,
         predicted_reduction: previous,
@@ -171,126 +177,4 @@ fn refine(flight: &OneFlight<'_>, start: Iterate) -> Option<(DVector<f64>, f64)>
     let solution = solve(flight, start, StoppingCriteria::REFINEMENT).ok()?;
     let local = solution.iterate.local.into_iter().next()?;
     Some((local, solution.squares))
-}
-
-/// Normal equations and sum of squares at a candidate iterate; `None` if a flight cannot be predicted there.
-fn evaluate(
-    problem: &impl LeastSquaresProblem,
-    candidate: &Iterate,
-    damping: f64,
-) -> Result<Option<(Linearization, f64)>, SolveError> {
-    match Linearization::new(problem, candidate, damping) {
-        Ok(linearization) => {
-            let squares = linearization.squares(problem, candidate);
-            Ok(Some((linearization, squares)))
-        }
-        Err(SolveError::Cancelled) => Err(SolveError::Cancelled),
-        Err(_) => Ok(None),
-    }
-}
-
-/// Normal equations of all flights at an iterate.
-struct Linearization {
-    blocks: Vec<NormalBlock>,
-    /// A damping, and the Schur complements of all flights that were computed for it in advance. The first step with
-    /// this damping uses the complements and replaces them by `None`.
-    complements: (f64, Option<Vec<Option<SchurComplement>>>),
-}
-
-/// A candidate step whose residuals are not evaluated yet.
-struct Step {
-    candidate: Iterate,
-    /// Decrease of the sum of squares that the quadratic model predicts.
-    predicted_reduction: f64,
-}
-
-impl Linearization {
-    fn new(
-        problem: &impl LeastSquaresProblem,
-        iterate: &Iterate,
-        damping: f64,
-    ) -> Result<Self, SolveError> {
-        let each = batch::each_on(problem.threads(), problem.flights(), |flight| {
-            if problem.is_cancelled() {
-                return Err(FlightError::Interrupted);
-            }
-            let block = problem.linearise(
-                flight,
-                (&iterate.global, &iterate.local[flight]),
-                Unknowns::All,
-            )?;
-            let complement = SchurComplement::new(&block, damping);
-            Ok((block, complement))
-        });
-        if problem.is_cancelled() {
-            return Err(SolveError::Cancelled);
-        }
-        let (mut blocks, mut complements) = (Vec::new(), Vec::new());
-        let mut failures = Vec::new();
-        for (flight, found) in each.into_iter().enumerate() {
-            match found {
-                Ok((block, complement)) => {
-                    blocks.push(block);
-                    complements.push(complement);
-                }
-                Err(reason) => failures.push((flight, reason)),
-            }
-        }
-        if !failures.is_empty() {
-            return Err(SolveError::Start(failures));
-        }
-        Ok(Self {
-            blocks,
-            complements: (damping, Some(complements)),
-        })
-    }
-
-    /// Sum of squares including the priors; NaN is replaced by infinity.
-    fn squares(&self, problem: &impl LeastSquaresProblem, iterate: &Iterate) -> f64 {
-        let constraints = problem.constraints().iter().zip(iterate.global.iter());
-        let priors: f64 = constraints
-            .map(|(constraint, &value)| constraint.squares(value))
-            .sum();
-        let sum = self.blocks.iter().map(|block| block.squares).sum::<f64>() + priors;
-        if sum.is_nan() { f64::INFINITY } else { sum }
-    }
-
-    /// Computes a damped step; `None` if the normal equations are singular at this damping.
-    fn step(
-        &mut self,
-        problem: &impl LeastSquaresProblem,
-        iterate: &Iterate,
-        damping: f64,
-    ) -> Option<Step> {
-        let computed = self
-            .complements
-            .1
-            .take_if(|_| self.complements.0 == damping);
-        let complements = computed.unwrap_or_else(|| {
-            let blocks = self.blocks.iter();
-            blocks
-                .map(|block| SchurComplement::new(block, damping))
-                .collect()
-        });
-        let system = ReducedSystem::new(&self.blocks, complements).ok()?;
-        let constraints = problem.constraints();
-        let (global_step, prior_reduction) = constrained_step(
-            &system.reduced,
-            &system.gradient,
-            &iterate.global,
-            constraints,
-            damping,
-        )?;
-        let local_steps = system.back_substitute(&global_step);
-        let predicted = system.predicted_reduction(&global_step, &local_steps);
-        let steps = local_steps.iter().zip(&iterate.local).enumerate();
-        let local = steps
-            .map(|(flight, (step, local))| problem.plus(flight, local, step))
-            .collect();
-        let global = &iterate.global + global_step;
-        Some(Step {
-            candidate: Iterate { global, local },
-            predicted_reduction: predicted + prior_reduction,
-        })
-    }
 }

@@ -4,11 +4,13 @@ mod constrained_step;
 mod constraint;
 mod gram_accumulator;
 mod levenberg_marquardt;
+mod linearization;
 mod local_refinement;
 mod normal_equations;
 mod problem;
 mod scaled_cholesky;
 mod stopping_criteria;
+mod watchdog;
 
 pub use constrained_step::constrained_step;
 pub use constraint::Constraint;
@@ -20,6 +22,7 @@ pub use problem::{FailedFlight, Iterate, LeastSquaresProblem, SolveError, Unknow
 pub(crate) use scaled_cholesky::floored_inverse;
 pub use scaled_cholesky::pseudo_inverse;
 pub use stopping_criteria::{StopReason, StoppingCriteria};
+pub use watchdog::solve_with_watchdog;
 
 #[cfg(test)]
 mod tests;

@@ -150,6 +150,15 @@ fn a_curved_valley_is_crossed_in_one_step() {
     assert!(solution.iterations <= 4, "{}", solution.iterations);
 }
 
+#[test]
+fn a_curved_valley_is_crossed_uphill() {
+    let start = far_from_the_end_of_the_valley();
+    let solution = solve_with_watchdog(&Rosenbrock, start, StoppingCriteria::CONVERGED).unwrap();
+    assert!((solution.iterate.global[0] - 1.0).abs() < 1e-9);
+    // A step uphill, a step to the minimum, and the last step: no step is rejected.
+    assert_eq!(solution.iterations, 3);
+}
+
 /// Test problem whose sum of squares has a valley with sharp bends, so that steps along it are short, and a constant
 /// residual that no step decreases.
 struct Misfit;
@@ -202,4 +211,55 @@ fn a_slow_iteration_is_given_up_above_the_worthwhile_sum_of_squares_alone() {
     assert!(steps < 10, "{steps}");
     let (reason, _) = steps_with(200.0);
     assert_ne!(reason, StopReason::GivenUp);
+}
+
+/// Test problem with the residual atan(global), from which undamped steps diverge beyond |global| = 1.39, and a constant
+/// residual `wall` where the parameter is negative.
+struct Diverging {
+    wall: f64,
+}
+
+impl LeastSquaresProblem for Diverging {
+    fn flights(&self) -> usize {
+        1
+    }
+
+    fn linearise(
+        &self,
+        _: usize,
+        (global, local): (&DVector<f64>, &DVector<f64>),
+        by: Unknowns,
+    ) -> Result<NormalBlock, crate::error::FlightError> {
+        let one = |value: f64| DVector::from_element(1, value);
+        let mut block = NormalBlock::zero(1, 1);
+        let x = global[0];
+        block.add(x.atan(), &one(0.0), &one(1.0 / (1.0 + x * x)));
+        block.add(if x < 0.0 { self.wall } else { 0.0 }, &one(0.0), &one(0.0));
+        block.add(local[0], &one(1.0), &one(0.0));
+        Ok(of(block, by))
+    }
+
+    fn plus(&self, _: usize, local: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
+        local + step
+    }
+
+    fn constraints(&self) -> &[Constraint] {
+        &[Constraint::NONE]
+    }
+}
+
+#[test]
+fn undamped_steps_that_lead_nowhere_are_taken_back() {
+    // Behind a wall, the first step predicts already that no second one leads below the start.
+    for (wall, undamped_steps) in [(0.0, 4), (10.0, 1)] {
+        let problem = Diverging { wall };
+        let start = || Iterate {
+            global: DVector::from_element(1, 1.5),
+            local: vec![DVector::from_element(1, 0.0)],
+        };
+        let monotone = solve(&problem, start(), EXACT).unwrap();
+        let watched = solve_with_watchdog(&problem, start(), EXACT).unwrap();
+        assert_eq!(watched.iterate.global, monotone.iterate.global, "{wall}");
+        assert_eq!(watched.iterations, monotone.iterations + undamped_steps);
+    }
 }

@@ -1,0 +1,166 @@
+//! Normal equations of all flights at an iterate, and the damped steps that follow from them.
+
+use flight::batch;
+
+use super::{
+    Iterate, LeastSquaresProblem, NormalBlock, ReducedSystem, SchurComplement, SolveError,
+    Unknowns, constrained_step,
+};
+use crate::error::FlightError;
+
+/// An iterate, its normal equations, and its sum of squares.
+pub(super) struct Evaluated {
+    pub(super) iterate: Iterate,
+    pub(super) linearization: Linearization,
+    /// Sum of squares including the priors; infinite if it is not a number.
+    pub(super) squares: f64,
+}
+
+impl Evaluated {
+    /// Evaluates an iterate. The Schur complements are computed for a next step with `damping`.
+    ///
+    /// # Errors
+    /// [`SolveError::Start`] with every flight that cannot be predicted there; [`SolveError::Cancelled`] if the
+    /// iteration is cancelled.
+    pub(super) fn new(
+        problem: &impl LeastSquaresProblem,
+        iterate: Iterate,
+        damping: f64,
+    ) -> Result<Self, SolveError> {
+        let linearization = Linearization::new(problem, &iterate, damping)?;
+        let squares = linearization.squares(problem, &iterate);
+        Ok(Self {
+            iterate,
+            linearization,
+            squares,
+        })
+    }
+
+    /// Evaluates a candidate iterate as [`Evaluated::new`] does; `None` if a flight cannot be predicted there.
+    pub(super) fn candidate(
+        problem: &impl LeastSquaresProblem,
+        iterate: &Iterate,
+        damping: f64,
+    ) -> Result<Option<Self>, SolveError> {
+        match Self::new(problem, iterate.clone(), damping) {
+            Ok(evaluated) => Ok(Some(evaluated)),
+            Err(SolveError::Cancelled) => Err(SolveError::Cancelled),
+            Err(_) => Ok(None),
+        }
+    }
+
+    /// Computes a damped step; `None` if the normal equations are singular at this damping.
+    pub(super) fn step(
+        &mut self,
+        problem: &impl LeastSquaresProblem,
+        damping: f64,
+    ) -> Option<Step> {
+        self.linearization.step(problem, &self.iterate, damping)
+    }
+}
+
+/// Normal equations of all flights at an iterate.
+pub(super) struct Linearization {
+    pub(super) blocks: Vec<NormalBlock>,
+    /// A damping, and the Schur complements of all flights that were computed for it in advance. The first step with
+    /// this damping uses the complements and replaces them by `None`.
+    complements: (f64, Option<Vec<Option<SchurComplement>>>),
+}
+
+/// A candidate step whose residuals are not evaluated yet.
+pub(super) struct Step {
+    pub(super) candidate: Iterate,
+    /// Decrease of the sum of squares that the quadratic model predicts.
+    pub(super) predicted_reduction: f64,
+}
+
+impl Linearization {
+    fn new(
+        problem: &impl LeastSquaresProblem,
+        iterate: &Iterate,
+        damping: f64,
+    ) -> Result<Self, SolveError> {
+        let each = batch::each_on(problem.threads(), problem.flights(), |flight| {
+            if problem.is_cancelled() {
+                return Err(FlightError::Interrupted);
+            }
+            let block = problem.linearise(
+                flight,
+                (&iterate.global, &iterate.local[flight]),
+                Unknowns::All,
+            )?;
+            let complement = SchurComplement::new(&block, damping);
+            Ok((block, complement))
+        });
+        if problem.is_cancelled() {
+            return Err(SolveError::Cancelled);
+        }
+        let (mut blocks, mut complements) = (Vec::new(), Vec::new());
+        let mut failures = Vec::new();
+        for (flight, found) in each.into_iter().enumerate() {
+            match found {
+                Ok((block, complement)) => {
+                    blocks.push(block);
+                    complements.push(complement);
+                }
+                Err(reason) => failures.push((flight, reason)),
+            }
+        }
+        if !failures.is_empty() {
+            return Err(SolveError::Start(failures));
+        }
+        Ok(Self {
+            blocks,
+            complements: (damping, Some(complements)),
+        })
+    }
+
+    /// Sum of squares including the priors; NaN is replaced by infinity.
+    fn squares(&self, problem: &impl LeastSquaresProblem, iterate: &Iterate) -> f64 {
+        let constraints = problem.constraints().iter().zip(iterate.global.iter());
+        let priors: f64 = constraints
+            .map(|(constraint, &value)| constraint.squares(value))
+            .sum();
+        let sum = self.blocks.iter().map(|block| block.squares).sum::<f64>() + priors;
+        if sum.is_nan() { f64::INFINITY } else { sum }
+    }
+
+    /// Computes a damped step; `None` if the normal equations are singular at this damping.
+    fn step(
+        &mut self,
+        problem: &impl LeastSquaresProblem,
+        iterate: &Iterate,
+        damping: f64,
+    ) -> Option<Step> {
+        let computed = self
+            .complements
+            .1
+            .take_if(|_| self.complements.0 == damping);
+        let complements = computed.unwrap_or_else(|| {
+            let blocks = self.blocks.iter();
+            blocks
+                .map(|block| SchurComplement::new(block, damping))
+                .collect()
+        });
+        let system = ReducedSystem::new(&self.blocks, complements).ok()?;
+        let constraints = problem.constraints();
+        let (global_step, prior_reduction) = constrained_step(
+            &system.reduced,
+            &system.gradient,
+            &iterate.global,
+            constraints,
+            damping,
+        )?;
+        let local_steps = system.back_substitute(&global_step);
+        let predicted = system.predicted_reduction(&global_step, &local_steps);
+        let steps = local_steps.iter().zip(&iterate.local).enumerate();
+        let local = steps
+            .map(|(flight, (step, local))| problem.plus(flight, local, step))
+            .collect();
+        let global = &iterate.global + global_step;
+        Some(Step {
+            candidate: Iterate { global, local },
+            predicted_reduction: predicted + prior_reduction,
+        })
+    }
+}
