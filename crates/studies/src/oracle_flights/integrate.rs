@@ -5,8 +5,9 @@ use std::cell::RefCell;
 use nalgebra::Vector3;
 use oracle::{Motion, Physical, Point, Quaternion, Reference};
 
-/// Maximum step size, s. With it, the relative error of a nutation of 100 rad/s stays below 1e-9 for a second.
-const MAX_STEP: f64 = 4e-4;
+/// Maximum step size, s, for flights that tests compare with others to the last digits. With it, the relative error of a
+/// nutation of 100 rad/s stays below 1e-9 for a second.
+pub(super) const SMALL_STEP: f64 = 4e-4;
 
 /// Integrates a motion from the state `start` at time 0, with constant parameters and coefficients. Returns the states
 /// at `times` (s, increasing).
@@ -19,12 +20,12 @@ pub fn integrate(
     start: Physical<f64>,
     times: &[f64],
 ) -> Vec<Physical<f64>> {
-    integrate_with_constants(reference, constants, &|_, _| {}, start, times)
+    integrate_with_constants(reference, constants, &|_, _| {}, start, times, SMALL_STEP)
 }
 
 /// Integrates a motion from the state `start` at time 0, with parameters and coefficients that are functions of the
 /// state: `set` writes those that are not constant. Tabulated aerodynamic curves can thus replace the model's
-/// polynomials. Returns the states at `times` (s, increasing).
+/// polynomials. No step is longer than `max_step`, s. Returns the states at `times` (s, increasing).
 ///
 /// # Panics
 /// If `times` decrease.
@@ -34,6 +35,7 @@ pub fn integrate_with_constants(
     set: &dyn Fn(&Physical<f64>, &mut Point<f64>),
     start: Physical<f64>,
     times: &[f64],
+    max_step: f64,
 ) -> Vec<Physical<f64>> {
     let constants = RefCell::new(constants.clone());
     let law = |body: &Physical<f64>, _: f64, _: f64| {
@@ -44,7 +46,7 @@ pub fn integrate_with_constants(
             internal_rate: 0.0,
         }
     };
-    integrate_law(&law, start, 0.0, times)
+    integrate_in_steps(&law, start, 0.0, times, max_step)
 }
 
 /// Time derivatives that a law of motion gives at one time.
@@ -71,6 +73,16 @@ pub fn integrate_law(
     internal: f64,
     times: &[f64],
 ) -> Vec<Physical<f64>> {
+    integrate_in_steps(law, start, internal, times, SMALL_STEP)
+}
+
+fn integrate_in_steps(
+    law: Law<'_>,
+    start: Physical<f64>,
+    internal: f64,
+    times: &[f64],
+    max_step: f64,
+) -> Vec<Physical<f64>> {
     let mut now = State {
         time: 0.0,
         body: start,
@@ -78,7 +90,7 @@ pub fn integrate_law(
     };
     let states = times.iter().map(|&time| {
         assert!(time >= now.time, "times increase");
-        let steps = ((time - now.time) / MAX_STEP).ceil().max(1.0);
+        let steps = ((time - now.time) / max_step).ceil().max(1.0);
         let h = (time - now.time) / steps;
         for _ in 0..steps as usize {
             now = step(law, &now, h);

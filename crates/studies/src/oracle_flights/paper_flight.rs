@@ -9,7 +9,7 @@ use oracle::{Physical, Point};
 
 use super::constants::{CurveCoefficients, angle_of_attack, reference_of};
 use super::dataset::empty;
-use super::integrate::{integrate_with_constants, marker_positions};
+use super::integrate::{SMALL_STEP, integrate_with_constants, marker_positions};
 
 /// Sample rate of the flights of Hubbard & Hummel (2000), Hz.
 pub(crate) const SAMPLE_RATE: f64 = 120.0;
@@ -48,7 +48,14 @@ pub fn paper_flight(model: &Model, name: &str, curves: Option<Curves<'_>>) -> Da
             coefficients.set(constants, alpha, curves(alpha));
         }
     };
-    let states = integrate_with_constants(&reference, &constants, &set_curves, start, &times);
+    let states = integrate_with_constants(
+        &reference,
+        &constants,
+        &set_curves,
+        start,
+        &times,
+        SMALL_STEP,
+    );
     let positions = states.iter().map(|body| {
         let positions = marker_positions(body, &MARKERS);
         positions.into_iter().map(Some).collect()

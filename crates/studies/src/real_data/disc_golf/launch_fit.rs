@@ -13,11 +13,12 @@ const FACTOR_UNCERTAINTY: f64 = 1.0;
 const LAUNCH_UNKNOWNS: usize = 7;
 const ALL_UNKNOWNS: usize = 10;
 
-/// Step of the finite differences, in prior standard deviations.
+/// Step of the central differences, in prior standard deviations. One-sided differences end the fit before its minimum:
+/// the table is interpolated linearly, and its kinks bias them.
 const DIFFERENCE: f64 = 0.05;
 
 /// Maximum number of Gauss–Newton steps.
-const MAX_STEPS: usize = 8;
+const MAX_STEPS: usize = 40;
 
 /// Number of step lengths that are tried in a Gauss–Newton step: the full step, then repeated halves of it.
 const MAX_HALVINGS: usize = 6;
@@ -98,9 +99,12 @@ fn minimised(
     let mut covariance = DMatrix::identity(count, count);
     for _ in 0..MAX_STEPS {
         let columns = batch::each(count, |k| {
-            let mut shifted = unknowns.clone();
-            shifted[k] += DIFFERENCE;
-            (&here - residuals(&shifted)) / DIFFERENCE
+            let shifted = |by: f64| {
+                let mut unknowns = unknowns.clone();
+                unknowns[k] += by;
+                residuals(&unknowns)
+            };
+            (shifted(-DIFFERENCE) - shifted(DIFFERENCE)) / (2.0 * DIFFERENCE)
         });
         let jacobian = DMatrix::from_columns(&columns);
         covariance = (jacobian.transpose() * &jacobian).try_inverse()?;
