@@ -7,6 +7,7 @@ mod block;
 mod claim;
 mod effect;
 mod expr;
+mod lexer;
 mod parser;
 mod print;
 mod print_file;

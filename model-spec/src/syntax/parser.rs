@@ -1,7 +1,9 @@
 //! Parser state shared by all grammar rules, with token access, error messages and error recovery.
 
 use super::ast::{File, Name};
-use super::token::{self, Lexed, Lexeme, Token};
+use super::lexer::{self, Lexed, Lexeme};
+use super::spelling;
+use super::token::{self, Token};
 use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
 use crate::suggest;
 
@@ -64,7 +66,7 @@ impl<'a> Parser<'a> {
         Parser {
             text,
             source,
-            lexed: token::lex(text, source),
+            lexed: lexer::lex(text, source),
             at: 0,
             next_doc: 0,
             depth: 0,
@@ -302,7 +304,7 @@ impl<'a> Parser<'a> {
             return self.expected(what);
         }
         let name = Name {
-            text: token::plain_name(self.raw()),
+            text: spelling::plain(self.raw()),
             span: self.here(),
         };
         self.advance();

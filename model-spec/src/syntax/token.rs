@@ -1,273 +1,160 @@
-//! Lexer: splits source text into tokens.
+//! Tokens: their kinds, their spelling, and the longest one that a text begins with.
 
-use std::ops::Range;
-
-use logos::Logos;
-
-use super::spelling;
-use crate::diagnostic::{Diagnostic, Kind, Span};
+use super::lexer::Lexeme;
 
 /// Kinds of token.
-#[derive(Logos, Clone, Copy, Debug, PartialEq, Eq)]
-#[logos(skip r"[ \t\r\n\u{000C}\u{00A0}\u{FEFF}]+")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Token {
-    #[regex(r"//[^\n]*", allow_greedy = true)]
     Comment,
-    #[regex(r"[A-Za-z_°µ\u{0370}-\u{03FF}\u{1E00}-\u{1EFF}żġ][A-Za-z0-9_µ\u{0370}-\u{03FF}\u{1E00}-\u{1EFF}żġ\u{0307}\u{0308}]*")]
     Name,
-    #[regex(r"[0-9]+(\.[0-9]+)?([eE][+\-−]?[0-9]+)?")]
     Number,
-    #[regex(r#""[^"\n]*""#)]
     Text,
-    #[regex(r#""[^"\n]*"#)]
+    /// A text without its closing quotation mark, up to the end of the line.
     OpenText,
-    #[regex(r"[⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+")]
     Superscript,
-    #[token("+")]
     Plus,
-    #[token("-")]
-    #[token("−")]
     Minus,
-    #[token("*")]
     Star,
-    #[token("·")]
-    #[token("⋅")]
     Dot,
-    #[token("×")]
     Times,
-    #[token("/")]
     Slash,
-    #[token("^")]
     Caret,
-    #[token("**")]
     StarStar,
-    #[token("(")]
     Open,
-    #[token(")")]
     Close,
-    #[token("[")]
     OpenSquare,
-    #[token("]")]
     CloseSquare,
-    #[token("?")]
     Question,
-    #[token("{")]
     OpenBrace,
-    #[token("}")]
     CloseBrace,
-    #[token(",")]
     Comma,
-    #[token(";")]
     Semicolon,
-    #[token(":")]
     Colon,
-    #[token("=")]
     Equals,
-    #[token(">")]
     Greater,
-    #[token("<")]
     Less,
-    #[token("..")]
     To,
-    #[token(".")]
     Point,
-    /// Characters that belong to no token; produced by [`lex`].
+    /// Characters that belong to no token.
     Bad,
-    /// End of the text; produced by [`lex`].
+    /// End of the text.
     End,
 }
 
-/// A token with its byte range in the source text.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Lexeme {
-    pub token: Token,
-    pub start: u32,
-    pub end: u32,
-    /// Whether the token is the first on its line.
-    pub first: bool,
+/// Tokens of fixed spelling. A spelling stands before those that it begins with.
+const SPELLINGS: [(&str, Token); 25] = [
+    ("+", Token::Plus),
+    ("-", Token::Minus),
+    ("−", Token::Minus),
+    ("**", Token::StarStar),
+    ("*", Token::Star),
+    ("·", Token::Dot),
+    ("⋅", Token::Dot),
+    ("×", Token::Times),
+    ("/", Token::Slash),
+    ("^", Token::Caret),
+    ("(", Token::Open),
+    (")", Token::Close),
+    ("[", Token::OpenSquare),
+    ("]", Token::CloseSquare),
+    ("?", Token::Question),
+    ("{", Token::OpenBrace),
+    ("}", Token::CloseBrace),
+    (",", Token::Comma),
+    (";", Token::Semicolon),
+    (":", Token::Colon),
+    ("=", Token::Equals),
+    (">", Token::Greater),
+    ("<", Token::Less),
+    ("..", Token::To),
+    (".", Token::Point),
+];
+
+/// Whether a character separates tokens and is otherwise ignored.
+fn is_space(c: char) -> bool {
+    matches!(
+        c,
+        ' ' | '\t' | '\r' | '\n' | '\u{000C}' | '\u{00A0}' | '\u{FEFF}'
+    )
 }
 
-/// Result of [`lex`]: tokens, documentation lines and errors.
-pub(super) struct Lexed {
-    /// Tokens without comments; the last is [`Token::End`].
-    pub tokens: Vec<Lexeme>,
-    /// `///` lines without the marker, each with the index in `tokens` of the token that follows it.
-    pub docs: Vec<(usize, String)>,
-    /// The `//!` lines of the file without the marker, joined by newlines.
-    pub file_doc: String,
-    /// Lexical errors, in the order of their source spans.
-    pub diagnostics: Vec<Diagnostic>,
+/// Whether a name may begin with a character: Latin and Greek letters, the signs of units, and letters with a dot above.
+fn begins_name(c: char) -> bool {
+    c.is_ascii_alphabetic()
+        || matches!(c, '_' | '°' | 'µ' | 'ż' | 'ġ' | '\u{0370}'..='\u{03FF}' | '\u{1E00}'..='\u{1EFF}')
 }
 
-/// Splits a text into tokens. Each run of invalid characters becomes one [`Token::Bad`], and is reported unless an
-/// error on the same line has been reported before.
-pub(super) fn lex(text: &str, source: u16) -> Lexed {
-    let mut lexer = Lexer {
-        text,
-        source,
-        lexed: Lexed {
-            tokens: Vec::with_capacity(text.len() / 4),
-            docs: Vec::new(),
-            file_doc: String::new(),
-            diagnostics: Vec::new(),
-        },
-        unread: None,
-        is_first: true,
-        line_has_fault: false,
-    };
-    let mut tokens = Token::lexer(text);
-    let mut last_end = 0;
-    while let Some(token) = tokens.next() {
-        let range = tokens.span();
-        if text[last_end..range.start].contains('\n') {
-            (lexer.is_first, lexer.line_has_fault) = (true, false);
-        }
-        last_end = range.end;
-        match token {
-            Ok(Token::Comment) => lexer.comment(&text[range]),
-            Ok(Token::OpenText) => lexer.open_text(range),
-            Ok(token) => lexer.push(token, range),
-            Err(()) => lexer.unread(range),
-        }
+/// Whether a character may follow in a name: also digits and combining dots.
+fn continues_name(c: char) -> bool {
+    c != '°' && begins_name(c) || c.is_ascii_digit() || matches!(c, '\u{0307}' | '\u{0308}')
+}
+
+/// Number of bytes of space at the beginning of a text.
+pub(super) fn leading_space(text: &str) -> usize {
+    prefix_length(text, is_space)
+}
+
+fn is_superscript_digit(c: char) -> bool {
+    "⁰¹²³⁴⁵⁶⁷⁸⁹".contains(c)
+}
+
+/// Number of bytes at the beginning of a text whose characters all satisfy a condition.
+fn prefix_length(text: &str, condition: impl Fn(char) -> bool) -> usize {
+    text.find(|c| !condition(c)).unwrap_or(text.len())
+}
+
+/// The longest token that a text begins with, and its length in bytes; `None` where no token begins with the first
+/// character. The text does not begin with space.
+pub(super) fn first_token(text: &str) -> Option<(Token, usize)> {
+    let first = text.chars().next()?;
+    if text.starts_with("//") {
+        return Some((Token::Comment, prefix_length(text, |c| c != '\n')));
     }
-    lexer.report_unread();
-    let end = text.trim_end().len();
-    lexer.is_first = true;
-    lexer.push(Token::End, end..end);
-    lexer.lexed
-}
-
-/// State of the lexer between tokens.
-struct Lexer<'a> {
-    text: &'a str,
-    source: u16,
-    lexed: Lexed,
-    /// Byte range of the last run of invalid characters, if it is not yet reported; otherwise `None`.
-    unread: Option<Range<usize>>,
-    /// Whether the next token is the first on its line.
-    is_first: bool,
-    /// Whether a lexical error has been found on the current line.
-    line_has_fault: bool,
-}
-
-impl Lexer<'_> {
-    fn push(&mut self, token: Token, range: Range<usize>) {
-        self.lexed.tokens.push(Lexeme {
-            token,
-            start: range.start as u32,
-            end: range.end as u32,
-            first: self.is_first,
+    if begins_name(first) {
+        let begin = first.len_utf8();
+        return Some((
+            Token::Name,
+            begin + prefix_length(&text[begin..], continues_name),
+        ));
+    }
+    if first.is_ascii_digit() {
+        return Some((Token::Number, number(text)));
+    }
+    if first == '"' {
+        let inside = prefix_length(&text[1..], |c| !matches!(c, '"' | '\n'));
+        let is_closed = text[1 + inside..].starts_with('"');
+        return Some(match is_closed {
+            true => (Token::Text, inside + 2),
+            false => (Token::OpenText, inside + 1),
         });
-        self.is_first = false;
     }
-
-    fn comment(&mut self, line: &str) {
-        let line = line.trim_end();
-        let body = |mark: &str| {
-            let rest = line.strip_prefix(mark)?;
-            Some(rest.strip_prefix(' ').unwrap_or(rest).to_owned())
-        };
-        let lexed = &mut self.lexed;
-        if let Some(doc) = body("//!") {
-            if !lexed.file_doc.is_empty() {
-                lexed.file_doc.push('\n');
-            }
-            lexed.file_doc.push_str(&doc);
-        } else if !line.starts_with("////")
-            && let Some(doc) = body("///")
-        {
-            lexed.docs.push((lexed.tokens.len(), doc));
-        }
+    let sign = prefix_length(text, |c| matches!(c, '⁺' | '⁻')).min('⁺'.len_utf8());
+    let digits = prefix_length(&text[sign..], is_superscript_digit);
+    if digits > 0 {
+        return Some((Token::Superscript, sign + digits));
     }
-
-    fn open_text(&mut self, range: Range<usize>) {
-        self.line_has_fault = true;
-        let message = "this text has no closing quotation mark";
-        let fault = Diagnostic::new(Kind::Lexical, self.span(&range), message)
-            .help("close it with `\"` on the same line");
-        self.lexed.diagnostics.push(fault);
-        self.push(Token::OpenText, range);
-    }
-
-    /// Processes an invalid character: extends the last run of invalid characters, or begins a new run.
-    fn unread(&mut self, range: Range<usize>) {
-        let last = self.lexed.tokens.last_mut();
-        let end = (range.start as u32, Token::Bad);
-        if let Some(last) = last.filter(|last| (last.end, last.token) == end) {
-            last.end = range.end as u32;
-            if let Some(run) = &mut self.unread {
-                run.end = range.end;
-            }
-        } else {
-            self.report_unread();
-            if !self.line_has_fault {
-                self.unread = Some(range.clone());
-            }
-            // The parser abandons the statement at this token without a second error.
-            self.push(Token::Bad, range);
-        }
-        self.line_has_fault = true;
-    }
-
-    fn span(&self, range: &Range<usize>) -> Span {
-        Span {
-            start: range.start as u32,
-            end: range.end as u32,
-            source: self.source,
-        }
-    }
-
-    /// Reports the last run of invalid characters, if it is not yet reported.
-    fn report_unread(&mut self) {
-        const BINARY: &str =
-            "a model file is plain text in UTF-8; this looks like another kind of file";
-        let Some(range) = self.unread.take() else {
-            return;
-        };
-        let found = &self.text[range.clone()];
-        let fault = |message| Diagnostic::new(Kind::Lexical, self.span(&range), message);
-        let first = found.chars().next().unwrap_or(' ');
-        let fault = if found.chars().all(|c| c == '\0') {
-            let bytes = match found.len() {
-                1 => "a NUL byte".to_owned(),
-                n => format!("{n} NUL bytes"),
-            };
-            fault(format!("{bytes} cannot stand here")).note(BINARY)
-        } else if first.is_control() {
-            let code = first as u32;
-            fault(format!(
-                "the control character U+{code:04X} cannot stand here"
-            ))
-            .note(BINARY)
-        } else {
-            let shown: String = found.chars().take(12).collect();
-            let is_cut = found.chars().nth(12).is_some();
-            let more = if is_cut { "…" } else { "" };
-            fault(format!("`{shown}{more}` means nothing in this language")).help_if(instead(first))
-        };
-        self.lexed.diagnostics.push(fault);
-    }
+    let mut spellings = SPELLINGS.iter();
+    let (spelling, token) = spellings.find(|(spelling, _)| text.starts_with(spelling))?;
+    Some((*token, spelling.len()))
 }
 
-/// Suggests a replacement for a character that is not part of the language; `None` if there is no suggestion.
-fn instead(c: char) -> Option<String> {
-    let text = match c {
-        '\u{2018}' | '\u{2019}' | '\'' | '`' => "texts stand between `\"` marks",
-        '\u{201C}' | '\u{201D}' => "use the plain quotation mark `\"`",
-        '\u{2013}' | '\u{2014}' => "use `-` for minus",
-        '\u{00F7}' | '\\' => "use `/` to divide",
-        '\u{2022}' | '\u{2217}' => "use `*` or `·` to multiply",
-        '#' | '%' => "comments begin with `//`",
-        '₀'..='₉' => return Some(format!("write an index as `_{}`", c as u32 - '₀' as u32)),
-        '√' => "write `sqrt(…)`",
-        '∥' | '|' => "write `norm(…)` for a length, `abs(…)` for a magnitude",
-        '≤' | '≥' | '<' => "a limit is written `limit quantity > number \"reason\";`",
-        '∂' | '∫' | '∑' => "derivatives of states are written `der(state)`",
-        '!' | '&' | '@' | '$' | '~' => return None,
-        _ if c.is_alphabetic() => "names are made of Latin and Greek letters, digits and `_`",
-        _ => return None,
-    };
-    Some(text.to_owned())
+/// Length in bytes of the decimal number that a text begins with. A fraction needs digits after its point, so that
+/// `0..1` is a range, and an exponent digits after its sign.
+fn number(text: &str) -> usize {
+    let digits = |text: &str| prefix_length(text, |c| c.is_ascii_digit());
+    let mut end = digits(text);
+    if let Some(fraction) = text[end..].strip_prefix('.')
+        && digits(fraction) > 0
+    {
+        end += 1 + digits(fraction);
+    }
+    if let Some(exponent) = text[end..].strip_prefix(['e', 'E']) {
+        let unsigned = exponent.strip_prefix(['+', '-', '−']).unwrap_or(exponent);
+        if digits(unsigned) > 0 {
+            end = text.len() - unsigned.len() + digits(unsigned);
+        }
+    }
+    end
 }
 
 /// Description of a token for error messages.
@@ -291,45 +178,4 @@ pub(crate) fn clip(raw: &str) -> String {
     }
     let head: String = raw.chars().take(MAX_QUOTED - 1).collect();
     format!("{head}…")
-}
-
-/// ASCII spelling of a name token.
-pub(super) fn plain_name(raw: &str) -> String {
-    spelling::plain(raw)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn tokens(text: &str) -> Vec<Token> {
-        lex(text, 0).tokens.iter().map(|t| t.token).collect()
-    }
-
-    #[test]
-    fn numbers_do_not_swallow_ranges_and_axes() {
-        use Token::*;
-        assert_eq!(tokens("-1 .. 0"), [Minus, Number, To, Number, End]);
-        assert_eq!(tokens("0..1"), [Number, To, Number, End]);
-        assert_eq!(tokens("N.3*2"), [Name, Point, Number, Star, Number, End]);
-        assert_eq!(tokens("3.4e-5 m²"), [Number, Name, Superscript, End]);
-        assert_eq!(tokens("φ̇·ρ − 2"), [Name, Dot, Name, Minus, Number, End]);
-    }
-
-    #[test]
-    fn bad_characters_are_reported_once_for_a_run() {
-        let lexed = lex("a \0\0\0\0 b ¿¿ c", 0);
-        // The second run is on the same line.
-        assert_eq!(lexed.diagnostics.len(), 1);
-        assert!(lexed.diagnostics[0].message.contains("4 NUL bytes"));
-        assert_eq!(lexed.tokens.len(), 6);
-    }
-
-    #[test]
-    fn comments_are_sorted_by_their_marks() {
-        let lexed = lex("//! file\r\n/// doc\r\nparam // note\n//// rule\n", 0);
-        assert_eq!(lexed.file_doc, "file");
-        assert_eq!(lexed.docs, [(0, "doc".to_owned())]);
-        assert_eq!(lexed.tokens.len(), 2);
-    }
 }
