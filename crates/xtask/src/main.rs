@@ -8,6 +8,7 @@ mod glossary;
 mod packages;
 mod source;
 mod test_files;
+mod untested;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
@@ -88,6 +89,7 @@ fn check(root: &Path) -> Result<()> {
     source::check_lengths(root)?;
     section("test files");
     test_files::check(root)?;
+    untested::check(root)?;
     section("glossary");
     glossary::check(root)
 }
