@@ -175,7 +175,7 @@ fn fly_with_sums(
 ) -> Result<(Point<f64>, Vec<f64>), String> {
     let count = from.states.len();
     let mut at = from.clone();
-    let mut moving = ode::rhs_from_fn(&[], |t, x: &Vec<f64>, dx: &mut Vec<f64>| {
+    let mut moving = |t: f64, x: &[f64], dx: &mut [f64]| {
         at.time = t;
         at.states.copy_from_slice(&x[..count]);
         dx[..count].copy_from_slice(&subject.equations.rates(&at));
@@ -189,7 +189,7 @@ fn fly_with_sums(
             *slot = *cause;
         }
         dx[count + 9] = body.power();
-    });
+    };
     let mut start = from.states.clone();
     start.extend([0.0; 10]);
     let mut end = integrate(&mut moving, &start, duration)?;

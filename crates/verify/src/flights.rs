@@ -2,12 +2,13 @@
 //! law integrated in momenta, and agreement of two models.
 
 use crate::Options;
+use crate::integration;
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample::is_valid;
 use crate::subject::Subject;
 use nalgebra::{Matrix3, Vector3};
-use ode::Method;
+use ode::IntegrationOptions;
 use oracle::{
     MassProperties, Physical, Point, Quaternion, Reference, Tree, inertia_in_n, mass_properties,
     solve,
@@ -21,9 +22,10 @@ pub const MOMENTA: &str = "flight: reference in momenta";
 /// Name in reports of the comparison of the flights of two models.
 const FLIGHTS: &str = "flights";
 
-/// Maximum allowed relative difference in the flight checks, such as that of two final states. The relative tolerance
-/// of the integration is 1e-11.
+/// Maximum allowed relative difference in the flight checks, such as that of two final states.
 pub(crate) const TOLERANCE: f64 = 1e-8;
+/// Relative tolerance with which flights are integrated.
+const RTOL: f64 = 1e-11;
 /// Reason given in the report for skipping a check, for a model in which recorded time (the time stamps of the
 /// measurements) does not advance by 1 s per second of flight.
 pub(crate) const OWN_CLOCK: &str = "its clock does not keep to the seconds of the flight";
@@ -225,20 +227,10 @@ pub(crate) fn airless(subject: &Subject<'_>, point: &mut Point<f64>) {
 
 /// Integrates the model equations from a point for [`DURATION`] and returns the final point. The error is the
 /// integrator's message.
-pub(crate) fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Result<Point<f64>, String> {
-    let mut at = from.clone();
-    let mut moving = ode::rhs_from_fn(&[], |t, x: &Vec<f64>, dx: &mut Vec<f64>| {
-        at.time = t;
-        at.states.copy_from_slice(x);
-        dx.copy_from_slice(&subject.equations.rates(&at));
-    });
-    let start = from.states.clone();
-    let end = integrate(&mut moving, &start, DURATION)?;
-    Ok(Point {
-        time: DURATION,
-        states: end,
-        ..from.clone()
-    })
+fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Result<Point<f64>, String> {
+    let rates = |at: &Point<f64>| subject.equations.rates(at);
+    let options = IntegrationOptions::with_tolerance(RTOL);
+    integration::fly(&rates, from, DURATION, &options).map_err(|fault| fault.to_string())
 }
 
 /// Integrates the reference law in position, momentum, attitude and angular momentum, and returns the final physical
@@ -269,7 +261,7 @@ fn fly_by_momenta(reference: &Reference, point: &Point<f64>) -> Result<Physical<
     start.extend((at.velocity * properties.mass).iter());
     start.extend(at.attitude.parts());
     start.extend(angular_momentum.iter());
-    let mut moving = ode::rhs_from_fn(&[], |_, y: &Vec<f64>, dy: &mut Vec<f64>| {
+    let mut moving = |_: f64, y: &[f64], dy: &mut [f64]| {
         let body = read(y);
         let motion = reference.motion_at(&body, point);
         let rate = Quaternion {
@@ -281,24 +273,19 @@ fn fly_by_momenta(reference: &Reference, point: &Point<f64>) -> Result<Physical<
         dy[3..6].copy_from_slice(motion.force.as_slice());
         dy[6..10].copy_from_slice(&rate.parts().map(|part| part / 2.0));
         dy[10..13].copy_from_slice(motion.moment.as_slice());
-    });
+    };
     integrate(&mut moving, &start, DURATION).map(|end| read(&end))
 }
 
-/// Integrates the differential equations `d` from the state `start` over a duration (s), with the tolerance of all
-/// flight checks, and returns the final state. The error is the integrator's message.
-pub(crate) fn integrate<D: ode::OdeRhs<State = Vec<f64>>>(
-    d: &mut D,
-    start: &Vec<f64>,
+/// Integrates differential equations from the state `start` over a duration (s), see [`integration::integrate`], with
+/// the tolerance of all flight checks. The error is the integrator's message.
+pub(crate) fn integrate(
+    rhs: &mut dyn FnMut(f64, &[f64], &mut [f64]),
+    start: &[f64],
     duration: f64,
 ) -> Result<Vec<f64>, String> {
-    let options = ode::IntegrationOptions {
-        method: Method::Dop853,
-        ..ode::IntegrationOptions::with_tolerance(1e-11)
-    };
-    ode::integrate_to_end(d, (0.0, start), duration, &options, &mut [])
-        .map(|end| end.state)
-        .map_err(|fault| fault.to_string())
+    let options = IntegrationOptions::with_tolerance(RTOL);
+    integration::integrate(rhs, start, duration, &options).map_err(|fault| fault.to_string())
 }
 
 fn compare(worst: &mut Worst, a: &Physical<f64>, b: &Physical<f64>) {

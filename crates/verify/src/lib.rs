@@ -19,6 +19,7 @@ pub mod engine;
 mod expressions;
 mod field;
 pub mod flights;
+mod integration;
 mod meaning;
 pub mod mutants;
 pub mod random;

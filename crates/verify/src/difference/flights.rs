@@ -2,10 +2,11 @@
 
 use super::pairing::Pairing;
 use super::values::Everything;
+use crate::integration;
 use crate::random::Random;
 use crate::sample::{self, is_valid};
 use flight::release::{self, Vocabulary};
-use ode::Method;
+use ode::IntegrationOptions;
 use oracle::{Chart, Point};
 use serde::Serialize;
 
@@ -184,31 +185,15 @@ fn place(model: &Everything<'_>, states: &[f64], point: &Point<f64>) -> Option<V
 }
 
 fn fly(model: &Everything<'_>, from: &Point<f64>, seconds: f64) -> Result<Vec<f64>, String> {
-    let mut at = from.clone();
-    let count = from.states.len();
-    let mut moving = ode::rhs_from_fn(&[], |t, x: &Vec<f64>, dx: &mut Vec<f64>| {
-        at.time = t;
-        at.states.copy_from_slice(x);
-        dx.copy_from_slice(&model.numbers(&at)[..count]);
-    });
-    let options = ode::IntegrationOptions {
-        method: Method::Dop853,
-        ..ode::IntegrationOptions::with_tolerance(TOLERANCE)
+    let rates = |at: &Point<f64>| {
+        let mut all = model.numbers(at);
+        all.truncate(from.states.len());
+        all
     };
-    ode::integrate_to_end(
-        &mut moving,
-        (0.0, &from.states.clone()),
-        seconds,
-        &options,
-        &mut [],
-    )
-    .map(|end| end.state)
-    .map_err(|fault| {
-        fault
-            .to_string()
-            .lines()
-            .next()
-            .unwrap_or_default()
-            .to_owned()
+    let options = IntegrationOptions::with_tolerance(TOLERANCE);
+    let end = integration::fly(&rates, from, seconds, &options);
+    end.map(|end| end.states).map_err(|fault| {
+        let text = fault.to_string();
+        text.lines().next().unwrap_or_default().to_owned()
     })
 }

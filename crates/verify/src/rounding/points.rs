@@ -1,9 +1,10 @@
 //! Points at which rounding is measured: random points, states along flights, and points with one state near 0.
 
+use crate::integration;
 use crate::random::Random;
 use crate::sample::{self, is_valid, typical};
 use crate::subject::Subject;
-use ode::Method;
+use ode::IntegrationOptions;
 use oracle::Point;
 
 /// Duration of each flight along which states are sampled, s.
@@ -53,24 +54,13 @@ fn flight(subject: &Subject<'_>, mut at: Point<f64>, count: usize) -> Vec<Point<
 /// Point reached by a flight `seconds` after the point `from`; `None` if the integration fails or a state is not
 /// finite.
 fn flown_on(subject: &Subject<'_>, from: &Point<f64>, seconds: f64) -> Option<Point<f64>> {
-    let mut at = from.clone();
-    let mut moving = ode::rhs_from_fn(&[], |t, x: &Vec<f64>, dx: &mut Vec<f64>| {
-        at.time = from.time + t;
-        at.states.copy_from_slice(x);
-        dx.copy_from_slice(&subject.equations.rates(&at));
-    });
-    let options = ode::IntegrationOptions {
-        method: Method::Tsit5,
+    let options = IntegrationOptions {
         max_steps: MAX_STEPS,
-        ..ode::IntegrationOptions::with_tolerance(1e-6)
+        ..IntegrationOptions::with_tolerance(1e-6)
     };
-    let end = ode::integrate_to_end(&mut moving, (0.0, &from.states), seconds, &options, &mut []);
-    let states = end.ok()?.state;
-    states.iter().all(|v| v.is_finite()).then(|| Point {
-        time: from.time + seconds,
-        states,
-        ..from.clone()
-    })
+    let rates = |at: &Point<f64>| subject.equations.rates(at);
+    let end = integration::fly(&rates, from, seconds, &options).ok()?;
+    end.states.iter().all(|v| v.is_finite()).then_some(end)
 }
 
 /// Random points at which one state is near 0, each with a description. For every state there is one point per
