@@ -77,6 +77,16 @@ impl Operator {
     }
 }
 
+/// A mutation of a part of a model file.
+struct Mutation<T> {
+    /// Operator that produced the mutation.
+    operator: Operator,
+    /// Short description of the mutation.
+    how: String,
+    /// The mutated part.
+    to: T,
+}
+
 /// A model with one mutation.
 #[derive(Clone, Debug)]
 pub struct Mutant {

@@ -1,25 +1,21 @@
 //! Generates the mutations of one expression.
 
-use super::Operator;
 use super::names::Names;
+use super::{Mutation, Operator};
 use model_spec::syntax::ast::{BinaryOp, Expr, ExprKind, Name, Number, Quantity};
-
-/// A mutation of an expression.
-pub struct Rewrite {
-    /// Operator that produced the mutation.
-    pub operator: Operator,
-    /// Short description of the mutation.
-    pub how: String,
-    /// The mutated expression.
-    pub to: Expr,
-}
 
 /// Generates all mutations of the expression `e` in the statement with index `item`. If `root` is true, `e` is a whole
 /// right-hand side and is multiplied by each of the factors 2, 0.5 and 1.1. Otherwise, if `e` is a name or number, it
 /// is multiplied by one of these factors, chosen by `serial` modulo 3.
-pub fn rewrites(e: &Expr, names: &Names, item: usize, root: bool, serial: usize) -> Vec<Rewrite> {
+pub fn rewrites(
+    e: &Expr,
+    names: &Names,
+    item: usize,
+    root: bool,
+    serial: usize,
+) -> Vec<Mutation<Expr>> {
     let mut out = Vec::new();
-    let mut push = |operator, how: String, to: Expr| out.push(Rewrite { operator, how, to });
+    let mut push = |operator, how: String, to: Expr| out.push(Mutation { operator, how, to });
     let leaf = match &e.kind {
         ExprKind::Name(name) => !names.is_frame(name),
         ExprKind::Number(_) => true,
