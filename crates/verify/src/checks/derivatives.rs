@@ -5,12 +5,13 @@
 //!
 //! Quaternions are varied on the unit sphere only, because other quaternions represent no attitude.
 
+use super::function_rows::{direction, row_name};
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample;
 use crate::subject::{Derivatives, Differentiable, Subject};
 use crate::{Options, TOLERANCE};
-use model_spec::model::{FrameKind, Model};
+use model_spec::model::Model;
 use oracle::scalar::{ComplexStep, Dual, ErrorBound, Lockstep, NumDual, Real};
 use oracle::{Point, Reference, Tree, derivatives_of};
 
@@ -181,31 +182,6 @@ fn variables(model: &Model) -> Vec<String> {
         .collect()
 }
 
-fn row_name(model: &Model, row: usize) -> String {
-    match model.states.get(row) {
-        Some(state) => format!("der({})", state.name),
-        None => format!("observation {}", row - model.states.len() + 1),
-    }
-}
-
-/// Direction of differentiation in state space for variable `j`: a unit vector, projected onto the tangent space of the
-/// unit sphere for a component of a quaternion; zero if `j` is not a state.
-fn direction(model: &Model, point: &Point<f64>, j: usize) -> Vec<f64> {
-    let mut direction = vec![0.0; point.states.len()];
-    if let Some(component) = direction.get_mut(j) {
-        *component = 1.0;
-    }
-    for frame in &model.frames {
-        if let FrameKind::Quaternion { states: q, .. } = frame.kind
-            && q.contains(&j)
-        {
-            q.into_iter()
-                .for_each(|k| direction[k] -= point.states[j] * point.states[k]);
-        }
-    }
-    direction
-}
-
 /// Lifts the point to scalars that carry derivatives with respect to variable `j`; `variable(value, derivative)`
 /// creates such a scalar.
 fn seed<T: Real>(
@@ -215,7 +191,11 @@ fn seed<T: Real>(
     variable: fn(f64, f64) -> T,
 ) -> Point<T> {
     let mut out = point.lift::<T>();
-    for (state, derivative) in out.states.iter_mut().zip(direction(model, point, j)) {
+    for (state, derivative) in out
+        .states
+        .iter_mut()
+        .zip(direction(model, &point.states, j))
+    {
         if derivative != 0.0 {
             *state = variable(state.re(), derivative);
         }
@@ -233,7 +213,7 @@ fn seed<T: Real>(
 /// from the Jacobian in `got`; for a state, along [`direction`]. The magnitude, to which errors are relative, is the
 /// sum of the absolute values of the Jacobian entries that are used.
 fn along(got: &Derivatives, model: &Model, point: &Point<f64>, j: usize) -> Vec<ErrorBound> {
-    let mut direction = direction(model, point, j);
+    let mut direction = direction(model, &point.states, j);
     direction.resize(got.entries.first().map_or(0, Vec::len), 0.0);
     if j >= point.states.len() {
         direction[j] = 1.0;
