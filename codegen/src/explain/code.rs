@@ -3,7 +3,7 @@
 use super::find::Found;
 use crate::compile::{Compiled, dense};
 use crate::count::{Count, count};
-use crate::differentiate::{EliminationOrder, Labelled, LinearizedGraph, share_values};
+use crate::differentiate::{EliminationOrder, LinearizedGraph, share_values};
 use crate::graph::{ExprGraph, Symbol};
 use crate::program::{Function, Program};
 use crate::rust;
@@ -99,15 +99,7 @@ fn derivative(
     let first = graph.local_count();
     let jacobian = graph.scope(first..first, |graph| {
         let roots = share_values(ssa, graph, &mut namer);
-        let results = Labelled {
-            items: &roots,
-            names: rows,
-        };
-        let symbols = Labelled {
-            items: &[symbol],
-            names: &[wrt.to_string()],
-        };
-        let linearized = LinearizedGraph::new(graph, results, symbols);
+        let linearized = LinearizedGraph::new(graph, &roots, rows, &[symbol], &[wrt.to_string()]);
         linearized.eliminate_vertices(graph, EliminationOrder::FewestEdges)
     });
     let mut ssa = build(graph, &jacobian.entries);
