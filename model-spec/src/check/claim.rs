@@ -6,6 +6,7 @@ use super::order::uses;
 use super::term::Term;
 use super::{Checker, Definition};
 use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::layout::depends;
 use crate::model::{self, ClaimedAttitude, ClaimedRotation, Expr, ExprKind};
 use crate::syntax::ast::{self, BodyClass, ClaimPart, ClaimPartKind, ItemKind};
 use crate::unit::Unit;
@@ -125,10 +126,10 @@ impl<'a> Checker<'a> {
         // Auxiliary variables come after those that they use.
         let mut follows = vec![false; self.model.aux_variables.len()];
         for (i, variable) in self.model.aux_variables.iter().enumerate() {
-            follows[i] = of_equations.contains(&i) || follows_from(&variable.value, &follows);
+            follows[i] = of_equations.contains(&i) || depends(&variable.value, &follows, |_| false);
         }
         let mut culprit = None;
-        walk(e, &mut |e| {
+        e.walk(&mut |e| {
             if let ExprKind::AuxVariable(i) = e.kind
                 && follows[i]
             {
@@ -283,17 +284,4 @@ impl<'a> Checker<'a> {
         }
         Some(matrix)
     }
-}
-
-fn walk(e: &Expr, visit: &mut dyn FnMut(&Expr)) {
-    visit(e);
-    e.children(&mut |child| walk(child, visit));
-}
-
-fn follows_from(e: &Expr, follows: &[bool]) -> bool {
-    let mut found = false;
-    walk(e, &mut |e| {
-        found |= matches!(e.kind, ExprKind::AuxVariable(i) if follows[i]);
-    });
-    found
 }

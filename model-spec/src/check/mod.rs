@@ -119,6 +119,13 @@ struct Typed {
     unit: UnitOf,
 }
 
+impl Typed {
+    fn new(kind: model::ExprKind, shape: model::Shape, span: Span, unit: UnitOf) -> Typed {
+        let expr = elaborate::node(kind, shape, span);
+        Typed { expr, unit }
+    }
+}
+
 /// Result of checking the definition of an auxiliary variable.
 #[derive(Clone, Debug)]
 enum Definition {

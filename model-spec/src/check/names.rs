@@ -13,57 +13,55 @@ use crate::unit::{Unit, symbol};
 impl Checker<'_> {
     /// Resolves a name to an expression; `None`, with an error reported, if it is undefined.
     pub fn name(&mut self, name: &str, span: Span) -> Option<Typed> {
-        let scalar = |kind, term| Typed {
-            expr: node(kind, Shape::Scalar, span),
-            unit: UnitOf::Term(term),
-        };
+        let scalar = |kind, term| Typed::new(kind, Shape::Scalar, span, UnitOf::Term(term));
         if let Some(symbol) = self.scope.find(name) {
             return match symbol {
                 Symbol::Param(i) => {
-                    let term = self.params[i].clone();
-                    self.used(&term, span);
+                    let term = self.used(self.params[i].clone(), span);
                     Some(scalar(ExprKind::Param(i), term))
                 }
                 Symbol::Coefficient(i) => {
-                    let term = self.coefficients[i].clone();
-                    self.used(&term, span);
+                    let term = self.used(self.coefficients[i].clone(), span);
                     Some(scalar(ExprKind::Coefficient(i), term))
                 }
                 Symbol::State(i) => {
-                    let term = self.states[i].clone();
-                    self.used(&term, span);
+                    let term = self.used(self.states[i].clone(), span);
                     Some(scalar(ExprKind::State(i), term))
                 }
                 Symbol::Input(i) => {
-                    let term = self.inputs[i].clone();
-                    self.used(&term, span);
+                    let term = self.used(self.inputs[i].clone(), span);
                     let shape = Shape::Vector(self.model.inputs[i].frame);
-                    Some(Typed {
-                        expr: node(ExprKind::Input(i), shape, span),
-                        unit: UnitOf::Term(term),
-                    })
+                    Some(Typed::new(
+                        ExprKind::Input(i),
+                        shape,
+                        span,
+                        UnitOf::Term(term),
+                    ))
                 }
                 Symbol::InputPart(i, part) => {
-                    let term = self.inputs[i].clone();
-                    self.used(&term, span);
+                    let term = self.used(self.inputs[i].clone(), span);
                     let shape = Shape::Vector(self.model.inputs[i].frame);
                     let input = node(ExprKind::Input(i), shape, span);
                     Some(scalar(ExprKind::Component(Box::new(input), part), term))
                 }
                 Symbol::Let(i) => match self.definitions.get(i)? {
                     Definition::Missing => None,
-                    Definition::Done(index, shape, unit) => Some(Typed {
-                        expr: node(ExprKind::AuxVariable(*index), *shape, span),
-                        unit: unit.clone(),
-                    }),
+                    Definition::Done(index, shape, unit) => Some(Typed::new(
+                        ExprKind::AuxVariable(*index),
+                        *shape,
+                        span,
+                        unit.clone(),
+                    )),
                 },
                 Symbol::Marker => {
                     let frame = self.model.marker.as_ref()?.frame;
-                    let expr = node(ExprKind::Marker, Shape::Vector(frame), span);
-                    Some(Typed {
-                        expr,
-                        unit: UnitOf::of(Unit::METRE),
-                    })
+                    let unit = UnitOf::of(Unit::METRE);
+                    Some(Typed::new(
+                        ExprKind::Marker,
+                        Shape::Vector(frame),
+                        span,
+                        unit,
+                    ))
                 }
             };
         }
@@ -122,10 +120,12 @@ impl Checker<'_> {
                 }
             },
         };
-        Some(Typed {
-            expr: node(kind, Shape::Vector(frame), span),
-            unit: UnitOf::of(unit),
-        })
+        Some(Typed::new(
+            kind,
+            Shape::Vector(frame),
+            span,
+            UnitOf::of(unit),
+        ))
     }
 
     fn unknown_name(&mut self, name: &str, span: Span) -> Option<Typed> {
@@ -158,12 +158,13 @@ impl Checker<'_> {
     }
 
     /// Records `span` as the source span of the first use of each unknown unit in `term`, unless a first use is already
-    /// recorded for it. Error messages show this span.
-    fn used(&mut self, term: &Term, span: Span) {
+    /// recorded for it, and returns the term. Error messages show this span.
+    fn used(&mut self, term: Term, span: Span) -> Term {
         for unknown in term.unknowns() {
             let place = &mut self.first_uses[unknown as usize];
             place.get_or_insert(span);
         }
+        term
     }
 
     /// Resolves `F.k` (unit vector along axis k of frame F) or `v.k` (component k of vector v); `None`, with an error
@@ -172,11 +173,8 @@ impl Checker<'_> {
         if let ast::ExprKind::Name(name) = &of.kind
             && let Some(frame) = self.scope.frame(name)
         {
-            let expr = node(ExprKind::Axis(frame, part), Shape::Vector(frame), span);
-            return Some(Typed {
-                expr,
-                unit: UnitOf::of(Unit::ONE),
-            });
+            let (kind, unit) = (ExprKind::Axis(frame, part), UnitOf::of(Unit::ONE));
+            return Some(Typed::new(kind, Shape::Vector(frame), span, unit));
         }
         if let ast::ExprKind::Name(name) = &of.kind
             && self.scope.find(name).is_none()
@@ -197,15 +195,8 @@ impl Checker<'_> {
             self.report(Diagnostic::new(Kind::Shape, span, message));
             return None;
         }
-        let expr = node(
-            ExprKind::Component(Box::new(of_typed.expr), part),
-            Shape::Scalar,
-            span,
-        );
-        Some(Typed {
-            expr,
-            unit: of_typed.unit,
-        })
+        let kind = ExprKind::Component(Box::new(of_typed.expr), part);
+        Some(Typed::new(kind, Shape::Scalar, span, of_typed.unit))
     }
 
     /// Resolves `der(STATE)` in an expression to the right-hand side of the equation `der(STATE) = …`; `None`, with an
@@ -235,10 +226,12 @@ impl Checker<'_> {
         let unit = per_second.map_or(UnitOf::Faulty, UnitOf::Term);
         match self.definitions.get(definition)? {
             Definition::Missing => None,
-            Definition::Done(index, shape, _) => Some(Typed {
-                expr: node(ExprKind::AuxVariable(*index), *shape, span),
+            Definition::Done(index, shape, _) => Some(Typed::new(
+                ExprKind::AuxVariable(*index),
+                *shape,
+                span,
                 unit,
-            }),
+            )),
         }
     }
 }
