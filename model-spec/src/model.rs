@@ -21,7 +21,7 @@ pub use function::Function;
 pub use table::{Continuation, Interpolation, Table};
 
 /// A checked model of a flying body: its states, parameters, frames, forces, moments and equations.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Model {
     /// Name of the model, by which commands and datasets refer to it.
     pub name: String,

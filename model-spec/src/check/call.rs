@@ -4,7 +4,6 @@ use super::term::{Fraction, Term};
 use super::{Checker, Typed, UnitOf};
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{ExprKind, Function, Shape};
-use crate::suggest;
 use crate::syntax::ast;
 use crate::unit::Unit;
 
@@ -318,21 +317,15 @@ impl Checker<'_> {
         } else if let Some((_, known)) = ALIASES.iter().find(|(alias, _)| *alias == text) {
             fault = fault.help(format!("it is written `{known}` here"));
         } else {
-            let frames: Vec<String> = self
-                .model
-                .frames
-                .iter()
-                .map(|f| format!("in_{}", f.name))
-                .collect();
+            let frames = self.model.frames.iter();
+            let frames: Vec<String> = frames.map(|f| format!("in_{}", f.name)).collect();
             let tables = self.model.tables.iter().map(|t| t.name.as_str());
             let built_in = super::scope::function_names().map(|name| -> &str { name });
             let known = built_in
                 .filter(|f| !["der", "diag"].contains(f))
                 .chain(tables)
                 .chain(frames.iter().map(String::as_str));
-            if let Some(near) = suggest::nearest(text, known) {
-                fault = fault.help(format!("did you mean `{near}`?"));
-            }
+            fault = fault.did_you_mean(text, known);
         }
         self.report(fault);
         None

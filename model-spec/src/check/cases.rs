@@ -269,15 +269,9 @@ impl Checker<'_> {
     }
 
     fn nothing_named(&mut self, name: &Name, what: &str) {
-        let fault = Diagnostic::new(
-            Kind::Name,
-            name.span,
-            format!("there is no {what} `{}`", name.text),
-        );
-        let near = self
-            .nearest(&name.text)
-            .map(|near| format!("did you mean `{near}`?"));
-        self.report(fault.help_if(near));
+        let message = format!("there is no {what} `{}`", name.text);
+        let fault = Diagnostic::new(Kind::Name, name.span, message);
+        self.report(fault.did_you_mean(&name.text, self.declared_names()));
     }
 }
 

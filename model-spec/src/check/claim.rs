@@ -71,15 +71,7 @@ impl<'a> Checker<'a> {
             ("angular velocity …;", rigid && !has("angular velocity")),
             ("moment …;", rigid && !has("moment")),
         ];
-        let missing: Vec<&str> = needed.iter().filter(|n| n.1).map(|n| n.0).collect();
-        if !missing.is_empty() {
-            let lacks = super::scope::listed(&missing);
-            let message = format!("the claim of `{}` lacks {lacks}", claim.name.text);
-            self.report(
-                Diagnostic::new(Kind::Missing, claim.name.span, message)
-                    .help("add what is missing to the block of the claim"),
-            );
-        }
+        self.lacking("the claim of", "the claim", &claim.name, &needed);
         if has("fixed in") && has("axis") {
             let message = "a claim says which frame is fixed in the body, or which is its axis";
             let place = seen.iter().find(|s| s.0 == "axis");

@@ -134,15 +134,11 @@ impl Checker<'_> {
             fault =
                 fault.note("`previous` stands for what is replaced, in a `replace` of an effect");
         } else if self.scope.frame(name).is_some() {
-            fault = Diagnostic::new(
-                Kind::Name,
-                span,
-                format!("`{name}` is a frame, not a quantity"),
-            )
-            .help(format!(
+            fault.message = format!("`{name}` is a frame, not a quantity");
+            fault = fault.help(format!(
                 "its axes are `{name}.1`, `{name}.2` and `{name}.3`"
             ));
-        } else if let Some(near) = self.nearest(name) {
+        } else if let Some(near) = suggest::nearest(name, self.declared_names()) {
             fault = fault.help(format!("did you mean `{near}`?"));
         } else if symbol::find(name).is_some() {
             fault = fault.help(format!(
@@ -182,11 +178,11 @@ impl Checker<'_> {
         {
             let message = format!("there is no frame or vector `{name}`");
             let frames = self.model.frames.iter().map(|f| f.name.as_str());
-            let near = suggest::nearest(name, frames)
-                .map(str::to_owned)
-                .or_else(|| self.nearest(name));
-            let fault = Diagnostic::new(Kind::Name, of.span, message);
-            self.report(fault.help_if(near.map(|n| format!("did you mean `{n}`?"))));
+            // A frame is suggested rather than a quantity.
+            let fault = Diagnostic::new(Kind::Name, of.span, message)
+                .did_you_mean(name, self.declared_names())
+                .did_you_mean(name, frames);
+            self.report(fault);
             return None;
         }
         let of_typed = self.elaborate(of)?;
