@@ -48,12 +48,12 @@ pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
         let fall = before.force.dot(&(after.position - before.position));
         let energies = (before.kinetic_energy(), after.kinetic_energy());
         let size = (energies.0 + energies.1).max(f64::MIN_POSITIVE);
-        worst.see((energies.1 - energies.0 - fall).abs() / size, || {
+        worst.update((energies.1 - energies.0 - fall).abs() / size, || {
             String::from("energy")
         });
         let momenta = (before.angular_momentum(), after.angular_momentum());
         let size = momenta.0.norm().max(f64::MIN_POSITIVE);
-        worst.see((momenta.1 - momenta.0).norm() / size, || {
+        worst.update((momenta.1 - momenta.0).norm() / size, || {
             String::from("angular momentum")
         });
     }
@@ -102,7 +102,7 @@ pub fn momenta(subject: &Subject<'_>, options: &Options) -> Row {
         ] {
             let size = before.norm() + after.norm() + sum.norm();
             let error = (after - before - sum).norm() / size.max(f64::MIN_POSITIVE);
-            worst.see(error, || {
+            worst.update(error, || {
                 format!("{what} against the integral of its cause")
             });
         }

@@ -73,16 +73,16 @@ pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
         ) else {
             return subject.without_meaning(INVARIANTS);
         };
-        worst.see(moment.norm(), || {
+        worst.update(moment.norm(), || {
             String::from("a moment is left where there is no air")
         });
         // Work of the constant force F over the displacement: F·Δr.
         let fall = force.dot(&(after.position - before.position));
         let energy = (after.energy - before.energy - fall).abs() / (before.energy + after.energy);
-        worst.see(energy, || String::from("energy"));
+        worst.update(energy, || String::from("energy"));
         let size = before.angular_momentum.norm().max(f64::MIN_POSITIVE);
         let change = (after.angular_momentum - before.angular_momentum).norm();
-        worst.see(change / size, || String::from("angular momentum"));
+        worst.update(change / size, || String::from("angular momentum"));
     }
     Row::judged(INVARIANTS, RELEASES, &worst, TOLERANCE)
 }
@@ -297,7 +297,7 @@ fn compare(worst: &mut Worst, a: &Physical<f64>, b: &Physical<f64>) {
         ("attitude", a.attitude.axis(3), b.attitude.axis(3)),
     ];
     for (what, a, b) in parts {
-        worst.see((a - b).norm() / (a.norm() + b.norm() + 1.0), || {
+        worst.update((a - b).norm() / (a.norm() + b.norm() + 1.0), || {
             what.to_owned()
         });
     }

@@ -97,7 +97,7 @@ fn accelerations(a: &Subject<'_>, b: &Subject<'_>, options: &Options) -> Row {
         let one = chart_a.physical_rate(&here.states, &a.equations.rates(&here));
         let other = chart_b.physical_rate(&there.states, &b.equations.rates(&there));
         for (what, x, y) in parts(&one, &other) {
-            worst.see((x - y).norm() / (x.norm() + y.norm() + 1.0), || {
+            worst.update((x - y).norm() / (x.norm() + y.norm() + 1.0), || {
                 what.to_owned()
             });
         }

@@ -1,7 +1,7 @@
 //! Random points of a model, within its domain of validity.
 
 use crate::random::Random;
-use model_spec::model::{FrameKind, Model, Parameter};
+use model_spec::model::{Model, Parameter};
 use model_spec::unit::{Base, Unit};
 use nalgebra::Vector3;
 use oracle::{Point, Tree};
@@ -29,6 +29,11 @@ pub fn point(model: &Model, random: &mut Random) -> Point<f64> {
         .map(|k| between(&defaults, &point, 0.5_f64.powi(k)))
         .find(|point| is_valid(model, point))
         .unwrap_or(defaults)
+}
+
+/// Draws `count` points within the validity limits, as [`point`] does.
+pub fn points(model: &Model, count: usize, random: &mut Random) -> Vec<Point<f64>> {
+    (0..count).map(|_| point(model, random)).collect()
 }
 
 /// Interpolates parameters, coefficients, inputs and states linearly between two points; `fraction` is 0 at `from` and
@@ -66,36 +71,23 @@ pub fn within_limits(model: &Model, point: &Point<f64>) -> bool {
 }
 
 fn anywhere(model: &Model, random: &mut Random) -> Point<f64> {
+    let (params, coefficients) = (model.params.iter(), model.coefficients.iter());
+    let inputs = model.inputs.iter();
     let mut point = Point {
         time: random.between(0.0, 2.0),
-        params: model
-            .params
-            .iter()
-            .map(|c| size_varied(c, random))
-            .collect(),
-        coefficients: model
-            .coefficients
-            .iter()
-            .map(|c| coefficient(c, random))
-            .collect(),
-        inputs: model
-            .inputs
-            .iter()
+        params: params.map(|c| size_varied(c, random)).collect(),
+        coefficients: coefficients.map(|c| coefficient(c, random)).collect(),
+        inputs: inputs
             .map(|i| Vector3::from_fn(|_, _| random.within(typical(i.unit))))
             .collect(),
         states: model.states.iter().map(|s| state(s.unit, random)).collect(),
         marker: Vector3::from_fn(|_, _| random.within(0.1)),
     };
-    for frame in &model.frames {
-        if let FrameKind::Quaternion { states, .. } = frame.kind {
-            let length = states
-                .iter()
-                .map(|&i| point.states[i].powi(2))
-                .sum::<f64>()
-                .sqrt();
-            for i in states {
-                point.states[i] /= length;
-            }
+    for quaternion in model.quaternions() {
+        let squares = quaternion.iter().map(|&i| point.states[i].powi(2));
+        let length = squares.sum::<f64>().sqrt();
+        for i in quaternion {
+            point.states[i] /= length;
         }
     }
     point

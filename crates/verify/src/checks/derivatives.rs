@@ -104,14 +104,14 @@ impl Comparison<'_> {
                 ];
                 let entry = || format!("d {} / d {name}", row_name(model, i));
                 for (k, expected) in [num_dual, complex_step, dual].into_iter().enumerate() {
-                    self.worst[k].see(error(expected, magnitude, column[i]), entry);
+                    self.worst[k].update(error(expected, magnitude, column[i]), entry);
                 }
                 if let Some(short) = short.as_ref().and_then(|short| short.get(i)) {
-                    self.worst[2].see(error(dual, magnitude, *short), || entry() + " in f_jac");
+                    self.worst[2].update(error(dual, magnitude, *short), || entry() + " in f_jac");
                 }
                 for values in [&got.values, &by_state.values] {
                     let error = |&v: &f64| expected.first.value.relative_error(v);
-                    self.worst[2].see(values.get(i).map_or(0.0, error), || {
+                    self.worst[2].update(values.get(i).map_or(0.0, error), || {
                         row_name(model, i) + " beside its derivatives"
                     });
                 }
@@ -145,7 +145,7 @@ impl Comparison<'_> {
                     continue;
                 }
                 let ErrorBound { value, magnitude } = expected.derivative;
-                self.worst[3].see(error(value, magnitude, column[i]), || {
+                self.worst[3].update(error(value, magnitude, column[i]), || {
                     format!("d {} / d {name}", row_name(model, i))
                 });
             }

@@ -29,7 +29,7 @@ pub fn check(with: &[(Model, Values)], options: &Options) -> Row {
     let mut worst = Worst::default();
     for (model, engine) in catalogued.iter().copied() {
         match compare(model, engine, options) {
-            Some(Ok(one)) => worst.see(one.error, || one.place),
+            Some(Ok(one)) => worst.update(one.error, || one.place),
             Some(Err(why)) => return Row::counted(EFFECT_REFERENCE, 1, &[why.to_string()], ""),
             None => return Row::skipped(EFFECT_REFERENCE, "the model claims no reference"),
         }
@@ -74,7 +74,7 @@ pub fn compare(
         let point = at_work(model, point, &mut random);
         let lifted = point.lift::<ErrorBound>();
         let got = equations.rates(&point);
-        let mut errors = |error, name| worst.see(error, || format!("{name} with {names}"));
+        let mut errors = |error, name| worst.update(error, || format!("{name} with {names}"));
         let expected = reference.derivatives(&lifted);
         compare_rates(model, &expected, &got, &own, &mut errors);
         if let Some(observed) = equations.observation(&point) {

@@ -87,7 +87,7 @@ pub fn check(without: &Model, with: &[(Model, Values)], options: &Options) -> Ro
                     ..size
                 }
                 .relative_error(*rate);
-                worst.see(error, || format!("with {names}"));
+                worst.update(error, || format!("with {names}"));
             }
         }
         let mut fixed = model.clone();
@@ -112,7 +112,7 @@ pub fn check(without: &Model, with: &[(Model, Values)], options: &Options) -> Ro
             verdict: Verdict::Refuted,
             ..row
         }
-        .saying(faults.join("\n"))
+        .with_detail(faults.join("\n"))
     }
 }
 

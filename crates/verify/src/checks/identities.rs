@@ -1,6 +1,6 @@
 //! Checks the balance laws under arbitrary loads: dp/dt = F, dH/dt = M, dE/dt = F·v + M·ω, and dr/dt = v.
 
-use crate::claim::{Bounded, along, see};
+use crate::claim::{Bounded, along, compare_sides};
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample;
@@ -64,27 +64,15 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
             let angular_momentum = spatial * body.angular_velocity;
             energy += angular_momentum.dot(&body.angular_velocity) / Bounded::lit(2.0);
             power += motion.moment.dot(&value(&body.angular_velocity));
-            see(
-                &mut worst,
-                &derivative(&angular_momentum),
-                &motion.moment,
-                "dH/dt against M",
-            );
+            let change = derivative(&angular_momentum);
+            compare_sides(&mut worst, "dH/dt against M", change, motion.moment);
         }
-        see(
-            &mut worst,
-            &derivative(&momentum),
-            &motion.force,
-            "dp/dt against F",
-        );
-        see(
-            &mut worst,
-            &derivative(&body.position),
-            &value(&body.velocity),
-            "dr/dt against v",
-        );
+        let change = derivative(&momentum);
+        compare_sides(&mut worst, "dp/dt against F", change, motion.force);
+        let (change, velocity) = (derivative(&body.position), value(&body.velocity));
+        compare_sides(&mut worst, "dr/dt against v", change, velocity);
         let (energy, power) = (Vector3::repeat(energy.derivative), Vector3::repeat(power));
-        see(&mut worst, &energy, &power, "dE/dt against F·v + M·ω");
+        compare_sides(&mut worst, "dE/dt against F·v + M·ω", energy, power);
     }
     Row::judged(IDENTITIES, options.cases, &worst, TOLERANCE)
 }
@@ -101,23 +89,21 @@ fn of_claim(subject: &Subject<'_>, options: &Options) -> Row {
             return Row::unverified(IDENTITIES, "there are no equations to evaluate");
         };
         let (energy, power) = (body.kinetic_energy().derivative, body.power().value);
-        let momentum = derivative(&body.momentum());
-        see(
-            &mut worst,
-            &momentum,
-            &value(&body.force),
-            "dp/dt against F",
-        );
+        let (change, force) = (derivative(&body.momentum()), value(&body.force));
+        compare_sides(&mut worst, "dp/dt against F", change, force);
         if let Some(turning) = &body.turning {
-            let moment = value(&turning.moment);
             let change = derivative(&body.angular_momentum());
-            see(&mut worst, &change, &moment, "dH/dt against M");
+            compare_sides(
+                &mut worst,
+                "dH/dt against M",
+                change,
+                value(&turning.moment),
+            );
         }
-        let velocity = value(&body.velocity);
-        let motion = derivative(&body.position);
-        see(&mut worst, &motion, &velocity, "dr/dt against v");
+        let (change, velocity) = (derivative(&body.position), value(&body.velocity));
+        compare_sides(&mut worst, "dr/dt against v", change, velocity);
         let (energy, power) = (Vector3::repeat(energy), Vector3::repeat(power));
-        see(&mut worst, &energy, &power, "dE/dt against F·v + M·ω");
+        compare_sides(&mut worst, "dE/dt against F·v + M·ω", energy, power);
     }
     Row::judged(IDENTITIES, options.cases, &worst, TOLERANCE)
 }

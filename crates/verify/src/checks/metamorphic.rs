@@ -96,7 +96,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
                 return subject.without_meaning(METAMORPHIC);
             };
             seen.insert(name);
-            worst.see(error, || name.to_owned());
+            worst.update(error, || name.to_owned());
             if error.is_nan() || error > TOLERANCE {
                 of_model.insert(name);
             }
@@ -143,7 +143,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
         let coefficient = &subject.model.coefficients[index].name;
         lines.push(format!("{coefficient} breaks: {}", names.join(", ")));
     }
-    row.saying(lines.join("\n").trim().to_owned())
+    row.with_detail(lines.join("\n").trim().to_owned())
 }
 
 /// Randomly drawn parameters of the transformations: shift (m), boost (m/s), angle (rad), delay (s).

@@ -40,7 +40,7 @@ pub fn reference(subject: &Subject<'_>, options: &Options) -> Row {
             if error > TOLERANCE && !refused.contains(&name) {
                 refused.push(name.clone());
             }
-            worst.see(error, || name);
+            worst.update(error, || name);
         };
         let expected = reference.derivatives(&lifted);
         compare_rates(model, &expected, &got, &added, &mut errors);
@@ -52,15 +52,15 @@ pub fn reference(subject: &Subject<'_>, options: &Options) -> Row {
     if refused.is_empty() {
         let still =
             (!reference.has_wind()).then_some("in still air: the model has no input `wind`");
-        let row = still.map_or(row.clone(), |words| row.saying(words));
+        let row = still.map_or(row.clone(), |words| row.with_detail(words));
         return match uncovered(subject, reference, options) {
             None => row,
             // Whatever the author's coefficients are, the loads of a body are checked by the balance of its momentum.
-            Some(lines) if model.body.is_some() => row.remarking(lines.join("\n")),
+            Some(lines) if model.body.is_some() => row.with_remark(lines.join("\n")),
             Some(lines) => Row::unverified(REFERENCE, lines.join("\n")),
         };
     }
-    row.saying(format!(
+    row.with_detail(format!(
         "differ from the reference implementation: {}",
         refused.join(", ")
     ))
@@ -133,7 +133,7 @@ pub fn tree(subject: &Subject<'_>, options: &Options) -> Row {
             Err(why) => return Row::unverified(TREE, why.to_string()),
         };
         let got = subject.equations.rates(&point);
-        let mut errors = |error, name| worst.see(error, || name);
+        let mut errors = |error, name| worst.update(error, || name);
         compare_rates(model, &expected, &got, &[], &mut errors);
         let observed = subject.equations.observation(&point);
         if let Some((observed, stated)) = observed.zip(model.observation.as_ref()) {

@@ -107,7 +107,7 @@ impl MutationMatrix {
             n => format!("; {n} not covered by the reference"),
         };
         let says = format!("{killed} of {mutants} killed; {same} more are equivalent{not_covered}");
-        Row::counted("mutants", mutants, &self.survivors, "").saying(says)
+        Row::counted("mutants", mutants, &self.survivors, "").with_detail(says)
     }
 
     /// Formats the matrix as text. A cell `first/all` contains the number of mutants for which the check is the first

@@ -149,10 +149,7 @@ fn frame(out: &mut Changes<'_>, kind: &FrameKind, names: &Names, angles: &[Name]
         turned(format!("about {other} for {axis}"), parent, angle, other);
     }
     for other in names.other_frames(&parent.text) {
-        let name = Name {
-            text: other.clone(),
-            span: parent.span,
-        };
+        let name = Name::new(other, parent.span);
         turned(format!("{other} turned"), &name, angle, *axis);
     }
     for other in angles.iter().filter(|other| other.text != angle.text) {

@@ -16,6 +16,7 @@ use crate::Options;
 use crate::checks::backends::{self, Run};
 use crate::random::Random;
 use crate::row::{Measure, Row, Verdict};
+use crate::sample;
 use crate::subject::Subject;
 use big::{Big, with_numbers};
 use codegen::Compiled;
@@ -119,7 +120,7 @@ pub fn measure(
     effort: Effort,
 ) -> Rounding {
     let mut random = Random::new(options.seed, ROUNDING);
-    let mut at = points::random(subject, effort.random, &mut random);
+    let mut at = sample::points(subject.model, effort.random, &mut random);
     let flown = points::flown(subject, effort.flights, effort.states, &mut random);
     let counts = [at.len(), flown.len()];
     let named = |what: &str, points: &[Point<f64>]| -> Vec<(String, Point<f64>)> {
@@ -222,7 +223,7 @@ pub fn row(rounding: &Rounding) -> Row {
     if lossy.is_empty() {
         row
     } else {
-        row.remarking(lossy.join("\n"))
+        row.with_remark(lossy.join("\n"))
     }
 }
 

@@ -17,13 +17,6 @@ const MAX_STARTS: usize = 4;
 /// Values that a state is set to in order to measure rounding near 0, relative to the state's typical magnitude.
 const SMALL: [f64; 2] = [1e-3, 1e-7];
 
-/// Draws `count` random points within the validity limits of the model.
-pub fn random(subject: &Subject<'_>, count: usize, random: &mut Random) -> Vec<Point<f64>> {
-    (0..count)
-        .map(|_| sample::point(subject.model, random))
-        .collect()
-}
-
 /// Points along `flights` simulated flights from random points, at most `each` per flight. A flight ends early if it
 /// leaves the model's validity limits or its integration fails; another is attempted if it ends before its first point.
 pub fn flown(
