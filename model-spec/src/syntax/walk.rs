@@ -68,7 +68,7 @@ impl Expr {
 
 impl ItemKind {
     /// Right-hand side of a `let`, load, equation, observation or clock statement; `None` for other kinds of statement.
-    pub(crate) fn value(&self) -> Option<&Expr> {
+    pub fn value(&self) -> Option<&Expr> {
         match self {
             ItemKind::Let(binding) => Some(&binding.value),
             ItemKind::Load(load) => Some(&load.value),
@@ -81,7 +81,7 @@ impl ItemKind {
 
     /// Mutable reference to the right-hand side of a `let`, load, equation, observation or clock statement; `None` for
     /// other kinds of statement.
-    pub(crate) fn value_mut(&mut self) -> Option<&mut Expr> {
+    pub fn value_mut(&mut self) -> Option<&mut Expr> {
         match self {
             ItemKind::Let(binding) => Some(&mut binding.value),
             ItemKind::Load(load) => Some(&mut load.value),

@@ -46,7 +46,7 @@ pub fn compare(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     let mut random = Random::new(options.seed, EXACT);
     let mut faults = Vec::new();
     for _ in 0..POINTS {
-        let spot = Spot::random(model, &mut random);
+        let spot = FieldPoint::random(model, &mut random);
         let circle = |i: usize| spot.circles[i];
         let count = model.inputs.len();
         let (force, moment) = (spot.point.inputs[count - 2], spot.point.inputs[count - 1]);
@@ -122,14 +122,14 @@ pub fn free_loads(model: &Model) -> Model {
 }
 
 /// A random point of the prime field, with the sine and cosine of every state.
-pub struct Spot {
+pub struct FieldPoint {
     /// Field elements for time, parameters, coefficients, inputs, states and marker.
     pub point: Point<Prime>,
     /// (sine, cosine) of every state.
     pub circles: Vec<(Prime, Prime)>,
 }
 
-impl Spot {
+impl FieldPoint {
     /// Draws a random point; quaternions have norm 1.
     pub fn random(model: &Model, random: &mut Random) -> Self {
         let mut point = Point::defaults(model).map(|_| random.prime());

@@ -4,7 +4,7 @@
 //! of their arguments. Branches and rounded constants, which the field cannot decide, are compared in 256-bit
 //! arithmetic at states of the model.
 
-use super::exact::{POINTS, Spot};
+use super::exact::{FieldPoint, POINTS};
 use super::function_rows::{Variable, differences, functions, law, variables};
 use super::long_functions;
 use crate::Options;
@@ -45,7 +45,7 @@ pub fn check(model: &Model, compiled: &Compiled, options: &Options) -> Row {
         if good == POINTS || lacking == LACKING || !faults.is_empty() {
             break;
         }
-        let mut spot = Spot::random(model, &mut random);
+        let mut spot = FieldPoint::random(model, &mut random);
         let circles = spot.point.states.iter().map(|&s| field::circle(s));
         spot.circles = circles.collect();
         match compare(model, compiled, &spot) {
@@ -102,7 +102,7 @@ enum Compared {
     NoCode,
 }
 
-fn compare(model: &Model, compiled: &Compiled, spot: &Spot) -> Compared {
+fn compare(model: &Model, compiled: &Compiled, spot: &FieldPoint) -> Compared {
     let mut machine = Machine::new(&spot.point, &spot.circles, true);
     machine.prepared = machine.run(&compiled.prepare.program);
     let results = functions(compiled).map(|function| {
@@ -133,7 +133,7 @@ fn compare(model: &Model, compiled: &Compiled, spot: &Spot) -> Compared {
 /// with its derivative with respect to a variable. `None` if a value does not exist in the field.
 fn exact_law(
     model: &Model,
-    spot: &Spot,
+    spot: &FieldPoint,
     variable: &Variable<'_, Prime>,
 ) -> Option<Vec<Dual<Prime>>> {
     let direction = variable.direction.iter().map(|&d| Symbolic(d)).collect();

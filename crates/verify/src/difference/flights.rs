@@ -19,7 +19,7 @@ const SPREAD: f64 = 0.2;
 const TOLERANCE: f64 = 1e-10;
 
 /// Difference between the flights of two models that start from the same release (initial state).
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct FlightShift {
     /// Name of the release (initial state of the flights): that of a built-in release, or `random 1` and so on.
     pub release: String,
@@ -114,27 +114,19 @@ fn shift(
     seconds: f64,
 ) -> FlightShift {
     // Values stated in a model file are not carried over to the other model; values set by the release are.
+    let parameters = pairing.parameters.iter().enumerate().map(|(k, from)| {
+        let is_input = k >= new.model.params.len() + new.model.coefficients.len();
+        from.filter(|from| is_input || set.contains(from))
+    });
     let of_release = Pairing {
         states: pairing.states.clone(),
-        parameters: pairing
-            .parameters
-            .iter()
-            .enumerate()
-            .map(|(k, from)| {
-                let is_input = k >= new.model.params.len() + new.model.coefficients.len();
-                from.filter(|from| is_input || set.contains(from))
-            })
-            .collect(),
+        parameters: parameters.collect(),
     };
     let there = of_release.carry(here, &Point::defaults(new.model));
     let mut out = FlightShift {
         release,
         seconds,
-        distance_m: None,
-        state: String::new(),
-        old: 0.0,
-        new: 0.0,
-        failed: None,
+        ..FlightShift::default()
     };
     let (a, b) = match (fly(old, here, seconds), fly(new, &there, seconds)) {
         (Ok(a), Ok(b)) => (a, b),
@@ -147,15 +139,11 @@ fn shift(
             return out;
         }
     };
-    out.distance_m = place(old, &a, here)
-        .zip(place(new, &b, &there))
-        .map(|(p, q)| {
-            p.iter()
-                .zip(&q)
-                .map(|(p, q)| (p - q).powi(2))
-                .sum::<f64>()
-                .sqrt()
-        });
+    let ends = position(old, &a, here).zip(position(new, &b, &there));
+    out.distance_m = ends.map(|(p, q)| {
+        let squares = p.iter().zip(&q).map(|(p, q)| (p - q).powi(2));
+        squares.sum::<f64>().sqrt()
+    });
     let mut worst = -1.0;
     for (k, from) in pairing.states.iter().enumerate() {
         let Some(from) = *from else { continue };
@@ -173,7 +161,7 @@ fn shift(
 /// Position, m, at the end of a flight with the final states `states`: that of the body if the model has a body,
 /// otherwise the observed position, with all other values from `point`. `None` if the model has neither a body nor an
 /// observation.
-fn place(model: &Everything<'_>, states: &[f64], point: &Point<f64>) -> Option<Vec<f64>> {
+fn position(model: &Everything<'_>, states: &[f64], point: &Point<f64>) -> Option<Vec<f64>> {
     if let Some(chart) = Chart::declared(model.model) {
         return Some(chart.physical(states).position.iter().copied().collect());
     }

@@ -4,7 +4,7 @@
 
 use super::pairing::Pairing;
 use super::values::Everything;
-use crate::checks::exact::Spot;
+use crate::checks::exact::FieldPoint;
 use crate::field::literal;
 use crate::random::Random;
 use crate::{TOLERANCE, sample};
@@ -44,6 +44,13 @@ pub struct Compared {
     pub sameness: Sameness,
     /// Maximum difference between the two outputs at random points, relative to the sum of the magnitudes of the terms.
     pub error: f64,
+}
+
+impl Compared {
+    /// Whether the outputs are different functions.
+    pub fn is_changed(self) -> bool {
+        self.sameness == Sameness::Changed
+    }
 }
 
 /// Compares pairs of outputs (index in the old model, index in the new model) as functions of the states and
@@ -89,7 +96,7 @@ fn exactly(
         if !(0..pairs.len()).any(open) {
             break;
         }
-        let (here, there) = spots(old.model, new.model, pairing, stated, &mut random);
+        let (here, there) = field_points(old.model, new.model, pairing, stated, &mut random);
         let (a, b) = (old.exact(&here), new.exact(&there));
         for (k, &(i, j)) in pairs.iter().enumerate() {
             match (a[i], b[j]) {
@@ -110,15 +117,15 @@ fn exactly(
 
 /// Draws a random field point for each of the two models. Paired states and parameters have equal values; if `stated`,
 /// unpaired parameters have the default values of their model.
-fn spots(
+fn field_points(
     old: &Model,
     new: &Model,
     pairing: &Pairing,
     stated: bool,
     random: &mut Random,
-) -> (Spot, Spot) {
-    let mut here = Spot::random(old, random);
-    let mut there = Spot::random(new, random);
+) -> (FieldPoint, FieldPoint) {
+    let mut here = FieldPoint::random(old, random);
+    let mut there = FieldPoint::random(new, random);
     if stated {
         let defaults = Point::defaults(old).map(literal);
         here.point = unpaired_at(&here.point, &defaults, |k| {

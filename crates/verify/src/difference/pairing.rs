@@ -75,26 +75,20 @@ impl Pairing {
     /// States and parameters whose names changed.
     pub fn renamed(&self, old: &Everything<'_>, new: &Everything<'_>) -> Vec<Renamed> {
         let (a, b) = (&old.code.layout, &new.code.layout);
-        let states = self
-            .states
-            .iter()
-            .enumerate()
-            .map(|(i, o)| (o.map(|o| &a.states[o]), &b.states[i]));
-        let parameters = self
-            .parameters
-            .iter()
-            .enumerate()
-            .map(|(i, o)| (o.map(|o| &a.parameters[o]), &b.parameters[i]));
-        states
-            .chain(parameters)
-            .filter_map(|(from, to)| {
-                let from = from.filter(|from| *from != to)?.clone();
-                Some(Renamed {
-                    from,
+        let mut out = Vec::new();
+        for (pairs, old_names, new_names) in [
+            (&self.states, &a.states, &b.states),
+            (&self.parameters, &a.parameters, &b.parameters),
+        ] {
+            for (from, to) in pairs.iter().zip(new_names) {
+                let from = from.map(|from| &old_names[from]).filter(|from| *from != to);
+                out.extend(from.map(|from| Renamed {
+                    from: from.clone(),
                     to: to.clone(),
-                })
-            })
-            .collect()
+                }));
+            }
+        }
+        out
     }
 
     /// Returns the point `there` of the new model with the values of all paired states and parameters, the time and the

@@ -8,7 +8,7 @@
 use super::big::{Big, with_numbers};
 use super::program::{Inputs, outputs};
 use crate::engine;
-use crate::expressions::{children_mut, roots_mut};
+use crate::expressions::children_mut;
 use codegen::compile_every_value;
 use codegen::tape::Tape;
 use model_spec::diagnostic::Span;
@@ -192,7 +192,7 @@ fn separated(model: &Model) -> (Model, Vec<Statement>) {
             }
         });
     }
-    for root in roots_mut(&mut alone) {
+    for root in alone.expressions_mut() {
         replace(root, &given);
     }
     let mut own: Vec<(String, Expr, Span)> = Vec::new();
