@@ -43,19 +43,14 @@ pub(super) fn quantity(model: &Model, wanted: &str) -> Result<Found, ExplainErro
     if let Meaning::Load(load, kind) = &meaning {
         label = format!("{kind} {}", load.name);
         prefix = format!("{kind}_{}", load.name);
-        while changed
-            .aux_variables
-            .iter()
-            .any(|quantity| quantity.name == prefix)
-        {
+        let named = |name: &str| changed.aux_variables.iter().any(|own| own.name == name);
+        while named(&prefix) {
             prefix.push('_');
         }
         changed.aux_variables.push(AuxVariable {
-            name: prefix.clone(),
-            doc: String::new(),
-            value: load.value.clone(),
             span: load.span,
             effect: load.effect,
+            ..AuxVariable::new(prefix.clone(), load.value.clone())
         });
     }
     let mut compiled = compile_for(&changed, &Selection::Only(Vec::new()));

@@ -2,17 +2,16 @@
 //! law integrated in momenta, and agreement of two models.
 
 use crate::Options;
+use crate::checks::identities::body_properties;
 use crate::integration;
 use crate::random::Random;
 use crate::row::{Row, Worst};
+use crate::same_motion::relative_difference;
 use crate::sample::is_valid;
 use crate::subject::Subject;
 use nalgebra::{Matrix3, Vector3};
 use ode::IntegrationOptions;
-use oracle::{
-    MassProperties, Physical, Point, Quaternion, Reference, Tree, inertia_in_n, mass_properties,
-    solve,
-};
+use oracle::{MassProperties, Physical, Point, Quaternion, Reference, Tree, inertia_in_n, solve};
 
 /// Name in reports of the check of energy and angular momentum without air.
 pub const INVARIANTS: &str = "flight without air";
@@ -67,10 +66,8 @@ pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
                 "without air and with its coefficients at 0, loads are left that are not a constant force",
             );
         }
-        let (Some(before), Some(after)) = (
-            held(subject, &point, &properties),
-            held(subject, &end, &properties),
-        ) else {
+        let conserved = |point: &Point<f64>| conserved(subject, point, &properties);
+        let (Some(before), Some(after)) = (conserved(&point), conserved(&end)) else {
             return subject.without_meaning(INVARIANTS);
         };
         worst.update(moment.norm(), || {
@@ -124,18 +121,13 @@ pub fn same_flights(a: &Subject<'_>, b: &Subject<'_>, options: &Options) -> Row 
         let (Some(here), Some(there), Some(chart_a), Some(chart_b)) =
             (here, there, &a.chart, &b.chart)
         else {
-            return Row::skipped(
-                FLIGHTS,
-                "the states of one cannot be found from the other's",
-            );
+            let why = "the states of one cannot be found from the other's";
+            return Row::skipped(FLIGHTS, why);
         };
         match (fly(a, &here), fly(b, &there)) {
             (Ok(one), Ok(other)) => {
-                compare(
-                    &mut worst,
-                    &chart_a.physical(&one.states),
-                    &chart_b.physical(&other.states),
-                );
+                let (one, other) = (&one.states, &other.states);
+                compare(&mut worst, &chart_a.physical(one), &chart_b.physical(other));
             }
             (Err(why), _) | (_, Err(why)) => return Row::counted(FLIGHTS, RELEASES, &[why], ""),
         }
@@ -211,12 +203,8 @@ pub(crate) fn airless(subject: &Subject<'_>, point: &mut Point<f64>) {
             *value = 0.0;
         }
     }
-    for (constant, value) in subject
-        .model
-        .coefficients
-        .iter()
-        .zip(&mut point.coefficients)
-    {
+    let coefficients = subject.model.coefficients.iter();
+    for (constant, value) in coefficients.zip(&mut point.coefficients) {
         let (low, high) = constant.bounds.unwrap_or((0.0, 0.0));
         *value = 0.0_f64.clamp(low.min(high), high);
     }
@@ -297,24 +285,23 @@ fn compare(worst: &mut Worst, a: &Physical<f64>, b: &Physical<f64>) {
         ("attitude", a.attitude.axis(3), b.attitude.axis(3)),
     ];
     for (what, a, b) in parts {
-        worst.update((a - b).norm() / (a.norm() + b.norm() + 1.0), || {
-            what.to_owned()
-        });
+        worst.update(relative_difference(a, b), || what.to_owned());
     }
 }
 
-/// Position (m), kinetic energy (J) and angular momentum (kg·m²/s) of a body.
-struct Held {
+/// Kinetic energy (J) and angular momentum (kg·m²/s) of a body, which without air change only by the work of a constant
+/// force over the displacement, and its position (m).
+struct Conserved {
     position: Vector3<f64>,
     energy: f64,
     angular_momentum: Vector3<f64>,
 }
 
-fn held(
+fn conserved(
     subject: &Subject<'_>,
     point: &Point<f64>,
     properties: &MassProperties<f64>,
-) -> Option<Held> {
+) -> Option<Conserved> {
     let body = subject.chart.as_ref()?.physical(&point.states);
     let axes = body.attitude.matrix();
     let angular_momentum = properties.inertia.map_or_else(Vector3::zeros, |inertia| {
@@ -322,7 +309,7 @@ fn held(
     });
     let energy = properties.mass * body.velocity.norm_squared()
         + angular_momentum.dot(&body.angular_velocity);
-    Some(Held {
+    Some(Conserved {
         position: body.position,
         energy: energy / 2.0,
         angular_momentum,
@@ -337,24 +324,12 @@ fn loads(
 ) -> Option<(Vector3<f64>, Vector3<f64>, MassProperties<f64>)> {
     if let Some(reference) = &subject.reference {
         let motion = reference.motion(point);
-        return Some((
-            motion.force,
-            motion.moment,
-            reference.mass_properties(point),
-        ));
+        let properties = reference.mass_properties(point);
+        return Some((motion.force, motion.moment, properties));
     }
     let model = subject.model;
     let body = model.body.as_ref()?;
     let tree = Tree::new(model, point);
-    let mut properties = mass_properties(&tree, body);
-    if let (Some(rotation), Some(inertia)) = (&body.rotation, properties.inertia) {
-        let turn = tree.frames[rotation.body_frame].axes.transpose()
-            * tree.frames[rotation.inertia_frame].axes;
-        properties.inertia = Some(inertia_in_n(&turn, &inertia));
-    }
-    Some((
-        tree.total(&model.forces),
-        tree.total(&model.moments),
-        properties,
-    ))
+    let (force, moment) = (tree.total(&model.forces), tree.total(&model.moments));
+    Some((force, moment, body_properties(&tree, body)))
 }

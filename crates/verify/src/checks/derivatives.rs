@@ -11,6 +11,7 @@ use crate::row::{Row, Worst};
 use crate::sample;
 use crate::subject::{Derivatives, Differentiable, Subject};
 use crate::{Options, TOLERANCE};
+use model_spec::Layout;
 use model_spec::model::Model;
 use oracle::scalar::{ComplexStep, Dual, ErrorBound, Lockstep, NumDual, Real};
 use oracle::{Point, Reference, Tree, derivatives_of};
@@ -48,9 +49,10 @@ fn three_ways(value: f64, derivative: f64) -> ThreeWays {
 pub fn check(subject: &Subject<'_>, equations: &dyn Differentiable, options: &Options) -> Vec<Row> {
     let cases = options.cases.div_ceil(4);
     let mut random = Random::new(options.seed, "derivatives");
+    let layout = Layout::new(subject.model);
     let mut comparison = Comparison {
         subject,
-        variables: variables(subject.model),
+        variables: [layout.states, layout.parameters].concat(),
         worst: Default::default(),
     };
     for _ in 0..cases {
@@ -75,6 +77,7 @@ pub fn check(subject: &Subject<'_>, equations: &dyn Differentiable, options: &Op
 
 struct Comparison<'a> {
     subject: &'a Subject<'a>,
+    /// Names of the independent variables: states, parameters, coefficients, components of inputs.
     variables: Vec<String>,
     /// Maximum error found by each check in [`CHECKS`], in that order.
     worst: [Worst; 4],
@@ -166,22 +169,6 @@ fn has_reference(model: &Model, reference: &Reference, variable: usize) -> bool 
         .is_none_or(|index| !reference.unknown.contains(&index))
 }
 
-/// Names of the independent variables: states, parameters, coefficients, components of inputs.
-fn variables(model: &Model) -> Vec<String> {
-    let constants = model.params.iter().chain(&model.coefficients);
-    let inputs = model
-        .inputs
-        .iter()
-        .flat_map(|i| ["x", "y", "z"].map(|axis| format!("{}_{axis}", i.name)));
-    model
-        .states
-        .iter()
-        .map(|s| s.name.clone())
-        .chain(constants.map(|c| c.name.clone()))
-        .chain(inputs)
-        .collect()
-}
-
 /// Lifts the point to scalars that carry derivatives with respect to variable `j`; `variable(value, derivative)`
 /// creates such a scalar.
 fn seed<T: Real>(
@@ -191,11 +178,8 @@ fn seed<T: Real>(
     variable: fn(f64, f64) -> T,
 ) -> Point<T> {
     let mut out = point.lift::<T>();
-    for (state, derivative) in out
-        .states
-        .iter_mut()
-        .zip(direction(model, &point.states, j))
-    {
+    let derivatives = direction(model, &point.states, j);
+    for (state, derivative) in out.states.iter_mut().zip(derivatives) {
         if derivative != 0.0 {
             *state = variable(state.re(), derivative);
         }

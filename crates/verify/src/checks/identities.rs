@@ -6,9 +6,10 @@ use crate::row::{Row, Worst};
 use crate::sample;
 use crate::subject::Subject;
 use crate::{Options, TOLERANCE};
-use nalgebra::{Matrix3, Vector3};
+use model_spec::model::Body;
+use nalgebra::Vector3;
 use oracle::scalar::{Dual, ErrorBound, Real};
-use oracle::{MassProperties, Motion, PlacedFrame, Point, Tree, inertia_in_n, mass_properties};
+use oracle::{MassProperties, Motion, Point, Tree, inertia_in_n, mass_properties};
 
 /// Name of this check in reports: balances of momentum, angular momentum and energy.
 pub const IDENTITIES: &str = "momentum and energy";
@@ -131,25 +132,22 @@ fn loads(
         angular_acceleration: Vector3::zeros(),
     };
     let properties = reference.map_or_else(
-        || in_body_frame(&tree, mass_properties(&tree, body)),
+        || body_properties(&tree, body),
         |reference| reference.mass_properties(point),
     );
     Some((motion, properties))
 }
 
-/// Mass properties with the inertia tensor rotated from the frame of its declaration to the body frame.
-fn in_body_frame(
-    tree: &Tree<'_, ErrorBound>,
-    given: MassProperties<ErrorBound>,
-) -> MassProperties<ErrorBound> {
-    let rotation = tree.model.body.as_ref().and_then(|b| b.rotation.as_ref());
-    let inertia = rotation.zip(given.inertia).map(|(rotation, inertia)| {
-        let frame = |i: usize| -> &PlacedFrame<ErrorBound> { &tree.frames[i] };
-        let turn: Matrix3<ErrorBound> =
-            frame(rotation.body_frame).axes.transpose() * frame(rotation.inertia_frame).axes;
-        inertia_in_n(&turn, &inertia)
-    });
-    MassProperties { inertia, ..given }
+/// Mass properties of a declared body, with the inertia tensor rotated from the frame of its declaration to the body
+/// frame.
+pub(crate) fn body_properties<T: Real>(tree: &Tree<'_, T>, body: &Body) -> MassProperties<T> {
+    let mut properties = mass_properties(tree, body);
+    if let (Some(rotation), Some(inertia)) = (&body.rotation, properties.inertia) {
+        let turn = tree.frames[rotation.body_frame].axes.transpose()
+            * tree.frames[rotation.inertia_frame].axes;
+        properties.inertia = Some(inertia_in_n(&turn, &inertia));
+    }
+    properties
 }
 
 fn value(v: &Vector3<Bounded>) -> Vector3<ErrorBound> {

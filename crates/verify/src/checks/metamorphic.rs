@@ -12,6 +12,7 @@ use crate::Options;
 use crate::meaning::Meaning;
 use crate::random::Random;
 use crate::row::{Row, Worst};
+use crate::same_motion::rate_differences;
 use crate::sample;
 use crate::subject::Subject;
 use model_spec::model::{FrameKind, Model};
@@ -68,11 +69,9 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
         .collect();
     let mut random = Random::new(options.seed, "symmetries");
     let mut worst = Worst::default();
-    let mut broken: Vec<(usize, Vec<&'static str>)> = subject
-        .extras()
-        .into_iter()
-        .map(|(index, _)| (index, Vec::new()))
-        .collect();
+    let extras = subject.extras().into_iter();
+    let mut broken: Vec<(usize, Vec<&'static str>)> =
+        extras.map(|(index, _)| (index, Vec::new())).collect();
     let mut of_model: BTreeSet<&str> = BTreeSet::new();
     // Names of the relations for which transformed states were found at some point, and of those for which they were
     // missing at some point.
@@ -191,20 +190,11 @@ fn error(
     }
     let pace = subject.clock(&seen);
     let got = meaning.rate(&seen, &subject.flight_rates(&seen), pace)?;
-    let parts = [
-        (got.velocity, expected.velocity),
-        (got.acceleration, expected.acceleration),
-        (got.angular_velocity, expected.angular_velocity),
-        (got.angular_acceleration, expected.angular_acceleration),
-    ];
-    // Velocities and accelerations are of order 1 to 1000; the added 1 is far below a typical fault.
-    let error = |(got, expected): (Vector3<f64>, Vector3<f64>)| {
-        (got - expected).norm() / (got.norm() + expected.norm() + 1.0)
-    };
-    Some(parts.into_iter().map(error).fold(
-        0.0,
-        |a, b| if b.is_nan() { f64::INFINITY } else { a.max(b) },
-    ))
+    let mut worst = Worst::default();
+    for (what, error) in rate_differences(&got, &expected) {
+        worst.update(error, || what.to_owned());
+    }
+    Some(worst.error)
 }
 
 fn transform(
@@ -233,10 +223,9 @@ fn transform(
             p = map(&p, &polar, &-polar, attitude);
             change = map_change(&change, &polar, &-polar);
             for (input, v) in model.inputs.iter().zip(&mut inputs) {
-                *v = if input.unit.doubled[Base::Metre as usize] == 0 {
-                    -polar * *v
-                } else {
-                    polar * *v
+                *v = match input.unit.doubled[Base::Metre as usize] {
+                    0 => -polar * *v,
+                    _ => polar * *v,
                 };
             }
         }

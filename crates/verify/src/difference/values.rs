@@ -105,22 +105,16 @@ impl<'a> Everything<'a> {
 /// components in another frame is converted to inertial components, so that it can be compared.
 fn add(model: &mut Model, value: Expr) -> usize {
     let index = model.aux_variables.len();
-    let span = value.span;
     let value = match value.shape {
         Shape::Vector(frame) if frame != 0 => Expr {
             shape: Shape::Vector(0),
             unit: value.unit,
-            span,
+            span: value.span,
             kind: ExprKind::Reexpress(Box::new(value)),
         },
         _ => value,
     };
-    model.aux_variables.push(AuxVariable {
-        name: format!("compared_{index}"),
-        doc: String::new(),
-        value,
-        span,
-        effect: None,
-    });
+    let name = format!("compared_{index}");
+    model.aux_variables.push(AuxVariable::new(name, value));
     index
 }
