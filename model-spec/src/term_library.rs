@@ -47,7 +47,7 @@ use crate::syntax::ast::{
 };
 
 /// Literature reference of every effect generated from a [`Term`], and documentation of the coefficient of the effect.
-const FOUND: &str = "found in measured flights";
+const FOUND_IN_FLIGHTS: &str = "found in measured flights";
 
 index_type!(
     /// Index into [`TermLibrary::channels`].
@@ -328,7 +328,7 @@ impl TermLibrary {
         let words = words.into_iter().map(name_of).collect();
         let template = &self.channels[term.channel].template;
         let mut parts = vec![
-            EffectPart::Citation(FOUND.to_owned(), Span::default()),
+            EffectPart::Citation(FOUND_IN_FLIGHTS.to_owned(), Span::default()),
             EffectPart::Variables(words, Span::default()),
             EffectPart::Add(Box::new(declaration(&coefficient))),
         ];
@@ -478,7 +478,7 @@ fn declaration(name: &str) -> Item {
         value: Quantity::new("0", Some(one), span),
         bounds: None,
     });
-    Item::new(kind, FOUND, span)
+    Item::new(kind, FOUND_IN_FLIGHTS, span)
 }
 
 #[cfg(test)]

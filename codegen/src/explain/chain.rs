@@ -1,6 +1,6 @@
 //! Formulas in terms of the auxiliary variables of the model, with derivatives by the chain rule.
 
-use super::find::{Found, symbol_of};
+use super::find::{FoundQuantity, symbol_of};
 use crate::differentiate::partials;
 use crate::graph::{ExprGraph, FastMap, Node, NodeId, Symbol, ValueFacts};
 use crate::latex::node;
@@ -16,7 +16,11 @@ pub(super) struct Formulas {
 }
 
 /// Writes the LaTeX formulas of a quantity and, if `by` is given, of its derivative with respect to that symbol.
-pub(super) fn formulas(model: &Model, found: &Found, by: Option<(Symbol, &str)>) -> Formulas {
+pub(super) fn formulas(
+    model: &Model,
+    found: &FoundQuantity,
+    by: Option<(Symbol, &str)>,
+) -> Formulas {
     let mut cut = Cut::new(model, &found.compiled.lowered.graph, &found.nodes);
     let roots: Vec<NodeId> = cut
         .roots

@@ -11,7 +11,7 @@ const WIDTH: u32 = 2;
 
 /// Number of live values from which on the next statement is chosen by the effect on the number of live values first,
 /// and by latency second, because processors have only 16 or 32 registers.
-const MOST: usize = 20;
+const LIVE_VALUES_LIMIT: usize = 20;
 
 /// Reorders the statements by list scheduling: of the ready statements, issues the one with the longest latency path to
 /// a result.
@@ -95,7 +95,7 @@ impl<'a> Order<'a> {
     fn next(&self, time: u32) -> Option<usize> {
         let waiting = self.waiting.iter();
         let waiting = waiting.filter_map(|&k| Some((k, self.ready[k]? <= time)));
-        if self.live >= MOST {
+        if self.live >= LIVE_VALUES_LIMIT {
             let rank = |k: usize, now| (self.freed(k), now, self.height[k], Reverse(k));
             return waiting.max_by_key(|&(k, now)| rank(k, now)).map(|(k, _)| k);
         }

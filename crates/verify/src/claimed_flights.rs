@@ -13,7 +13,7 @@ use nalgebra::Vector3;
 use oracle::{ClaimedBody, Point, Quaternion, Tree};
 
 /// Maximum number of draws of a release (initial state of a flight) until one is within the model's validity limits.
-const DRAWS: usize = 100;
+const MAX_DRAWS: usize = 100;
 /// Maximum deviation of a state of a random release (initial state of a flight) from the state's default, relative to
 /// the typical magnitude of quantities with the state's unit.
 const SPREAD: f64 = 0.2;
@@ -134,7 +134,7 @@ fn acts_alike(before: &ClaimedBody<f64>, after: &ClaimedBody<f64>) -> bool {
 /// `None` if no draw is within the model's validity limits.
 fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     let model = subject.model;
-    (0..DRAWS).find_map(|_| {
+    (0..MAX_DRAWS).find_map(|_| {
         let mut point = Point::defaults(model);
         for (state, value) in model.states.iter().zip(&mut point.states) {
             *value += random.within(SPREAD * typical(state.unit));

@@ -31,7 +31,7 @@ pub(crate) const OWN_CLOCK: &str = "its clock does not keep to the seconds of th
 /// Number of simulated flights per flight check.
 pub(crate) const RELEASES: usize = 3;
 /// Maximum number of draws of a release (initial state of a flight) until one is within the model's validity limits.
-const DRAWS: usize = 100;
+const MAX_DRAWS: usize = 100;
 /// Duration of a simulated flight in the flight checks, s.
 pub(crate) const DURATION: f64 = 1.0;
 
@@ -159,7 +159,7 @@ fn unreleased(subject: &Subject<'_>, check: &'static str) -> Row {
 /// Draws a release (initial state of a flight) within the validity limits of the model; `None` if no draw is within
 /// these limits or the meaning of the states is unknown.
 fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
-    (0..DRAWS).find_map(|_| {
+    (0..MAX_DRAWS).find_map(|_| {
         let point = any_release(subject, random)?;
         is_valid(subject.model, &point).then_some(point)
     })

@@ -13,7 +13,7 @@ const STEPS: usize = 60;
 const HALVINGS: usize = 30;
 /// Maximum residual at which the iteration for the states counts as converged. The residuals of position, velocity and
 /// angular velocity are divided by 1 + norm of the quantity.
-const FOUND: f64 = 1e-12;
+const CONVERGED: f64 = 1e-12;
 
 /// How the states of a model determine the physical quantities of its rigid body or point mass (position, velocity,
 /// attitude, angular velocity).
@@ -171,7 +171,7 @@ fn solved(model: &Model, physical: &Physical<f64>, at: &Point<f64>) -> Option<Ve
     let mut states = at.states.clone();
     let mut error = residual(&states)?;
     for _ in 0..STEPS {
-        if error.amax() <= FOUND {
+        if error.amax() <= CONVERGED {
             return Some(states);
         }
         let jacobian = jacobian(model, &states, at, &axes, &sizes)?;
@@ -185,7 +185,7 @@ fn solved(model: &Model, physical: &Physical<f64>, at: &Point<f64>) -> Option<Ve
         });
         (states, error) = tried?;
     }
-    (error.amax() <= FOUND).then_some(states)
+    (error.amax() <= CONVERGED).then_some(states)
 }
 
 /// Jacobian, with respect to the states, of the claimed body's position, velocity, unit vectors of the body axes `axes`

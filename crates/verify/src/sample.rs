@@ -8,7 +8,7 @@ use oracle::{Point, Tree};
 
 /// Maximum number of draws of a point within the validity limits. If none succeeds, the distance between the default
 /// point and the last point drawn is halved until the result is within the limits, see [`HALVINGS`].
-const DRAWS: usize = 1000;
+const MAX_DRAWS: usize = 1000;
 /// Limit of the number of halvings of the distance between the default point and a drawn point outside the validity
 /// limits. At most `HALVINGS` − 1 halvings are tried; then the default point is used.
 const HALVINGS: i32 = 20;
@@ -18,7 +18,7 @@ const HALVINGS: i32 = 20;
 /// bounds allow it, never 0. Inputs and marker are random.
 pub fn point(model: &Model, random: &mut Random) -> Point<f64> {
     let mut point = anywhere(model, random);
-    for _ in 0..DRAWS {
+    for _ in 0..MAX_DRAWS {
         if within_limits(model, &point) {
             return point;
         }

@@ -31,9 +31,9 @@ const MAX_EQUATIONS: usize = 8;
 
 /// `needs` statement of every generated effect that uses `air_velocity`, the velocity of the body relative to the air.
 /// In a model without `air_velocity`, the velocity of the body replaces it.
-const NEEDS: &str = "needs vector air_velocity: m/s or velocity;";
-const ALONG: &str = "unit(in_inertial(air_velocity))";
-const LEFT: &str = "unit(cross(inertial.3, in_inertial(air_velocity)))";
+const NEEDS_AIR_VELOCITY: &str = "needs vector air_velocity: m/s or velocity;";
+const DOWNSTREAM: &str = "unit(in_inertial(air_velocity))";
+const LEFTWARD: &str = "unit(cross(inertial.3, in_inertial(air_velocity)))";
 const WEIGHT: &str = "mass*(9.80665 [m/s^2])";
 
 /// A variable of the generated term library, with its definition. `rank` (0 to 4) is its priority: variables are sorted
@@ -112,10 +112,14 @@ fn coefficient(channel: &str) -> String {
 }
 
 fn channels_of_body(model: &Model, body: &Body) -> (String, Vec<ChannelEntry>) {
-    let up = format!("cross({ALONG}, {LEFT})");
+    let up = format!("cross({DOWNSTREAM}, {LEFTWARD})");
     let mut channels = Vec::new();
-    let mut loads = format!("{NEEDS}\n");
-    for (name, sign, direction) in [("drag", "-", ALONG), ("lift", "", &up), ("side", "", LEFT)] {
+    let mut loads = format!("{NEEDS_AIR_VELOCITY}\n");
+    for (name, sign, direction) in [
+        ("drag", "-", DOWNSTREAM),
+        ("lift", "", &up),
+        ("side", "", LEFTWARD),
+    ] {
         let x = coefficient(name);
         let _ = writeln!(
             loads,
@@ -124,7 +128,7 @@ fn channels_of_body(model: &Model, body: &Body) -> (String, Vec<ChannelEntry>) {
         channels.push(channel(
             name,
             format!(
-                "effect NAME {{ {NEEDS} site {name}; force NAME = {sign}{WEIGHT}*TERM*{direction}; }}"
+                "effect NAME {{ {NEEDS_AIR_VELOCITY} site {name}; force NAME = {sign}{WEIGHT}*TERM*{direction}; }}"
             ),
         ));
     }
@@ -140,7 +144,7 @@ fn channels_of_body(model: &Model, body: &Body) -> (String, Vec<ChannelEntry>) {
             channels.push(channel(
                 name,
                 format!(
-                    "effect NAME {{ {NEEDS} site {name}; moment NAME = {scale}*TERM*{frame}.{axis}; }}"
+                    "effect NAME {{ {NEEDS_AIR_VELOCITY} site {name}; moment NAME = {scale}*TERM*{frame}.{axis}; }}"
                 ),
             ));
         }

@@ -18,7 +18,7 @@ use oracle::scalar::{Dual, ErrorBound, Lockstep, Real};
 const POINTS: usize = 8;
 /// Maximum number of random draws to find a point at which rounding cannot change the result of a branch, such as that
 /// of abs.
-const DRAWS: usize = 30;
+const MAX_DRAWS: usize = 30;
 /// Maximum difference between compiled code and model, relative to the magnitude of the terms. It is about a thousand
 /// times the error of a constant that the code rounds to f64.
 const TOLERANCE: f64 = 1e-13;
@@ -31,7 +31,7 @@ type Bounded = Lockstep<Big, ErrorBound>;
 /// drawn point.
 pub fn faults(model: &Model, compiled: &Compiled, random: &mut Random) -> Option<Vec<String>> {
     let (mut faults, mut made) = (Vec::new(), 0);
-    for _ in 0..DRAWS {
+    for _ in 0..MAX_DRAWS {
         if made == POINTS || !faults.is_empty() {
             break;
         }

@@ -80,7 +80,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     for _ in 0..options.cases {
         let full = sample::point(subject.model, &mut random);
         let core = subject.without_extras(full.clone());
-        let draw = Draw::new(&mut random, axis.unwrap_or(3));
+        let draw = RandomTransformation::new(&mut random, axis.unwrap_or(3));
         let symmetric = is_symmetric(subject.model, &core);
         asymmetric |= !symmetric;
         for &(symmetry, name) in &apply {
@@ -146,7 +146,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
 }
 
 /// Randomly drawn parameters of the transformations: shift (m), boost (m/s), angle (rad), delay (s).
-struct Draw {
+struct RandomTransformation {
     shift: Vector3<f64>,
     boost: Vector3<f64>,
     angle: f64,
@@ -155,7 +155,7 @@ struct Draw {
     axis: u8,
 }
 
-impl Draw {
+impl RandomTransformation {
     fn new(random: &mut Random, axis: u8) -> Self {
         Self {
             shift: Vector3::from_fn(|_, _| random.within(10.0)),
@@ -175,7 +175,7 @@ fn error(
     meaning: &Meaning<'_>,
     point: &Point<f64>,
     symmetry: Relation,
-    draw: &Draw,
+    draw: &RandomTransformation,
 ) -> Option<f64> {
     let model = subject.model;
     let physical = meaning.physical(point)?;
@@ -203,7 +203,7 @@ fn transform(
     p: &Physical<f64>,
     change: &PhysicalRate,
     symmetry: Relation,
-    draw: &Draw,
+    draw: &RandomTransformation,
 ) -> (Physical<f64>, Vec<Vector3<f64>>, PhysicalRate) {
     let (mut p, mut change, mut inputs) = (*p, *change, point.inputs.clone());
     let heading = Quaternion::turn(3, draw.angle);

@@ -20,7 +20,7 @@ const POINTS: usize = 4;
 const MAX_TRIALS: usize = 4096;
 /// Lower bound, in SI units, of the magnitude by which the difference of two auxiliary variables or loads is divided.
 /// Because of this bound, values that are 0 except for rounding count as equal.
-const FLOOR: f64 = 1e-6;
+const MIN_MAGNITUDE: f64 = 1e-6;
 /// Number of random points of the floating-point comparison.
 const NUMBERS: usize = 24;
 
@@ -195,8 +195,8 @@ fn in_numbers(
 
 /// Lower bound of the divisor that makes a difference of output `k` relative. For a state derivative or component of
 /// the observation: `sizes[k]`, the sum of the magnitudes of its terms. For an auxiliary variable or load: the maximum
-/// absolute value of its components, or [`FLOOR`] if that is larger. For a validity limit: 0, so that its value alone
-/// determines the divisor.
+/// absolute value of its components, or [`MIN_MAGNITUDE`] if that is larger. For a validity limit: 0, so that its value
+/// alone determines the divisor.
 fn size(model: &Everything<'_>, sizes: &[f64], values: &[f64], k: usize) -> f64 {
     if let Some(size) = sizes.get(k) {
         return *size;
@@ -204,7 +204,7 @@ fn size(model: &Everything<'_>, sizes: &[f64], values: &[f64], k: usize) -> f64 
     let named = model.named.iter().find(|named| named.outputs.contains(&k));
     named.map_or(0.0, |named| {
         let parts = values[named.outputs.clone()].iter();
-        parts.fold(FLOOR, |most, v| most.max(v.abs()))
+        parts.fold(MIN_MAGNITUDE, |most, v| most.max(v.abs()))
     })
 }
 

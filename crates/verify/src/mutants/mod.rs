@@ -116,7 +116,7 @@ pub fn mutants(file: &File, sources: &[Source]) -> Vec<Mutant> {
         .collect();
     let mut out = Vec::new();
     for (index, item) in file.items.iter().enumerate() {
-        let place = sites::place(item);
+        let place = sites::statement_name(item);
         for change in statement::changes(item, &names, &angles) {
             let mut file = file.clone();
             match change.to {

@@ -19,7 +19,7 @@ pub fn roots(item: &mut Item) -> Vec<&mut Expr> {
 }
 
 /// Name of a statement, for messages.
-pub fn place(item: &Item) -> String {
+pub fn statement_name(item: &Item) -> String {
     match &item.kind {
         ItemKind::Parameter(c) => format!("declaration of {}", c.name.text),
         ItemKind::Input(i) => format!("input {}", i.name.text),

@@ -42,7 +42,7 @@ impl<'a> Editor<'a> {
     /// of the term of a sum in which `e` occurs; the descriptions of the changes quote this text.
     pub fn edits(&self, e: &Expr, term: &str) -> Vec<Edit> {
         let mut out = Vec::new();
-        self.here(e, term, &mut out);
+        self.edits_of_root(e, term, &mut out);
         let is_sum = matches!(
             e.kind,
             ExprKind::Add(..) | ExprKind::Sub(..) | ExprKind::Neg(..)
@@ -62,7 +62,7 @@ impl<'a> Editor<'a> {
         out
     }
 
-    fn here(&self, e: &Expr, term: &str, out: &mut Vec<Edit>) {
+    fn edits_of_root(&self, e: &Expr, term: &str, out: &mut Vec<Edit>) {
         let mut push = |rank, says: String, to: Expr| out.push(Edit { says, rank, to });
         match &e.kind {
             ExprKind::Mul(a, b) => {

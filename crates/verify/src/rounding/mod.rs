@@ -25,7 +25,7 @@ use oracle::Point;
 use oracle::scalar::{ErrorBound, Real};
 use program::{Inputs, magnitudes, outputs};
 use serde::Serialize;
-use statements::{LOSES, Loss};
+use statements::{Loss, REPORTED_BITS};
 
 /// Name in reports of the check of rounding errors.
 pub const ROUNDING: &str = "rounding";
@@ -217,7 +217,7 @@ pub fn row(rounding: &Rounding) -> Row {
     let lossy: Vec<String> = rounding
         .losses
         .iter()
-        .filter(|loss| loss.bits >= LOSES)
+        .filter(|loss| loss.bits >= REPORTED_BITS)
         .map(Loss::sentence)
         .collect();
     if lossy.is_empty() {

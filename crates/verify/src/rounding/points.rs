@@ -15,7 +15,7 @@ const MAX_STEPS: usize = 2_000;
 /// Maximum number of random points from which a flight is attempted.
 const MAX_STARTS: usize = 4;
 /// Values that a state is set to in order to measure rounding near 0, relative to the state's typical magnitude.
-const SMALL: [f64; 2] = [1e-3, 1e-7];
+const NEAR_ZERO: [f64; 2] = [1e-3, 1e-7];
 
 /// Points along `flights` simulated flights from random points, at most `each` per flight. A flight ends early if it
 /// leaves the model's validity limits or its integration fails; another is attempted if it ends before its first point.
@@ -57,11 +57,11 @@ fn flown_on(subject: &Subject<'_>, from: &Point<f64>, seconds: f64) -> Option<Po
 }
 
 /// Random points at which one state is near 0, each with a description. For every state there is one point per
-/// relative magnitude in the constant `SMALL`. Points outside the model's validity limits are left out.
+/// relative magnitude in the constant `NEAR_ZERO`. Points outside the model's validity limits are left out.
 pub fn near_zero(subject: &Subject<'_>, random: &mut Random) -> Vec<(String, Point<f64>)> {
     let mut points = Vec::new();
     for (index, state) in subject.model.states.iter().enumerate() {
-        for small in SMALL {
+        for small in NEAR_ZERO {
             let mut point = sample::point(subject.model, random);
             let value = small * typical(state.unit) * random.between(0.5, 1.0);
             point.states[index] = value;

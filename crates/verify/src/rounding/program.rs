@@ -124,7 +124,7 @@ fn unary<T: Real>(program: &Program, op: Unary, a: T) -> T {
 
 /// Distance of an operation's argument from the branch point (such as 0 for abs), relative to the magnitude of the
 /// argument's terms, below which rounding may change the result of the branch.
-const NEAR: f64 = 1e-9;
+const BRANCH_DISTANCE: f64 = 1e-9;
 
 /// Signed distance of an operation's argument to its branch point, such as 0 for abs; `None` for an operation without
 /// branches. `of` returns the value of an operand.
@@ -163,7 +163,8 @@ pub fn magnitudes(
         })
     };
     let undecided = program.statements.iter().any(|statement| {
-        let is_near = |x: ErrorBound| x.magnitude > 0.0 && x.value.abs() <= NEAR * x.magnitude;
+        let is_near =
+            |x: ErrorBound| x.magnitude > 0.0 && x.value.abs() <= BRANCH_DISTANCE * x.magnitude;
         gap(statement.op, of).is_some_and(is_near) && !is_exactly_zero(statement.op)
     });
     let outputs = program.outputs.iter();

@@ -20,11 +20,11 @@ use std::path::Path;
 
 /// Number of lost bits above which a statement is reported. At a random point, cancellation loses this many bits by
 /// chance once in a million.
-pub const LOSES: f64 = 20.0;
+pub const REPORTED_BITS: f64 = 20.0;
 
 /// Minimum magnitude of values whose lost bits are counted. Smaller values may be subnormal f64 numbers, which have
 /// fewer digits.
-const SMALLEST: f64 = 1e-290;
+const MIN_NORM: f64 = 1e-290;
 
 /// A statement of the model whose value is inaccurate because of rounding or cancellation, with the number of lost
 /// bits.
@@ -114,11 +114,11 @@ fn rearranged<T: Copy>(model: &Model, lets: &[usize], all: &[T], given: &[T]) ->
 }
 
 /// Number of inaccurate bits of a scalar or a vector: log2 of the error relative to the norm, in units of the f64
-/// epsilon. `None` if the norm is below [`SMALLEST`] or not finite in f64.
+/// epsilon. `None` if the norm is below [`MIN_NORM`] or not finite in f64.
 fn bits(exact: &[Big], rounded: &[f64]) -> Option<f64> {
     let norm = |values: Vec<f64>| values.iter().fold(0.0, |sum: f64, v| sum.hypot(*v));
     let size = norm(exact.iter().map(|v| v.re()).collect());
-    if !(SMALLEST..f64::INFINITY).contains(&size) {
+    if !(MIN_NORM..f64::INFINITY).contains(&size) {
         return None;
     }
     let each = exact.iter().zip(rounded);
