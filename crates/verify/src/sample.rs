@@ -106,6 +106,12 @@ pub fn typical(unit: Unit) -> f64 {
     }
 }
 
+/// Whether a unit is that of a velocity, up to powers of other base units than metre and second.
+pub(crate) fn is_velocity(unit: Unit) -> bool {
+    let [metre, second] = [Base::Metre, Base::Second].map(|base| unit.doubled[base as usize]);
+    (metre, second) == (2, -2)
+}
+
 fn state(unit: Unit, random: &mut Random) -> f64 {
     let small = if random.once_in(4) {
         10f64.powf(-random.between(0.0, 3.0))

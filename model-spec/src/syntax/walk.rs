@@ -20,7 +20,7 @@ impl File {
     }
 
     /// The frames that the file declares, in order.
-    pub(crate) fn frames(&self) -> impl Iterator<Item = &Frame> {
+    pub fn frames(&self) -> impl Iterator<Item = &Frame> {
         self.items.iter().filter_map(|item| match &item.kind {
             ItemKind::Frame(frame) => Some(frame),
             _ => None,

@@ -30,20 +30,20 @@ type Bounded = Lockstep<Big, ErrorBound>;
 /// empty if all agree. `None` if nothing was compared, because rounding may change the result of a branch at every
 /// drawn point.
 pub fn faults(model: &Model, compiled: &Compiled, random: &mut Random) -> Option<Vec<String>> {
-    let (mut faults, mut made) = (Vec::new(), 0);
+    let (mut faults, mut compared) = (Vec::new(), 0);
     for _ in 0..MAX_DRAWS {
-        if made == POINTS || !faults.is_empty() {
+        if compared == POINTS || !faults.is_empty() {
             break;
         }
         let point = sample::point(model, random);
         if let Some(found) = with_numbers(|| at(model, compiled, &point)) {
-            made += 1;
+            compared += 1;
             faults.extend(found);
         }
     }
     faults.sort();
     faults.dedup();
-    (made > 0).then_some(faults)
+    (compared > 0).then_some(faults)
 }
 
 /// Names of the values and derivatives in which the compiled functions differ from the model's vector expressions at a
@@ -78,16 +78,12 @@ fn evaluated<'a>(
     let mut bounds: Inputs<ErrorBound> = Inputs::of(point);
     let mut inputs: Inputs<Big> = Inputs::of(point);
     let prepare = &compiled.prepare.program;
-    let (prepared, undecided) = magnitudes(prepare, &bounds, Some(&inputs));
-    if undecided {
-        return None;
-    }
-    bounds.prepared = prepared;
+    bounds.prepared = magnitudes(prepare, &bounds, Some(&inputs))?;
     inputs.prepared = outputs(prepare, &inputs);
     let each = functions(compiled).into_iter().map(|function| {
-        let (bounds, undecided) = magnitudes(&function.program, &bounds, Some(&inputs));
+        let bounds = magnitudes(&function.program, &bounds, Some(&inputs))?;
         let values = outputs(&function.program, &inputs).into_iter().zip(bounds);
-        (!undecided).then(|| (function, values.map(bounded).collect()))
+        Some((function, values.map(bounded).collect()))
     });
     each.collect()
 }

@@ -13,10 +13,10 @@ use crate::meaning::Meaning;
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::same_motion::rate_differences;
-use crate::sample;
+use crate::sample::{self, is_velocity};
 use crate::subject::Subject;
 use model_spec::model::{FrameKind, Model};
-use model_spec::unit::{Base, Unit};
+use model_spec::unit::Base;
 use nalgebra::{Matrix3, Vector3};
 use oracle::{Physical, PhysicalRate, Point, Quaternion, Tree};
 
@@ -297,9 +297,4 @@ fn axis_of_revolution(model: &Model) -> Option<u8> {
 /// Whether the model has an input with the unit of a velocity. Such an input is assumed to be the velocity of the air.
 fn has_wind(model: &Model) -> bool {
     model.inputs.iter().any(|input| is_velocity(input.unit))
-}
-
-fn is_velocity(unit: Unit) -> bool {
-    let [metre, second] = [Base::Metre, Base::Second].map(|base| unit.doubled[base as usize]);
-    (metre, second) == (2, -2)
 }

@@ -60,11 +60,8 @@ impl MutationMatrix {
                 noticed: vec![0; count],
                 ..MutationRow::default()
             };
-            for (mutant, fate) in mutants
-                .iter()
-                .zip(statuses)
-                .filter(|(m, _)| m.operator == operator)
-            {
+            let own = mutants.iter().zip(statuses);
+            for (mutant, fate) in own.filter(|(m, _)| m.operator == operator) {
                 let name = || format!("{}: {}", mutant.place, mutant.change);
                 match fate {
                     MutantStatus::Equivalent(reason) => {
@@ -125,12 +122,8 @@ impl MutationMatrix {
                 row.mutants.to_string(),
                 row.killed.to_string(),
             ];
-            cells.extend(
-                row.first
-                    .iter()
-                    .zip(&row.noticed)
-                    .map(|(first, all)| format!("{first}/{all}")),
-            );
+            let counts = row.first.iter().zip(&row.noticed);
+            cells.extend(counts.map(|(first, all)| format!("{first}/{all}")));
             table.add_row(cells);
         }
         let mut cells = vec![

@@ -201,18 +201,15 @@ pub fn row(rounding: &Rounding) -> Row {
         return Row::unverified(ROUNDING, "rounding may decide a branch at every point");
     };
     let median = rounding.errors.iter().map(|e| e.median).fold(0.0, f64::max);
+    let (place, backend) = (&worst.place, &worst.backend);
+    let detail = format!("{place} by {backend}; medians up to {median:.2}");
     let row = Row {
-        check: ROUNDING,
         cases,
         worst: worst.worst,
         measure: Measure::Magnitude,
         tolerance: ALLOWED,
         verdict: Verdict::of(worst.worst <= ALLOWED),
-        detail: format!(
-            "{} by {}; medians up to {median:.2}",
-            worst.place, worst.backend
-        ),
-        remark: None,
+        ..Row::skipped(ROUNDING, detail)
     };
     let lossy: Vec<String> = rounding
         .losses
@@ -232,11 +229,7 @@ pub fn row(rounding: &Rounding) -> Row {
 fn exact(compiled: &Compiled, point: &Point<f64>) -> Option<Vec<Exact>> {
     with_numbers(|| {
         let mut bounds: Inputs<ErrorBound> = Inputs::of(point);
-        let (prepared, undecided) = magnitudes(&compiled.prepare.program, &bounds, None);
-        bounds.prepared = prepared;
-        if undecided {
-            return None;
-        }
+        bounds.prepared = magnitudes(&compiled.prepare.program, &bounds, None)?;
         let mut inputs: Inputs<Big> = Inputs::of(point);
         inputs.prepared = outputs(&compiled.prepare.program, &inputs);
         let mut all = Vec::new();
@@ -244,19 +237,13 @@ fn exact(compiled: &Compiled, point: &Point<f64>) -> Option<Vec<Exact>> {
             if sections(function).is_empty() {
                 continue;
             }
-            let (bounds, undecided) = magnitudes(&function.program, &bounds, None);
-            if undecided {
-                return None;
-            }
-            let values = outputs(&function.program, &inputs);
-            let values: Vec<(f64, f64, f64)> = values
-                .into_iter()
-                .zip(bounds)
-                .map(|(value, bound)| {
-                    let rounded = value.re();
-                    (rounded, (value - Big::lit(rounded)).re(), bound.magnitude)
-                })
-                .collect();
+            let bounds = magnitudes(&function.program, &bounds, None)?;
+            let values = outputs(&function.program, &inputs).into_iter().zip(bounds);
+            let values = values.map(|(value, bound)| {
+                let rounded = value.re();
+                (rounded, (value - Big::lit(rounded)).re(), bound.magnitude)
+            });
+            let values: Vec<(f64, f64, f64)> = values.collect();
             let finite = |v: &(f64, f64, f64)| v.0.is_finite() && v.2.is_finite();
             if !values.iter().all(finite) {
                 return None;

@@ -146,14 +146,14 @@ fn gap<T: Real>(op: Op, of: impl Fn(Operand) -> T) -> Option<T> {
     }
 }
 
-/// Evaluates a program. Returns its outputs with the magnitudes of their terms, and whether rounding may change the
+/// Evaluates a program and returns its outputs with the magnitudes of their terms. `None` if rounding may change the
 /// result of a branch, such as that of abs, because its argument is close to the branch point. If `exact` contains the
 /// inputs for 256-bit arithmetic, arguments that equal the branch point in this arithmetic do not count as close.
 pub fn magnitudes(
     program: &Program,
     inputs: &Inputs<ErrorBound>,
     exact: Option<&Inputs<Big>>,
-) -> (Vec<ErrorBound>, bool) {
+) -> Option<Vec<ErrorBound>> {
     let temps = evaluated(program, inputs);
     let of = |operand| value(operand, inputs, &temps);
     let exact = exact.map(|exact| (exact, evaluated(program, exact)));
@@ -167,6 +167,5 @@ pub fn magnitudes(
             |x: ErrorBound| x.magnitude > 0.0 && x.value.abs() <= BRANCH_DISTANCE * x.magnitude;
         gap(statement.op, of).is_some_and(is_near) && !is_exactly_zero(statement.op)
     });
-    let outputs = program.outputs.iter();
-    (outputs.map(|&output| of(output)).collect(), undecided)
+    (!undecided).then(|| program.outputs.iter().map(|&output| of(output)).collect())
 }
