@@ -130,11 +130,6 @@ impl<'a> Checker<'a> {
         });
     }
 
-    /// Unit of an auxiliary variable, by index into [`model::Model::aux_variables`].
-    pub fn let_unit(&self, index: usize) -> UnitOf {
-        self.let_units[index].clone()
-    }
-
     fn is_derivative(&mut self, typed: &super::Typed, state: usize) {
         let Some(power) = Fraction::new(-1, 1) else {
             return;

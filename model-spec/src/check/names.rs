@@ -15,55 +15,32 @@ impl Checker<'_> {
     pub fn name(&mut self, name: &str, span: Span) -> Option<Typed> {
         let scalar = |kind, term| Typed::new(kind, Shape::Scalar, span, UnitOf::Term(term));
         if let Some(symbol) = self.scope.find(name) {
-            return match symbol {
-                Symbol::Param(i) => {
-                    let term = self.used(self.params[i].clone(), span);
-                    Some(scalar(ExprKind::Param(i), term))
-                }
-                Symbol::Coefficient(i) => {
-                    let term = self.used(self.coefficients[i].clone(), span);
-                    Some(scalar(ExprKind::Coefficient(i), term))
-                }
-                Symbol::State(i) => {
-                    let term = self.used(self.states[i].clone(), span);
-                    Some(scalar(ExprKind::State(i), term))
-                }
-                Symbol::Input(i) => {
-                    let term = self.used(self.inputs[i].clone(), span);
-                    let shape = Shape::Vector(self.model.inputs[i].frame);
-                    Some(Typed::new(
-                        ExprKind::Input(i),
-                        shape,
-                        span,
-                        UnitOf::Term(term),
-                    ))
-                }
+            let input_shape = |i: usize| Shape::Vector(self.model.inputs[i].frame);
+            let (kind, shape) = match symbol {
+                Symbol::Param(i) => (ExprKind::Param(i), Shape::Scalar),
+                Symbol::Coefficient(i) => (ExprKind::Coefficient(i), Shape::Scalar),
+                Symbol::State(i) => (ExprKind::State(i), Shape::Scalar),
+                Symbol::Input(i) => (ExprKind::Input(i), input_shape(i)),
                 Symbol::InputPart(i, part) => {
-                    let term = self.used(self.inputs[i].clone(), span);
-                    let shape = Shape::Vector(self.model.inputs[i].frame);
-                    let input = node(ExprKind::Input(i), shape, span);
-                    Some(scalar(ExprKind::Component(Box::new(input), part), term))
+                    let input = node(ExprKind::Input(i), input_shape(i), span);
+                    (ExprKind::Component(Box::new(input), part), Shape::Scalar)
                 }
                 Symbol::Let(i) => match self.definitions.get(i)? {
-                    Definition::Missing => None,
-                    Definition::Done(index, shape, unit) => Some(Typed::new(
-                        ExprKind::AuxVariable(*index),
-                        *shape,
-                        span,
-                        unit.clone(),
-                    )),
+                    Definition::Missing => return None,
+                    Definition::Done(index, shape, _) => (ExprKind::AuxVariable(*index), *shape),
                 },
                 Symbol::Marker => {
                     let frame = self.model.marker.as_ref()?.frame;
-                    let unit = UnitOf::of(Unit::METRE);
-                    Some(Typed::new(
-                        ExprKind::Marker,
-                        Shape::Vector(frame),
-                        span,
-                        unit,
-                    ))
+                    (ExprKind::Marker, Shape::Vector(frame))
                 }
             };
+            let unit = match self.unit_of_symbol(symbol)? {
+                UnitOf::Term(term) if !matches!(symbol, Symbol::Let(_)) => {
+                    UnitOf::Term(self.used(term, span))
+                }
+                unit => unit,
+            };
+            return Some(Typed::new(kind, shape, span, unit));
         }
         match name {
             "pi" => Some(scalar(ExprKind::Pi, Term::one())),
@@ -75,6 +52,22 @@ impl Checker<'_> {
             | "angular_acceleration" => self.of_body(name, span),
             _ => self.unknown_name(name, span),
         }
+    }
+
+    /// Unit of a declared quantity; `None` for an auxiliary variable whose definition has an error.
+    pub fn unit_of_symbol(&self, symbol: Symbol) -> Option<UnitOf> {
+        let term = match symbol {
+            Symbol::Param(i) => &self.params[i],
+            Symbol::Coefficient(i) => &self.coefficients[i],
+            Symbol::State(i) => &self.states[i],
+            Symbol::Input(i) | Symbol::InputPart(i, _) => &self.inputs[i],
+            Symbol::Marker => return Some(UnitOf::of(Unit::METRE)),
+            Symbol::Let(i) => match self.definitions.get(i)? {
+                Definition::Missing => return None,
+                Definition::Done(_, _, unit) => return Some(unit.clone()),
+            },
+        };
+        Some(UnitOf::Term(term.clone()))
     }
 
     /// Resolves a predefined vector of the body, such as `velocity` or `specific_force`; `None`, with an error
@@ -113,19 +106,14 @@ impl Checker<'_> {
                     let words = name.replace('_', " ");
                     let message = format!("a point has no {words}");
                     let fault = Diagnostic::new(Kind::Name, span, message);
-                    self.report(
-                        fault.help("declare a `body` with moments of inertia, or an `input`"),
-                    );
+                    let help = "declare a `body` with moments of inertia, or an `input`";
+                    self.report(fault.help(help));
                     return None;
                 }
             },
         };
-        Some(Typed::new(
-            kind,
-            Shape::Vector(frame),
-            span,
-            UnitOf::of(unit),
-        ))
+        let unit = UnitOf::of(unit);
+        Some(Typed::new(kind, Shape::Vector(frame), span, unit))
     }
 
     fn unknown_name(&mut self, name: &str, span: Span) -> Option<Typed> {
