@@ -166,7 +166,8 @@ impl<'a> Checker<'a> {
     pub fn no_state(&mut self, name: &Name) {
         // Errors that are not shown need no suggestions.
         let is_shown = self.diagnostics.len() < MAX_SHOWN;
-        let states = self.model.states.iter().filter(|_| is_shown);
+        let count = if is_shown { usize::MAX } else { 0 };
+        let states = self.model.states.iter().take(count);
         let states: Vec<String> = states.map(|s| s.name.clone()).collect();
         let declared = self.scope.place(&name.text);
         let message = match declared {

@@ -197,11 +197,17 @@ pub(crate) fn description(kind: &ItemKind) -> String {
 
 /// Whether the statement `new` of a `replace` statement replaces the statement `old` of a model.
 pub(crate) fn replaces(new: &ItemKind, old: &ItemKind) -> bool {
-    if let (ItemKind::Observe(new), ItemKind::Observe(old)) = (new, old) {
+    match (new, old) {
+        (ItemKind::Let(a), ItemKind::Let(b)) => a.name.text == b.name.text,
+        (ItemKind::Load(a), ItemKind::Load(b)) => a.class == b.class && a.name.text == b.name.text,
         // An observation without a name matches any observation.
-        return new.name.text.is_empty() || new.name.text == old.name.text;
+        (ItemKind::Observe(a), ItemKind::Observe(b)) => {
+            a.name.text.is_empty() || a.name.text == b.name.text
+        }
+        (ItemKind::Equation(a), ItemKind::Equation(b)) => a.state.text == b.state.text,
+        (ItemKind::Clock(_), ItemKind::Clock(_)) => true,
+        _ => false,
     }
-    description(new) == description(old)
 }
 
 fn name_span(kind: &ItemKind) -> Option<Span> {
