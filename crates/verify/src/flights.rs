@@ -3,7 +3,7 @@
 
 use crate::Options;
 use crate::checks::identities::body_properties;
-use crate::integration;
+use crate::integration::{self, RightHandSide};
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::same_motion::relative_difference;
@@ -268,7 +268,7 @@ fn fly_by_momenta(reference: &Reference, point: &Point<f64>) -> Result<Physical<
 /// Integrates differential equations from the state `start` over a duration (s), see [`integration::integrate`], with
 /// the tolerance of all flight checks. The error is the integrator's message.
 pub(crate) fn integrate(
-    rhs: &mut dyn FnMut(f64, &[f64], &mut [f64]),
+    rhs: &mut RightHandSide<'_>,
     start: &[f64],
     duration: f64,
 ) -> Result<Vec<f64>, String> {

@@ -3,13 +3,15 @@
 use ode::{IntegrationError, IntegrationOptions};
 use oracle::Point;
 
-/// Integrates `dx/dt` from the state `start` at time 0 over a duration (s), and returns the final state. `rhs` writes
-/// dx/dt at a time and state, its first two arguments, to the third.
+/// Right-hand side of a differential equation: writes dx/dt at a time and state, its first two arguments, to the third.
+pub type RightHandSide<'a> = dyn FnMut(f64, &[f64], &mut [f64]) + 'a;
+
+/// Integrates dx/dt = `rhs` from the state `start` at time 0 over a duration (s), and returns the final state.
 ///
 /// # Errors
 /// [`IntegrationError`] if the integration fails.
 pub fn integrate(
-    rhs: &mut dyn FnMut(f64, &[f64], &mut [f64]),
+    rhs: &mut RightHandSide<'_>,
     start: &[f64],
     seconds: f64,
     options: &IntegrationOptions,

@@ -102,17 +102,13 @@ impl EffectTree {
             mut diagnostics,
         } = syntax::parse(name, text);
         let is_check = |item: &&Item| matches!(item.kind, ItemKind::Check(_));
-        let is_effect = |item: &Item| matches!(item.kind, ItemKind::Effect(_));
-        if file
-            .items
-            .iter()
-            .all(|item| is_effect(item) || is_check(&item))
+        let (checks, others): (Vec<&Item>, Vec<&Item>) = file.items.iter().partition(is_check);
+        if let Some(case) = checks.first()
+            && others.len() == file.effects().count()
         {
-            if let Some(case) = file.items.iter().find(is_check) {
-                let message = "a check in the file of an effect is not run";
-                let fault = Diagnostic::new(Kind::Grammar, case.span, message);
-                diagnostics.push(fault.help("move it to the file of a model"));
-            }
+            let message = "a check in the file of an effect is not run";
+            let fault = Diagnostic::new(Kind::Grammar, case.span, message);
+            diagnostics.push(fault.help("move it to the file of a model"));
         }
         let mut effects: Vec<Effect> = file.effects().cloned().collect();
         if effects.len() > 1 {
