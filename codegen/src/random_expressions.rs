@@ -1,6 +1,6 @@
 //! Property tests: compiled random expressions and their derivatives are compared with evaluation by dual numbers.
 
-use crate::differentiate::{EliminationOrder, Labelled, LinearizedGraph, share_values};
+use crate::differentiate::{EliminationOrder, LinearizedGraph, share_values};
 use crate::functions::MathFunction;
 use crate::graph::{ExprGraph, NodeId, Symbol};
 use crate::number::Number;
@@ -260,11 +260,10 @@ proptest! {
             let first = case.graph.local_count();
             let jacobian = case.graph.scope(first..first, |graph| {
                 let roots = share_values(&ssa, graph, &mut namer());
-                let results = Labelled { items: &roots, names: &["y".to_string()] };
+                let rows = ["y".to_string()];
                 let symbols = [0, 1, 2].map(Symbol::State);
                 let names = ["a", "b", "c"].map(String::from);
-                let symbols = Labelled { items: &symbols, names: &names };
-                let linearized = LinearizedGraph::new(graph, results, symbols);
+                let linearized = LinearizedGraph::new(graph, &roots, &rows, &symbols, &names);
                 linearized.eliminate_vertices(graph, order)
             });
             let mut entries = build(&case.graph, &jacobian.entries);

@@ -63,17 +63,11 @@ impl Specialized {
         locals: &mut FastMap<NodeId, NodeId>,
     ) -> NodeId {
         match old.node(id) {
-            Node::Number(number) => self.graph.number(*number),
             Node::Symbol(Symbol::Local(k)) => self.local(old, (id, *k), locals),
             Node::Symbol(symbol) => match values.get(symbol) {
                 Some(&value) => self.graph.number(value),
                 None => self.graph.symbol(*symbol),
             },
-            Node::Sum(terms, constant) => {
-                let terms = terms.iter().map(|&(c, term)| (c, self.image(term)));
-                let terms = terms.collect();
-                self.graph.sum(terms, *constant)
-            }
             Node::Product(factors) => {
                 let factors = factors.iter().map(|&(base, exponent)| {
                     let base = self.image(base);
@@ -86,26 +80,10 @@ impl Specialized {
                 let factors = factors.collect();
                 self.graph.product(factors)
             }
-            Node::Call(function, x) => {
-                let x = self.image(*x);
-                self.graph.call(*function, x)
-            }
-            Node::Atan2(y, x) => {
-                let (y, x) = (self.image(*y), self.image(*x));
-                self.graph.atan2(y, x)
-            }
-            Node::Min(a, b) => {
-                let (a, b) = (self.image(*a), self.image(*b));
-                self.graph.min(a, b)
-            }
-            Node::Max(a, b) => {
-                let (a, b) = (self.image(*a), self.image(*b));
-                self.graph.max(a, b)
-            }
-            Node::IfZero(condition, a, b) => {
-                let condition = self.image(*condition);
-                let (a, b) = (self.image(*a), self.image(*b));
-                self.graph.if_zero(condition, a, b)
+            node => {
+                let images = &self.images;
+                let image = |id: NodeId| images[id.index()].expect("operands precede their users");
+                self.graph.rebuilt(node, &image)
             }
         }
     }

@@ -1,6 +1,7 @@
 //! Diagnostics: errors of a model file, each with a source span and one message.
 
 pub use crate::source::{Source, Span};
+use crate::suggest;
 
 /// Maximum number of errors that are shown and for which spelling suggestions are searched; further errors are only
 /// counted.
@@ -112,5 +113,15 @@ impl Diagnostic {
     pub fn help_if(mut self, text: Option<String>) -> Diagnostic {
         self.help = text.or(self.help);
         self
+    }
+
+    /// Suggests the name that is nearest in spelling to `wrong`; leaves the remedy unchanged if no name is near.
+    pub(crate) fn did_you_mean<'n>(
+        self,
+        wrong: &str,
+        names: impl IntoIterator<Item = &'n str>,
+    ) -> Diagnostic {
+        let near = suggest::nearest(wrong, names.into_iter());
+        self.help_if(near.map(|near| format!("did you mean `{near}`?")))
     }
 }

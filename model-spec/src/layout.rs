@@ -173,13 +173,9 @@ fn position(names: &[String], name: &str) -> Option<usize> {
 /// For each auxiliary variable, whether it can be evaluated only together with an observation, because it depends on
 /// the marker, on the specific force or on the angular acceleration.
 pub fn is_of_observation(model: &Model) -> Vec<bool> {
-    let of_marker = depending_on(model, |kind| matches!(kind, ExprKind::Marker));
-    let of_motion = depends_on_accelerations(model);
-    of_marker
-        .iter()
-        .zip(of_motion)
-        .map(|(a, b)| *a || b)
-        .collect()
+    depending_on(model, |kind| {
+        matches!(kind, ExprKind::Marker) || is_acceleration(kind)
+    })
 }
 
 /// For each auxiliary variable, whether it depends on the specific force or on the angular acceleration, directly or
@@ -199,7 +195,7 @@ pub(crate) fn is_acceleration(kind: &ExprKind) -> bool {
 
 /// For each auxiliary variable, whether its definition contains a leaf that satisfies `is_leaf`, directly or through
 /// other auxiliary variables.
-fn depending_on(model: &Model, is_leaf: fn(&ExprKind) -> bool) -> Vec<bool> {
+pub(crate) fn depending_on(model: &Model, is_leaf: fn(&ExprKind) -> bool) -> Vec<bool> {
     let mut known: Vec<bool> = Vec::new();
     for quantity in &model.aux_variables {
         let found = depends(&quantity.value, &known, is_leaf);

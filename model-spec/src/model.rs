@@ -21,7 +21,7 @@ pub use function::Function;
 pub use table::{Continuation, Interpolation, Table};
 
 /// A checked model of a flying body: its states, parameters, frames, forces, moments and equations.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Model {
     /// Name of the model, by which commands and datasets refer to it.
     pub name: String,
@@ -81,7 +81,7 @@ pub struct Model {
 }
 
 /// A known constant or a coefficient: a scalar that is constant during a flight.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Parameter {
     /// Name, such as `C_La` or `m`.
     pub name: String,
@@ -104,7 +104,7 @@ pub struct Parameter {
 
 /// A vector, such as the wind, whose value is specified for each flight. Its components are the parameters `<name>_x`,
 /// `<name>_y`, `<name>_z`.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Input {
     /// Name of the input vector.
     pub name: String,
@@ -229,6 +229,19 @@ pub struct AuxVariable {
     /// Index into [`Model::effects`] of the effect that added this declaration or replaced it; `None` for an unchanged
     /// declaration of the model's file.
     pub effect: Option<usize>,
+}
+
+impl AuxVariable {
+    /// Creates an auxiliary variable that belongs to no effect; its span is that of its definition.
+    pub fn new(name: impl Into<String>, value: Expr) -> AuxVariable {
+        AuxVariable {
+            name: name.into(),
+            doc: String::new(),
+            span: value.span,
+            value,
+            effect: None,
+        }
+    }
 }
 
 /// A force or a moment that acts on the body.

@@ -3,7 +3,10 @@
 use std::fmt::Write;
 
 use crate::check::singular_points;
-use crate::model::{Continuation, FrameKind, Interpolation, Model, Parameter};
+use crate::model::{
+    Continuation, EffectUnknown, ExprKind, FrameKind, Function, Interpolation, Load, Model,
+    Parameter, ValidityLimit,
+};
 use crate::source::LineStarts;
 
 /// Summary of a model as text: states, parameters with units, forces, limits, singular points, effects.
@@ -40,19 +43,13 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
         }
     }
     tables(out, model)?;
+    let kind = |is_rigid: bool| if is_rigid { "rigid body" } else { "point" };
     if let Some(body) = &model.body {
-        let loads = |loads: &[crate::model::Load]| {
-            loads
-                .iter()
-                .map(|l| l.name.as_str())
-                .collect::<Vec<_>>()
-                .join(", ")
+        let loads = |loads: &[Load]| {
+            let names: Vec<&str> = loads.iter().map(|load| load.name.as_str()).collect();
+            names.join(", ")
         };
-        let kind = if body.rotation.is_some() {
-            "rigid body"
-        } else {
-            "point"
-        };
+        let kind = kind(body.rotation.is_some());
         writeln!(out, "\n{kind} {}", body.name)?;
         writeln!(out, "  forces   {}", loads(&model.forces))?;
         if body.rotation.is_some() {
@@ -61,14 +58,11 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
         if let Some(rotation) = &body.rotation
             && rotation.angular_velocity_frame != rotation.inertia_frame
         {
-            let name = |frame: usize| &model.frames[frame].name;
-            let (inertia, seen) = (
-                name(rotation.inertia_frame),
-                name(rotation.angular_velocity_frame),
-            );
+            let inertia = &model.frames[rotation.inertia_frame].name;
+            let rates = &model.frames[rotation.angular_velocity_frame].name;
             writeln!(
                 out,
-                "  inertia in {inertia}, angular velocity seen in {seen}"
+                "  inertia in {inertia}, angular velocity seen in {rates}"
             )?;
         }
     } else {
@@ -78,10 +72,7 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
             model.equations.len()
         )?;
         if let Some(claim) = &model.claim {
-            let kind = match claim.rotation {
-                Some(_) => "rigid body",
-                None => "point",
-            };
+            let kind = kind(claim.rotation.is_some());
             let force = model.text(claim.force.span);
             writeln!(out, "  claimed to be those of the {kind} {}", claim.name)?;
             writeln!(out, "  force    {force}")?;
@@ -107,11 +98,9 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
     if !model.limits.is_empty() {
         writeln!(out, "\nlimits")?;
         for limit in &model.limits {
-            let text = model.text(limit.value.span);
-            let text = if model.is_automatic(limit) {
-                automatic(model, limit)
-            } else {
-                text
+            let text = match model.is_automatic(limit) {
+                true => automatic(model, limit),
+                false => model.text(limit.value.span),
             };
             let bound = with_unit(limit.bound, &limit.value.unit.tidy().to_string());
             writeln!(out, "  {text} > {bound}   {}", limit.reason)?;
@@ -157,30 +146,25 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
         }
         for coefficient in &effect.coefficients {
             let constant = &model.coefficients[coefficient.index];
-            let value = |v: f64| with_unit(v, &constant.unit_text);
-            let vanishes = value(coefficient.null_value);
-            write!(out, "  {} vanishes at {vanishes}", constant.name)?;
-            if let Some(size) = coefficient.smallest_of_interest {
-                write!(out, ", a departure below {} does not matter", value(size))?;
-            }
-            writeln!(out)?;
+            unknown(out, &constant.name, coefficient, &constant.unit_text)?;
         }
         for own in &effect.states {
             let state = &model.states[own.index];
-            let value = |v: f64| with_unit(v, &state.unit_text);
-            write!(
-                out,
-                "  {}, of each flight its own, vanishes at {}",
-                state.name,
-                value(own.null_value)
-            )?;
-            if let Some(size) = own.smallest_of_interest {
-                write!(out, ", a departure below {} does not matter", value(size))?;
-            }
-            writeln!(out)?;
+            let what = format!("{}, of each flight its own,", state.name);
+            unknown(out, &what, own, &state.unit_text)?;
         }
     }
     Ok(())
+}
+
+/// Writes the null value of a coefficient or state of an effect, and its smallest difference from it that matters.
+fn unknown(out: &mut String, what: &str, unknown: &EffectUnknown, unit: &str) -> std::fmt::Result {
+    let value = |value: f64| with_unit(value, unit);
+    write!(out, "  {what} vanishes at {}", value(unknown.null_value))?;
+    if let Some(size) = unknown.smallest_of_interest {
+        write!(out, ", a departure below {} does not matter", value(size))?;
+    }
+    writeln!(out)
 }
 
 fn tables(out: &mut String, model: &Model) -> std::fmt::Result {
@@ -216,22 +200,18 @@ fn tables(out: &mut String, model: &Model) -> std::fmt::Result {
     Ok(())
 }
 
-fn automatic(model: &Model, limit: &crate::model::ValidityLimit) -> String {
-    use crate::model::{ExprKind, Function};
-    match &limit.value.kind {
-        ExprKind::Call(function, angle) => match angle.kind {
-            ExprKind::State(i) => {
-                let name = if *function == Function::Cos {
-                    "cos"
-                } else {
-                    "sin"
-                };
-                format!("{name}({})", model.states[i].name)
-            }
-            _ => String::new(),
-        },
-        _ => String::new(),
+/// Text of a limit that the checker added to avoid gimbal lock: sine or cosine of an angle.
+fn automatic(model: &Model, limit: &ValidityLimit) -> String {
+    if let ExprKind::Call(function, angle) = &limit.value.kind
+        && let ExprKind::State(state) = angle.kind
+    {
+        let name = match function {
+            Function::Cos => "cos",
+            _ => "sin",
+        };
+        return format!("{name}({})", model.states[state].name);
     }
+    String::new()
 }
 
 fn first(doc: &str) -> &str {

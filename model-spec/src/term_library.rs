@@ -42,12 +42,12 @@ use crate::library::TERM_LIBRARIES;
 use crate::model::Model;
 use crate::source::Span;
 use crate::syntax::ast::{
-    BinaryOp, Effect, EffectPart, Expr, ExprKind, Item, ItemKind, Name, Number, Parameter,
-    ParameterClass, Quantity, UnitExpr,
+    BinaryOp, Effect, EffectPart, Expr, ExprKind, Item, ItemKind, Name, Parameter, ParameterClass,
+    Quantity, UnitExpr,
 };
 
 /// Literature reference of every effect generated from a [`Term`], and documentation of the coefficient of the effect.
-const FOUND: &str = "found in measured flights";
+const FOUND_IN_FLIGHTS: &str = "found in measured flights";
 
 index_type!(
     /// Index into [`TermLibrary::channels`].
@@ -328,7 +328,7 @@ impl TermLibrary {
         let words = words.into_iter().map(name_of).collect();
         let template = &self.channels[term.channel].template;
         let mut parts = vec![
-            EffectPart::Citation(FOUND.to_owned(), Span::default()),
+            EffectPart::Citation(FOUND_IN_FLIGHTS.to_owned(), Span::default()),
             EffectPart::Variables(words, Span::default()),
             EffectPart::Add(Box::new(declaration(&coefficient))),
         ];
@@ -447,7 +447,7 @@ fn times(a: Expr, b: &Expr) -> Expr {
 }
 
 fn raised(base: &Expr, power: i32) -> Expr {
-    let exponent = expression(ExprKind::Number(number(&power.to_string(), None)));
+    let exponent = Expr::number(power.to_string(), Span::default());
     binary(BinaryOp::Pow, base.clone(), exponent)
 }
 
@@ -462,38 +462,23 @@ fn expression(kind: ExprKind) -> Expr {
 }
 
 fn name_of(text: &str) -> Name {
-    Name {
-        text: text.to_owned(),
-        span: Span::default(),
-    }
-}
-
-fn number(text: &str, unit: Option<UnitExpr>) -> Quantity {
-    let span = Span::default();
-    let number = Number {
-        text: text.to_owned(),
-        span,
-    };
-    Quantity { number, unit, span }
+    Name::new(text, Span::default())
 }
 
 /// Creates the statement `coefficient NAME = 0 [1];`, which declares a dimensionless coefficient.
 fn declaration(name: &str) -> Item {
+    let span = Span::default();
     let one = UnitExpr {
         factors: Vec::new(),
-        span: Span::default(),
+        span,
     };
-    Item {
-        kind: ItemKind::Parameter(Parameter {
-            class: ParameterClass::Coefficient,
-            name: name_of(name),
-            value: number("0", Some(one)),
-            bounds: None,
-        }),
-        doc: FOUND.to_owned(),
-        span: Span::default(),
-        effect: None,
-    }
+    let kind = ItemKind::Parameter(Parameter {
+        class: ParameterClass::Coefficient,
+        name: name_of(name),
+        value: Quantity::new("0", Some(one), span),
+        bounds: None,
+    });
+    Item::new(kind, FOUND_IN_FLIGHTS, span)
 }
 
 #[cfg(test)]

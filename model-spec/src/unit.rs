@@ -32,7 +32,7 @@ pub struct Unit {
 const SYMBOLS: [&str; 8] = ["m", "kg", "s", "A", "K", "mol", "cd", "rad"];
 
 /// Indices into [`SYMBOLS`] in printing order, in which kg precedes m.
-const WRITTEN: [usize; 8] = [1, 0, 2, 3, 4, 5, 6, 7];
+const PRINT_ORDER: [usize; 8] = [1, 0, 2, 3, 4, 5, 6, 7];
 
 impl Unit {
     /// The unit 1 of dimensionless quantities.
@@ -201,7 +201,7 @@ impl Unit {
     /// Iterates over the base units with nonzero exponents, in printing order: symbol, and twice the exponent.
     pub(crate) fn powers(self) -> impl Iterator<Item = (&'static str, i8)> {
         let power = move |&i: &usize| (SYMBOLS[i], self.doubled[i]);
-        WRITTEN
+        PRINT_ORDER
             .iter()
             .map(power)
             .filter(|&(_, doubled)| doubled != 0)
@@ -211,7 +211,7 @@ impl Unit {
     /// twice its value.
     fn written(self, times: &str, power: impl Fn(i8) -> String) -> String {
         let side = |sign: i8| -> Vec<String> {
-            WRITTEN
+            PRINT_ORDER
                 .iter()
                 .filter(|&&i| self.doubled[i].signum() == sign)
                 .map(|&i| {

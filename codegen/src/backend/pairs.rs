@@ -30,11 +30,11 @@ impl From<Operand> for OperandKey {
 /// pair is stored under both indices.
 pub(crate) fn sin_cos_pairs(program: &Program) -> HashMap<usize, (usize, usize)> {
     #[derive(Default)]
-    struct Found {
+    struct SineAndCosine {
         sin: Option<usize>,
         cos: Option<usize>,
     }
-    let mut angles: HashMap<OperandKey, Found> = HashMap::new();
+    let mut angles: HashMap<OperandKey, SineAndCosine> = HashMap::new();
     let mut pairs = HashMap::new();
     for (k, statement) in program.statements.iter().enumerate() {
         let Op::Unary(Unary::Call(function), angle) = statement.op else {
@@ -46,7 +46,7 @@ pub(crate) fn sin_cos_pairs(program: &Program) -> HashMap<usize, (usize, usize)>
             MathFunction::Cos => found.cos.get_or_insert(k),
             _ => continue,
         };
-        if let Found {
+        if let SineAndCosine {
             sin: Some(sin),
             cos: Some(cos),
         } = *found

@@ -1,7 +1,7 @@
 //! Functions with Jacobians: linearization, substitution of fixed parameters, then vertex elimination.
 
 use super::{Compiler, Effort, dense};
-use crate::differentiate::{EliminationOrder, Jacobian, Labelled, LinearizedGraph, share_values};
+use crate::differentiate::{EliminationOrder, Jacobian, LinearizedGraph, share_values};
 use crate::graph::{NodeId, Symbol};
 use crate::program::{Function, Section};
 use crate::specialize::Specialized;
@@ -143,15 +143,7 @@ impl Compiler {
         let first = graph.local_count();
         let (roots, edges) = graph.scope(first..first, |graph| {
             let roots = share_values(ssa, graph, &mut namer);
-            let results = Labelled {
-                items: &roots,
-                names: &rows,
-            };
-            let symbols = Labelled {
-                items: symbols,
-                names: &columns,
-            };
-            let edges = LinearizedGraph::new(graph, results, symbols);
+            let edges = LinearizedGraph::new(graph, &roots, &rows, symbols, &columns);
             (roots, edges)
         });
         Differentiable {

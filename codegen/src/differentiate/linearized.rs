@@ -4,13 +4,6 @@
 use super::partials;
 use crate::graph::{ExprGraph, FastMap, Node, NodeId, Symbol};
 
-/// Slice of nodes or symbols, and the name of each in generated code.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Labelled<'a, T> {
-    pub items: &'a [T],
-    pub names: &'a [String],
-}
-
 /// Vertex of the linearized graph: a result, an independent symbol, or an intermediate value.
 #[derive(Clone, Debug)]
 pub(super) struct Vertex {
@@ -36,19 +29,20 @@ pub(crate) struct LinearizedGraph {
 }
 
 impl LinearizedGraph {
-    /// Builds the linearized graph of `results` with respect to `symbols`.
+    /// Builds the linearized graph of `results` with respect to `symbols`. `rows` and `columns` are the names of results
+    /// and symbols in generated code.
     pub fn new(
         graph: &mut ExprGraph,
-        results: Labelled<'_, NodeId>,
-        symbols: Labelled<'_, Symbol>,
+        results: &[NodeId],
+        rows: &[String],
+        symbols: &[Symbol],
+        columns: &[String],
     ) -> LinearizedGraph {
-        let (roots, rows) = (results.items, results.names);
-        let (by, names) = (symbols.items, symbols.names);
-        for (&symbol, name) in by.iter().zip(names) {
+        for (&symbol, name) in symbols.iter().zip(columns) {
             let node = graph.symbol(symbol);
             graph.name(node, name.as_str());
         }
-        let columns: FastMap<NodeId, u32> = by
+        let column_of: FastMap<NodeId, u32> = symbols
             .iter()
             .enumerate()
             .map(|(k, &symbol)| (graph.symbol(symbol), k as u32))
@@ -63,14 +57,14 @@ impl LinearizedGraph {
             })
             .collect();
         let mut index: FastMap<NodeId, usize> = FastMap::default();
-        for (at, &root) in roots.iter().enumerate() {
+        for (at, &root) in results.iter().enumerate() {
             let partials = partials::of_expression(graph, root);
-            attach(graph, at, partials, &columns, &mut vertices, &mut index);
+            attach(graph, at, partials, &column_of, &mut vertices, &mut index);
         }
         let mut linearized = LinearizedGraph {
             vertices,
             rows: rows.to_vec(),
-            columns: names.to_vec(),
+            columns: columns.to_vec(),
         };
         linearized.prune();
         linearized

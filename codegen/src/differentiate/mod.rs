@@ -6,5 +6,5 @@ pub(crate) mod partials;
 mod vertices;
 
 pub(crate) use eliminate::{EliminationOrder, Jacobian};
-pub(crate) use linearized::{Labelled, LinearizedGraph};
+pub(crate) use linearized::LinearizedGraph;
 pub(crate) use vertices::share_values;

@@ -50,14 +50,11 @@ pub(crate) fn of_node(graph: &mut ExprGraph, id: NodeId) -> Vec<(NodeId, NodeId)
             let by_x = graph.neg(by_x);
             vec![(y, by_y), (x, by_x)]
         }
-        Node::Min(a, b) => {
-            let difference = graph.sub(b, a);
-            let first = graph.call(MathFunction::Heaviside, difference);
-            let second = graph.sum(vec![(Number::MINUS_ONE, first)], Number::ONE);
-            vec![(a, first), (b, second)]
-        }
-        Node::Max(a, b) => {
-            let difference = graph.sub(a, b);
+        node @ (Node::Min(a, b) | Node::Max(a, b)) => {
+            let difference = match node {
+                Node::Min(..) => graph.sub(b, a),
+                _ => graph.sub(a, b),
+            };
             let first = graph.call(MathFunction::Heaviside, difference);
             let second = graph.sum(vec![(Number::MINUS_ONE, first)], Number::ONE);
             vec![(a, first), (b, second)]

@@ -1,6 +1,6 @@
 //! Formulas in terms of the auxiliary variables of the model, with derivatives by the chain rule.
 
-use super::find::{Found, symbol_of};
+use super::find::{FoundQuantity, symbol_of};
 use crate::differentiate::partials;
 use crate::graph::{ExprGraph, FastMap, Node, NodeId, Symbol, ValueFacts};
 use crate::latex::node;
@@ -16,7 +16,11 @@ pub(super) struct Formulas {
 }
 
 /// Writes the LaTeX formulas of a quantity and, if `by` is given, of its derivative with respect to that symbol.
-pub(super) fn formulas(model: &Model, found: &Found, by: Option<(Symbol, &str)>) -> Formulas {
+pub(super) fn formulas(
+    model: &Model,
+    found: &FoundQuantity,
+    by: Option<(Symbol, &str)>,
+) -> Formulas {
     let mut cut = Cut::new(model, &found.compiled.lowered.graph, &found.nodes);
     let roots: Vec<NodeId> = cut
         .roots
@@ -144,7 +148,7 @@ impl Cut {
                 images.insert(id, cut.graph.neg(named));
                 continue;
             }
-            let image = cut.copy(source, id, &images);
+            let image = cut.graph.rebuilt(source.node(id), &|id| images[&id]);
             let facts = source.facts(id);
             if facts.nonzero && cut.graph.as_number(image).is_none() {
                 cut.graph.assume_nonzero(image);
@@ -180,7 +184,7 @@ impl Cut {
             let image = match (self.squares.get(&id), source.node(id)) {
                 (Some(&square), _) => square,
                 (None, Node::Symbol(_)) => id,
-                (None, _) => self.copy(&source, id, &images),
+                (None, node) => self.graph.rebuilt(node, &|id| images[&id]),
             };
             images.insert(id, image);
         }
@@ -209,7 +213,7 @@ impl Cut {
             let mut size = self.tree_size(id, &sizes);
             let mut image = match source.node(id) {
                 Node::Symbol(_) => id,
-                _ => self.copy(&source, id, &images),
+                node => self.graph.rebuilt(node, &|id| images[&id]),
             };
             if size >= MIN_PART && uses.get(&id).is_some_and(|&uses| uses > 1) {
                 let name = format!("s_{{{}}}", self.parts.len() + 1);
@@ -234,28 +238,6 @@ impl Cut {
         self.graph
             .for_operands(id, |operand| size = size.saturating_add(sizes[&operand]));
         size
-    }
-
-    fn copy(&mut self, source: &ExprGraph, id: NodeId, images: &FastMap<NodeId, NodeId>) -> NodeId {
-        let of = |id: &NodeId| images[id];
-        let graph = &mut self.graph;
-        match source.node(id) {
-            Node::Number(number) => graph.number(*number),
-            Node::Symbol(symbol) => graph.symbol(*symbol),
-            Node::Sum(terms, constant) => {
-                let terms = terms.iter().map(|(c, term)| (*c, of(term))).collect();
-                graph.sum(terms, *constant)
-            }
-            Node::Product(factors) => {
-                let factors = factors.iter().map(|(base, e)| (of(base), *e)).collect();
-                graph.product(factors)
-            }
-            Node::Call(function, x) => graph.call(*function, of(x)),
-            Node::Atan2(y, x) => graph.atan2(of(y), of(x)),
-            Node::Min(a, b) => graph.min(of(a), of(b)),
-            Node::Max(a, b) => graph.max(of(a), of(b)),
-            Node::IfZero(c, a, b) => graph.if_zero(of(c), of(a), of(b)),
-        }
     }
 
     /// Returns a new local symbol with the given definition and the LaTeX name `name`; `facts` are the known properties

@@ -1,9 +1,9 @@
 //! Generated code of a single quantity or derivative, by the compiler stages that also compile whole models.
 
-use super::find::Found;
+use super::find::FoundQuantity;
 use crate::compile::{Compiled, dense};
 use crate::count::{Count, count};
-use crate::differentiate::{EliminationOrder, Labelled, LinearizedGraph, share_values};
+use crate::differentiate::{EliminationOrder, LinearizedGraph, share_values};
 use crate::graph::{ExprGraph, Symbol};
 use crate::program::{Function, Program};
 use crate::rust;
@@ -12,7 +12,7 @@ use crate::ssa::{Ssa, build};
 
 /// Generated code of a quantity or derivative: statements that run once per flight, statements that run in every
 /// evaluation, and their operation counts.
-pub(super) struct Made {
+pub(super) struct GeneratedCode {
     pub once: String,
     pub code: String,
     pub cost_once: Count,
@@ -27,7 +27,7 @@ pub(super) struct Made {
 
 /// Generates the code of the quantity `found` or, if `by` (a symbol and its name) is given, of the derivative of the
 /// quantity with respect to that symbol.
-pub(super) fn generate(found: &Found, by: Option<(Symbol, &str)>) -> Made {
+pub(super) fn generate(found: &FoundQuantity, by: Option<(Symbol, &str)>) -> GeneratedCode {
     let mut compiled = found.compiled.clone();
     let quantities = compiled.lowered.provenance.iter();
     let quantities: Vec<String> = quantities.map(|p| p.name.clone()).collect();
@@ -76,7 +76,7 @@ pub(super) fn generate(found: &Found, by: Option<(Symbol, &str)>) -> Made {
     let body = |function: &Function, array: &str, outputs: &[String]| {
         statements(&rust::function_file(&compiled, function), array, outputs)
     };
-    Made {
+    GeneratedCode {
         once: body(&compiled.prepare, "prepared", &compiled.prepared),
         code: body(&compiled.quantities, "values", &compiled.layout.quantities),
         cost_once: count(&compiled.prepare.program),
@@ -99,15 +99,7 @@ fn derivative(
     let first = graph.local_count();
     let jacobian = graph.scope(first..first, |graph| {
         let roots = share_values(ssa, graph, &mut namer);
-        let results = Labelled {
-            items: &roots,
-            names: rows,
-        };
-        let symbols = Labelled {
-            items: &[symbol],
-            names: &[wrt.to_string()],
-        };
-        let linearized = LinearizedGraph::new(graph, results, symbols);
+        let linearized = LinearizedGraph::new(graph, &roots, rows, &[symbol], &[wrt.to_string()]);
         linearized.eliminate_vertices(graph, EliminationOrder::FewestEdges)
     });
     let mut ssa = build(graph, &jacobian.entries);

@@ -11,7 +11,7 @@ use model_spec::location::line_of;
 use model_spec::model::{AuxVariable, Load, Model};
 
 /// Quantity found by name: label, source location, formula, and the names and graph nodes of its components.
-pub(super) struct Found {
+pub(super) struct FoundQuantity {
     pub label: String,
     pub place: String,
     pub line: String,
@@ -35,7 +35,7 @@ enum Meaning<'a> {
 }
 
 /// Resolves the name of a quantity; an error if the name is unknown or ambiguous.
-pub(super) fn quantity(model: &Model, wanted: &str) -> Result<Found, ExplainError> {
+pub(super) fn quantity(model: &Model, wanted: &str) -> Result<FoundQuantity, ExplainError> {
     let wanted = wanted.trim();
     let meaning = meaning(model, wanted)?;
     let mut changed = model.clone();
@@ -43,19 +43,14 @@ pub(super) fn quantity(model: &Model, wanted: &str) -> Result<Found, ExplainErro
     if let Meaning::Load(load, kind) = &meaning {
         label = format!("{kind} {}", load.name);
         prefix = format!("{kind}_{}", load.name);
-        while changed
-            .aux_variables
-            .iter()
-            .any(|quantity| quantity.name == prefix)
-        {
+        let named = |name: &str| changed.aux_variables.iter().any(|own| own.name == name);
+        while named(&prefix) {
             prefix.push('_');
         }
         changed.aux_variables.push(AuxVariable {
-            name: prefix.clone(),
-            doc: String::new(),
-            value: load.value.clone(),
             span: load.span,
             effect: load.effect,
+            ..AuxVariable::new(prefix.clone(), load.value.clone())
         });
     }
     let mut compiled = compile_for(&changed, &Selection::Only(Vec::new()));
@@ -112,7 +107,7 @@ pub(super) fn quantity(model: &Model, wanted: &str) -> Result<Found, ExplainErro
     };
     let (names, nodes): (Vec<String>, Vec<NodeId>) = parts.into_iter().unzip();
     let symbols = names.iter().map(|name| symbol_of(model, name)).collect();
-    Ok(Found {
+    Ok(FoundQuantity {
         label,
         place,
         line,

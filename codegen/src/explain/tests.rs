@@ -119,7 +119,7 @@ derivatives_agree_with_differences!(disc, disc_appendix, disc_quaternion, ball, 
 /// `p`, computed from the graph nodes from which the LaTeX formulas are written.
 fn written(
     model: &Model,
-    found: &find::Found,
+    found: &find::FoundQuantity,
     symbol: crate::graph::Symbol,
     x: &[f64],
     p: &[f64],
@@ -137,7 +137,7 @@ fn written(
     let mut compiled = found.compiled.clone();
     compiled.lowered.graph = cut.graph;
     let names = found.names.clone();
-    let found = find::Found {
+    let found = find::FoundQuantity {
         nodes,
         names,
         compiled,

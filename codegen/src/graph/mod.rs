@@ -384,6 +384,28 @@ impl ExprGraph {
         }
     }
 
+    /// Node of an expression of another graph, simplified anew; `image` maps the operands of the expression to nodes of
+    /// this graph.
+    pub fn rebuilt(&mut self, node: &Node, image: &dyn Fn(NodeId) -> NodeId) -> NodeId {
+        match *node {
+            Node::Number(number) => self.number(number),
+            Node::Symbol(symbol) => self.symbol(symbol),
+            Node::Sum(ref terms, constant) => {
+                let terms = terms.iter().map(|&(c, term)| (c, image(term)));
+                self.sum(terms.collect(), constant)
+            }
+            Node::Product(ref factors) => {
+                let factors = factors.iter().map(|&(base, e)| (image(base), e));
+                self.product(factors.collect())
+            }
+            Node::Call(function, x) => self.call(function, image(x)),
+            Node::Atan2(y, x) => self.atan2(image(y), image(x)),
+            Node::Min(a, b) => self.min(image(a), image(b)),
+            Node::Max(a, b) => self.max(image(a), image(b)),
+            Node::IfZero(c, a, b) => self.if_zero(image(c), image(a), image(b)),
+        }
+    }
+
     /// Calls `visit` with each direct operand of a node.
     pub fn for_operands(&self, id: NodeId, mut visit: impl FnMut(NodeId)) {
         match self.node(id) {

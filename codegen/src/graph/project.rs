@@ -8,7 +8,7 @@ use crate::number::Number;
 
 /// Maximum number of terms of an expanded sum when projections are simplified; a longer expansion is discarded, so that
 /// the sum is left unchanged.
-const MOST: usize = 48;
+const MAX_TERMS: usize = 48;
 
 impl ExprGraph {
     /// Simplifies the sum `id` by expanding products that contain sums, so that projections of vectors onto orthonormal
@@ -35,7 +35,7 @@ impl ExprGraph {
             for &(c, term) in &terms {
                 self.open_term(c, term, &components, &mut open, 4);
             }
-            if open.len() == terms.len() || open.len() > MOST {
+            if open.len() == terms.len() || open.len() > MAX_TERMS {
                 continue;
             }
             let before = open.len();

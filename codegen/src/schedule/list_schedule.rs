@@ -1,17 +1,17 @@
 //! List scheduling: statement order for a superscalar processor with few registers.
 
 use super::contract_fma::latency;
-use crate::functions::MathFunction;
-use crate::graph::FastMap;
-use crate::program::{Op, Operand, Program, Statement, Unary};
+use crate::backend::pairs::sin_cos_pairs;
+use crate::program::{Operand, Program, Statement};
 use std::cmp::Reverse;
+use std::collections::HashMap;
 
 /// Issue width of the processor model: maximum number of operations started per clock cycle.
 const WIDTH: u32 = 2;
 
 /// Number of live values from which on the next statement is chosen by the effect on the number of live values first,
 /// and by latency second, because processors have only 16 or 32 registers.
-const MOST: usize = 20;
+const LIVE_VALUES_LIMIT: usize = 20;
 
 /// Reorders the statements by list scheduling: of the ready statements, issues the one with the longest latency path to
 /// a result.
@@ -32,8 +32,8 @@ struct Order<'a> {
     ready: Vec<Option<u32>>,
     /// Indices of the statements whose ready cycle is known and that are not yet issued.
     waiting: Vec<usize>,
-    /// For each sine or cosine statement, the first statement that computes the other function of the same angle.
-    partners: FastMap<usize, usize>,
+    /// Sine and cosine statements of one angle, see [`sin_cos_pairs`].
+    pairs: HashMap<usize, (usize, usize)>,
     end: Vec<u32>,
     /// Number of pending uses of each statement's result.
     left: Vec<usize>,
@@ -57,7 +57,7 @@ impl<'a> Order<'a> {
             height[k] = latency(&program.statements[k].op) + above.unwrap_or(0);
         }
         Order {
-            partners: partners(program),
+            pairs: sin_cos_pairs(program),
             program,
             ready: needs.iter().map(|n| n.is_empty().then_some(0)).collect(),
             waiting: (0..n).filter(|&k| needs[k].is_empty()).collect(),
@@ -95,7 +95,7 @@ impl<'a> Order<'a> {
     fn next(&self, time: u32) -> Option<usize> {
         let waiting = self.waiting.iter();
         let waiting = waiting.filter_map(|&k| Some((k, self.ready[k]? <= time)));
-        if self.live >= MOST {
+        if self.live >= LIVE_VALUES_LIMIT {
             let rank = |k: usize, now| (self.freed(k), now, self.height[k], Reverse(k));
             return waiting.max_by_key(|&(k, now)| rank(k, now)).map(|(k, _)| k);
         }
@@ -112,7 +112,8 @@ impl<'a> Order<'a> {
     /// Cosine statement of the same angle if `k` is a sine statement, and vice versa; `None` if there is none or it
     /// cannot be issued yet.
     fn partner(&self, k: usize) -> Option<usize> {
-        let partner = *self.partners.get(&k)?;
+        let &(sin, cos) = self.pairs.get(&k)?;
+        let partner = if k == sin { cos } else { sin };
         self.ready[partner].map(|_| partner)
     }
 
@@ -136,43 +137,6 @@ impl<'a> Order<'a> {
                 self.waiting.push(user);
             }
         }
-    }
-}
-
-/// For each sine or cosine statement, the index of the first statement with the other function of the same angle.
-fn partners(program: &Program) -> FastMap<usize, usize> {
-    let mut first: FastMap<(MathFunction, (u8, u64)), usize> = FastMap::default();
-    let calls = program.statements.iter().enumerate();
-    let calls = calls.filter_map(|(k, statement)| match statement.op {
-        Op::Unary(Unary::Call(function @ (MathFunction::Sin | MathFunction::Cos)), x) => {
-            Some((k, function, key(x)))
-        }
-        _ => None,
-    });
-    let calls: Vec<_> = calls.collect();
-    for &(k, function, x) in &calls {
-        first.entry((function, x)).or_insert(k);
-    }
-    let pair = |&(k, function, x): &(usize, MathFunction, (u8, u64))| {
-        let other = match function {
-            MathFunction::Sin => MathFunction::Cos,
-            _ => MathFunction::Sin,
-        };
-        Some((k, *first.get(&(other, x))?))
-    };
-    calls.iter().filter_map(pair).collect()
-}
-
-/// Hashable identity of an operand: equal for equal operands; constants are compared by their bits.
-fn key(operand: Operand) -> (u8, u64) {
-    match operand {
-        Operand::Time => (0, 0),
-        Operand::State(k) => (1, k.into()),
-        Operand::Parameter(k) => (2, k.into()),
-        Operand::Prepared(k) => (3, k.into()),
-        Operand::Marker(k) => (4, k.into()),
-        Operand::Constant(value) => (5, value.to_bits()),
-        Operand::Temp(k) => (6, k.into()),
     }
 }
 

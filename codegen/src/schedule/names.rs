@@ -26,7 +26,7 @@ const ARGUMENTS: [&str; 16] = [
 ];
 
 /// Maximum length of a name derived from an expression, in characters; longer names are shortened.
-const LONGEST: usize = 28;
+const MAX_NAME_LENGTH: usize = 28;
 
 /// Allocator of unique statement names within one function.
 #[derive(Clone, Debug)]
@@ -242,7 +242,7 @@ impl Namer {
             SsaDef::Max((_, a), (_, b)) => format!("max_{}_{}", inner(*a), inner(*b)),
             SsaDef::IfZero(c, ..) => format!("unless_{}", inner(*c)),
         };
-        if name.len() <= LONGEST {
+        if name.len() <= MAX_NAME_LENGTH {
             name
         } else {
             shorten(ssa, &name, id)
@@ -296,7 +296,7 @@ fn shorten(ssa: &Ssa, name: &str, id: DefId) -> String {
         SsaDef::Product(_) => "product",
         _ => "of",
     };
-    let mut end = LONGEST - kind.len() - 1;
+    let mut end = MAX_NAME_LENGTH - kind.len() - 1;
     while !name.is_char_boundary(end) {
         end -= 1;
     }

@@ -42,7 +42,7 @@ pub fn settle(ssa: &mut Ssa) {
 
 /// Location of a sign in the SSA program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Place {
+enum SignLocation {
     /// Signs of all terms of a sum.
     Terms(DefId),
     /// Sign of the value of a product or reciprocal. Such a definition stores no sign; instead, the sign of each
@@ -82,21 +82,21 @@ fn users(ssa: &Ssa) -> Users {
 /// Negates a sum, and changes signs in the definitions that use the sum so that their values do not change; appends
 /// each changed sign to `touched`. Returns false if the sum cannot be negated; the caller must then undo the changes in
 /// `touched`.
-fn turn(ssa: &mut Ssa, users: &Users, id: DefId, touched: &mut Vec<Place>) -> bool {
+fn turn(ssa: &mut Ssa, users: &Users, id: DefId, touched: &mut Vec<SignLocation>) -> bool {
     if ssa.facts[id].nonneg {
         return false;
     }
-    flip(ssa, Place::Terms(id));
-    touched.push(Place::Terms(id));
+    flip(ssa, SignLocation::Terms(id));
+    touched.push(SignLocation::Terms(id));
     pass(ssa, users, id, touched)
 }
 
-fn pass(ssa: &mut Ssa, users: &Users, id: DefId, touched: &mut Vec<Place>) -> bool {
+fn pass(ssa: &mut Ssa, users: &Users, id: DefId, touched: &mut Vec<SignLocation>) -> bool {
     for &user in &users[id] {
         match user {
             User::Root(k) => {
-                flip(ssa, Place::Root(k));
-                touched.push(Place::Root(k));
+                flip(ssa, SignLocation::Root(k));
+                touched.push(SignLocation::Root(k));
             }
             User::SsaDef(user) => match &ssa.defs[user] {
                 SsaDef::Product(factors) => {
@@ -115,8 +115,8 @@ fn pass(ssa: &mut Ssa, users: &Users, id: DefId, touched: &mut Vec<Place>) -> bo
                     let condition = matches!(def, SsaDef::IfZero(..));
                     for (k, operand) in def.operands().into_iter().enumerate() {
                         if operand == id && !(condition && k == 0) {
-                            flip(ssa, Place::Operand(user, k));
-                            touched.push(Place::Operand(user, k));
+                            flip(ssa, SignLocation::Operand(user, k));
+                            touched.push(SignLocation::Operand(user, k));
                         }
                     }
                 }
@@ -129,36 +129,36 @@ fn pass(ssa: &mut Ssa, users: &Users, id: DefId, touched: &mut Vec<Place>) -> bo
 /// Passes the changed sign of a product or reciprocal on to the definitions that use it, so that their values do not
 /// change; appends each changed sign to `touched`. Returns false if that is not possible; the caller must then undo the
 /// changes in `touched`.
-fn through(ssa: &mut Ssa, users: &Users, id: DefId, touched: &mut Vec<Place>) -> bool {
+fn through(ssa: &mut Ssa, users: &Users, id: DefId, touched: &mut Vec<SignLocation>) -> bool {
     if ssa.facts[id].nonneg {
         return false;
     }
-    flip(ssa, Place::Through(id));
-    touched.push(Place::Through(id));
+    flip(ssa, SignLocation::Through(id));
+    touched.push(SignLocation::Through(id));
     pass(ssa, users, id, touched)
 }
 
-fn undo(ssa: &mut Ssa, touched: Vec<Place>) {
+fn undo(ssa: &mut Ssa, touched: Vec<SignLocation>) {
     for place in touched {
         flip(ssa, place);
     }
 }
 
-fn flip(ssa: &mut Ssa, place: Place) {
+fn flip(ssa: &mut Ssa, place: SignLocation) {
     match place {
-        Place::Root(k) => ssa.roots[k].0 = !ssa.roots[k].0,
-        Place::Terms(id) => {
+        SignLocation::Root(k) => ssa.roots[k].0 = !ssa.roots[k].0,
+        SignLocation::Terms(id) => {
             if let SsaDef::Sum(terms) = &mut ssa.defs[id] {
                 terms.iter_mut().for_each(|(minus, _)| *minus = !*minus);
             }
-            flip(ssa, Place::Through(id));
+            flip(ssa, SignLocation::Through(id));
         }
-        Place::Through(id) => {
+        SignLocation::Through(id) => {
             if let Some((minus, _)) = &mut ssa.origin[id] {
                 *minus = !*minus;
             }
         }
-        Place::Operand(id, k) => match &mut ssa.defs[id] {
+        SignLocation::Operand(id, k) => match &mut ssa.defs[id] {
             SsaDef::Sum(terms) => terms[k].0 = !terms[k].0,
             SsaDef::Call(_, (minus, _)) => *minus = !*minus,
             SsaDef::Atan2(a, b) | SsaDef::Min(a, b) | SsaDef::Max(a, b) => {
@@ -175,15 +175,15 @@ fn flip(ssa: &mut Ssa, place: Place) {
 }
 
 /// Returns the sign locations `touched` in sorted order and without duplicates.
-fn distinct(touched: &[Place]) -> Vec<Place> {
-    let mut places: Vec<Place> = touched.to_vec();
+fn distinct(touched: &[SignLocation]) -> Vec<SignLocation> {
+    let mut places: Vec<SignLocation> = touched.to_vec();
     places.sort_unstable();
     places.dedup();
     places
 }
 
 /// Number of negations, 0 or 1, that the sign at the location `place` requires.
-fn price(ssa: &Ssa, place: Place) -> i64 {
+fn price(ssa: &Ssa, place: SignLocation) -> i64 {
     let sum = |terms: &[(bool, DefId)]| -> i64 {
         let plus = terms
             .iter()
@@ -191,13 +191,13 @@ fn price(ssa: &Ssa, place: Place) -> i64 {
         i64::from(!plus)
     };
     match place {
-        Place::Through(_) => 0,
-        Place::Root(k) => i64::from(ssa.roots[k].0 && !ssa.facts[ssa.roots[k].1].fixed),
-        Place::Terms(id) => match &ssa.defs[id] {
+        SignLocation::Through(_) => 0,
+        SignLocation::Root(k) => i64::from(ssa.roots[k].0 && !ssa.facts[ssa.roots[k].1].fixed),
+        SignLocation::Terms(id) => match &ssa.defs[id] {
             SsaDef::Sum(terms) => sum(terms),
             _ => 0,
         },
-        Place::Operand(id, k) => match &ssa.defs[id] {
+        SignLocation::Operand(id, k) => match &ssa.defs[id] {
             SsaDef::Sum(terms) => sum(terms),
             SsaDef::Call(_, (minus, _)) => i64::from(*minus),
             SsaDef::Atan2(a, b) | SsaDef::Min(a, b) | SsaDef::Max(a, b) => {

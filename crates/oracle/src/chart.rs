@@ -114,7 +114,7 @@ impl Chart {
 
     /// Converts states to the physical state that they describe.
     pub fn physical<T: Real>(&self, states: &[T]) -> Physical<T> {
-        let placed = self.place(states);
+        let placed = self.attitudes_along(states);
         let pick = |i: [usize; 3]| Vector3::from(i.map(|i| states[i]));
         let (attitude, rate) = placed[placed.len() - 1];
         let angular_velocity = match self.angular_velocity {
@@ -138,7 +138,7 @@ impl Chart {
                 out[i] = *value;
             }
         };
-        let placed = self.place(states);
+        let placed = self.attitudes_along(states);
         let physical = self.physical(states);
         let omega = physical.angular_velocity;
         // The frame of a quaternion is the body frame.
@@ -252,14 +252,14 @@ impl Chart {
             ] => {
                 let axes = [*first, *second, *third];
                 [out[*a1], out[*a2], out[*a3]] = angles(&physical.attitude.matrix(), axes)?;
-                let placed = self.place(&out);
+                let placed = self.attitudes_along(&out);
                 let columns = [0, 1, 2].map(|k| placed[k].0.axis(axes[k]));
                 let rates = solve(&Matrix3::from_columns(&columns), &physical.angular_velocity);
                 (out[*r1], out[*r2], out[*r3]) = (rates.x, rates.y, rates.z);
             }
             _ => return None,
         }
-        let placed = self.place(&out);
+        let placed = self.attitudes_along(&out);
         let mut put = |indices: [usize; 3], v: Vector3<f64>| {
             for (i, value) in indices.into_iter().zip(v.iter()) {
                 out[i] = *value;
@@ -281,7 +281,7 @@ impl Chart {
 
     /// Attitude and angular velocity after 0, 1, … rotations of the sequence; quaternion rotations add no angular
     /// velocity.
-    fn place<T: Real>(&self, states: &[T]) -> Vec<(Quaternion<T>, Vector3<T>)> {
+    fn attitudes_along<T: Real>(&self, states: &[T]) -> Vec<(Quaternion<T>, Vector3<T>)> {
         let mut placed = vec![(Quaternion::identity(), Vector3::zeros())];
         for (k, step) in self.steps.iter().enumerate() {
             let (attitude, angular_velocity) = placed[k];

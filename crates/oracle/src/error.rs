@@ -7,7 +7,7 @@ use thiserror::Error;
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum BindError {
     /// No reference implementation has the name that the model gives after the keyword `reference`.
-    #[error("there is no reference `{name}`; available: {}", crate::reference::NAMES.join(", "))]
+    #[error("there is no reference `{name}`; available: {}", crate::reference::LAWS.map(|law| law.0).join(", "))]
     UnknownReference {
         /// Unknown name that the model gives after `reference`.
         name: String,

@@ -27,7 +27,7 @@ pub struct ElementaryRotation<T> {
 
 /// Computes the axes and angular velocities of all frames of a model; `sin_cos` returns the sine and cosine of the
 /// state with a given index.
-pub fn place<T: Field>(
+pub fn place_frames<T: Field>(
     model: &Model,
     states: &[T],
     sin_cos: impl Fn(usize) -> (T, T),
@@ -78,7 +78,7 @@ pub fn place<T: Field>(
 
 /// Computes the axes and angular velocities of all frames of a model, for real-valued states.
 pub fn place_real<T: Real>(model: &Model, states: &[T]) -> Vec<PlacedFrame<T>> {
-    place(model, states, |i| (states[i].sin(), states[i].cos()))
+    place_frames(model, states, |i| (states[i].sin(), states[i].cos()))
 }
 
 /// Elementary rotations from the inertial frame to `frame`, outermost first; `None` if one of them is a quaternion

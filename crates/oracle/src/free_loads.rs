@@ -2,7 +2,7 @@
 
 use crate::dynamics::{MassProperties, newton_euler, state_derivatives};
 use crate::error::Unsupported;
-use crate::frames::place;
+use crate::frames::place_frames;
 use crate::point::Point;
 use crate::scalar::Field;
 use model_spec::model::{Body, Expr, ExprKind, Model};
@@ -23,7 +23,7 @@ pub fn free_load_derivatives<T: Field>(
     moment: Vector3<T>,
 ) -> Result<Vec<T>, Unsupported> {
     let body = model.body.as_ref().ok_or(Unsupported::StatedEquations)?;
-    let frames = place(model, &point.states, sin_cos);
+    let frames = place_frames(model, &point.states, sin_cos);
     let properties = mass_properties(model, body, point).ok_or(Unsupported::IrrationalMass)?;
     let motion = newton_euler(body, &frames, &properties, force, moment);
     state_derivatives(model, body, &point.states, &frames, &motion)

@@ -1,7 +1,9 @@
 //! State of a body, independent of the coordinates that a model chooses for it.
 
 use crate::attitude::Quaternion;
-use crate::scalar::Field;
+use crate::dynamics::MassProperties;
+use crate::rigid::{angular_acceleration, inertia_in_n};
+use crate::scalar::{Field, Real};
 use nalgebra::Vector3;
 
 /// Physical state of a body; all vectors are in inertial components.
@@ -29,6 +31,36 @@ impl<T: Field> Physical<T> {
     }
 }
 
+/// Force at the mass centre, N, and moment about it, N·m, in inertial components.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Load<T> {
+    pub force: Vector3<T>,
+    pub moment: Vector3<T>,
+}
+
+impl<T: Field> Load<T> {
+    pub fn zero() -> Self {
+        Self {
+            force: Vector3::zeros(),
+            moment: Vector3::zeros(),
+        }
+    }
+
+    pub fn force(force: Vector3<T>) -> Self {
+        Self {
+            force,
+            ..Self::zero()
+        }
+    }
+
+    pub fn moment(moment: Vector3<T>) -> Self {
+        Self {
+            moment,
+            ..Self::zero()
+        }
+    }
+}
+
 /// Forces and moments on a body, and the accelerations of the body; all vectors are in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion<T> {
@@ -40,4 +72,22 @@ pub struct Motion<T> {
     pub acceleration: Vector3<T>,
     /// Angular acceleration of the body, rad/s².
     pub angular_acceleration: Vector3<T>,
+}
+
+impl<T: Real> Motion<T> {
+    /// Accelerations of a body in the physical state `at` under the load `load`; the inertia is given in the body frame.
+    pub(crate) fn under(load: Load<T>, properties: &MassProperties<T>, at: &Physical<T>) -> Self {
+        let Load { force, moment } = load;
+        let omega = at.angular_velocity;
+        let angular_acceleration = properties.inertia.map_or_else(Vector3::zeros, |inertia| {
+            let inertia = inertia_in_n(&at.attitude.matrix(), &inertia);
+            angular_acceleration(&inertia, &omega, &omega, &moment)
+        });
+        Self {
+            force,
+            moment,
+            acceleration: force / properties.mass,
+            angular_acceleration,
+        }
+    }
 }

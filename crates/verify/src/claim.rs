@@ -37,25 +37,16 @@ pub fn along(subject: &Subject<'_>, point: &Point<f64>) -> Option<ClaimedBody<Bo
 
 /// Compares both sides of a balance law component by component: the rate of change `change` (such as dp/dt) and its
 /// cause `cause` (such as the force). Updates `worst` with the difference relative to the magnitudes of the terms.
-/// `what` is the name of the law.
-pub fn see(
+/// `law` is the name of the law.
+pub fn compare_sides(
     worst: &mut Worst,
-    change: &Vector3<ErrorBound>,
-    cause: &Vector3<ErrorBound>,
-    what: &str,
+    law: &str,
+    change: Vector3<ErrorBound>,
+    cause: Vector3<ErrorBound>,
 ) {
-    for (change, cause) in change.iter().zip(cause.iter()) {
-        worst.see(relative(*change - *cause), || what.to_owned());
+    for difference in (change - cause).iter() {
+        worst.update(difference.relative_error(0.0), || law.to_owned());
     }
-}
-
-/// Absolute value of a difference, relative to the sum of the magnitudes of its terms; infinite if the quotient is NaN.
-pub fn relative(difference: ErrorBound) -> f64 {
-    if difference.value == 0.0 {
-        return 0.0;
-    }
-    let error = difference.value.abs() / difference.magnitude.max(f64::MIN_POSITIVE);
-    if error.is_nan() { f64::INFINITY } else { error }
 }
 
 /// Whether an error, relative to the sum of the magnitudes of the terms, is too large to be due to rounding, or is NaN.

@@ -13,7 +13,7 @@ use nalgebra::Vector3;
 use oracle::{ClaimedBody, Point, Quaternion, Tree};
 
 /// Maximum number of draws of a release (initial state of a flight) until one is within the model's validity limits.
-const DRAWS: usize = 100;
+const MAX_DRAWS: usize = 100;
 /// Maximum deviation of a state of a random release (initial state of a flight) from the state's default, relative to
 /// the typical magnitude of quantities with the state's unit.
 const SPREAD: f64 = 0.2;
@@ -48,12 +48,12 @@ pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
         let fall = before.force.dot(&(after.position - before.position));
         let energies = (before.kinetic_energy(), after.kinetic_energy());
         let size = (energies.0 + energies.1).max(f64::MIN_POSITIVE);
-        worst.see((energies.1 - energies.0 - fall).abs() / size, || {
+        worst.update((energies.1 - energies.0 - fall).abs() / size, || {
             String::from("energy")
         });
         let momenta = (before.angular_momentum(), after.angular_momentum());
         let size = momenta.0.norm().max(f64::MIN_POSITIVE);
-        worst.see((momenta.1 - momenta.0).norm() / size, || {
+        worst.update((momenta.1 - momenta.0).norm() / size, || {
             String::from("angular momentum")
         });
     }
@@ -102,7 +102,7 @@ pub fn momenta(subject: &Subject<'_>, options: &Options) -> Row {
         ] {
             let size = before.norm() + after.norm() + sum.norm();
             let error = (after - before - sum).norm() / size.max(f64::MIN_POSITIVE);
-            worst.see(error, || {
+            worst.update(error, || {
                 format!("{what} against the integral of its cause")
             });
         }
@@ -134,7 +134,7 @@ fn acts_alike(before: &ClaimedBody<f64>, after: &ClaimedBody<f64>) -> bool {
 /// `None` if no draw is within the model's validity limits.
 fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     let model = subject.model;
-    (0..DRAWS).find_map(|_| {
+    (0..MAX_DRAWS).find_map(|_| {
         let mut point = Point::defaults(model);
         for (state, value) in model.states.iter().zip(&mut point.states) {
             *value += random.within(SPREAD * typical(state.unit));
@@ -175,7 +175,7 @@ fn fly_with_sums(
 ) -> Result<(Point<f64>, Vec<f64>), String> {
     let count = from.states.len();
     let mut at = from.clone();
-    let mut moving = ode::rhs_from_fn(&[], |t, x: &Vec<f64>, dx: &mut Vec<f64>| {
+    let mut moving = |t: f64, x: &[f64], dx: &mut [f64]| {
         at.time = t;
         at.states.copy_from_slice(&x[..count]);
         dx[..count].copy_from_slice(&subject.equations.rates(&at));
@@ -189,7 +189,7 @@ fn fly_with_sums(
             *slot = *cause;
         }
         dx[count + 9] = body.power();
-    });
+    };
     let mut start = from.states.clone();
     start.extend([0.0; 10]);
     let mut end = integrate(&mut moving, &start, duration)?;

@@ -2,16 +2,16 @@
 //! law integrated in momenta, and agreement of two models.
 
 use crate::Options;
+use crate::checks::identities::body_properties;
+use crate::integration::{self, RightHandSide};
 use crate::random::Random;
 use crate::row::{Row, Worst};
+use crate::same_motion::relative_difference;
 use crate::sample::is_valid;
 use crate::subject::Subject;
 use nalgebra::{Matrix3, Vector3};
-use ode::Method;
-use oracle::{
-    MassProperties, Physical, Point, Quaternion, Reference, Tree, inertia_in_n, mass_properties,
-    solve,
-};
+use ode::IntegrationOptions;
+use oracle::{MassProperties, Physical, Point, Quaternion, Reference, Tree, inertia_in_n, solve};
 
 /// Name in reports of the check of energy and angular momentum without air.
 pub const INVARIANTS: &str = "flight without air";
@@ -21,16 +21,17 @@ pub const MOMENTA: &str = "flight: reference in momenta";
 /// Name in reports of the comparison of the flights of two models.
 const FLIGHTS: &str = "flights";
 
-/// Maximum allowed relative difference in the flight checks, such as that of two final states. The relative tolerance
-/// of the integration is 1e-11.
+/// Maximum allowed relative difference in the flight checks, such as that of two final states.
 pub(crate) const TOLERANCE: f64 = 1e-8;
+/// Relative tolerance with which flights are integrated.
+const RTOL: f64 = 1e-11;
 /// Reason given in the report for skipping a check, for a model in which recorded time (the time stamps of the
 /// measurements) does not advance by 1 s per second of flight.
 pub(crate) const OWN_CLOCK: &str = "its clock does not keep to the seconds of the flight";
 /// Number of simulated flights per flight check.
 pub(crate) const RELEASES: usize = 3;
 /// Maximum number of draws of a release (initial state of a flight) until one is within the model's validity limits.
-const DRAWS: usize = 100;
+const MAX_DRAWS: usize = 100;
 /// Duration of a simulated flight in the flight checks, s.
 pub(crate) const DURATION: f64 = 1.0;
 
@@ -65,22 +66,20 @@ pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
                 "without air and with its coefficients at 0, loads are left that are not a constant force",
             );
         }
-        let (Some(before), Some(after)) = (
-            held(subject, &point, &properties),
-            held(subject, &end, &properties),
-        ) else {
+        let conserved = |point: &Point<f64>| conserved(subject, point, &properties);
+        let (Some(before), Some(after)) = (conserved(&point), conserved(&end)) else {
             return subject.without_meaning(INVARIANTS);
         };
-        worst.see(moment.norm(), || {
+        worst.update(moment.norm(), || {
             String::from("a moment is left where there is no air")
         });
         // Work of the constant force F over the displacement: F·Δr.
         let fall = force.dot(&(after.position - before.position));
         let energy = (after.energy - before.energy - fall).abs() / (before.energy + after.energy);
-        worst.see(energy, || String::from("energy"));
+        worst.update(energy, || String::from("energy"));
         let size = before.angular_momentum.norm().max(f64::MIN_POSITIVE);
         let change = (after.angular_momentum - before.angular_momentum).norm();
-        worst.see(change / size, || String::from("angular momentum"));
+        worst.update(change / size, || String::from("angular momentum"));
     }
     Row::judged(INVARIANTS, RELEASES, &worst, TOLERANCE)
 }
@@ -122,18 +121,13 @@ pub fn same_flights(a: &Subject<'_>, b: &Subject<'_>, options: &Options) -> Row 
         let (Some(here), Some(there), Some(chart_a), Some(chart_b)) =
             (here, there, &a.chart, &b.chart)
         else {
-            return Row::skipped(
-                FLIGHTS,
-                "the states of one cannot be found from the other's",
-            );
+            let why = "the states of one cannot be found from the other's";
+            return Row::skipped(FLIGHTS, why);
         };
         match (fly(a, &here), fly(b, &there)) {
             (Ok(one), Ok(other)) => {
-                compare(
-                    &mut worst,
-                    &chart_a.physical(&one.states),
-                    &chart_b.physical(&other.states),
-                );
+                let (one, other) = (&one.states, &other.states);
+                compare(&mut worst, &chart_a.physical(one), &chart_b.physical(other));
             }
             (Err(why), _) | (_, Err(why)) => return Row::counted(FLIGHTS, RELEASES, &[why], ""),
         }
@@ -165,7 +159,7 @@ fn unreleased(subject: &Subject<'_>, check: &'static str) -> Row {
 /// Draws a release (initial state of a flight) within the validity limits of the model; `None` if no draw is within
 /// these limits or the meaning of the states is unknown.
 fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
-    (0..DRAWS).find_map(|_| {
+    (0..MAX_DRAWS).find_map(|_| {
         let point = any_release(subject, random)?;
         is_valid(subject.model, &point).then_some(point)
     })
@@ -209,12 +203,8 @@ pub(crate) fn airless(subject: &Subject<'_>, point: &mut Point<f64>) {
             *value = 0.0;
         }
     }
-    for (constant, value) in subject
-        .model
-        .coefficients
-        .iter()
-        .zip(&mut point.coefficients)
-    {
+    let coefficients = subject.model.coefficients.iter();
+    for (constant, value) in coefficients.zip(&mut point.coefficients) {
         let (low, high) = constant.bounds.unwrap_or((0.0, 0.0));
         *value = 0.0_f64.clamp(low.min(high), high);
     }
@@ -225,20 +215,10 @@ pub(crate) fn airless(subject: &Subject<'_>, point: &mut Point<f64>) {
 
 /// Integrates the model equations from a point for [`DURATION`] and returns the final point. The error is the
 /// integrator's message.
-pub(crate) fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Result<Point<f64>, String> {
-    let mut at = from.clone();
-    let mut moving = ode::rhs_from_fn(&[], |t, x: &Vec<f64>, dx: &mut Vec<f64>| {
-        at.time = t;
-        at.states.copy_from_slice(x);
-        dx.copy_from_slice(&subject.equations.rates(&at));
-    });
-    let start = from.states.clone();
-    let end = integrate(&mut moving, &start, DURATION)?;
-    Ok(Point {
-        time: DURATION,
-        states: end,
-        ..from.clone()
-    })
+fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Result<Point<f64>, String> {
+    let rates = |at: &Point<f64>| subject.equations.rates(at);
+    let options = IntegrationOptions::with_tolerance(RTOL);
+    integration::fly(&rates, from, DURATION, &options).map_err(|fault| fault.to_string())
 }
 
 /// Integrates the reference law in position, momentum, attitude and angular momentum, and returns the final physical
@@ -269,7 +249,7 @@ fn fly_by_momenta(reference: &Reference, point: &Point<f64>) -> Result<Physical<
     start.extend((at.velocity * properties.mass).iter());
     start.extend(at.attitude.parts());
     start.extend(angular_momentum.iter());
-    let mut moving = ode::rhs_from_fn(&[], |_, y: &Vec<f64>, dy: &mut Vec<f64>| {
+    let mut moving = |_: f64, y: &[f64], dy: &mut [f64]| {
         let body = read(y);
         let motion = reference.motion_at(&body, point);
         let rate = Quaternion {
@@ -281,24 +261,19 @@ fn fly_by_momenta(reference: &Reference, point: &Point<f64>) -> Result<Physical<
         dy[3..6].copy_from_slice(motion.force.as_slice());
         dy[6..10].copy_from_slice(&rate.parts().map(|part| part / 2.0));
         dy[10..13].copy_from_slice(motion.moment.as_slice());
-    });
+    };
     integrate(&mut moving, &start, DURATION).map(|end| read(&end))
 }
 
-/// Integrates the differential equations `d` from the state `start` over a duration (s), with the tolerance of all
-/// flight checks, and returns the final state. The error is the integrator's message.
-pub(crate) fn integrate<D: ode::OdeRhs<State = Vec<f64>>>(
-    d: &mut D,
-    start: &Vec<f64>,
+/// Integrates differential equations from the state `start` over a duration (s), see [`integration::integrate`], with
+/// the tolerance of all flight checks. The error is the integrator's message.
+pub(crate) fn integrate(
+    rhs: &mut RightHandSide<'_>,
+    start: &[f64],
     duration: f64,
 ) -> Result<Vec<f64>, String> {
-    let options = ode::IntegrationOptions {
-        method: Method::Dop853,
-        ..ode::IntegrationOptions::with_tolerance(1e-11)
-    };
-    ode::integrate_to_end(d, (0.0, start), duration, &options, &mut [])
-        .map(|end| end.state)
-        .map_err(|fault| fault.to_string())
+    let options = IntegrationOptions::with_tolerance(RTOL);
+    integration::integrate(rhs, start, duration, &options).map_err(|fault| fault.to_string())
 }
 
 fn compare(worst: &mut Worst, a: &Physical<f64>, b: &Physical<f64>) {
@@ -310,24 +285,23 @@ fn compare(worst: &mut Worst, a: &Physical<f64>, b: &Physical<f64>) {
         ("attitude", a.attitude.axis(3), b.attitude.axis(3)),
     ];
     for (what, a, b) in parts {
-        worst.see((a - b).norm() / (a.norm() + b.norm() + 1.0), || {
-            what.to_owned()
-        });
+        worst.update(relative_difference(a, b), || what.to_owned());
     }
 }
 
-/// Position (m), kinetic energy (J) and angular momentum (kg·m²/s) of a body.
-struct Held {
+/// Kinetic energy (J) and angular momentum (kg·m²/s) of a body, which without air change only by the work of a constant
+/// force over the displacement, and its position (m).
+struct Conserved {
     position: Vector3<f64>,
     energy: f64,
     angular_momentum: Vector3<f64>,
 }
 
-fn held(
+fn conserved(
     subject: &Subject<'_>,
     point: &Point<f64>,
     properties: &MassProperties<f64>,
-) -> Option<Held> {
+) -> Option<Conserved> {
     let body = subject.chart.as_ref()?.physical(&point.states);
     let axes = body.attitude.matrix();
     let angular_momentum = properties.inertia.map_or_else(Vector3::zeros, |inertia| {
@@ -335,7 +309,7 @@ fn held(
     });
     let energy = properties.mass * body.velocity.norm_squared()
         + angular_momentum.dot(&body.angular_velocity);
-    Some(Held {
+    Some(Conserved {
         position: body.position,
         energy: energy / 2.0,
         angular_momentum,
@@ -350,24 +324,12 @@ fn loads(
 ) -> Option<(Vector3<f64>, Vector3<f64>, MassProperties<f64>)> {
     if let Some(reference) = &subject.reference {
         let motion = reference.motion(point);
-        return Some((
-            motion.force,
-            motion.moment,
-            reference.mass_properties(point),
-        ));
+        let properties = reference.mass_properties(point);
+        return Some((motion.force, motion.moment, properties));
     }
     let model = subject.model;
     let body = model.body.as_ref()?;
     let tree = Tree::new(model, point);
-    let mut properties = mass_properties(&tree, body);
-    if let (Some(rotation), Some(inertia)) = (&body.rotation, properties.inertia) {
-        let turn = tree.frames[rotation.body_frame].axes.transpose()
-            * tree.frames[rotation.inertia_frame].axes;
-        properties.inertia = Some(inertia_in_n(&turn, &inertia));
-    }
-    Some((
-        tree.total(&model.forces),
-        tree.total(&model.moments),
-        properties,
-    ))
+    let (force, moment) = (tree.total(&model.forces), tree.total(&model.moments));
+    Some((force, moment, body_properties(&tree, body)))
 }

@@ -19,6 +19,7 @@ pub mod engine;
 mod expressions;
 mod field;
 pub mod flights;
+mod integration;
 mod meaning;
 pub mod mutants;
 pub mod random;
@@ -118,13 +119,11 @@ pub fn run(loaded: &Loaded, options: &Options) -> Report {
 fn of_effects(loaded: &Loaded, options: &Options) -> [Row; 2] {
     match checks::effects::variants(loaded) {
         Some((with, without)) => {
-            let with: Vec<(Model, Values)> = with
-                .into_iter()
-                .map(|model| {
-                    let values = Values::of(&model);
-                    (model, values)
-                })
-                .collect();
+            let with = with.into_iter().map(|model| {
+                let values = Values::of(&model);
+                (model, values)
+            });
+            let with: Vec<(Model, Values)> = with.collect();
             [
                 checks::effects::check(&without, &with, options),
                 checks::effect_reference::check(&with, options),
@@ -198,9 +197,7 @@ fn every_check(
     ));
     let model = subject.model;
     let mut random = Random::new(options.seed, checks::backends::BACKENDS);
-    let points: Vec<_> = (0..BACKEND_POINTS)
-        .map(|_| sample::point(model, &mut random))
-        .collect();
+    let points = sample::points(model, BACKEND_POINTS, &mut random);
     let runs = checks::backends::runs(model, compiled, &points);
     rows.push(checks::backends::check(compiled, &runs));
     rows.push(checks::backends::check_fma(compiled, &runs));

@@ -1,10 +1,11 @@
 //! Physical meaning of the states of a model: conversion of states to the physical state, to its rate, and back. It is
 //! given by a chart, or by the body that stated equations claim to describe.
 
+use crate::claim::Bounded;
 use crate::subject::Subject;
 use model_spec::model::{ClaimedAttitude, FrameKind, Model};
 use nalgebra::{DMatrix, DVector, Vector3};
-use oracle::scalar::{Dual, Real};
+use oracle::scalar::{ErrorBound, Real};
 use oracle::{Chart, ClaimedBody, Physical, PhysicalRate, Point, Tree, moving};
 
 /// Maximum number of Gauss-Newton steps when searching for states that represent a given physical state.
@@ -13,7 +14,7 @@ const STEPS: usize = 60;
 const HALVINGS: usize = 30;
 /// Maximum residual at which the iteration for the states counts as converged. The residuals of position, velocity and
 /// angular velocity are divided by 1 + norm of the quantity.
-const FOUND: f64 = 1e-12;
+const CONVERGED: f64 = 1e-12;
 
 /// How the states of a model determine the physical quantities of its rigid body or point mass (position, velocity,
 /// attitude, angular velocity).
@@ -80,10 +81,7 @@ impl<'a> Meaning<'a> {
     pub fn rate(&self, point: &Point<f64>, rates: &[f64], pace: f64) -> Option<PhysicalRate> {
         match self {
             Self::Chart(chart) => Some(chart.physical_rate(&point.states, rates)),
-            Self::Claim(model) => {
-                let moving = moving(point, rates, 1.0 / pace);
-                Some(rate_of(&ClaimedBody::of(&Tree::new(model, &moving))?))
-            }
+            Self::Claim(model) => Some(rate_of(&along(model, point, rates, 1.0 / pace)?)),
         }
     }
 
@@ -104,24 +102,39 @@ fn is_finite(body: &ClaimedBody<f64>) -> bool {
     all.chain(of_turning).all(|v| v.is_finite())
 }
 
-fn rate_of(body: &ClaimedBody<Dual<f64>>) -> PhysicalRate {
-    let derivative = |v: &Vector3<Dual<f64>>| v.map(|d| d.derivative);
+/// Claimed body at a point whose states change at the given rates, and recorded time at `time_rate`, with derivatives
+/// with respect to true time. The error bounds of the numbers are not used; other checks evaluate the model with the same
+/// type of numbers, so that it is compiled only once.
+fn along(
+    model: &Model,
+    point: &Point<f64>,
+    rates: &[f64],
+    time_rate: f64,
+) -> Option<ClaimedBody<Bounded>> {
+    let rates: Vec<ErrorBound> = rates.iter().copied().map(ErrorBound::lit).collect();
+    let moving = moving(&point.lift(), &rates, ErrorBound::lit(time_rate));
+    ClaimedBody::of(&Tree::new(model, &moving))
+}
+
+fn rate_of(body: &ClaimedBody<Bounded>) -> PhysicalRate {
+    let value = |v: &Vector3<Bounded>| v.map(|d| d.value.value);
+    let derivative = |v: &Vector3<Bounded>| v.map(|d| d.derivative.value);
     let (angular_velocity, angular_acceleration) = match &body.turning {
         None => (Vector3::zeros(), Vector3::zeros()),
         Some(turning) => {
-            let along = |k: usize| turning.axes.column(k).into_owned();
+            let axis = |k: usize| turning.axes.column(k).into_owned();
             let turns = |k: usize| {
-                let axis = along(k);
-                axis.map(|d| d.value).cross(&derivative(&axis))
+                let axis = axis(k);
+                value(&axis).cross(&derivative(&axis))
             };
-            let stated = turning.angular_velocity.map(|d| d.value);
+            let stated = value(&turning.angular_velocity);
             let omega = match turning.axis {
                 // ω = ½ Σ axis × d(axis)/dt
                 None => (turns(0) + turns(1) + turns(2)) / 2.0,
                 // The spin rotates no axis, so it is taken from the stated angular velocity.
-                Some(axis) => {
-                    let k = usize::from(axis) - 1;
-                    let normal = along(k).map(|d| d.value);
+                Some(of_revolution) => {
+                    let k = usize::from(of_revolution) - 1;
+                    let normal = value(&axis(k));
                     turns(k) + normal * normal.dot(&stated)
                 }
             };
@@ -171,7 +184,7 @@ fn solved(model: &Model, physical: &Physical<f64>, at: &Point<f64>) -> Option<Ve
     let mut states = at.states.clone();
     let mut error = residual(&states)?;
     for _ in 0..STEPS {
-        if error.amax() <= FOUND {
+        if error.amax() <= CONVERGED {
             return Some(states);
         }
         let jacobian = jacobian(model, &states, at, &axes, &sizes)?;
@@ -185,7 +198,7 @@ fn solved(model: &Model, physical: &Physical<f64>, at: &Point<f64>) -> Option<Ve
         });
         (states, error) = tried?;
     }
-    (error.amax() <= FOUND).then_some(states)
+    (error.amax() <= CONVERGED).then_some(states)
 }
 
 /// Jacobian, with respect to the states, of the claimed body's position, velocity, unit vectors of the body axes `axes`
@@ -205,10 +218,9 @@ fn jacobian(
     for state in 0..states.len() {
         let mut seed = vec![0.0; states.len()];
         seed[state] = 1.0;
-        let moving = moving(&point, &seed, 0.0);
-        let body = ClaimedBody::of(&Tree::new(model, &moving))?;
+        let body = along(model, &point, &seed, 0.0)?;
         for (row, value) in quantities(&body, axes).iter().enumerate() {
-            out[(row, state)] = value.derivative / sizes[row];
+            out[(row, state)] = value.derivative.value / sizes[row];
         }
     }
     Some(out)

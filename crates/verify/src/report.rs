@@ -19,6 +19,17 @@ pub enum Outcome {
 }
 
 impl Outcome {
+    /// Combined outcome of checks: refuted if any check is refuted, otherwise not verified if any check is unverified or
+    /// there is none, otherwise verified.
+    pub(crate) fn of(verdicts: impl Iterator<Item = Verdict>) -> Self {
+        let outcomes = verdicts.map(|verdict| match verdict {
+            Verdict::Holds | Verdict::Skipped => Self::Verified,
+            Verdict::Unverified => Self::NotVerified,
+            Verdict::Refuted => Self::Refuted,
+        });
+        outcomes.max().unwrap_or(Self::NotVerified)
+    }
+
     /// Name of the outcome for messages.
     pub fn words(self) -> &'static str {
         match self {
@@ -53,13 +64,7 @@ impl Report {
     /// Combined outcome of all checks: refuted if any check is refuted, otherwise not verified if any check is
     /// unverified, otherwise verified.
     pub fn outcome(&self) -> Outcome {
-        let outcome = |row: &Row| match row.verdict {
-            Verdict::Holds | Verdict::Skipped => Outcome::Verified,
-            Verdict::Unverified => Outcome::NotVerified,
-            Verdict::Refuted => Outcome::Refuted,
-        };
-        let rows = self.rows.iter().map(outcome);
-        rows.max().unwrap_or(Outcome::NotVerified)
+        Outcome::of(self.rows.iter().map(|row| row.verdict))
     }
 
     /// Names of the checks that apply to the model but could not be carried out.
@@ -126,11 +131,8 @@ impl Report {
             text.push_str(&format!("\n{remark}\n"));
         }
         for refuted in &self.refuted {
-            text.push_str(&format!(
-                "\n{}\n    {}\n",
-                refuted.sentence(),
-                refuted.equation
-            ));
+            let (sentence, equation) = (refuted.sentence(), &refuted.equation);
+            text.push_str(&format!("\n{sentence}\n    {equation}\n"));
         }
         if let Some(kills) = &self.mutants {
             text.push('\n');

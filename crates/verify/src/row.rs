@@ -65,33 +65,27 @@ impl Row {
     /// Creates the row of a check that holds if its maximum relative error is at most `tolerance`.
     pub fn judged(check: &'static str, cases: usize, worst: &Worst, tolerance: f64) -> Self {
         Self {
-            check,
             cases,
             worst: worst.error,
             measure: Measure::Relative,
             tolerance,
             verdict: Verdict::of(worst.error <= tolerance),
-            detail: worst.place.clone(),
-            remark: None,
+            ..Self::skipped(check, worst.place.clone())
         }
     }
 
     /// Creates the row of a check that holds if the list of faults is empty. The detail is the text `holds` in that
     /// case, otherwise the faults. `cases` is the number of points or cases that were tested.
     pub fn counted(check: &'static str, cases: usize, faults: &[String], holds: &str) -> Self {
+        let detail = match faults {
+            [] => holds.to_owned(),
+            _ => faults.join("\n"),
+        };
         Self {
-            check,
             cases,
             worst: faults.len() as f64,
-            measure: Measure::Count,
-            tolerance: 0.0,
             verdict: Verdict::of(faults.is_empty()),
-            detail: if faults.is_empty() {
-                holds.to_owned()
-            } else {
-                faults.join("\n")
-            },
-            remark: None,
+            ..Self::skipped(check, detail)
         }
     }
 
@@ -118,13 +112,13 @@ impl Row {
     }
 
     /// Returns the row with its remark set to a text on what the check does not cover.
-    pub fn remarking(mut self, remark: impl Into<String>) -> Self {
+    pub fn with_remark(mut self, remark: impl Into<String>) -> Self {
         self.remark = Some(remark.into());
         self
     }
 
     /// Returns the row with its detail text replaced.
-    pub fn saying(mut self, detail: impl Into<String>) -> Self {
+    pub fn with_detail(mut self, detail: impl Into<String>) -> Self {
         self.detail = detail.into();
         self
     }
@@ -142,7 +136,7 @@ pub struct Worst {
 impl Worst {
     /// Replaces the maximum if `error` is larger. `place` describes where the error occurred and is called only in this
     /// case.
-    pub fn see(&mut self, error: f64, place: impl FnOnce() -> String) {
+    pub fn update(&mut self, error: f64, place: impl FnOnce() -> String) {
         let error = if error.is_nan() { f64::INFINITY } else { error };
         if error > self.error {
             *self = Self {

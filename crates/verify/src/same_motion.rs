@@ -96,24 +96,27 @@ fn accelerations(a: &Subject<'_>, b: &Subject<'_>, options: &Options) -> Row {
         };
         let one = chart_a.physical_rate(&here.states, &a.equations.rates(&here));
         let other = chart_b.physical_rate(&there.states, &b.equations.rates(&there));
-        for (what, x, y) in parts(&one, &other) {
-            worst.see((x - y).norm() / (x.norm() + y.norm() + 1.0), || {
-                what.to_owned()
-            });
+        for (what, error) in rate_differences(&one, &other) {
+            worst.update(error, || what.to_owned());
         }
     }
     Row::judged(NAME, options.cases, &worst, 1e3 * TOLERANCE)
 }
 
-fn parts(a: &PhysicalRate, b: &PhysicalRate) -> [(&'static str, Vector3<f64>, Vector3<f64>); 4] {
+/// Relative differences of the velocities and accelerations of two bodies, each with the name of the quantity.
+pub(crate) fn rate_differences(a: &PhysicalRate, b: &PhysicalRate) -> [(&'static str, f64); 4] {
+    let turning = (a.angular_acceleration, b.angular_acceleration);
     [
-        ("velocity", a.velocity, b.velocity),
-        ("acceleration", a.acceleration, b.acceleration),
-        ("angular velocity", a.angular_velocity, b.angular_velocity),
-        (
-            "angular acceleration",
-            a.angular_acceleration,
-            b.angular_acceleration,
-        ),
+        ("velocity", (a.velocity, b.velocity)),
+        ("acceleration", (a.acceleration, b.acceleration)),
+        ("angular velocity", (a.angular_velocity, b.angular_velocity)),
+        ("angular acceleration", turning),
     ]
+    .map(|(what, (a, b))| (what, relative_difference(a, b)))
+}
+
+/// Norm of the difference of two vectors, in SI units, relative to the sum of their norms and 1. Positions, velocities
+/// and accelerations of flights are of order 1 to 1000; the added 1 is far below a typical fault.
+pub(crate) fn relative_difference(a: Vector3<f64>, b: Vector3<f64>) -> f64 {
+    (a - b).norm() / (a.norm() + b.norm() + 1.0)
 }

@@ -1,14 +1,14 @@
 //! Random points of a model, within its domain of validity.
 
 use crate::random::Random;
-use model_spec::model::{FrameKind, Model, Parameter};
+use model_spec::model::{Model, Parameter};
 use model_spec::unit::{Base, Unit};
 use nalgebra::Vector3;
 use oracle::{Point, Tree};
 
 /// Maximum number of draws of a point within the validity limits. If none succeeds, the distance between the default
 /// point and the last point drawn is halved until the result is within the limits, see [`HALVINGS`].
-const DRAWS: usize = 1000;
+const MAX_DRAWS: usize = 1000;
 /// Limit of the number of halvings of the distance between the default point and a drawn point outside the validity
 /// limits. At most `HALVINGS` − 1 halvings are tried; then the default point is used.
 const HALVINGS: i32 = 20;
@@ -18,7 +18,7 @@ const HALVINGS: i32 = 20;
 /// bounds allow it, never 0. Inputs and marker are random.
 pub fn point(model: &Model, random: &mut Random) -> Point<f64> {
     let mut point = anywhere(model, random);
-    for _ in 0..DRAWS {
+    for _ in 0..MAX_DRAWS {
         if within_limits(model, &point) {
             return point;
         }
@@ -29,6 +29,11 @@ pub fn point(model: &Model, random: &mut Random) -> Point<f64> {
         .map(|k| between(&defaults, &point, 0.5_f64.powi(k)))
         .find(|point| is_valid(model, point))
         .unwrap_or(defaults)
+}
+
+/// Draws `count` points within the validity limits, as [`point`] does.
+pub fn points(model: &Model, count: usize, random: &mut Random) -> Vec<Point<f64>> {
+    (0..count).map(|_| point(model, random)).collect()
 }
 
 /// Interpolates parameters, coefficients, inputs and states linearly between two points; `fraction` is 0 at `from` and
@@ -66,36 +71,23 @@ pub fn within_limits(model: &Model, point: &Point<f64>) -> bool {
 }
 
 fn anywhere(model: &Model, random: &mut Random) -> Point<f64> {
+    let (params, coefficients) = (model.params.iter(), model.coefficients.iter());
+    let inputs = model.inputs.iter();
     let mut point = Point {
         time: random.between(0.0, 2.0),
-        params: model
-            .params
-            .iter()
-            .map(|c| size_varied(c, random))
-            .collect(),
-        coefficients: model
-            .coefficients
-            .iter()
-            .map(|c| coefficient(c, random))
-            .collect(),
-        inputs: model
-            .inputs
-            .iter()
+        params: params.map(|c| size_varied(c, random)).collect(),
+        coefficients: coefficients.map(|c| coefficient(c, random)).collect(),
+        inputs: inputs
             .map(|i| Vector3::from_fn(|_, _| random.within(typical(i.unit))))
             .collect(),
         states: model.states.iter().map(|s| state(s.unit, random)).collect(),
         marker: Vector3::from_fn(|_, _| random.within(0.1)),
     };
-    for frame in &model.frames {
-        if let FrameKind::Quaternion { states, .. } = frame.kind {
-            let length = states
-                .iter()
-                .map(|&i| point.states[i].powi(2))
-                .sum::<f64>()
-                .sqrt();
-            for i in states {
-                point.states[i] /= length;
-            }
+    for quaternion in model.quaternions() {
+        let squares = quaternion.iter().map(|&i| point.states[i].powi(2));
+        let length = squares.sum::<f64>().sqrt();
+        for i in quaternion {
+            point.states[i] /= length;
         }
     }
     point
@@ -112,6 +104,12 @@ pub fn typical(unit: Unit) -> f64 {
         (0, -2, _) => 20.0,
         _ => 1.0,
     }
+}
+
+/// Whether a unit is that of a velocity, up to powers of other base units than metre and second.
+pub(crate) fn is_velocity(unit: Unit) -> bool {
+    let [metre, second] = [Base::Metre, Base::Second].map(|base| unit.doubled[base as usize]);
+    (metre, second) == (2, -2)
 }
 
 fn state(unit: Unit, random: &mut Random) -> f64 {

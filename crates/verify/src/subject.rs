@@ -1,6 +1,7 @@
 //! Subject of a verification: a model, and its equations of motion as functions that can be evaluated.
 
 use crate::row::Row;
+use model_spec::Layout;
 use model_spec::model::Model;
 use nalgebra::Vector3;
 use oracle::{BindError, Chart, Point, Reference, Tree, Unsupported, derivatives};
@@ -89,30 +90,7 @@ impl<'a> Subject<'a> {
         }
         there.time = here.time;
         there.marker = here.marker;
-        let value = |name: &str| {
-            let param = self
-                .model
-                .params
-                .iter()
-                .position(|c| c.name == name)
-                .map(|i| here.params[i]);
-            let coefficient = self.model.coefficients.iter().position(|c| c.name == name);
-            param.or_else(|| coefficient.map(|i| here.coefficients[i]))
-        };
-        for (constant, to) in other.model.params.iter().zip(&mut there.params) {
-            *to = value(&constant.name).unwrap_or(*to);
-        }
-        for (constant, to) in other.model.coefficients.iter().zip(&mut there.coefficients) {
-            *to = value(&constant.name).unwrap_or(*to);
-        }
-        for (input, to) in other.model.inputs.iter().zip(&mut there.inputs) {
-            *to = self
-                .model
-                .inputs
-                .iter()
-                .position(|i| i.name == input.name)
-                .map_or(*to, |i| here.inputs[i]);
-        }
+        carry_by_name(self.model, here, other.model, &mut there);
         Some(there)
     }
 
@@ -160,15 +138,11 @@ impl<'a> Subject<'a> {
             return Row::skipped(check, "the model claims no reference");
         }
         if self.model.claim.is_some() {
-            return Row::skipped(
-                check,
-                "the model claims no reference; the body that it claims holds its equations",
-            );
+            let why = "the model claims no reference; the body that it claims holds its equations";
+            return Row::skipped(check, why);
         }
-        Row::unverified(
-            check,
-            "its equations are stated, and it claims neither a reference nor a body",
-        )
+        let why = "its equations are stated, and it claims neither a reference nor a body";
+        Row::unverified(check, why)
     }
 
     /// Row with the verdict "unverified", for a check that needs the conversion between states and physical quantities
@@ -198,6 +172,26 @@ impl<'a> Subject<'a> {
         }
         point
     }
+}
+
+/// Sets the parameters, coefficients and inputs of `there`, a point of the model `other`, to the values of equal names
+/// in `here`, a point of `model`. Values whose names `model` lacks are not changed. Returns whether it has all names.
+pub(crate) fn carry_by_name(
+    model: &Model,
+    here: &Point<f64>,
+    other: &Model,
+    there: &mut Point<f64>,
+) -> bool {
+    let (own, values) = (Layout::new(model), here.parameters());
+    let mut is_complete = true;
+    let names = Layout::new(other).parameters;
+    for (name, to) in names.iter().zip(there.parameters_mut()) {
+        match own.parameter(name) {
+            Some(index) => *to = values[index.index()],
+            None => is_complete = false,
+        }
+    }
+    is_complete
 }
 
 /// Equations of motion of a model, evaluated by the reference simulator (crate `oracle`) from the model's vector

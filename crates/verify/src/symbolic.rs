@@ -9,7 +9,6 @@ use num_traits::{One, Zero};
 use oracle::Interpolant;
 use oracle::scalar::{Elementary, Field, Prime, Real};
 use std::cell::RefCell;
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// An element of the prime field, with the functions of the model language.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,35 +57,8 @@ fn polar(y: Prime, x: Prime) -> Symbolic {
     }))
 }
 
-macro_rules! operator {
-    ($($trait:ident $method:ident $assign:ident $assign_method:ident;)*) => {$(
-        impl $trait for Symbolic {
-            type Output = Self;
-            fn $method(self, other: Self) -> Self {
-                Self($trait::$method(self.0, other.0))
-            }
-        }
-        impl $assign for Symbolic {
-            fn $assign_method(&mut self, other: Self) {
-                *self = $trait::$method(*self, other);
-            }
-        }
-    )*};
-}
-
-operator! {
-    Add add AddAssign add_assign;
-    Sub sub SubAssign sub_assign;
-    Mul mul MulAssign mul_assign;
-    Div div DivAssign div_assign;
-}
-
-impl Neg for Symbolic {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Self(-self.0)
-    }
-}
+oracle::wrapped_ops!(Symbolic(Prime));
+oracle::assign_ops!([] Symbolic);
 
 impl Zero for Symbolic {
     fn zero() -> Self {

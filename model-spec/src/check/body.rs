@@ -4,7 +4,7 @@ use super::elaborate::node;
 use super::{Checker, Typed};
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{self, Expr, ExprKind, Shape};
-use crate::syntax::ast::{self, BodyClass, BodyPartKind, ItemKind, Name};
+use crate::syntax::ast::{self, BodyClass, BodyPartKind, Name};
 use crate::unit::Unit;
 
 /// The statements of a body's block, one field per kind of statement. Each kind occurs at most once; `None` if the
@@ -51,7 +51,9 @@ impl<'a> Checker<'a> {
             .map(|(names, _)| triple(self, names, Unit::SPEED));
         let velocity_frame = parts.velocity.and_then(|(_, frame)| self.frame_of(frame));
 
-        let frames = self.turned_frames();
+        let frames: Vec<&ast::Frame> = { self.declared_frames() }
+            .filter(|frame| frame.kind != ast::FrameKind::Inertial)
+            .collect();
         for frame in frames.iter().filter(|_| rigid) {
             match &frame.kind {
                 ast::FrameKind::Turned { angle, .. } => {
@@ -127,17 +129,6 @@ impl<'a> Checker<'a> {
         });
     }
 
-    fn turned_frames(&self) -> Vec<&'a ast::Frame> {
-        let file = self.file;
-        let frames = file.items.iter().filter_map(|i| match &i.kind {
-            ItemKind::Frame(frame) => Some(frame),
-            _ => None,
-        });
-        frames
-            .filter(|f| !matches!(f.kind, ast::FrameKind::Inertial))
-            .collect()
-    }
-
     fn parts(&mut self, body: &'a ast::Body, report: bool) -> Parts<'a> {
         let mut parts = Parts::default();
         let mut seen: Vec<(&str, Span)> = Vec::new();
@@ -194,18 +185,20 @@ impl<'a> Checker<'a> {
             ("position (x, y, z) in N;", parts.position.is_none()),
             ("velocity (u, v, w) in …;", parts.velocity.is_none()),
         ];
+        self.lacking("the body", "the body", &body.name, &needed);
+    }
+
+    /// Reports the statements that the block of the body or claim `name` lacks. `needed` lists statements, each with
+    /// whether it is missing. `what` describes `name`, and `owner` the block, in the message.
+    pub fn lacking(&mut self, what: &str, owner: &str, name: &Name, needed: &[(&str, bool)]) {
         let missing: Vec<&str> = needed.iter().filter(|n| n.1).map(|n| n.0).collect();
-        if !missing.is_empty() {
-            let message = format!(
-                "the body `{}` lacks {}",
-                body.name.text,
-                super::scope::listed(&missing)
-            );
-            self.report(
-                Diagnostic::new(Kind::Missing, body.name.span, message)
-                    .help("add what is missing to the block of the body"),
-            );
+        if missing.is_empty() {
+            return;
         }
+        let lacks = super::scope::listed(&missing);
+        let message = format!("{what} `{}` lacks {lacks}", name.text);
+        let fault = Diagnostic::new(Kind::Missing, name.span, message);
+        self.report(fault.help(format!("add what is missing to the block of {owner}")));
     }
 
     /// Checks the mass, inertia tensor and attitude of the declared body; all names must have been declared before.

@@ -1,11 +1,9 @@
 //! Type checking of function calls: number, shape and unit of the arguments, shape and unit of the result.
 
-use super::elaborate::node;
 use super::term::{Fraction, Term};
 use super::{Checker, Typed, UnitOf};
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{ExprKind, Function, Shape};
-use crate::suggest;
 use crate::syntax::ast;
 use crate::unit::Unit;
 
@@ -69,10 +67,12 @@ impl Checker<'_> {
                 let [v] = self.arguments(name, arguments, span, "one vector")?;
                 let (v, _) = self.vector(v, "the argument of `norm`")?;
                 let unit = v.unit.clone();
-                Some(Typed {
-                    expr: node(ExprKind::Norm(Box::new(v.expr)), Shape::Scalar, span),
+                Some(Typed::new(
+                    ExprKind::Norm(Box::new(v.expr)),
+                    Shape::Scalar,
+                    span,
                     unit,
-                })
+                ))
             }
             "unit" => self.direction(name, arguments, span),
             "dot" | "cross" => {
@@ -154,14 +154,12 @@ impl Checker<'_> {
                 None => UnitOf::Faulty,
             },
         };
-        Some(Typed {
-            expr: node(
-                ExprKind::Call(function, Box::new(a.expr)),
-                Shape::Scalar,
-                span,
-            ),
+        Some(Typed::new(
+            ExprKind::Call(function, Box::new(a.expr)),
+            Shape::Scalar,
+            span,
             unit,
-        })
+        ))
     }
 
     fn of_two(&mut self, function: &str, a: Typed, b: Typed, span: Span) -> Option<Typed> {
@@ -174,10 +172,7 @@ impl Checker<'_> {
             "min" => (ExprKind::Min(a, b), unit),
             _ => (ExprKind::Max(a, b), unit),
         };
-        Some(Typed {
-            expr: node(kind, Shape::Scalar, span),
-            unit,
-        })
+        Some(Typed::new(kind, Shape::Scalar, span, unit))
     }
 
     /// Elaborates `unit(v)` or `unit(v, otherwise)`: unit vector along `v`; `otherwise` is the value at the zero
@@ -219,20 +214,14 @@ impl Checker<'_> {
             None => None,
         };
         let kind = ExprKind::Direction(Box::new(v.expr), otherwise);
-        Some(Typed {
-            expr: node(kind, shape, span),
-            unit: UnitOf::of(Unit::ONE),
-        })
+        Some(Typed::new(kind, shape, span, UnitOf::of(Unit::ONE)))
     }
 
     pub fn dot(&mut self, a: Typed, b: Typed, span: Span) -> Option<Typed> {
         self.one_frame(&a, &b, span)?;
         let unit = self.multiplied(&a.unit, &b.unit, Fraction::ONE, span);
         let kind = ExprKind::Dot(Box::new(a.expr), Box::new(b.expr));
-        Some(Typed {
-            expr: node(kind, Shape::Scalar, span),
-            unit,
-        })
+        Some(Typed::new(kind, Shape::Scalar, span, unit))
     }
 
     pub fn cross(&mut self, a: Typed, b: Typed, span: Span) -> Option<Typed> {
@@ -240,10 +229,7 @@ impl Checker<'_> {
         let unit = self.multiplied(&a.unit, &b.unit, Fraction::ONE, span);
         let shape = a.expr.shape;
         let kind = ExprKind::Cross(Box::new(a.expr), Box::new(b.expr));
-        Some(Typed {
-            expr: node(kind, shape, span),
-            unit,
-        })
+        Some(Typed::new(kind, shape, span, unit))
     }
 
     fn one_frame(&mut self, a: &Typed, b: &Typed, span: Span) -> Option<()> {
@@ -281,10 +267,7 @@ impl Checker<'_> {
             }
         }
         let kind = ExprKind::Ratio(Box::new([a.expr, b.expr, c.expr]));
-        Some(Typed {
-            expr: node(kind, Shape::Scalar, span),
-            unit,
-        })
+        Some(Typed::new(kind, Shape::Scalar, span, unit))
     }
 
     /// Elaborates `in_F(v)`: the vector `v` with its components transformed to the frame F.
@@ -334,21 +317,15 @@ impl Checker<'_> {
         } else if let Some((_, known)) = ALIASES.iter().find(|(alias, _)| *alias == text) {
             fault = fault.help(format!("it is written `{known}` here"));
         } else {
-            let frames: Vec<String> = self
-                .model
-                .frames
-                .iter()
-                .map(|f| format!("in_{}", f.name))
-                .collect();
+            let frames = self.model.frames.iter();
+            let frames: Vec<String> = frames.map(|f| format!("in_{}", f.name)).collect();
             let tables = self.model.tables.iter().map(|t| t.name.as_str());
             let built_in = super::scope::function_names().map(|name| -> &str { name });
             let known = built_in
                 .filter(|f| !["der", "diag"].contains(f))
                 .chain(tables)
                 .chain(frames.iter().map(String::as_str));
-            if let Some(near) = suggest::nearest(text, known) {
-                fault = fault.help(format!("did you mean `{near}`?"));
-            }
+            fault = fault.did_you_mean(text, known);
         }
         self.report(fault);
         None
@@ -361,8 +338,5 @@ fn reexpressed(v: Typed, from: usize, frame: usize, span: Span) -> Typed {
         return v;
     }
     let kind = ExprKind::Reexpress(Box::new(v.expr));
-    Typed {
-        expr: node(kind, Shape::Vector(frame), span),
-        unit: v.unit,
-    }
+    Typed::new(kind, Shape::Vector(frame), span, v.unit)
 }

@@ -95,25 +95,18 @@ impl Checker<'_> {
     /// Targets that the name in `set NAME` refers to, with their common unit; `None`, with an error reported, if the
     /// name cannot be set.
     fn targets(&mut self, name: &Name) -> Option<(Vec<Target>, Term)> {
-        Some(match self.scope.find(&name.text) {
-            Some(Symbol::Param(i)) => (vec![Target::Param(i)], self.params[i].clone()),
-            Some(Symbol::Coefficient(i)) => {
-                (vec![Target::Coefficient(i)], self.coefficients[i].clone())
-            }
-            Some(Symbol::State(i)) => (vec![Target::State(i)], self.states[i].clone()),
-            Some(Symbol::InputPart(i, part)) => (
-                vec![Target::Input(i, usize::from(part) - 1)],
-                self.inputs[i].clone(),
-            ),
-            Some(Symbol::Input(i)) => (
-                (0..3).map(|k| Target::Input(i, k)).collect(),
-                self.inputs[i].clone(),
-            ),
-            Some(Symbol::Marker) => (
-                (0..3).map(Target::Marker).collect(),
-                Term::known(Unit::METRE),
-            ),
-            Some(Symbol::Let(_)) => {
+        let Some(symbol) = self.scope.find(&name.text) else {
+            self.nothing_named(name, "parameter, coefficient, input, state or marker");
+            return None;
+        };
+        let targets = match symbol {
+            Symbol::Param(i) => vec![Target::Param(i)],
+            Symbol::Coefficient(i) => vec![Target::Coefficient(i)],
+            Symbol::State(i) => vec![Target::State(i)],
+            Symbol::InputPart(i, part) => vec![Target::Input(i, usize::from(part) - 1)],
+            Symbol::Input(i) => (0..3).map(|k| Target::Input(i, k)).collect(),
+            Symbol::Marker => (0..3).map(Target::Marker).collect(),
+            Symbol::Let(_) => {
                 let message = format!("`{}` is computed and cannot be set", name.text);
                 let declared = self.scope.place(&name.text).unwrap_or(name.span);
                 let fault = Diagnostic::new(Kind::Name, name.span, message)
@@ -123,11 +116,11 @@ impl Checker<'_> {
                 );
                 return None;
             }
-            None => {
-                self.nothing_named(name, "parameter, coefficient, input, state or marker");
-                return None;
-            }
-        })
+        };
+        match self.unit_of_symbol(symbol)? {
+            UnitOf::Term(unit) => Some((targets, unit)),
+            UnitOf::Zero | UnitOf::Faulty => None,
+        }
     }
 
     /// Resolves the state derivative in `expect der(NAME) = …`; `None`, with an error reported, if `NAME` is not a
@@ -269,15 +262,9 @@ impl Checker<'_> {
     }
 
     fn nothing_named(&mut self, name: &Name, what: &str) {
-        let fault = Diagnostic::new(
-            Kind::Name,
-            name.span,
-            format!("there is no {what} `{}`", name.text),
-        );
-        let near = self
-            .nearest(&name.text)
-            .map(|near| format!("did you mean `{near}`?"));
-        self.report(fault.help_if(near));
+        let message = format!("there is no {what} `{}`", name.text);
+        let fault = Diagnostic::new(Kind::Name, name.span, message);
+        self.report(fault.did_you_mean(&name.text, self.declared_names()));
     }
 }
 

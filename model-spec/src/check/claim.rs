@@ -6,6 +6,7 @@ use super::order::uses;
 use super::term::Term;
 use super::{Checker, Definition};
 use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::layout::depends;
 use crate::model::{self, ClaimedAttitude, ClaimedRotation, Expr, ExprKind};
 use crate::syntax::ast::{self, BodyClass, ClaimPart, ClaimPartKind, ItemKind};
 use crate::unit::Unit;
@@ -70,15 +71,7 @@ impl<'a> Checker<'a> {
             ("angular velocity …;", rigid && !has("angular velocity")),
             ("moment …;", rigid && !has("moment")),
         ];
-        let missing: Vec<&str> = needed.iter().filter(|n| n.1).map(|n| n.0).collect();
-        if !missing.is_empty() {
-            let lacks = super::scope::listed(&missing);
-            let message = format!("the claim of `{}` lacks {lacks}", claim.name.text);
-            self.report(
-                Diagnostic::new(Kind::Missing, claim.name.span, message)
-                    .help("add what is missing to the block of the claim"),
-            );
-        }
+        self.lacking("the claim of", "the claim", &claim.name, &needed);
         if has("fixed in") && has("axis") {
             let message = "a claim says which frame is fixed in the body, or which is its axis";
             let place = seen.iter().find(|s| s.0 == "axis");
@@ -125,10 +118,10 @@ impl<'a> Checker<'a> {
         // Auxiliary variables come after those that they use.
         let mut follows = vec![false; self.model.aux_variables.len()];
         for (i, variable) in self.model.aux_variables.iter().enumerate() {
-            follows[i] = of_equations.contains(&i) || follows_from(&variable.value, &follows);
+            follows[i] = of_equations.contains(&i) || depends(&variable.value, &follows, |_| false);
         }
         let mut culprit = None;
-        walk(e, &mut |e| {
+        e.walk(&mut |e| {
             if let ExprKind::AuxVariable(i) = e.kind
                 && follows[i]
             {
@@ -283,17 +276,4 @@ impl<'a> Checker<'a> {
         }
         Some(matrix)
     }
-}
-
-fn walk(e: &Expr, visit: &mut dyn FnMut(&Expr)) {
-    visit(e);
-    e.children(&mut |child| walk(child, visit));
-}
-
-fn follows_from(e: &Expr, follows: &[bool]) -> bool {
-    let mut found = false;
-    walk(e, &mut |e| {
-        found |= matches!(e.kind, ExprKind::AuxVariable(i) if follows[i]);
-    });
-    found
 }

@@ -295,14 +295,7 @@ impl<'a> Checker<'a> {
     /// Source span for errors about missing statements: the name in `model NAME;`, or the end of the file if this
     /// statement is missing too.
     pub fn heading(&self) -> Span {
-        self.file
-            .items
-            .iter()
-            .find_map(|i| match &i.kind {
-                ItemKind::Model(name) => Some(name.span),
-                _ => None,
-            })
-            .unwrap_or(self.file.end)
+        self.file.model().map_or(self.file.end, |name| name.span)
     }
 
     fn marker(&mut self, marker: &ast::Marker) {

@@ -4,9 +4,9 @@
 use super::quantity::Measure;
 use super::scope::Symbol;
 use super::{Checker, Definition};
-use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::diagnostic::{Diagnostic, Kind};
 use crate::model::{AppliedEffect, EffectUnknown, Shape};
-use crate::syntax::ast::{Applied, ItemKind, Name, Need, Quantity};
+use crate::syntax::ast::{Applied, ItemKind, Name, Need};
 use crate::unit::Unit;
 
 impl Checker<'_> {
@@ -24,27 +24,22 @@ impl Checker<'_> {
                     ItemKind::State(state) => &state.name,
                     _ => continue,
                 };
-                match self.scope.find(&name.text) {
-                    Some(Symbol::Coefficient(index)) => {
-                        let own = &self.model.coefficients[index];
-                        let (null_value, unit) = (own.value, own.unit);
-                        coefficients.push(EffectUnknown {
-                            index,
-                            null_value,
-                            smallest_of_interest: self.smallest_of_interest(applied, name, unit),
-                        });
+                let (unknowns, index, null_value, unit) = match self.scope.find(&name.text) {
+                    Some(Symbol::Coefficient(i)) => {
+                        let own = &self.model.coefficients[i];
+                        (&mut coefficients, i, own.value, own.unit)
                     }
-                    Some(Symbol::State(index)) => {
-                        let own = &self.model.states[index];
-                        let (null_value, unit) = (own.value, own.unit);
-                        states.push(EffectUnknown {
-                            index,
-                            null_value,
-                            smallest_of_interest: self.smallest_of_interest(applied, name, unit),
-                        });
+                    Some(Symbol::State(i)) => {
+                        let own = &self.model.states[i];
+                        (&mut states, i, own.value, own.unit)
                     }
-                    _ => {}
-                }
+                    _ => continue,
+                };
+                unknowns.push(EffectUnknown {
+                    index,
+                    null_value,
+                    smallest_of_interest: self.smallest_of_interest(applied, name, unit),
+                });
             }
             self.model.effects.push(AppliedEffect {
                 name: applied.name.text.clone(),
@@ -80,12 +75,8 @@ impl Checker<'_> {
             },
             None => return,
         };
-        let wanted = match &need.unit {
-            Some(unit) => match self.measure(unit) {
-                Some(measure) => measure.unit,
-                None => return,
-            },
-            None => Unit::ONE,
+        let Some(Measure { unit: wanted, .. }) = self.measure_or_one(need.unit.as_ref()) else {
+            return;
         };
         let kind = |is_vector| if is_vector { "a vector" } else { "a number" };
         if is_vector == need.is_vector && unit.agrees(wanted) {
@@ -110,29 +101,17 @@ impl Checker<'_> {
     fn smallest_of_interest(&mut self, applied: &Applied, name: &Name, unit: Unit) -> Option<f64> {
         let mut stated = applied.negligible.iter();
         let (_, quantity) = stated.find(|(own, _)| own.text == name.text)?;
-        let measure = match &quantity.unit {
-            Some(unit) => self.measure(unit)?,
-            None => Measure::one(),
-        };
-        self.agrees_with(&measure, quantity, (&name.text, name.span, unit));
-        Some(measure.of(&quantity.number).0)
-    }
-
-    fn agrees_with(
-        &mut self,
-        measure: &Measure,
-        quantity: &Quantity,
-        (name, place, unit): (&str, Span, Unit),
-    ) {
+        let measure = self.measure_or_one(quantity.unit.as_ref())?;
         if !measure.unit.agrees(unit) {
             let message = format!(
-                "`{name}` is in {}, but this is in {}",
+                "`{}` is in {}, but this is in {}",
+                name.text,
                 unit.explained(),
                 measure.unit.explained()
             );
-            let fault =
-                Diagnostic::new(Kind::Unit, quantity.span, message).label(place, "declared here");
-            self.report(fault);
+            let fault = Diagnostic::new(Kind::Unit, quantity.span, message);
+            self.report(fault.label(name.span, "declared here"));
         }
+        Some(measure.of(&quantity.number).0)
     }
 }

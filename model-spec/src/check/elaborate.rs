@@ -50,10 +50,12 @@ impl Checker<'_> {
                 let of = self.elaborate(of)?;
                 let shape = of.expr.shape;
                 let unit = of.unit.clone();
-                Some(Typed {
-                    expr: node(ExprKind::Neg(Box::new(of.expr)), shape, e.span),
+                Some(Typed::new(
+                    ExprKind::Neg(Box::new(of.expr)),
+                    shape,
+                    e.span,
                     unit,
-                })
+                ))
             }
             ast::ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub, ..) => self.sum(e),
             ast::ExprKind::Binary(op, a, b) => {
@@ -105,10 +107,7 @@ impl Checker<'_> {
     }
 
     fn literal(&mut self, q: &ast::Quantity, span: Span) -> Option<Typed> {
-        let measure = match &q.unit {
-            Some(unit) => self.measure(unit)?,
-            None => super::quantity::Measure::one(),
-        };
+        let measure = self.measure_or_one(q.unit.as_ref())?;
         let (value, exact) = measure.of(&q.number);
         let mut expr = node(ExprKind::Number { value, exact }, Shape::Scalar, span);
         expr.unit = measure.unit;
@@ -138,10 +137,12 @@ impl Checker<'_> {
         );
         let [a, b, c] = typed;
         let parts = Box::new([a?.expr, b?.expr, c?.expr]);
-        Some(Typed {
-            expr: node(ExprKind::Components(parts), Shape::Vector(frame?), span),
+        Some(Typed::new(
+            ExprKind::Components(parts),
+            Shape::Vector(frame?),
+            span,
             unit,
-        })
+        ))
     }
 
     fn product(&mut self, op: BinaryOp, a: &ast::Expr, b: &ast::Expr, span: Span) -> Option<Typed> {
@@ -169,10 +170,7 @@ impl Checker<'_> {
         };
         let unit = self.multiplied(&a.unit, &b.unit, Fraction::ONE, span);
         let kind = ExprKind::Mul(Box::new(a.expr), Box::new(b.expr));
-        Some(Typed {
-            expr: node(kind, shape, span),
-            unit,
-        })
+        Some(Typed::new(kind, shape, span, unit))
     }
 
     fn quotient(&mut self, a: &ast::Expr, b: &ast::Expr, span: Span) -> Option<Typed> {
@@ -181,10 +179,7 @@ impl Checker<'_> {
         let unit = self.multiplied(&a.unit, &b.unit, Fraction::new(-1, 1)?, span);
         let shape = a.expr.shape;
         let kind = ExprKind::Div(Box::new(a.expr), Box::new(b.expr));
-        Some(Typed {
-            expr: node(kind, shape, span),
-            unit,
-        })
+        Some(Typed::new(kind, shape, span, unit))
     }
 
     /// Unit of a · b^`power`; [`UnitOf::Faulty`] if the unit of either operand is inconsistent.
@@ -252,10 +247,7 @@ impl Checker<'_> {
             None => UnitOf::Faulty,
         };
         let kind = ExprKind::Pow(Box::new(typed.expr), doubled);
-        Some(Typed {
-            expr: node(kind, Shape::Scalar, span),
-            unit,
-        })
+        Some(Typed::new(kind, Shape::Scalar, span, unit))
     }
 
     /// Reports an expression such as `5 m/s`, which parses as `(5 m)/s`, if no variable `s` is declared. Returns

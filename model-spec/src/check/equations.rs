@@ -43,26 +43,17 @@ impl<'a> Checker<'a> {
     fn used_derivatives(&mut self, definitions: &mut Vec<Defining<'a>>) {
         let file = self.file;
         let mut used: HashSet<usize> = HashSet::new();
-        {
-            let scope = &self.scope;
-            let mut look = |e: &'a ast::Expr| {
-                uses(e, &mut |name, derivative, _| {
-                    if derivative && let Some(Symbol::State(i)) = scope.find(name) {
-                        used.insert(i);
-                    }
-                });
+        for item in &file.items {
+            let value = match &item.kind {
+                ItemKind::Limit(limit) => Some(&limit.value),
+                other => other.value(),
             };
-            for item in &file.items {
-                match &item.kind {
-                    ItemKind::Let(ast::Let { value, .. })
-                    | ItemKind::Load(ast::Load { value, .. })
-                    | ItemKind::Equation(ast::Equation { value, .. })
-                    | ItemKind::Observe(ast::Observe { value, .. })
-                    | ItemKind::Clock(value)
-                    | ItemKind::Limit(ast::Limit { value, .. }) => look(value),
-                    _ => {}
+            let Some(value) = value else { continue };
+            uses(value, &mut |name, derivative, _| {
+                if derivative && let Some(Symbol::State(i)) = self.scope.find(name) {
+                    used.insert(i);
                 }
-            }
+            });
         }
         for item in &file.items {
             if let ItemKind::Equation(equation) = &item.kind
@@ -139,11 +130,6 @@ impl<'a> Checker<'a> {
         });
     }
 
-    /// Unit of an auxiliary variable, by index into [`model::Model::aux_variables`].
-    pub fn let_unit(&self, index: usize) -> UnitOf {
-        self.let_units[index].clone()
-    }
-
     fn is_derivative(&mut self, typed: &super::Typed, state: usize) {
         let Some(power) = Fraction::new(-1, 1) else {
             return;
@@ -171,8 +157,8 @@ impl<'a> Checker<'a> {
                 ItemKind::Load(load) => {
                     let key = (load.class == LoadClass::Force, load.name.text.as_str());
                     if let Some(&first) = loads.get(&key) {
-                        let word = if key.0 { "force" } else { "moment" };
-                        self.second(&format!("{word} {}", key.1), first, load.name.span);
+                        let what = format!("{} {}", load.class.keyword(), load.name.text);
+                        self.second(&what, first, load.name.span);
                         continue;
                     }
                     loads.insert(key, load.name.span);
@@ -192,10 +178,7 @@ impl<'a> Checker<'a> {
             .map(|(i, _)| self.model.states[i].name.clone())
             .collect();
         if let Some(first) = missing.first() {
-            let place = self
-                .model
-                .states
-                .iter()
+            let place = { self.model.states.iter() }
                 .find(|s| s.name == *first)
                 .map_or(self.heading(), |s| s.span);
             let (verb, equations) = if missing.len() > 1 {
@@ -218,7 +201,7 @@ impl<'a> Checker<'a> {
 
     fn load(&mut self, load: &'a ast::Load, effect: Option<usize>) {
         let force = load.class == LoadClass::Force;
-        let word = if force { "force" } else { "moment" };
+        let word = load.class.keyword();
         let Some(body) = self.declared_body else {
             let message = format!("this {word} acts on nothing: the model has no body");
             self.report(
@@ -341,12 +324,7 @@ impl<'a> Checker<'a> {
             return;
         };
         if frame != 0 {
-            let name = |i: usize| {
-                self.model
-                    .frames
-                    .get(i)
-                    .map_or("N".to_owned(), |f| f.name.clone())
-            };
+            let name = |i: usize| self.model.frames.get(i).map_or("N", |f| &f.name);
             let message = format!(
                 "{what} must be a vector in the inertial frame {}, but this one is in {}",
                 name(0),
@@ -356,11 +334,8 @@ impl<'a> Checker<'a> {
             self.report(Diagnostic::new(Kind::Frame, observe.value.span, message).help(help));
             return;
         }
-        self.must_be(
-            &typed,
-            &Term::known(Unit::METRE),
-            "what is observed must be a length (m)",
-        );
+        let rule = "what is observed must be a length (m)";
+        self.must_be(&typed, &Term::known(Unit::METRE), rule);
         self.model.observation = Some(model::Observation {
             name: observe.name.text.clone(),
             value: typed.expr,

@@ -131,19 +131,12 @@ impl Checker<'_> {
             let mut leaves = Vec::new();
             self.leaves(&side.expr, &mut leaves);
             // Dimensionless operands do not affect the unit.
-            leaves.retain(|l| {
-                !self
-                    .units
-                    .resolve(&l.term)
-                    .unit()
-                    .is_some_and(Unit::is_pure)
-            });
+            let is_pure = |term: &Term| self.units.resolve(term).unit().is_some_and(Unit::is_pure);
+            leaves.retain(|leaf| !is_pure(&leaf.term));
             let alone = matches!(&leaves[..], [leaf] if leaf.name == self.text(side.expr.span));
             if !alone && !leaves.is_empty() {
-                let parts: Vec<String> = leaves
-                    .iter()
-                    .map(|l| format!("`{}` in {}", l.name, self.symbol_of(&l.term)))
-                    .collect();
+                let part = |l: &Leaf| format!("`{}` in {}", l.name, self.symbol_of(&l.term));
+                let parts: Vec<String> = leaves.iter().map(part).collect();
                 let text = self.text(side.expr.span);
                 fault = fault.note(format!("in `{text}`: {}", parts.join(", ")));
             }
@@ -192,40 +185,31 @@ impl Checker<'_> {
     /// Appends to `out` the operands (names and literals) of an expression with their units, without duplicates.
     fn leaves(&self, e: &Expr, out: &mut Vec<Leaf>) {
         let model = &self.model;
+        let declared = |name: &str, term: &Term, span| (name.to_owned(), term.clone(), span, true);
         let written = |term: Term| (self.text(e.span), term, e.span, false);
         let (name, term, span, declared) = match &e.kind {
-            ExprKind::Param(i) => (
-                model.params[*i].name.clone(),
-                self.params[*i].clone(),
-                model.params[*i].span,
-                true,
-            ),
-            ExprKind::Coefficient(i) => {
-                let c = &model.coefficients[*i];
-                (c.name.clone(), self.coefficients[*i].clone(), c.span, true)
+            ExprKind::Param(i) => {
+                let own = &model.params[*i];
+                declared(&own.name, &self.params[*i], own.span)
             }
-            ExprKind::State(i) => (
-                model.states[*i].name.clone(),
-                self.states[*i].clone(),
-                model.states[*i].span,
-                true,
-            ),
-            ExprKind::Input(i) => (
-                model.inputs[*i].name.clone(),
-                self.inputs[*i].clone(),
-                model.inputs[*i].span,
-                true,
-            ),
+            ExprKind::Coefficient(i) => {
+                let own = &model.coefficients[*i];
+                declared(&own.name, &self.coefficients[*i], own.span)
+            }
+            ExprKind::State(i) => {
+                let own = &model.states[*i];
+                declared(&own.name, &self.states[*i], own.span)
+            }
+            ExprKind::Input(i) => {
+                let own = &model.inputs[*i];
+                declared(&own.name, &self.inputs[*i], own.span)
+            }
             ExprKind::AuxVariable(i) => {
-                let UnitOf::Term(term) = self.let_unit(*i) else {
+                let UnitOf::Term(term) = &self.let_units[*i] else {
                     return;
                 };
-                (
-                    model.aux_variables[*i].name.clone(),
-                    term,
-                    model.aux_variables[*i].span,
-                    true,
-                )
+                let own = &model.aux_variables[*i];
+                declared(&own.name, term, own.span)
             }
             ExprKind::Number { .. } => written(Term::known(e.unit)),
             ExprKind::Time => written(Term::known(Unit::SECOND)),
@@ -269,10 +253,8 @@ impl Checker<'_> {
         let mut leaves = Vec::new();
         self.leaves(&typed.expr, &mut leaves);
         let has = |term: &Term, unit: Unit| {
-            self.units
-                .resolve(term)
-                .unit()
-                .is_some_and(|u| u.agrees(unit))
+            let own = self.units.resolve(term).unit();
+            own.is_some_and(|own| own.agrees(unit))
         };
         let compound = leaves.len() > 1;
         if compound && let Some(leaf) = leaves.iter().find(|l| l.declared && has(&l.term, excess)) {

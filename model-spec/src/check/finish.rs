@@ -91,7 +91,8 @@ impl Checker<'_> {
             }
             tables.lets.push(named.value.unit);
         }
-        for e in expressions(model) {
+        // The auxiliary variables, which come first, have their units.
+        for e in model.expressions_mut().into_iter().skip(tables.lets.len()) {
             tables.assign(e);
         }
     }
@@ -99,31 +100,6 @@ impl Checker<'_> {
 
 fn bare_zero(e: &Expr) -> bool {
     matches!(e.kind, ExprKind::Number { value: 0.0, .. }) && e.unit == Unit::ONE
-}
-
-/// Mutable references to the expressions of a model that are not part of another expression, such as the mass and the
-/// right-hand sides of loads and equations. The definitions of auxiliary variables are omitted.
-fn expressions(model: &mut crate::model::Model) -> Vec<&mut Expr> {
-    let mut all: Vec<&mut Expr> = Vec::new();
-    if let Some(body) = &mut model.body {
-        all.push(&mut body.mass);
-        if let Some(rotation) = &mut body.rotation {
-            all.extend(rotation.inertia.iter_mut().flatten());
-        }
-    }
-    all.extend(
-        model
-            .forces
-            .iter_mut()
-            .chain(&mut model.moments)
-            .map(|l| &mut l.value),
-    );
-    all.extend(model.equations.iter_mut().map(|e| &mut e.value));
-    all.extend(model.claim.iter_mut().flat_map(|c| c.expressions_mut()));
-    all.extend(model.observation.iter_mut().map(|o| &mut o.value));
-    all.extend(model.clock.iter_mut().map(|c| &mut c.value));
-    all.extend(model.limits.iter_mut().map(|l| &mut l.value));
-    all
 }
 
 /// Units of the known constants, coefficients, inputs, states, tables and auxiliary variables of a model, each by its

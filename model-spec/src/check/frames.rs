@@ -5,18 +5,14 @@ use super::scope::Symbol;
 use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN};
 use crate::model::{self, FrameKind};
 use crate::suggest;
-use crate::syntax::ast::{self, ItemKind, Name};
+use crate::syntax::ast::{self, Name};
 
 /// Maximum number of frames in a model; a further frame is reported as an error.
 const MAX_FRAMES: usize = 100;
 
 impl<'a> Checker<'a> {
-    fn declared_frames(&self) -> impl Iterator<Item = &'a ast::Frame> + use<'a> {
-        let file = self.file;
-        file.items.iter().filter_map(|i| match &i.kind {
-            ItemKind::Frame(frame) => Some(frame),
-            _ => None,
-        })
+    pub fn declared_frames(&self) -> impl Iterator<Item = &'a ast::Frame> + use<'a> {
+        self.file.frames()
     }
 
     /// Declares the names of all frames in order; reports a frame whose parent is not declared before it.
@@ -169,28 +165,19 @@ impl<'a> Checker<'a> {
     /// Reports that `name` is not the name of a state.
     pub fn no_state(&mut self, name: &Name) {
         // Errors that are not shown need no suggestions.
-        let told = if self.diagnostics.len() < MAX_SHOWN {
-            &self.model.states[..]
-        } else {
-            &[]
+        let is_shown = self.diagnostics.len() < MAX_SHOWN;
+        let count = if is_shown { usize::MAX } else { 0 };
+        let states = self.model.states.iter().take(count);
+        let states: Vec<String> = states.map(|s| s.name.clone()).collect();
+        let declared = self.scope.place(&name.text);
+        let message = match declared {
+            Some(_) => format!("`{}` is not a state", name.text),
+            None => format!("there is no state `{}`", name.text),
         };
-        let states: Vec<String> = told.iter().map(|s| s.name.clone()).collect();
-        let mut fault = match self.scope.find(&name.text) {
-            Some(_) => Diagnostic::new(
-                Kind::Name,
-                name.span,
-                format!("`{}` is not a state", name.text),
-            )
-            .label(
-                self.scope.place(&name.text).unwrap_or(name.span),
-                "declared here",
-            ),
-            None => Diagnostic::new(
-                Kind::Name,
-                name.span,
-                format!("there is no state `{}`", name.text),
-            ),
-        };
+        let mut fault = Diagnostic::new(Kind::Name, name.span, message);
+        if let Some(declared) = declared {
+            fault = fault.label(declared, "declared here");
+        }
         fault = match suggest::nearest(&name.text, states.iter().map(String::as_str)) {
             Some(near) => fault.help(format!("did you mean `{near}`?")),
             None if self.declared_body.is_none() || states.len() > self.of_body => fault.help(

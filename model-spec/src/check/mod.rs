@@ -63,14 +63,8 @@ pub fn check(file: &ast::File, sources: &[Source]) -> Checked {
             diagnostics: vec![fault],
         };
     }
-    if let Some(ast::Item {
-        kind: ast::ItemKind::Effect(effect),
-        ..
-    }) = file.items.first()
-        && file
-            .items
-            .iter()
-            .all(|i| matches!(i.kind, ast::ItemKind::Effect(_)))
+    if let Some(effect) = file.effects().next()
+        && file.effects().count() == file.items.len()
     {
         let message = "this file has an effect but no model";
         let fault = Diagnostic::new(Kind::Missing, effect.name.span, message)
@@ -117,6 +111,13 @@ enum UnitOf {
 struct Typed {
     expr: model::Expr,
     unit: UnitOf,
+}
+
+impl Typed {
+    fn new(kind: model::ExprKind, shape: model::Shape, span: Span, unit: UnitOf) -> Typed {
+        let expr = elaborate::node(kind, shape, span);
+        Typed { expr, unit }
+    }
 }
 
 /// Result of checking the definition of an auxiliary variable.
@@ -166,10 +167,6 @@ struct Checker<'a> {
 
 impl<'a> Checker<'a> {
     fn new(file: &'a ast::File, sources: &'a [Source], unitless: Unitless) -> Checker<'a> {
-        let declared_body = file.items.iter().find_map(|i| match &i.kind {
-            ast::ItemKind::Body(body) => Some(body),
-            _ => None,
-        });
         Checker {
             file,
             sources,
@@ -187,7 +184,7 @@ impl<'a> Checker<'a> {
             first_uses: Vec::new(),
             derivatives: HashMap::new(),
             of_body: 0,
-            declared_body,
+            declared_body: file.body(),
             unitless,
         }
     }
@@ -246,41 +243,16 @@ fn unwrapped(text: &str) -> &str {
 }
 
 fn empty_model(file: &ast::File, sources: &[Source]) -> Model {
+    let offers = file.effects().map(|effect| model::OfferedEffect {
+        name: effect.name.text.clone(),
+        doc: effect.doc.clone(),
+        span: effect.name.span,
+    });
     Model {
-        name: String::new(),
         doc: file.doc.clone(),
-        reference: None,
         sources: sources.to_vec(),
-        params: Vec::new(),
-        coefficients: Vec::new(),
-        inputs: Vec::new(),
-        states: Vec::new(),
-        frames: Vec::new(),
-        body: None,
-        tables: Vec::new(),
-        aux_variables: Vec::new(),
-        forces: Vec::new(),
-        moments: Vec::new(),
-        equations: Vec::new(),
-        claim: None,
-        marker: None,
-        observation: None,
-        clock: None,
-        limits: Vec::new(),
-        checks: Vec::new(),
-        effects: Vec::new(),
         tree: Arc::new(file.clone()),
-        offers: file
-            .items
-            .iter()
-            .filter_map(|i| match &i.kind {
-                ast::ItemKind::Effect(effect) => Some(model::OfferedEffect {
-                    name: effect.name.text.clone(),
-                    doc: effect.doc.clone(),
-                    span: effect.name.span,
-                }),
-                _ => None,
-            })
-            .collect(),
+        offers: offers.collect(),
+        ..Model::default()
     }
 }

@@ -13,59 +13,34 @@ use crate::unit::{Unit, symbol};
 impl Checker<'_> {
     /// Resolves a name to an expression; `None`, with an error reported, if it is undefined.
     pub fn name(&mut self, name: &str, span: Span) -> Option<Typed> {
-        let scalar = |kind, term| Typed {
-            expr: node(kind, Shape::Scalar, span),
-            unit: UnitOf::Term(term),
-        };
+        let scalar = |kind, term| Typed::new(kind, Shape::Scalar, span, UnitOf::Term(term));
         if let Some(symbol) = self.scope.find(name) {
-            return match symbol {
-                Symbol::Param(i) => {
-                    let term = self.params[i].clone();
-                    self.used(&term, span);
-                    Some(scalar(ExprKind::Param(i), term))
-                }
-                Symbol::Coefficient(i) => {
-                    let term = self.coefficients[i].clone();
-                    self.used(&term, span);
-                    Some(scalar(ExprKind::Coefficient(i), term))
-                }
-                Symbol::State(i) => {
-                    let term = self.states[i].clone();
-                    self.used(&term, span);
-                    Some(scalar(ExprKind::State(i), term))
-                }
-                Symbol::Input(i) => {
-                    let term = self.inputs[i].clone();
-                    self.used(&term, span);
-                    let shape = Shape::Vector(self.model.inputs[i].frame);
-                    Some(Typed {
-                        expr: node(ExprKind::Input(i), shape, span),
-                        unit: UnitOf::Term(term),
-                    })
-                }
+            let input_shape = |i: usize| Shape::Vector(self.model.inputs[i].frame);
+            let (kind, shape) = match symbol {
+                Symbol::Param(i) => (ExprKind::Param(i), Shape::Scalar),
+                Symbol::Coefficient(i) => (ExprKind::Coefficient(i), Shape::Scalar),
+                Symbol::State(i) => (ExprKind::State(i), Shape::Scalar),
+                Symbol::Input(i) => (ExprKind::Input(i), input_shape(i)),
                 Symbol::InputPart(i, part) => {
-                    let term = self.inputs[i].clone();
-                    self.used(&term, span);
-                    let shape = Shape::Vector(self.model.inputs[i].frame);
-                    let input = node(ExprKind::Input(i), shape, span);
-                    Some(scalar(ExprKind::Component(Box::new(input), part), term))
+                    let input = node(ExprKind::Input(i), input_shape(i), span);
+                    (ExprKind::Component(Box::new(input), part), Shape::Scalar)
                 }
                 Symbol::Let(i) => match self.definitions.get(i)? {
-                    Definition::Missing => None,
-                    Definition::Done(index, shape, unit) => Some(Typed {
-                        expr: node(ExprKind::AuxVariable(*index), *shape, span),
-                        unit: unit.clone(),
-                    }),
+                    Definition::Missing => return None,
+                    Definition::Done(index, shape, _) => (ExprKind::AuxVariable(*index), *shape),
                 },
                 Symbol::Marker => {
                     let frame = self.model.marker.as_ref()?.frame;
-                    let expr = node(ExprKind::Marker, Shape::Vector(frame), span);
-                    Some(Typed {
-                        expr,
-                        unit: UnitOf::of(Unit::METRE),
-                    })
+                    (ExprKind::Marker, Shape::Vector(frame))
                 }
             };
+            let unit = match self.unit_of_symbol(symbol)? {
+                UnitOf::Term(term) if !matches!(symbol, Symbol::Let(_)) => {
+                    UnitOf::Term(self.used(term, span))
+                }
+                unit => unit,
+            };
+            return Some(Typed::new(kind, shape, span, unit));
         }
         match name {
             "pi" => Some(scalar(ExprKind::Pi, Term::one())),
@@ -77,6 +52,22 @@ impl Checker<'_> {
             | "angular_acceleration" => self.of_body(name, span),
             _ => self.unknown_name(name, span),
         }
+    }
+
+    /// Unit of a declared quantity; `None` for an auxiliary variable whose definition has an error.
+    pub fn unit_of_symbol(&self, symbol: Symbol) -> Option<UnitOf> {
+        let term = match symbol {
+            Symbol::Param(i) => &self.params[i],
+            Symbol::Coefficient(i) => &self.coefficients[i],
+            Symbol::State(i) => &self.states[i],
+            Symbol::Input(i) | Symbol::InputPart(i, _) => &self.inputs[i],
+            Symbol::Marker => return Some(UnitOf::of(Unit::METRE)),
+            Symbol::Let(i) => match self.definitions.get(i)? {
+                Definition::Missing => return None,
+                Definition::Done(_, _, unit) => return Some(unit.clone()),
+            },
+        };
+        Some(UnitOf::Term(term.clone()))
     }
 
     /// Resolves a predefined vector of the body, such as `velocity` or `specific_force`; `None`, with an error
@@ -115,17 +106,14 @@ impl Checker<'_> {
                     let words = name.replace('_', " ");
                     let message = format!("a point has no {words}");
                     let fault = Diagnostic::new(Kind::Name, span, message);
-                    self.report(
-                        fault.help("declare a `body` with moments of inertia, or an `input`"),
-                    );
+                    let help = "declare a `body` with moments of inertia, or an `input`";
+                    self.report(fault.help(help));
                     return None;
                 }
             },
         };
-        Some(Typed {
-            expr: node(kind, Shape::Vector(frame), span),
-            unit: UnitOf::of(unit),
-        })
+        let unit = UnitOf::of(unit);
+        Some(Typed::new(kind, Shape::Vector(frame), span, unit))
     }
 
     fn unknown_name(&mut self, name: &str, span: Span) -> Option<Typed> {
@@ -134,15 +122,11 @@ impl Checker<'_> {
             fault =
                 fault.note("`previous` stands for what is replaced, in a `replace` of an effect");
         } else if self.scope.frame(name).is_some() {
-            fault = Diagnostic::new(
-                Kind::Name,
-                span,
-                format!("`{name}` is a frame, not a quantity"),
-            )
-            .help(format!(
+            fault.message = format!("`{name}` is a frame, not a quantity");
+            fault = fault.help(format!(
                 "its axes are `{name}.1`, `{name}.2` and `{name}.3`"
             ));
-        } else if let Some(near) = self.nearest(name) {
+        } else if let Some(near) = suggest::nearest(name, self.declared_names()) {
             fault = fault.help(format!("did you mean `{near}`?"));
         } else if symbol::find(name).is_some() {
             fault = fault.help(format!(
@@ -158,12 +142,13 @@ impl Checker<'_> {
     }
 
     /// Records `span` as the source span of the first use of each unknown unit in `term`, unless a first use is already
-    /// recorded for it. Error messages show this span.
-    fn used(&mut self, term: &Term, span: Span) {
+    /// recorded for it, and returns the term. Error messages show this span.
+    fn used(&mut self, term: Term, span: Span) -> Term {
         for unknown in term.unknowns() {
             let place = &mut self.first_uses[unknown as usize];
             place.get_or_insert(span);
         }
+        term
     }
 
     /// Resolves `F.k` (unit vector along axis k of frame F) or `v.k` (component k of vector v); `None`, with an error
@@ -172,11 +157,8 @@ impl Checker<'_> {
         if let ast::ExprKind::Name(name) = &of.kind
             && let Some(frame) = self.scope.frame(name)
         {
-            let expr = node(ExprKind::Axis(frame, part), Shape::Vector(frame), span);
-            return Some(Typed {
-                expr,
-                unit: UnitOf::of(Unit::ONE),
-            });
+            let (kind, unit) = (ExprKind::Axis(frame, part), UnitOf::of(Unit::ONE));
+            return Some(Typed::new(kind, Shape::Vector(frame), span, unit));
         }
         if let ast::ExprKind::Name(name) = &of.kind
             && self.scope.find(name).is_none()
@@ -184,11 +166,11 @@ impl Checker<'_> {
         {
             let message = format!("there is no frame or vector `{name}`");
             let frames = self.model.frames.iter().map(|f| f.name.as_str());
-            let near = suggest::nearest(name, frames)
-                .map(str::to_owned)
-                .or_else(|| self.nearest(name));
-            let fault = Diagnostic::new(Kind::Name, of.span, message);
-            self.report(fault.help_if(near.map(|n| format!("did you mean `{n}`?"))));
+            // A frame is suggested rather than a quantity.
+            let fault = Diagnostic::new(Kind::Name, of.span, message)
+                .did_you_mean(name, self.declared_names())
+                .did_you_mean(name, frames);
+            self.report(fault);
             return None;
         }
         let of_typed = self.elaborate(of)?;
@@ -197,15 +179,8 @@ impl Checker<'_> {
             self.report(Diagnostic::new(Kind::Shape, span, message));
             return None;
         }
-        let expr = node(
-            ExprKind::Component(Box::new(of_typed.expr), part),
-            Shape::Scalar,
-            span,
-        );
-        Some(Typed {
-            expr,
-            unit: of_typed.unit,
-        })
+        let kind = ExprKind::Component(Box::new(of_typed.expr), part);
+        Some(Typed::new(kind, Shape::Scalar, span, of_typed.unit))
     }
 
     /// Resolves `der(STATE)` in an expression to the right-hand side of the equation `der(STATE) = …`; `None`, with an
@@ -235,10 +210,12 @@ impl Checker<'_> {
         let unit = per_second.map_or(UnitOf::Faulty, UnitOf::Term);
         match self.definitions.get(definition)? {
             Definition::Missing => None,
-            Definition::Done(index, shape, _) => Some(Typed {
-                expr: node(ExprKind::AuxVariable(*index), *shape, span),
+            Definition::Done(index, shape, _) => Some(Typed::new(
+                ExprKind::AuxVariable(*index),
+                *shape,
+                span,
                 unit,
-            }),
+            )),
         }
     }
 }

@@ -5,7 +5,6 @@ use std::collections::HashMap;
 use super::Checker;
 use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
 use crate::model::Function;
-use crate::suggest;
 use crate::syntax::ast::Name;
 
 /// Declared entity that a name refers to, by index into the model's vectors.
@@ -112,12 +111,7 @@ impl Checker<'_> {
             return false;
         }
         if let Some(&(_, first)) = self.scope.values.get(name) {
-            self.report(
-                Diagnostic::new(Kind::Duplicate, span, format!("`{name}` is declared twice"))
-                    .label(first, "first declared here")
-                    .label(span, "declared again here")
-                    .help("rename one of them, or remove it"),
-            );
+            self.report(declared_twice(&format!("`{name}`"), first, span));
             return false;
         }
         self.scope.values.insert(name.to_owned(), (symbol, span));
@@ -127,16 +121,8 @@ impl Checker<'_> {
 
     pub fn define_frame(&mut self, name: &Name, index: usize) -> bool {
         if let Some(&(_, first)) = self.scope.frames.get(&name.text) {
-            self.report(
-                Diagnostic::new(
-                    Kind::Duplicate,
-                    name.span,
-                    format!("the frame `{}` is declared twice", name.text),
-                )
-                .label(first, "first declared here")
-                .label(name.span, "declared again here")
-                .help("rename one of them, or remove it"),
-            );
+            let what = format!("the frame `{}`", name.text);
+            self.report(declared_twice(&what, first, name.span));
             return false;
         }
         self.scope
@@ -148,22 +134,12 @@ impl Checker<'_> {
     /// Declares a table's name as that of a function that expressions can call; reports an error if a built-in function
     /// or another table already has this name.
     pub fn define_table(&mut self, name: &Name, index: usize) {
-        let fault = Diagnostic::new(Kind::Duplicate, name.span, String::new());
         let (text, span) = (&name.text, name.span);
         let fault = if function_names().any(|known| known == text) || text.starts_with("in_") {
-            Diagnostic {
-                message: format!("`{text}` is a function of this language"),
-                ..fault
-            }
-            .help("choose another name")
+            let message = format!("`{text}` is a function of this language");
+            Diagnostic::new(Kind::Duplicate, span, message).help("choose another name")
         } else if let Some(&(_, first)) = self.scope.tables.get(text) {
-            Diagnostic {
-                message: format!("the table `{text}` is declared twice"),
-                ..fault
-            }
-            .label(first, "first declared here")
-            .label(span, "declared again here")
-            .help("rename one of them, or remove it")
+            declared_twice(&format!("the table `{text}`"), first, span)
         } else {
             self.scope.tables.insert(text.clone(), (index, span));
             return;
@@ -180,44 +156,36 @@ impl Checker<'_> {
         if let Some(index) = self.scope.frame(name) {
             return Some(index);
         }
-        let names: Vec<String> = self.model.frames.iter().map(|f| f.name.clone()).collect();
+        let names: Vec<&str> = self.model.frames.iter().map(|f| f.name.as_str()).collect();
+        let note = match names.len() {
+            0 => "no frame is declared; the first is `frame N;`".to_owned(),
+            1 => format!("the only frame is {}", listed(&names)),
+            _ => format!("the frames are {}", listed(&names)),
+        };
         let message = format!("there is no frame `{name}`");
-        let mut fault = Diagnostic::new(Kind::Name, span, message);
-        if let Some(near) = suggest::nearest(name, names.iter().map(String::as_str)) {
-            fault = fault.help(format!("did you mean `{near}`?"));
-        }
-        if names.is_empty() {
-            fault = fault.note("no frame is declared; the first is `frame N;`");
-        } else {
-            let frames = if names.len() == 1 {
-                "the only frame is"
-            } else {
-                "the frames are"
-            };
-            fault = fault.note(format!("{frames} {}", listed(&names)));
-        }
-        self.report(fault);
+        let fault = Diagnostic::new(Kind::Name, span, message).did_you_mean(name, names);
+        self.report(fault.note(note));
         None
     }
 
-    /// Declared name that is nearest in spelling to `wrong`; `None` if none is near, or if so many errors were found
-    /// that further ones are not shown.
-    pub fn nearest(&self, wrong: &str) -> Option<String> {
-        if self.diagnostics.len() >= MAX_SHOWN {
-            return None;
-        }
-        let body = if self.declared_body.is_some() {
-            &OF_BODY[..]
-        } else {
-            &[]
-        };
+    /// Names of quantities among which an error may suggest one; none if so many errors were found that further ones
+    /// are not shown.
+    pub fn declared_names(&self) -> impl Iterator<Item = &str> {
+        let is_shown = self.diagnostics.len() < MAX_SHOWN;
+        let count = if is_shown { usize::MAX } else { 0 };
+        let of_body = OF_BODY.iter().filter(|_| self.declared_body.is_some());
         let names = self.scope.order.iter().map(String::as_str);
-        suggest::nearest(
-            wrong,
-            names.chain(["pi", "time"]).chain(body.iter().copied()),
-        )
-        .map(str::to_owned)
+        let names = names.chain(["pi", "time"]).chain(of_body.copied());
+        names.take(count)
     }
+}
+
+/// Creates the error for a second declaration of `what`, with the source spans of both declarations.
+fn declared_twice(what: &str, first: Span, again: Span) -> Diagnostic {
+    Diagnostic::new(Kind::Duplicate, again, format!("{what} is declared twice"))
+        .label(first, "first declared here")
+        .label(again, "declared again here")
+        .help("rename one of them, or remove it")
 }
 
 /// Maximum number of names that a message lists.

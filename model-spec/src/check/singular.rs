@@ -188,32 +188,6 @@ fn named<'m>(model: &'m Model, e: &'m Expr) -> &'m Expr {
     }
 }
 
-/// All expressions of a model that are not part of another expression: mass, entries of the inertia tensor, right-hand
-/// sides of auxiliary variables, loads and equations, expressions of the claim, observation, clock rate, validity
-/// limits.
-fn roots(model: &Model) -> Vec<&Expr> {
-    let mut all: Vec<&Expr> = Vec::new();
-    if let Some(body) = &model.body {
-        all.push(&body.mass);
-        if let Some(rotation) = &body.rotation {
-            all.extend(rotation.inertia.iter().flatten());
-        }
-    }
-    all.extend(model.aux_variables.iter().map(|l| &l.value));
-    all.extend(model.forces.iter().chain(&model.moments).map(|l| &l.value));
-    all.extend(model.equations.iter().map(|e| &e.value));
-    all.extend(model.claim.iter().flat_map(|c| c.expressions()));
-    all.extend(model.observation.iter().map(|o| &o.value));
-    all.extend(model.clock.iter().map(|c| &c.value));
-    all.extend(model.limits.iter().map(|l| &l.value));
-    all
-}
-
-fn walk<'e>(e: &'e Expr, visit: &mut dyn FnMut(&'e Expr)) {
-    visit(e);
-    e.children(&mut |child| walk(child, visit));
-}
-
 /// The divisor of a quotient, or the base of a negative power; `None` for other expressions.
 fn divisor(e: &Expr) -> Option<&Expr> {
     match &e.kind {
@@ -228,8 +202,8 @@ impl Checker<'_> {
     pub fn singularities(&mut self) {
         let mut faults: Vec<Diagnostic> = Vec::new();
         let signs = Signs::new(&self.model);
-        for root in roots(&self.model) {
-            walk(root, &mut |e| {
+        for root in self.model.expressions() {
+            root.walk(&mut |e| {
                 if let Some(divisor) = divisor(e) {
                     if !signs.of(divisor).never_zero() {
                         faults.push(self.division(e, divisor, signs.culprit(divisor)));
@@ -319,14 +293,10 @@ fn factors<'e>(e: &'e Expr, visit: &mut dyn FnMut(&'e Expr)) {
 /// Returns the singular points of a model with their defined behaviour, in the order of their source spans.
 pub fn singular_points(model: &Model) -> Vec<SingularPoint> {
     let signs = Signs::new(model);
-    let text = |span: Span| {
-        let source = model.sources.get(usize::from(span.source));
-        let raw = source.and_then(|s| s.text.get(span.range())).unwrap_or("");
-        crate::syntax::token::clip(&raw.split_whitespace().collect::<Vec<_>>().join(" "))
-    };
+    let text = |span: Span| crate::syntax::token::clip(&model.text(span));
     let mut points: Vec<SingularPoint> = Vec::new();
-    for root in roots(model) {
-        walk(root, &mut |e| {
+    for root in model.expressions() {
+        root.walk(&mut |e| {
             let what = match &e.kind {
                 ExprKind::Norm(a) => {
                     format!("0 with derivative 0 where `{}` is zero", text(a.span))

@@ -1,12 +1,11 @@
 //! Semantic checks of tables: declarations and calls.
 
-use super::elaborate::node;
 use super::quantity::Measure;
 use super::term::Term;
 use super::{Checker, Typed, UnitOf};
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::model::{self, ExprKind, Function, Shape};
-use crate::syntax::ast::{self, Item, Quantity, UnitExpr};
+use crate::syntax::ast::{self, Item, Quantity};
 
 /// Minimum number of knots of a table; two knots would define only a straight line.
 const MIN_KNOTS: usize = 3;
@@ -24,7 +23,8 @@ const MAX_EXPONENT: f64 = 60.0;
 impl Checker<'_> {
     /// Checks the declaration of a table, adds the table to the model, and declares its name as that of a function.
     pub fn table(&mut self, table: &ast::Table, item: &Item) {
-        let units = [&table.argument_unit, &table.unit].map(|unit| self.unit_of_table(unit));
+        let units = [&table.argument_unit, &table.unit];
+        let units = units.map(|unit| self.measure_or_one(unit.as_ref()));
         let index = self.model.tables.len();
         if index == MAX_TABLES {
             let message = format!("a model has at most {MAX_TABLES} tables");
@@ -69,13 +69,6 @@ impl Checker<'_> {
             continuation: table.continuation,
             span: table.name.span,
             effect: item.effect,
-        }
-    }
-
-    fn unit_of_table(&mut self, unit: &Option<UnitExpr>) -> Option<Measure> {
-        match unit {
-            Some(unit) => self.measure(unit),
-            None => Some(Measure::one()),
         }
     }
 
@@ -157,12 +150,10 @@ impl Checker<'_> {
             self.must_be(&argument, &expected, &format!("{what} must be {should}"));
         }
         let kind = ExprKind::Call(Function::Table(index), Box::new(argument.expr));
-        Typed {
-            expr: node(kind, Shape::Scalar, span),
-            unit: match is_sound {
-                true => UnitOf::of(unit),
-                false => UnitOf::Faulty,
-            },
-        }
+        let unit = match is_sound {
+            true => UnitOf::of(unit),
+            false => UnitOf::Faulty,
+        };
+        Typed::new(kind, Shape::Scalar, span, unit)
     }
 }

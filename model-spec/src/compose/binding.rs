@@ -1,14 +1,15 @@
 //! Test of whether an effect can be applied to a model, by names, kinds and units, without applying it.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 use thiserror::Error;
 
 use super::EffectTree;
-use crate::effect::{FRAMES, INERTIA, MASS, PREVIOUS};
+use crate::effect::{self, FRAMES, INERTIA, MASS, PREVIOUS};
 use crate::model::{Model, Shape};
 use crate::syntax::ast::{
-    EffectPart, Expr, ExprKind, ItemKind, LoadClass, Name, Need, UnitExpr, UnitFactor,
+    EffectPart, Expr, ExprKind, File, ItemKind, LoadClass, Need, UnitExpr, UnitFactor,
 };
 use crate::unit::{Unit, symbol};
 
@@ -68,13 +69,9 @@ pub enum Unmet {
 /// tested.
 #[derive(Clone, Debug)]
 pub struct Binding {
-    model: String,
+    file: Arc<File>,
     values: BTreeMap<String, (bool, Unit)>,
     frames: BTreeSet<String>,
-    lets: BTreeSet<String>,
-    loads: BTreeSet<(bool, String)>,
-    equations: BTreeSet<String>,
-    observation: Option<String>,
     has_body: bool,
     turns: bool,
 }
@@ -127,22 +124,9 @@ impl Binding {
             }
             frames.insert(FRAMES[1].to_owned());
         }
-        let forces = model.forces.iter().map(|load| (true, load.name.clone()));
-        let moments = model.moments.iter().map(|load| (false, load.name.clone()));
-        let equations = model.equations.iter();
         Binding {
-            model: model.name.clone(),
+            file: Arc::clone(&model.tree),
             frames,
-            lets: model
-                .aux_variables
-                .iter()
-                .map(|own| own.name.clone())
-                .collect(),
-            loads: forces.chain(moments).collect(),
-            equations: equations
-                .map(|equation| model.states[equation.state].name.clone())
-                .collect(),
-            observation: model.observation.as_ref().map(|own| own.name.clone()),
             has_body: body.is_some(),
             turns,
             values,
@@ -156,7 +140,7 @@ impl Binding {
 
     fn fits(&self, effect: &EffectTree) -> Result<(), Unmet> {
         let effect = effect.tree();
-        if !effect.on.is_empty() && effect.on.iter().all(|on| on.text != self.model) {
+        if effect.excludes(self.file.model().map_or("", |name| &name.text)) {
             return Err(Unmet::OtherModel {
                 models: effect.on.iter().map(|on| on.text.clone()).collect(),
             });
@@ -188,7 +172,11 @@ impl Binding {
         for part in &effect.parts {
             match part {
                 EffectPart::Replace(item) => {
-                    self.replaced(&item.kind)?;
+                    // A model without a clock rate has the clock rate 1.
+                    let is_clock = matches!(item.kind, ItemKind::Clock(_));
+                    if !is_clock && !self.has_replaceable(&item.kind) {
+                        return Err(replaced(effect::description(&item.kind)));
+                    }
                     item.kind.value().map_or(Ok(()), |e| uses.all_of(e))?;
                 }
                 EffectPart::Add(item) => {
@@ -198,7 +186,7 @@ impl Binding {
                     if !self.turns {
                         return Err(replaced("moments of inertia"));
                     }
-                    self.frame(&inertia.frame)?;
+                    self.frame(&inertia.frame.text)?;
                     for moment in inertia.rows.iter().flatten().flatten() {
                         uses.all_of(moment)?;
                     }
@@ -241,18 +229,18 @@ impl Binding {
             ItemKind::Let(own) => &own.name,
             // Several effects may declare the same input.
             ItemKind::Input(own) => {
-                self.frame(&own.frame)?;
+                self.frame(&own.frame.text)?;
                 return Ok(Some(&own.name.text));
             }
             ItemKind::Load(load) => {
                 let is_force = load.class == LoadClass::Force;
                 if !self.has_body {
-                    return Err(lacking(BODY.to_owned()));
+                    return Err(lacking(BODY));
                 }
                 if !is_force && !self.turns {
-                    return Err(lacking(TURNING.to_owned()));
+                    return Err(lacking(TURNING));
                 }
-                if self.loads.contains(&(is_force, load.name.text.clone())) {
+                if self.has_replaceable(item) {
                     let name = load.name.text.clone();
                     return Err(Unmet::Taken { name });
                 }
@@ -269,41 +257,17 @@ impl Binding {
         Ok(Some(&name.text))
     }
 
-    fn replaced(&self, item: &ItemKind) -> Result<(), Unmet> {
-        let (is_there, what) = match item {
-            ItemKind::Let(own) => (
-                self.lets.contains(&own.name.text),
-                format!("quantity `{}`", own.name.text),
-            ),
-            ItemKind::Load(load) => {
-                let is_force = load.class == LoadClass::Force;
-                let key = (is_force, load.name.text.clone());
-                let word = if is_force { "force" } else { "moment" };
-                (self.loads.contains(&key), format!("{word} `{}`", key.1))
-            }
-            ItemKind::Observe(own) => {
-                let any = own.name.text.is_empty();
-                let same = |name: &String| any || *name == own.name.text;
-                let is_there = self.observation.as_ref().is_some_and(same);
-                (is_there, "observation".to_owned())
-            }
-            ItemKind::Equation(own) => (
-                self.equations.contains(&own.state.text),
-                format!("equation for `{}`", own.state.text),
-            ),
-            _ => (true, String::new()),
-        };
-        match is_there {
-            true => Ok(()),
-            false => Err(replaced(&what)),
-        }
+    /// Whether the model has a statement that `new` can replace.
+    fn has_replaceable(&self, new: &ItemKind) -> bool {
+        let mut items = self.file.items.iter();
+        items.any(|old| effect::replaces(new, &old.kind))
     }
 
-    fn frame(&self, frame: &Name) -> Result<(), Unmet> {
-        match self.frames.contains(&frame.text) {
+    fn frame(&self, frame: &str) -> Result<(), Unmet> {
+        match self.frames.contains(frame) {
             true => Ok(()),
-            false if frame.text == FRAMES[1] => Err(lacking(TURNING.to_owned())),
-            false => Err(lacking(format!("a frame `{}`", frame.text))),
+            false if frame == FRAMES[1] => Err(lacking(TURNING)),
+            false => Err(lacking(format!("a frame `{frame}`"))),
         }
     }
 }
@@ -321,14 +285,11 @@ impl Uses<'_> {
         match &e.kind {
             ExprKind::Name(name) => return self.value(name),
             ExprKind::Derivative(state) => return self.value(&state.text),
-            ExprKind::Components(_, frame) => self.binding.frame(frame)?,
+            ExprKind::Components(_, frame) => self.binding.frame(&frame.text)?,
             ExprKind::Call(function, _) => {
                 let frame = function.text.strip_prefix("in_");
                 if let Some(frame) = frame.filter(|_| function.text != "in_frame_of") {
-                    self.binding.frame(&Name {
-                        text: frame.to_owned(),
-                        span: function.span,
-                    })?;
+                    self.binding.frame(frame)?;
                 }
             }
             // In `F.3`, `F` is a frame or a vector.
@@ -336,10 +297,7 @@ impl Uses<'_> {
                 if let ExprKind::Name(name) = &of.kind
                     && self.value(name).is_err()
                 {
-                    let is_frame = self.binding.frame(&Name {
-                        text: name.clone(),
-                        span: of.span,
-                    });
+                    let is_frame = self.binding.frame(name);
                     let of_body = [POSITION, VELOCITY].contains(&name.as_str());
                     return match is_frame {
                         Err(_) if of_body => self.value(name),
@@ -371,22 +329,20 @@ impl Uses<'_> {
         }
         match name {
             _ if self.binding.values.contains_key(name) => Ok(()),
-            POSITION | VELOCITY | SPECIFIC_FORCE | MASS => Err(lacking(BODY.to_owned())),
-            ANGULAR_VELOCITY | ANGULAR_ACCELERATION => Err(lacking(TURNING.to_owned())),
-            _ if INERTIA.contains(&name) => Err(lacking(TURNING.to_owned())),
+            POSITION | VELOCITY | SPECIFIC_FORCE | MASS => Err(lacking(BODY)),
+            ANGULAR_VELOCITY | ANGULAR_ACCELERATION => Err(lacking(TURNING)),
+            _ if INERTIA.contains(&name) => Err(lacking(TURNING)),
             _ => Err(lacking(format!("a quantity `{name}`"))),
         }
     }
 }
 
-fn lacking(what: String) -> Unmet {
-    Unmet::Lacking { what }
+fn lacking(what: impl Into<String>) -> Unmet {
+    Unmet::Lacking { what: what.into() }
 }
 
-fn replaced(what: &str) -> Unmet {
-    Unmet::Replaced {
-        what: what.to_owned(),
-    }
+fn replaced(what: impl Into<String>) -> Unmet {
+    Unmet::Replaced { what: what.into() }
 }
 
 fn kind(is_vector: bool) -> &'static str {

@@ -10,7 +10,7 @@ use crate::error::LoadError;
 use crate::library::{EFFECTS, GENERAL_EFFECTS};
 use crate::read::read;
 use crate::source::Span;
-use crate::syntax::ast::{Effect, EffectPart, ItemKind, Need};
+use crate::syntax::ast::{Effect, EffectPart, Item, ItemKind, Need};
 use crate::syntax::{self, Parsed};
 
 /// An effect (a named change to a model) as a syntax tree with its source text, ready to be applied to a
@@ -101,16 +101,16 @@ impl EffectTree {
             source,
             mut diagnostics,
         } = syntax::parse(name, text);
-        let only = |kind: &ItemKind| matches!(kind, ItemKind::Effect(_) | ItemKind::Check(_));
-        if file.items.iter().all(|item| only(&item.kind)) {
-            let mut items = file.items.iter();
-            if let Some(case) = items.find(|item| matches!(item.kind, ItemKind::Check(_))) {
-                let message = "a check in the file of an effect is not run";
-                let fault = Diagnostic::new(Kind::Grammar, case.span, message);
-                diagnostics.push(fault.help("move it to the file of a model"));
-            }
+        let is_check = |item: &&Item| matches!(item.kind, ItemKind::Check(_));
+        let (checks, others): (Vec<&Item>, Vec<&Item>) = file.items.iter().partition(is_check);
+        if let Some(case) = checks.first()
+            && others.len() == file.effects().count()
+        {
+            let message = "a check in the file of an effect is not run";
+            let fault = Diagnostic::new(Kind::Grammar, case.span, message);
+            diagnostics.push(fault.help("move it to the file of a model"));
         }
-        let mut effects: Vec<Effect> = file.items.into_iter().filter_map(effect).collect();
+        let mut effects: Vec<Effect> = file.effects().cloned().collect();
         if effects.len() > 1 {
             let wanted = Path::new(name).file_stem().unwrap_or_default();
             let wanted = wanted.to_string_lossy().replace('-', "_");
@@ -191,12 +191,5 @@ impl EffectTree {
 impl fmt::Display for EffectTree {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.tree.fmt(f)
-    }
-}
-
-fn effect(item: syntax::ast::Item) -> Option<Effect> {
-    match item.kind {
-        ItemKind::Effect(effect) => Some(effect),
-        _ => None,
     }
 }

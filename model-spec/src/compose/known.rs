@@ -4,7 +4,7 @@
 use thiserror::Error;
 
 use super::binding::{Binding, Unmet};
-use super::{EffectTree, ModelTree, effects_of, rates};
+use super::{EffectTree, ModelTree, rates};
 use crate::library::{EFFECTS, GENERAL_EFFECTS};
 use crate::model::Model;
 
@@ -79,7 +79,7 @@ pub fn known_effects(model: &Model) -> Vec<KnownEffect> {
             refused,
         });
     };
-    for own in effects_of(tree.file()) {
+    for own in tree.file().effects() {
         add(EffectTree::of_model(own.clone()), Origin::Own);
     }
     for (table, origin) in [

@@ -40,7 +40,7 @@ use crate::error::LoadError;
 use crate::library::{self, BODIES, EFFECTS, GENERAL_EFFECTS, MODELS, REFUTED};
 use crate::model::Model;
 use crate::read::read;
-use crate::syntax::ast::{File, Item, ItemKind};
+use crate::syntax::ast::{File, ItemKind};
 use crate::syntax::{self, Parsed};
 
 pub use binding::{Binding, Unmet};
@@ -113,7 +113,7 @@ impl ModelTree {
 
     /// Names of the effects declared in the model's file, then of the built-in effects, specific and general.
     pub fn effect_names(&self) -> impl Iterator<Item = &str> {
-        let own = effects_of(&self.file).map(|effect| effect.name.text.as_str());
+        let own = self.file.effects().map(|effect| effect.name.text.as_str());
         let built_in = EFFECTS.iter().chain(GENERAL_EFFECTS);
         own.chain(built_in.map(|(name, _)| *name))
     }
@@ -129,7 +129,7 @@ impl ModelTree {
             return EffectTree::load(name_or_path);
         }
         let name = name_or_path.replace('-', "_");
-        if let Some(own) = effects_of(&self.file).find(|effect| effect.name.text == name) {
+        if let Some(own) = self.file.effects().find(|effect| effect.name.text == name) {
             return Ok(EffectTree::of_model(own.clone()));
         }
         if let Some(built_in) = EffectTree::built_in(&name) {
@@ -252,14 +252,4 @@ pub(crate) fn model_text(name_or_path: &str) -> Result<(String, String), LoadErr
             .map(|(name, _)| (*name).to_owned())
             .collect(),
     })
-}
-
-/// The effects declared in a file.
-fn effects_of(file: &File) -> impl Iterator<Item = &crate::syntax::ast::Effect> {
-    file.items
-        .iter()
-        .filter_map(|item: &Item| match &item.kind {
-            ItemKind::Effect(effect) => Some(effect),
-            _ => None,
-        })
 }

@@ -2,11 +2,10 @@
 
 use std::collections::HashSet;
 
-use super::effects_of;
 use crate::check;
 use crate::diagnostic::{Diagnostic, Kind, Source};
 use crate::effect;
-use crate::syntax::ast::{File, ItemKind};
+use crate::syntax::ast::File;
 
 /// Maximum number of effects declared in a model file that are checked, since each requires a check of the whole model;
 /// further effects are not checked.
@@ -15,13 +14,10 @@ const MAX_CHECKED_OFFERS: usize = 50;
 /// Returns the errors of the effects that a model file declares. To find them, each effect alone is applied to a copy
 /// of the model, and this copy is checked.
 pub(super) fn faults(file: &File, sources: &[Source]) -> Vec<Diagnostic> {
-    let model = file.items.iter().find_map(|item| match &item.kind {
-        ItemKind::Model(name) => Some(name.text.as_str()),
-        _ => None,
-    });
+    let model = file.model().map_or("", |name| &name.text);
     let mut diagnostics = Vec::new();
     let mut names: HashSet<&str> = HashSet::new();
-    for offered in effects_of(file) {
+    for offered in file.effects() {
         let name = &offered.name;
         if !names.insert(&name.text) {
             let message = format!("there are two effects `{}`", name.text);
@@ -30,9 +26,7 @@ pub(super) fn faults(file: &File, sources: &[Source]) -> Vec<Diagnostic> {
             continue;
         }
         let is_applied = file.applied.iter().any(|a| a.name.text == name.text);
-        let is_for_other_models =
-            !offered.on.is_empty() && offered.on.iter().all(|on| Some(on.text.as_str()) != model);
-        if is_applied || is_for_other_models || names.len() > MAX_CHECKED_OFFERS {
+        if is_applied || offered.excludes(model) || names.len() > MAX_CHECKED_OFFERS {
             continue;
         }
         match effect::apply(file, offered) {

@@ -15,11 +15,7 @@ const MAX_EQUATIONS: usize = 24;
 /// adds a term to the derivative: a constant, a multiple of time, or a multiple of the state. Equations whose
 /// right-hand side is only the name of a state are skipped. For a model with a body, the result is empty.
 pub(super) fn rate_effects(file: &File) -> Vec<EffectTree> {
-    let has_body = file
-        .items
-        .iter()
-        .any(|item| matches!(item.kind, ItemKind::Body(_)));
-    if has_body {
+    if file.body().is_some() {
         return Vec::new();
     }
     let states = states(file);

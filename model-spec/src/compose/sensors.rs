@@ -43,13 +43,9 @@ impl ModelTree {
             }
             _ => None,
         });
-        let first = self.file.items.iter().find_map(|item| match &item.kind {
-            ItemKind::Frame(frame) if matches!(frame.kind, FrameKind::Inertial) => {
-                Some(frame.name.text.as_str())
-            }
-            _ => None,
-        });
-        let (frame, marker) = marker.unwrap_or((first.unwrap_or("N"), "position"));
+        let inertial = { self.file.frames() }.find(|frame| frame.kind == FrameKind::Inertial);
+        let inertial = inertial.map_or("N", |frame| &frame.name.text);
+        let (frame, marker) = marker.unwrap_or((inertial, "position"));
         let text = instrument.definition(frame, marker);
         let parsed = syntax::parse(&format!("the usual {}", instrument.name()), &text);
         let place = u16::try_from(self.sources.len()).unwrap_or(u16::MAX);

@@ -209,13 +209,7 @@ fn keep_defaults(case: &mut Check, earlier: &[Default]) {
 
 /// Literal that, in the given unit, has exactly the SI value `value`, bit for bit; `None` if there is no such literal.
 fn literal(value: f64, unit: Option<&UnitExpr>) -> Option<String> {
-    let of = |text: &str| {
-        let number = Number {
-            text: text.to_owned(),
-            span: Span::default(),
-        };
-        si_value(&number, unit)
-    };
+    let of = |text: &str| si_value(&Quantity::new(text, None, Span::default()).number, unit);
     let nearest = value / of("1");
     // Conversion rounds: the exact literal, if any, is the nearest floating-point number or one of its neighbours.
     let mut near = [nearest; 5];

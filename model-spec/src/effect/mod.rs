@@ -4,10 +4,9 @@ mod replace;
 mod standard;
 
 use crate::diagnostic::{Diagnostic, Kind, Span};
-use crate::suggest;
 use crate::syntax::ast::{Applied, Effect, EffectPart, File, Input, Item, ItemKind, Name};
 
-pub(crate) use replace::PREVIOUS;
+pub(crate) use replace::{PREVIOUS, description, replaces};
 pub(crate) use standard::{FRAMES, INERTIA, MASS};
 
 /// Permitted names in `site NAME;`, the statement by which an effect names the component of the model that it changes.
@@ -50,15 +49,9 @@ pub fn apply(file: &File, effect: &Effect) -> Result<File, Vec<Diagnostic>> {
     }
     let effect = &standard::in_names_of(file, effect)?;
     let mut applied = Applied {
-        needs: Vec::new(),
         name: effect.name.clone(),
         doc: effect.doc.clone(),
-        site: String::new(),
-        variables: Vec::new(),
-        citation: String::new(),
-        increases: String::new(),
-        decreases: String::new(),
-        negligible: Vec::new(),
+        ..Applied::default()
     };
     let mut site: Option<Span> = None;
     let mut variables: Option<Span> = None;
@@ -89,10 +82,9 @@ pub fn apply(file: &File, effect: &Effect) -> Result<File, Vec<Diagnostic>> {
             }
             EffectPart::Add(item) if change.has_input(item) => {}
             EffectPart::Add(item) => {
-                let item = Item::clone(item);
                 change.file.items.push(Item {
                     effect: Some(change.index),
-                    ..item
+                    ..Item::clone(item)
                 });
             }
         }
@@ -128,23 +120,17 @@ struct Change<'a> {
 
 impl Change<'_> {
     fn is_for_this_model(&mut self, effect: &Effect) {
-        if let Some(other) = self
-            .file
-            .applied
-            .iter()
-            .find(|a| a.name.text == effect.name.text)
-        {
+        let mut applied = self.file.applied.iter();
+        if let Some(other) = applied.find(|a| a.name.text == effect.name.text) {
             let message = format!("the effect `{}` is switched on twice", effect.name.text);
             let fault = Diagnostic::new(Kind::Duplicate, effect.name.span, message);
             self.diagnostics
                 .push(fault.label(other.name.span, "switched on already"));
         }
-        let model = self.file.items.iter().find_map(|i| match &i.kind {
-            ItemKind::Model(name) => Some(name),
-            _ => None,
-        });
-        let Some(model) = model else { return };
-        if !effect.on.is_empty() && effect.on.iter().all(|on| on.text != model.text) {
+        let Some(model) = self.file.model() else {
+            return;
+        };
+        if effect.excludes(&model.text) {
             let made_for: Vec<&str> = effect.on.iter().map(|n| n.text.as_str()).collect();
             let message = format!(
                 "the effect `{}` is made for {}, and this is the model `{}`",
@@ -174,9 +160,7 @@ impl Change<'_> {
                 format!("there is no site `{}`", name.text),
             )
             .note(format!("the sites are {}", SITES.join(", ")));
-            let near = suggest::nearest(&name.text, SITES.into_iter());
-            self.diagnostics
-                .push(fault.help_if(near.map(|n| format!("did you mean `{n}`?"))));
+            self.diagnostics.push(fault.did_you_mean(&name.text, SITES));
         }
     }
 
@@ -195,11 +179,10 @@ impl Change<'_> {
                     .push(fault.label(first.span, "named here already"));
             } else if !VARIABLES.contains(&name.text.as_str()) {
                 let message = format!("there is no variable `{}`", name.text);
-                let near = suggest::nearest(&name.text, VARIABLES.into_iter());
                 let fault = Diagnostic::new(Kind::Name, name.span, message)
                     .note(format!("the variables are {}", VARIABLES.join(", ")));
                 self.diagnostics
-                    .push(fault.help_if(near.map(|n| format!("did you mean `{n}`?"))));
+                    .push(fault.did_you_mean(&name.text, VARIABLES));
             } else if name.text == "none" && names.len() > 1 {
                 let message = "an effect that depends on nothing depends on nothing else";
                 self.diagnostics
@@ -235,10 +218,8 @@ impl Change<'_> {
                 "the effect `{}` has no coefficient and no state `{}`",
                 effect.name.text, name.text
             );
-            let near = suggest::nearest(&name.text, own.into_iter());
             let fault = Diagnostic::new(Kind::Name, name.span, message);
-            self.diagnostics
-                .push(fault.help_if(near.map(|n| format!("did you mean `{n}`?"))));
+            self.diagnostics.push(fault.did_you_mean(&name.text, own));
         }
     }
 }

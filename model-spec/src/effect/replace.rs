@@ -1,14 +1,9 @@
 //! Application of `replace` statements: the replaced definition is substituted for `previous` in the new one.
 
 use super::Change;
-use super::standard::zero;
 use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
-use crate::suggest;
 use crate::syntax;
-use crate::syntax::ast::{
-    Body, BodyPart, BodyPartKind, Expr, ExprKind, Inertia, Item, ItemKind, LoadClass, Number,
-    Quantity,
-};
+use crate::syntax::ast::{Body, BodyPart, BodyPartKind, Expr, ExprKind, Inertia, Item, ItemKind};
 
 /// Maximum number of syntax-tree nodes of a definition after `previous` has been substituted; a longer definition is
 /// reported as an error. It bounds the growth of a definition that many effects replace in turn.
@@ -16,7 +11,7 @@ const MAX_NODES: usize = 20_000;
 
 impl Change<'_> {
     pub(super) fn replace(&mut self, item: &Item) {
-        let key = key(&item.kind);
+        let key = description(&item.kind);
         if matches!(item.kind, ItemKind::Clock(_)) {
             self.own_clock(item.span);
         }
@@ -24,26 +19,24 @@ impl Change<'_> {
             .file
             .items
             .iter()
-            .position(|i| same_statement(&i.kind, &item.kind));
+            .position(|old| replaces(&item.kind, &old.kind));
         let span = name_span(&item.kind).unwrap_or(item.span);
         let Some(at) = found else {
-            let names = self.file.items.iter().filter_map(|i| match &i.kind {
-                ItemKind::Let(l) => Some(l.name.text.as_str()),
-                _ => None,
-            });
-            let near = match &item.kind {
-                ItemKind::Let(l) if self.diagnostics.len() < MAX_SHOWN => {
-                    suggest::nearest(&l.name.text, names)
-                }
-                _ => None,
-            };
             let message = format!(
                 "the model has no {key} that `{}` could replace",
                 self.name.text
             );
-            let fault = Diagnostic::new(Kind::Name, span, message);
-            self.diagnostics
-                .push(fault.help_if(near.map(|n| format!("did you mean `{n}`?"))));
+            let mut fault = Diagnostic::new(Kind::Name, span, message);
+            if let ItemKind::Let(wanted) = &item.kind
+                && self.diagnostics.len() < MAX_SHOWN
+            {
+                let names = self.file.items.iter().filter_map(|i| match &i.kind {
+                    ItemKind::Let(l) => Some(l.name.text.as_str()),
+                    _ => None,
+                });
+                fault = fault.did_you_mean(&wanted.name.text, names);
+            }
+            self.diagnostics.push(fault);
             return;
         };
         if let Some((_, first)) = self.replaced.iter().find(|r| r.0 == key) {
@@ -107,24 +100,8 @@ impl Change<'_> {
         if items.iter().any(|i| matches!(i.kind, ItemKind::Clock(_))) {
             return;
         }
-        let number = Number {
-            text: "1".to_owned(),
-            span,
-        };
-        let one = Quantity {
-            number,
-            unit: None,
-            span,
-        };
-        items.push(Item {
-            kind: ItemKind::Clock(Expr {
-                kind: ExprKind::Number(one),
-                span,
-            }),
-            doc: String::new(),
-            span,
-            effect: None,
-        });
+        let rate = ItemKind::Clock(Expr::number("1", span));
+        items.push(Item::new(rate, "", span));
     }
 
     /// Replaces the body's inertia tensor; `previous` in an entry refers to the same entry of the replaced tensor. The
@@ -152,7 +129,7 @@ impl Change<'_> {
         };
         let rows = inertia.rows.iter_mut().flatten();
         for (new, before) in rows.zip(old.rows.iter().flatten()) {
-            let before = before.clone().unwrap_or_else(|| zero(span));
+            let before = before.clone().unwrap_or_else(|| Expr::number("0", span));
             if let Some(new) = new {
                 put_in(new, &before, &mut 0, &mut false);
             }
@@ -206,26 +183,26 @@ fn height(e: &Expr) -> u32 {
     1 + highest
 }
 
-/// Description of a statement for messages, such as "force `drag`" or "the clock". Equal for statements that replace
-/// each other.
-fn key(kind: &ItemKind) -> String {
+/// Description of a replaceable statement for messages, such as "force `drag`" or "the clock".
+pub(crate) fn description(kind: &ItemKind) -> String {
     match kind {
         ItemKind::Let(l) => format!("quantity `{}`", l.name.text),
-        ItemKind::Load(l) if l.class == LoadClass::Force => format!("force `{}`", l.name.text),
-        ItemKind::Load(l) => format!("moment `{}`", l.name.text),
+        ItemKind::Load(l) => format!("{} `{}`", l.class.keyword(), l.name.text),
         ItemKind::Clock(_) => "the clock".to_owned(),
         ItemKind::Equation(e) => format!("equation for `{}`", e.state.text),
-        _ => "observation".to_owned(),
+        ItemKind::Observe(_) => "observation".to_owned(),
+        _ => String::new(),
     }
 }
 
-fn same_statement(a: &ItemKind, b: &ItemKind) -> bool {
-    match (a, b) {
+/// Whether the statement `new` of a `replace` statement replaces the statement `old` of a model.
+pub(crate) fn replaces(new: &ItemKind, old: &ItemKind) -> bool {
+    match (new, old) {
         (ItemKind::Let(a), ItemKind::Let(b)) => a.name.text == b.name.text,
         (ItemKind::Load(a), ItemKind::Load(b)) => a.class == b.class && a.name.text == b.name.text,
         // An observation without a name matches any observation.
         (ItemKind::Observe(a), ItemKind::Observe(b)) => {
-            b.name.text.is_empty() || a.name.text == b.name.text
+            a.name.text.is_empty() || a.name.text == b.name.text
         }
         (ItemKind::Equation(a), ItemKind::Equation(b)) => a.state.text == b.state.text,
         (ItemKind::Clock(_), ItemKind::Clock(_)) => true,

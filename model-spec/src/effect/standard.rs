@@ -5,10 +5,9 @@
 use std::collections::{HashMap, HashSet};
 
 use crate::check::OF_BODY;
-use crate::diagnostic::{Diagnostic, Kind, Span};
+use crate::diagnostic::{Diagnostic, Kind};
 use crate::syntax::ast::{
-    Body, BodyPartKind, Effect, EffectPart, Expr, ExprKind, File, FrameKind, ItemKind, Name, Need,
-    Number, Quantity,
+    BodyPartKind, Effect, EffectPart, Expr, ExprKind, File, FrameKind, ItemKind, Name, Need,
 };
 
 /// Standard name by which an effect can refer to the mass of any model's body.
@@ -46,7 +45,8 @@ pub(super) fn in_names_of(file: &File, effect: &Effect) -> Result<Effect, Vec<Di
     let mut fallbacks = HashMap::new();
     for need in effect.parts.iter().filter_map(needs).flatten() {
         let name = need.name.text.as_str();
-        if declared.contains(name) || (is_of_body(file, name) && !own.contains(name)) {
+        let is_of_body = file.body().is_some() && OF_BODY.contains(&name);
+        if declared.contains(name) || (is_of_body && !own.contains(name)) {
             continue;
         }
         match &need.otherwise {
@@ -107,17 +107,14 @@ fn lacking(effect: &Name, need: &Need) -> Diagnostic {
 impl Standard {
     fn of_model(file: &File) -> Standard {
         let mut standard = Standard::default();
-        let frames = file.items.iter().filter_map(|item| match &item.kind {
-            ItemKind::Frame(frame) => Some(frame),
-            _ => None,
-        });
-        let names: Vec<&str> = frames.clone().map(|f| f.name.text.as_str()).collect();
-        let mut inertial = frames.filter(|frame| frame.kind == FrameKind::Inertial);
-        let own = |wanted: &str| names.contains(&wanted);
-        if let (Some(frame), false) = (inertial.next(), own(FRAMES[0])) {
+        let own = |wanted: &str| file.frames().any(|frame| frame.name.text == wanted);
+        let inertial = file
+            .frames()
+            .find(|frame| frame.kind == FrameKind::Inertial);
+        if let (Some(frame), false) = (inertial, own(FRAMES[0])) {
             standard.frames.insert(FRAMES[0], frame.name.text.clone());
         }
-        let Some(body) = body(file) else {
+        let Some(body) = file.body() else {
             return standard;
         };
         for part in &body.parts {
@@ -202,18 +199,6 @@ fn expressions(effect: &mut Effect) -> impl Iterator<Item = &mut Expr> {
     })
 }
 
-/// The rigid body or point mass that a file declares; `None` if it declares none.
-pub(super) fn body(file: &File) -> Option<&Body> {
-    file.items.iter().find_map(|item| match &item.kind {
-        ItemKind::Body(body) => Some(body),
-        _ => None,
-    })
-}
-
-fn is_of_body(file: &File, name: &str) -> bool {
-    body(file).is_some() && OF_BODY.contains(&name)
-}
-
 /// Names of the parameters, inputs, states and auxiliary variables that an effect declares.
 fn declared_by(effect: &Effect) -> impl Iterator<Item = &str> {
     effect.parts.iter().filter_map(|part| match part {
@@ -281,21 +266,4 @@ fn declared(file: &File) -> HashSet<String> {
         }
     }
     names
-}
-
-/// The literal 0, which is compatible with any unit.
-pub(super) fn zero(span: Span) -> Expr {
-    let number = Number {
-        text: "0".to_owned(),
-        span,
-    };
-    let zero = Quantity {
-        number,
-        unit: None,
-        span,
-    };
-    Expr {
-        kind: ExprKind::Number(zero),
-        span,
-    }
 }

@@ -1,6 +1,9 @@
-//! Traversal of expressions; queries about states and source texts of a model.
+//! Traversal of expressions, all those of a model included; queries about states and source texts of a model.
 
-use super::{Expr, ExprKind, FrameKind, Model, ValidityLimit};
+use super::{
+    AuxVariable, Body, Clock, Equation, Expr, ExprKind, FrameKind, Load, Model, Observation,
+    Rotation, ValidityLimit,
+};
 use crate::source::Span;
 
 /// Function body of [`Expr::children`] and [`Expr::children_mut`], which differ only in the kind of reference (shared
@@ -53,7 +56,54 @@ macro_rules! visit_children {
     }};
 }
 
+/// Function body of [`Model::expressions`] and [`Model::expressions_mut`], which differ only in the kind of reference
+/// (shared or mutable).
+macro_rules! collect_expressions {
+    ($model:expr, $iter:ident, $claimed:ident) => {{
+        let model = $model;
+        let mut all = Vec::new();
+        all.extend(
+            model
+                .aux_variables
+                .$iter()
+                .map(|AuxVariable { value, .. }| value),
+        );
+        for Body { mass, rotation, .. } in model.body.$iter() {
+            all.push(mass);
+            all.extend(
+                rotation
+                    .$iter()
+                    .flat_map(|Rotation { inertia, .. }| inertia.$iter().flatten()),
+            );
+        }
+        all.extend(model.forces.$iter().map(|Load { value, .. }| value));
+        all.extend(model.moments.$iter().map(|Load { value, .. }| value));
+        all.extend(model.equations.$iter().map(|Equation { value, .. }| value));
+        all.extend(model.claim.$iter().flat_map(|claim| claim.$claimed()));
+        all.extend(
+            model
+                .observation
+                .$iter()
+                .map(|Observation { value, .. }| value),
+        );
+        all.extend(model.clock.$iter().map(|Clock { value, .. }| value));
+        all.extend(
+            model
+                .limits
+                .$iter()
+                .map(|ValidityLimit { value, .. }| value),
+        );
+        all
+    }};
+}
+
 impl Expr {
+    /// Calls `visit` on the expression and all its subexpressions, each before its own subexpressions.
+    pub fn walk<'a>(&'a self, visit: &mut dyn FnMut(&'a Expr)) {
+        visit(self);
+        self.children(&mut |child| child.walk(visit));
+    }
+
     /// Calls `visit` on each direct subexpression, from left to right.
     pub fn children<'a>(&'a self, visit: &mut dyn FnMut(&'a Expr)) {
         visit_children!(&self.kind, visit, iter);
@@ -93,6 +143,17 @@ impl Expr {
 }
 
 impl Model {
+    /// All expressions that are not part of another expression: definitions of the auxiliary variables, then mass and
+    /// entries of the inertia tensor, loads, equations, claim, observation, rate of the clock, validity limits.
+    pub fn expressions(&self) -> Vec<&Expr> {
+        collect_expressions!(self, iter, expressions)
+    }
+
+    /// The expressions of [`Model::expressions`], for modification.
+    pub fn expressions_mut(&mut self) -> Vec<&mut Expr> {
+        collect_expressions!(self, iter_mut, expressions_mut)
+    }
+
     /// Source text of a span, with each run of whitespace replaced by one space; empty if the span is invalid.
     pub fn text(&self, span: Span) -> String {
         let source = self.sources.get(usize::from(span.source));

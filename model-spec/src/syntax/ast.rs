@@ -2,11 +2,13 @@
 //!
 //! Fields are public so that other crates can change a model and check it with [`check`](crate::check()).
 
+mod body;
 mod claim;
 mod effect;
 mod table;
 
 use crate::source::Span;
+pub use body::{Body, BodyClass, BodyPart, BodyPartKind, Inertia};
 pub use claim::{Claim, ClaimPart, ClaimPartKind};
 pub use effect::{Effect, EffectPart, Need};
 pub use table::{Continuation, Interpolation, Table};
@@ -26,7 +28,7 @@ pub struct File {
 
 /// Record of an effect that has been applied to a syntax tree. The statements of the effect are part of [`File::items`]
 /// and are not repeated here.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Applied {
     /// Name of the effect.
     pub name: Name,
@@ -64,6 +66,18 @@ pub struct Item {
     /// Index into [`File::applied`] of the effect that added this statement or replaced it; `None` for an unchanged
     /// statement of the model's file.
     pub effect: Option<usize>,
+}
+
+impl Item {
+    /// Creates a statement that belongs to no applied effect.
+    pub fn new(kind: ItemKind, doc: impl Into<String>, span: Span) -> Item {
+        Item {
+            kind,
+            doc: doc.into(),
+            span,
+            effect: None,
+        }
+    }
 }
 
 /// Kinds of statement in a model file, with their content.
@@ -108,12 +122,22 @@ pub enum ItemKind {
 }
 
 /// A name with its source span; the text is in ASCII spelling (`alpha` for `α`).
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Name {
     /// ASCII spelling of the name.
     pub text: String,
     /// Source span of the name.
     pub span: Span,
+}
+
+impl Name {
+    /// Creates a name from its ASCII spelling.
+    pub fn new(text: impl Into<String>, span: Span) -> Name {
+        Name {
+            text: text.into(),
+            span,
+        }
+    }
 }
 
 /// A numeric literal with its sign, as text.
@@ -134,6 +158,21 @@ pub struct Quantity {
     pub unit: Option<UnitExpr>,
     /// Source span of number and unit.
     pub span: Span,
+}
+
+impl Quantity {
+    /// Creates a literal from the text of its number, in a form that `f64::from_str` accepts. Number and quantity have
+    /// the source span `span`.
+    pub fn new(text: impl Into<String>, unit: Option<UnitExpr>, span: Span) -> Quantity {
+        Quantity {
+            number: Number {
+                text: text.into(),
+                span,
+            },
+            unit,
+            span,
+        }
+    }
 }
 
 /// Unit expression: a product of powers of unit symbols; without factors it is the unit `1`. A single factor `?`
@@ -243,64 +282,6 @@ pub enum FrameKind {
     },
 }
 
-/// Whether a body is rigid or a point mass.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum BodyClass {
-    /// Rigid body with mass and inertia (`body`).
-    Rigid,
-    /// Point mass (`point`).
-    Point,
-}
-
-/// Declaration of a rigid body or a point mass.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Body {
-    /// Whether the body is rigid or a point mass.
-    pub class: BodyClass,
-    /// Name of the body.
-    pub name: Name,
-    /// Statements of the body's block, in order.
-    pub parts: Vec<BodyPart>,
-}
-
-/// A statement in the block of a body.
-#[derive(Clone, Debug, PartialEq)]
-pub struct BodyPart {
-    /// Kind of statement, with its content.
-    pub kind: BodyPartKind,
-    /// Source span of the statement.
-    pub span: Span,
-}
-
-/// Kinds of statement in the block of a body.
-#[derive(Clone, Debug, PartialEq)]
-pub enum BodyPartKind {
-    /// `mass EXPR;`: mass, kg.
-    Mass(Expr),
-    /// `inertia … in FRAME;`: inertia tensor, kg m².
-    Inertia(Box<Inertia>),
-    /// `fixed in FRAME;`: the body-fixed frame.
-    Fixed(Name),
-    /// `position (x, y, z) in FRAME;`: names of the position states of the centre of mass, and their frame.
-    Position([Name; 3], Name),
-    /// `velocity (u, v, w) in FRAME;`: names of the velocity states of the centre of mass, and their frame.
-    Velocity([Name; 3], Name),
-    /// `angular velocity (p, q, r) in FRAME;`: names of the angular-velocity states, and their frame.
-    AngularVelocity([Name; 3], Name),
-    /// `angular velocity in FRAME;`: frame in which the vector `angular_velocity` has its components when expressions
-    /// use it.
-    AngularVelocityIn(Name),
-}
-
-/// Inertia tensor of a body.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Inertia {
-    /// Entries of the tensor, row by row; `None` for the off-diagonal entries of `diag(…)`.
-    pub rows: [[Option<Expr>; 3]; 3],
-    /// Name of the frame of the tensor's components.
-    pub frame: Name,
-}
-
 /// Declaration of an auxiliary variable: `let NAME: unit = …;`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Let {
@@ -319,6 +300,16 @@ pub enum LoadClass {
     Force,
     /// Moment about the centre of mass.
     Moment,
+}
+
+impl LoadClass {
+    /// Keyword with which the declaration of a load of this class begins.
+    pub(crate) fn keyword(self) -> &'static str {
+        match self {
+            LoadClass::Force => "force",
+            LoadClass::Moment => "moment",
+        }
+    }
 }
 
 /// Declaration of a force or a moment.
@@ -415,6 +406,16 @@ pub struct Expr {
     pub kind: ExprKind,
     /// Source span of the expression, including enclosing parentheses.
     pub span: Span,
+}
+
+impl Expr {
+    /// Creates a numeric literal without a unit.
+    pub fn number(text: impl Into<String>, span: Span) -> Expr {
+        Expr {
+            kind: ExprKind::Number(Quantity::new(text, None, span)),
+            span,
+        }
+    }
 }
 
 /// Binary operators of expressions.

@@ -9,10 +9,11 @@ use super::token::Token;
 impl Parser<'_> {
     /// Parses `body NAME { … }` or `point NAME { … }`.
     pub fn body(&mut self) -> Read<ItemKind> {
-        let (class, word) = match self.raw() {
-            "body" => (BodyClass::Rigid, "body"),
-            _ => (BodyClass::Point, "point"),
+        let class = match self.raw() {
+            "body" => BodyClass::Rigid,
+            _ => BodyClass::Point,
         };
+        let word = class.keyword();
         self.advance();
         let name = self.name(&format!("a name after `{word}`"))?;
         let parts = self.braces(&format!("`{word} {}`", name.text), Self::body_part)?;
@@ -21,31 +22,29 @@ impl Parser<'_> {
 
     fn body_part(&mut self) -> Read<BodyPart> {
         let start = self.here();
-        let kind = match self.raw() {
-            "mass" => {
-                self.advance();
-                BodyPartKind::Mass(self.expr()?)
-            }
-            "inertia" => {
-                self.advance();
-                BodyPartKind::Inertia(Box::new(self.inertia()?))
-            }
-            "fixed" => {
-                self.advance();
-                BodyPartKind::Fixed(self.in_frame("`fixed`")?)
-            }
+        let word = self.raw();
+        const WORDS: [&str; 6] = [
+            "mass", "inertia", "fixed", "position", "velocity", "angular",
+        ];
+        if !WORDS.contains(&word) {
+            let what =
+                "`mass`, `inertia`, `fixed in`, `position`, `velocity` or `angular velocity`";
+            return self.expected_word(what, &WORDS);
+        }
+        self.advance();
+        let kind = match word {
+            "mass" => BodyPartKind::Mass(self.expr()?),
+            "inertia" => BodyPartKind::Inertia(Box::new(self.inertia()?)),
+            "fixed" => BodyPartKind::Fixed(self.in_frame("`fixed`")?),
             "position" => {
-                self.advance();
                 let names = self.triple_of_names()?;
                 BodyPartKind::Position(names, self.in_frame("the coordinates")?)
             }
             "velocity" => {
-                self.advance();
                 let names = self.triple_of_names()?;
                 BodyPartKind::Velocity(names, self.in_frame("the components")?)
             }
-            "angular" => {
-                self.advance();
+            _ => {
                 self.need_word("velocity", "`angular`")?;
                 if self.at_word("in") {
                     BodyPartKind::AngularVelocityIn(self.in_frame("`angular velocity`")?)
@@ -53,14 +52,6 @@ impl Parser<'_> {
                     let names = self.triple_of_names()?;
                     BodyPartKind::AngularVelocity(names, self.in_frame("the components")?)
                 }
-            }
-            _ => {
-                let what =
-                    "`mass`, `inertia`, `fixed in`, `position`, `velocity` or `angular velocity`";
-                const WORDS: [&str; 6] = [
-                    "mass", "inertia", "fixed", "position", "velocity", "angular",
-                ];
-                return self.expected_word(what, &WORDS);
             }
         };
         self.semicolon("this statement")?;

@@ -9,9 +9,10 @@ impl Parser<'_> {
     /// Parses `claim body NAME { … }` or `claim point NAME { … }`.
     pub fn claim(&mut self) -> Read<ItemKind> {
         self.advance();
-        let (class, word) = match self.raw() {
-            "body" => (BodyClass::Rigid, "body"),
-            "point" => (BodyClass::Point, "point"),
+        let word = self.raw();
+        let class = match word {
+            "body" => BodyClass::Rigid,
+            "point" => BodyClass::Point,
             _ => return self.expected_word("`body` or `point` after `claim`", &["body", "point"]),
         };
         self.advance();
@@ -56,11 +57,7 @@ impl Parser<'_> {
 
 impl Display for Claim {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        let word = match self.class {
-            BodyClass::Rigid => "body",
-            BodyClass::Point => "point",
-        };
-        writeln!(f, "claim {word} {} {{", self.name.text)?;
+        writeln!(f, "claim {} {} {{", self.class.keyword(), self.name.text)?;
         for part in &self.parts {
             writeln!(f, "  {};", part.kind)?;
         }

@@ -111,12 +111,7 @@ impl Parser<'_> {
                 return self.expected_word(what, &WORDS);
             }
         };
-        let item = Item {
-            kind,
-            doc,
-            span: start.to(self.behind()),
-            effect: None,
-        };
+        let item = Item::new(kind, doc, start.to(self.behind()));
         Ok(EffectPart::Add(Box::new(item)))
     }
 
@@ -128,10 +123,7 @@ impl Parser<'_> {
             self.advance();
         }
         let name = self.name("the name of a quantity that the effect needs")?;
-        let unit = match self.eat(Token::Colon) {
-            true => Some(self.unit()?),
-            false => None,
-        };
+        let unit = self.unit_behind_colon()?;
         let otherwise = match self.eat_word("or") {
             true => Some(self.expr()?),
             false => None,
@@ -163,10 +155,7 @@ impl Parser<'_> {
                 self.clock()?
             }
             "observe" if self.peek_at(1) == Token::Equals => {
-                let name = Name {
-                    text: String::new(),
-                    span: start,
-                };
+                let name = Name::new("", start);
                 self.advance();
                 self.advance();
                 let value = self.expr()?;
@@ -182,12 +171,7 @@ impl Parser<'_> {
                 ItemKind::Let(self.binding_rest(name)?)
             }
         };
-        let item = Item {
-            kind,
-            doc,
-            span: start.to(self.behind()),
-            effect: None,
-        };
+        let item = Item::new(kind, doc, start.to(self.behind()));
         Ok(EffectPart::Replace(Box::new(item)))
     }
 }

@@ -1,6 +1,6 @@
 //! Precedence-climbing parser for expressions: `^` (right-associative), then signs, products, sums.
 
-use super::ast::{BinaryOp, Expr, ExprKind, Number, Quantity, UnitExpr};
+use super::ast::{BinaryOp, Expr, ExprKind, Quantity, UnitExpr};
 use super::parser::{Parser, Read, Reported};
 use super::quantity::superscript_value;
 use super::token::Token;
@@ -88,19 +88,7 @@ impl Parser<'_> {
         let span = self.here();
         let value = superscript_value(self.raw()).unwrap_or(f64::INFINITY);
         self.advance();
-        let number = Number {
-            text: value.abs().to_string(),
-            span,
-        };
-        let quantity = ExprKind::Number(Quantity {
-            number,
-            unit: None,
-            span,
-        });
-        let mut exponent = Expr {
-            kind: quantity,
-            span,
-        };
+        let mut exponent = Expr::number(value.abs().to_string(), span);
         if value < 0.0 {
             exponent = Expr {
                 kind: ExprKind::Neg(Box::new(exponent)),

@@ -224,19 +224,17 @@ impl<'a> Parser<'a> {
         Err(Reported)
     }
 
-    /// The element of `words` that is nearest in spelling to `wrong`; `None` if none is near, or if so many errors were
-    /// found that further ones are not shown.
-    pub fn nearest<'w>(&self, wrong: &str, words: &[&'w str]) -> Option<&'w str> {
-        if self.lexed.diagnostics.len() >= MAX_SHOWN {
-            return None;
-        }
-        suggest::nearest(wrong, words.iter().copied())
+    /// Names among which an error may suggest one: `words`, or none if so many errors were found that further ones are
+    /// not shown.
+    pub fn suggestions<'w>(&self, words: &'w [&'w str]) -> impl Iterator<Item = &'w str> + use<'w> {
+        let is_shown = self.lexed.diagnostics.len() < MAX_SHOWN;
+        words.iter().copied().filter(move |_| is_shown)
     }
 
     /// Reports that `what` was expected and suggests the nearest of the keywords `words`. Always returns `Err`.
     pub fn expected_word<T>(&mut self, what: &str, words: &[&str]) -> Read<T> {
         let near = match self.peek() {
-            Token::Name => self.nearest(self.raw(), words),
+            Token::Name => suggest::nearest(self.raw(), self.suggestions(words)),
             _ => None,
         };
         self.expected_help(what, near.map(|n| format!("did you mean `{n}`?")))
@@ -303,10 +301,7 @@ impl<'a> Parser<'a> {
         if self.peek() != Token::Name {
             return self.expected(what);
         }
-        let name = Name {
-            text: spelling::plain(self.raw()),
-            span: self.here(),
-        };
+        let name = Name::new(spelling::plain(self.raw()), self.here());
         self.advance();
         Ok(name)
     }

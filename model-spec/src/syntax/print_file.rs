@@ -72,11 +72,7 @@ impl Display for ItemKind {
             ItemKind::State(s) => write!(f, "state {} = {};", s.name.text, s.value),
             ItemKind::Frame(frame) => write!(f, "frame {}{};", frame.name.text, frame.kind),
             ItemKind::Body(body) => {
-                let word = match body.class {
-                    BodyClass::Rigid => "body",
-                    BodyClass::Point => "point",
-                };
-                writeln!(f, "{word} {} {{", body.name.text)?;
+                writeln!(f, "{} {} {{", body.class.keyword(), body.name.text)?;
                 for part in &body.parts {
                     writeln!(f, "  {};", part.kind)?;
                 }
@@ -89,11 +85,7 @@ impl Display for ItemKind {
                 write_let(f, l)
             }
             ItemKind::Load(l) => {
-                let word = match l.class {
-                    LoadClass::Force => "force",
-                    LoadClass::Moment => "moment",
-                };
-                write!(f, "{word} {} = {};", l.name.text, l.value)
+                write!(f, "{} {} = {};", l.class.keyword(), l.name.text, l.value)
             }
             ItemKind::Equation(e) => write!(f, "der({}) = {};", e.state.text, e.value),
             ItemKind::Marker(m) => write!(f, "marker {} in {};", m.name.text, m.frame.text),
@@ -138,6 +130,11 @@ impl Display for Table {
             (true, true) => "} monotone, constant;",
         })
     }
+}
+
+fn joined(names: &[Name]) -> String {
+    let names: Vec<&str> = names.iter().map(|name| name.text.as_str()).collect();
+    names.join(", ")
 }
 
 fn write_let(f: &mut Formatter<'_>, l: &Let) -> Result {
@@ -265,8 +262,8 @@ impl Display for Need {
 impl Display for Effect {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         write!(f, "effect {}", self.name.text)?;
-        for (i, model) in self.on.iter().enumerate() {
-            write!(f, "{}{}", if i == 0 { " on " } else { ", " }, model.text)?;
+        if !self.on.is_empty() {
+            write!(f, " on {}", joined(&self.on))?;
         }
         writeln!(f, " {{")?;
         for part in &self.parts {
@@ -280,15 +277,13 @@ impl Display for Effect {
                     writeln!(f, ";")?;
                 }
                 EffectPart::Generalises(names) => {
-                    let names: Vec<&str> = names.iter().map(|n| n.text.as_str()).collect();
-                    writeln!(f, "  generalises {};", names.join(", "))?;
+                    writeln!(f, "  generalises {};", joined(names))?;
                 }
                 EffectPart::Increases(text, _) => writeln!(f, "  increases \"{text}\";")?,
                 EffectPart::Decreases(text, _) => writeln!(f, "  decreases \"{text}\";")?,
                 EffectPart::Site(name) => writeln!(f, "  site {};", name.text)?,
                 EffectPart::Variables(names, _) => {
-                    let names: Vec<&str> = names.iter().map(|n| n.text.as_str()).collect();
-                    writeln!(f, "  variables {};", names.join(", "))?;
+                    writeln!(f, "  variables {};", joined(names))?;
                 }
                 EffectPart::Negligible(name, value) => {
                     writeln!(f, "  negligible {} {value};", name.text)?;

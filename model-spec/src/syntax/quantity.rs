@@ -91,6 +91,14 @@ impl Parser<'_> {
         Ok(Some(unit))
     }
 
+    /// Parses the unit that a declaration may state after the name, as in `: m/s`; `Ok(None)` if there is no colon.
+    pub fn unit_behind_colon(&mut self) -> Read<Option<UnitExpr>> {
+        match self.eat(Token::Colon) {
+            true => self.unit().map(Some),
+            false => Ok(None),
+        }
+    }
+
     /// Parses a unit in square brackets, such as `[m/s^2]`.
     pub fn square_unit(&mut self) -> Read<UnitExpr> {
         let start = self.here();

@@ -38,7 +38,7 @@ impl Effect {
                     inertia(moments, change);
                     change(span);
                 }
-                EffectPart::Replace(item) | EffectPart::Add(item) => statement(item, change),
+                EffectPart::Replace(item) | EffectPart::Add(item) => item.change_spans(change),
             }
         }
     }
@@ -48,64 +48,58 @@ impl Item {
     /// Calls `change` on every source span of the statement. In a statement of a kind that effects cannot contain, such
     /// as a frame or a body, the spans inside the statement are not visited.
     pub(crate) fn change_spans(&mut self, change: Change<'_>) {
-        statement(self, change);
-    }
-}
-
-/// Calls `change` on every source span of a statement. In a statement of a kind that effects cannot contain, such as a
-/// frame or a body, the spans inside the statement are not visited.
-fn statement(item: &mut Item, change: Change<'_>) {
-    change(&mut item.span);
-    match &mut item.kind {
-        ItemKind::Parameter(parameter) => {
-            change(&mut parameter.name.span);
-            quantity(&mut parameter.value, change);
-            if let Some((least, greatest)) = &mut parameter.bounds {
-                quantity(least, change);
-                quantity(greatest, change);
+        change(&mut self.span);
+        match &mut self.kind {
+            ItemKind::Parameter(parameter) => {
+                change(&mut parameter.name.span);
+                quantity(&mut parameter.value, change);
+                if let Some((least, greatest)) = &mut parameter.bounds {
+                    quantity(least, change);
+                    quantity(greatest, change);
+                }
             }
-        }
-        ItemKind::Input(input) => {
-            change(&mut input.name.span);
-            change(&mut input.frame.span);
-            input.value.iter_mut().for_each(|n| change(&mut n.span));
-            input.unit.iter_mut().for_each(|u| unit(u, change));
-        }
-        ItemKind::State(state) => {
-            change(&mut state.name.span);
-            quantity(&mut state.value, change);
-        }
-        ItemKind::Table(table) => {
-            change(&mut table.name.span);
-            change(&mut table.argument.span);
-            for units in [&mut table.argument_unit, &mut table.unit] {
-                units.iter_mut().for_each(|u| unit(u, change));
+            ItemKind::Input(input) => {
+                change(&mut input.name.span);
+                change(&mut input.frame.span);
+                input.value.iter_mut().for_each(|n| change(&mut n.span));
+                input.unit.iter_mut().for_each(|u| unit(u, change));
             }
-            for (argument, value) in &mut table.knots {
-                quantity(argument, change);
-                quantity(value, change);
+            ItemKind::State(state) => {
+                change(&mut state.name.span);
+                quantity(&mut state.value, change);
             }
+            ItemKind::Table(table) => {
+                change(&mut table.name.span);
+                change(&mut table.argument.span);
+                for units in [&mut table.argument_unit, &mut table.unit] {
+                    units.iter_mut().for_each(|u| unit(u, change));
+                }
+                for (argument, value) in &mut table.knots {
+                    quantity(argument, change);
+                    quantity(value, change);
+                }
+            }
+            ItemKind::Let(binding) => {
+                change(&mut binding.name.span);
+                binding.unit.iter_mut().for_each(|u| unit(u, change));
+            }
+            ItemKind::Load(load) => change(&mut load.name.span),
+            ItemKind::Equation(equation) => change(&mut equation.state.span),
+            ItemKind::Observe(observe) => change(&mut observe.name.span),
+            ItemKind::Clock(_)
+            | ItemKind::Model(_)
+            | ItemKind::Reference(_)
+            | ItemKind::Frame(_)
+            | ItemKind::Body(_)
+            | ItemKind::Claim(_)
+            | ItemKind::Marker(_)
+            | ItemKind::Limit(_)
+            | ItemKind::Check(_)
+            | ItemKind::Effect(_) => {}
         }
-        ItemKind::Let(binding) => {
-            change(&mut binding.name.span);
-            binding.unit.iter_mut().for_each(|u| unit(u, change));
+        if let Some(value) = self.kind.value_mut() {
+            expression(value, change);
         }
-        ItemKind::Load(load) => change(&mut load.name.span),
-        ItemKind::Equation(equation) => change(&mut equation.state.span),
-        ItemKind::Observe(observe) => change(&mut observe.name.span),
-        ItemKind::Clock(_)
-        | ItemKind::Model(_)
-        | ItemKind::Reference(_)
-        | ItemKind::Frame(_)
-        | ItemKind::Body(_)
-        | ItemKind::Claim(_)
-        | ItemKind::Marker(_)
-        | ItemKind::Limit(_)
-        | ItemKind::Check(_)
-        | ItemKind::Effect(_) => {}
-    }
-    if let Some(value) = item.kind.value_mut() {
-        expression(value, change);
     }
 }
 

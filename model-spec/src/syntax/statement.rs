@@ -41,51 +41,32 @@ impl Parser<'_> {
             "effect" => self.effect(doc.clone())?,
             _ => return self.no_statement(word),
         };
-        Ok(Item {
-            kind,
-            doc,
-            span: start.to(self.behind()),
-            effect: None,
-        })
+        Ok(Item::new(kind, doc, start.to(self.behind())))
     }
 
     /// Reports that `word` does not begin a statement in this context. Always returns `Err`.
     pub fn no_statement<T>(&mut self, word: &str) -> Read<T> {
         let span = self.here();
-        let fault = match word {
-            "set" | "expect" => Diagnostic::new(
-                Kind::Grammar,
-                span,
-                format!("`{word}` stands inside `check \"…\" {{ }}`, not here"),
-            ),
+        let block = match word {
+            "set" | "expect" => Some("check \"…\""),
             "replace" | "site" | "source" | "variables" | "negligible" | "increases"
-            | "decreases" => Diagnostic::new(
-                Kind::Grammar,
-                span,
-                format!("`{word}` stands inside `effect NAME {{ }}`, not here"),
-            ),
+            | "decreases" => Some("effect NAME"),
             "mass" | "inertia" | "fixed" | "axis" | "position" | "velocity" | "angular" => {
-                Diagnostic::new(
-                    Kind::Grammar,
-                    span,
-                    format!("`{word}` stands inside `body NAME {{ }}`, not here"),
-                )
+                Some("body NAME")
             }
-            _ => {
-                let fault = Diagnostic::new(
-                    Kind::Grammar,
-                    span,
-                    format!("no statement begins with `{word}`"),
-                );
-                match self.nearest(word, &STATEMENTS) {
-                    Some(near) => fault.help(format!("did you mean `{near}`?")),
-                    None if self.peek_at(1) == Token::Equals => {
-                        fault.help(format!("a quantity is named with `let {word} = …;`"))
-                    }
-                    None => fault,
-                }
-            }
+            _ => None,
         };
+        let message = match block {
+            Some(block) => format!("`{word}` stands inside `{block} {{ }}`, not here"),
+            None => format!("no statement begins with `{word}`"),
+        };
+        let mut fault = Diagnostic::new(Kind::Grammar, span, message);
+        if block.is_none() {
+            let is_definition = self.peek_at(1) == Token::Equals;
+            let definition = format!("a quantity is named with `let {word} = …;`");
+            fault = fault.help_if(is_definition.then_some(definition));
+            fault = fault.did_you_mean(word, self.suggestions(&STATEMENTS));
+        }
         self.report(fault);
         Err(Reported)
     }
@@ -230,11 +211,7 @@ impl Parser<'_> {
 
     /// Parses the rest of a `let` statement after its name.
     pub fn binding_rest(&mut self, name: Name) -> Read<Let> {
-        let unit = if self.eat(Token::Colon) {
-            Some(self.unit()?)
-        } else {
-            None
-        };
+        let unit = self.unit_behind_colon()?;
         self.need(Token::Equals, &format!("`=` after `{}`", name.text))?;
         let value = self.expr()?;
         self.semicolon(&format!("the definition of `{}`", name.text))?;

@@ -1,6 +1,6 @@
 //! Parser for `table` statements.
 
-use super::ast::{Continuation, Interpolation, ItemKind, Quantity, Table, UnitExpr};
+use super::ast::{Continuation, Interpolation, ItemKind, Quantity, Table};
 use super::parser::{Parser, Read};
 use super::token::Token;
 
@@ -51,13 +51,6 @@ impl Parser<'_> {
             interpolation,
             continuation,
         }))
-    }
-
-    fn unit_behind_colon(&mut self) -> Read<Option<UnitExpr>> {
-        match self.eat(Token::Colon) {
-            true => self.unit().map(Some),
-            false => Ok(None),
-        }
     }
 
     /// Parses the knots `argument: value, …` and the closing `}`; a comma may follow the last knot.

@@ -12,6 +12,7 @@
 use std::fmt::Write;
 
 use super::{ChannelEntry, LibraryFile, VariableEntry};
+use crate::layout::depending_on;
 use crate::model::{Body, Expr, ExprKind, Model, Shape};
 use crate::unit::Unit;
 
@@ -30,9 +31,9 @@ const MAX_EQUATIONS: usize = 8;
 
 /// `needs` statement of every generated effect that uses `air_velocity`, the velocity of the body relative to the air.
 /// In a model without `air_velocity`, the velocity of the body replaces it.
-const NEEDS: &str = "needs vector air_velocity: m/s or velocity;";
-const ALONG: &str = "unit(in_inertial(air_velocity))";
-const LEFT: &str = "unit(cross(inertial.3, in_inertial(air_velocity)))";
+const NEEDS_AIR_VELOCITY: &str = "needs vector air_velocity: m/s or velocity;";
+const DOWNSTREAM: &str = "unit(in_inertial(air_velocity))";
+const LEFTWARD: &str = "unit(cross(inertial.3, in_inertial(air_velocity)))";
 const WEIGHT: &str = "mass*(9.80665 [m/s^2])";
 
 /// A variable of the generated term library, with its definition. `rank` (0 to 4) is its priority: variables are sorted
@@ -111,10 +112,14 @@ fn coefficient(channel: &str) -> String {
 }
 
 fn channels_of_body(model: &Model, body: &Body) -> (String, Vec<ChannelEntry>) {
-    let up = format!("cross({ALONG}, {LEFT})");
+    let up = format!("cross({DOWNSTREAM}, {LEFTWARD})");
     let mut channels = Vec::new();
-    let mut loads = format!("{NEEDS}\n");
-    for (name, sign, direction) in [("drag", "-", ALONG), ("lift", "", &up), ("side", "", LEFT)] {
+    let mut loads = format!("{NEEDS_AIR_VELOCITY}\n");
+    for (name, sign, direction) in [
+        ("drag", "-", DOWNSTREAM),
+        ("lift", "", &up),
+        ("side", "", LEFTWARD),
+    ] {
         let x = coefficient(name);
         let _ = writeln!(
             loads,
@@ -123,7 +128,7 @@ fn channels_of_body(model: &Model, body: &Body) -> (String, Vec<ChannelEntry>) {
         channels.push(channel(
             name,
             format!(
-                "effect NAME {{ {NEEDS} site {name}; force NAME = {sign}{WEIGHT}*TERM*{direction}; }}"
+                "effect NAME {{ {NEEDS_AIR_VELOCITY} site {name}; force NAME = {sign}{WEIGHT}*TERM*{direction}; }}"
             ),
         ));
     }
@@ -139,7 +144,7 @@ fn channels_of_body(model: &Model, body: &Body) -> (String, Vec<ChannelEntry>) {
             channels.push(channel(
                 name,
                 format!(
-                    "effect NAME {{ {NEEDS} site {name}; moment NAME = {scale}*TERM*{frame}.{axis}; }}"
+                    "effect NAME {{ {NEEDS_AIR_VELOCITY} site {name}; moment NAME = {scale}*TERM*{frame}.{axis}; }}"
                 ),
             ));
         }
@@ -238,15 +243,19 @@ fn variables_of_states(model: &Model) -> Vec<Variable> {
 /// lengths. Dimensionless quantities come first, then rates in rad/s or 1/s, then others, each in the order of the
 /// file.
 fn named_quantities(model: &Model) -> Vec<Variable> {
-    let traits = traits(model);
+    let varies = depending_on(model, is_variable);
+    // The marker belongs to an observation, so it is excluded like a coefficient.
+    let is_estimated = depending_on(model, |kind| {
+        matches!(kind, ExprKind::Coefficient(_) | ExprKind::Marker)
+    });
     let loads = [Unit::NEWTON, Unit::NEWTON_METRE];
     let of_body = [Unit::SPEED, Unit::METRE];
     let has_body = model.body.is_some();
-    let own = model.aux_variables.iter().zip(&traits);
-    let usable = own.filter(|(own, traits)| {
+    let own = model.aux_variables.iter().enumerate();
+    let usable = own.filter(|(index, own)| {
         let unit = own.value.unit;
-        traits.varies
-            && !traits.is_estimated
+        varies[*index]
+            && !is_estimated[*index]
             && own.value.shape == Shape::Scalar
             && own.effect.is_none()
             && !own.name.starts_with("der_")
@@ -254,7 +263,7 @@ fn named_quantities(model: &Model) -> Vec<Variable> {
             && !(has_body && of_body.iter().any(|of_body| of_body.agrees(unit)))
     });
     let mut named: Vec<Variable> = usable
-        .map(|(own, _)| {
+        .map(|(_, own)| {
             let unit = own.value.unit;
             let rank = match () {
                 () if unit.agrees(Unit::ONE) => 1,
@@ -300,42 +309,17 @@ fn depends_on(name: &str, unit: Unit) -> &'static str {
     }
 }
 
-/// Whether an auxiliary variable varies during a flight and whether it depends on an estimated coefficient, directly or
-/// through other auxiliary variables.
-#[derive(Clone, Copy, Default)]
-struct Traits {
-    varies: bool,
-    is_estimated: bool,
-}
-
-fn traits(model: &Model) -> Vec<Traits> {
-    let mut traits: Vec<Traits> = Vec::with_capacity(model.aux_variables.len());
-    for own in &model.aux_variables {
-        let mut found = Traits::default();
-        look(&own.value, &traits, &mut found);
-        traits.push(found);
-    }
-    traits
-}
-
-fn look(e: &Expr, before: &[Traits], found: &mut Traits) {
-    match e.kind {
+/// Whether a leaf of an expression has a value that varies during a flight.
+fn is_variable(kind: &ExprKind) -> bool {
+    matches!(
+        kind,
         ExprKind::Time
-        | ExprKind::State(_)
-        | ExprKind::Position
-        | ExprKind::Velocity
-        | ExprKind::AngularVelocity
-        | ExprKind::SpecificForce
-        | ExprKind::AngularAcceleration
-        | ExprKind::Axis(1.., _) => found.varies = true,
-        // The marker belongs to an observation, so it is excluded like a coefficient.
-        ExprKind::Coefficient(_) | ExprKind::Marker => found.is_estimated = true,
-        ExprKind::AuxVariable(index) => {
-            let own = before.get(index).copied().unwrap_or_default();
-            found.varies |= own.varies;
-            found.is_estimated |= own.is_estimated;
-        }
-        _ => {}
-    }
-    e.children(&mut |child| look(child, before, found));
+            | ExprKind::State(_)
+            | ExprKind::Position
+            | ExprKind::Velocity
+            | ExprKind::AngularVelocity
+            | ExprKind::SpecificForce
+            | ExprKind::AngularAcceleration
+            | ExprKind::Axis(1.., _)
+    )
 }

@@ -5,25 +5,10 @@ use crate::scalar::Real;
 
 /// Built-in effects (optional additions to a model) that change the rate of recorded time (the time stamps of the
 /// measurements) relative to true time.
-pub(super) const EFFECTS: &[Effect] = &[effect(
-    "clock_rate",
-    &["clock_error"],
-    &ANY,
-    Kind::Clock(Clock::Rate),
-)];
+pub(super) const EFFECTS: &[Effect] = &[effect("clock_rate", &["clock_error"], &ANY, Kind::Clock)];
 
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Clock {
-    /// Recorded time (the time stamps of the measurements) runs faster than true time by a constant fraction.
-    Rate,
-}
-
-impl Clock {
-    /// Factor 1/(1 + e) by which the effect multiplies the seconds of true time per second of recorded time (the time
-    /// stamps of the measurements); e is the relative error of the time stamps, the only entry of `values`.
-    pub fn factor<T: Real>(self, values: &[T]) -> T {
-        match self {
-            Self::Rate => T::one() / (T::one() + values[0]),
-        }
-    }
+/// Factor 1/(1 + e) by which the effect multiplies the seconds of true time per second of recorded time (the time stamps
+/// of the measurements); e is the relative error of the time stamps, the only entry of `values`.
+pub(super) fn factor<T: Real>(values: &[T]) -> T {
+    T::one() / (T::one() + values[0])
 }

@@ -1,9 +1,8 @@
 //! Reference law with active effects, evaluated for given values.
 
-use super::{Effect, Flow, Kind, Load};
-use crate::physical::{Motion, Physical};
+use super::{Effect, Flow, Kind, clock};
+use crate::physical::{Load, Motion, Physical};
 use crate::reference::Law;
-use crate::rigid::{angular_acceleration, inertia_in_n};
 use crate::scalar::Real;
 use nalgebra::Vector3;
 
@@ -50,7 +49,7 @@ impl<T: Real> ExtendedLaw<T> {
     ) -> Motion<T> {
         let constants = self.scaled_constants();
         let air = self.air_velocity(at);
-        let unextended = self.law.loads(&constants, at, air);
+        let unextended = self.law.load(&constants, at, air);
         let flow = Flow::new(self.law, &constants, at, air, time, self.omega);
         let (mut force, mut moment) = (unextended.force + force, unextended.moment + moment);
         for active in &self.effects {
@@ -64,23 +63,14 @@ impl<T: Real> ExtendedLaw<T> {
             sum + active.added_mass_force(&flow, force, properties.mass)
         });
         force += added_mass;
-        let mut angular = Vector3::zeros();
         if let Some(inertia) = &mut properties.inertia {
             for active in &self.effects {
                 if let Kind::Inertia(kind) = active.effect.kind {
                     *inertia += kind.added(&active.values);
                 }
             }
-            let inertia = inertia_in_n(&at.attitude.matrix(), inertia);
-            let omega = at.angular_velocity;
-            angular = angular_acceleration(&inertia, &omega, &omega, &moment);
         }
-        Motion {
-            force,
-            moment,
-            acceleration: force / properties.mass,
-            angular_acceleration: angular,
-        }
+        Motion::under(Load { force, moment }, &properties, at)
     }
 
     /// Seconds of true time per second of recorded time (the time stamps of the measurements); 1 without an effect on
@@ -89,7 +79,7 @@ impl<T: Real> ExtendedLaw<T> {
         self.effects
             .iter()
             .fold(T::one(), |rate, active| match active.effect.kind {
-                Kind::Clock(kind) => rate * kind.factor(&active.values),
+                Kind::Clock => rate * clock::factor(&active.values),
                 _ => rate,
             })
     }
@@ -162,7 +152,7 @@ impl<T: Real> ActiveEffect<T> {
             Kind::Pitch(kind) => kind.load(values, flow),
             Kind::Spin(kind) => kind.load(values, flow),
             Kind::Ball(kind) => kind.load(values, flow),
-            Kind::Air(_) | Kind::Inertia(_) | Kind::Observation(_) | Kind::Clock(_) => Load::zero(),
+            Kind::Air(_) | Kind::Inertia(_) | Kind::Observation(_) | Kind::Clock => Load::zero(),
         }
     }
 

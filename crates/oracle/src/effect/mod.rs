@@ -27,9 +27,8 @@ pub use extended_law::{ActiveEffect, ExtendedLaw};
 pub use extended_reference::ExtendedReference;
 pub use flow::Flow;
 
+use crate::physical::Load;
 use crate::reference::Law;
-use crate::scalar::Real;
-use nalgebra::Vector3;
 
 /// Built-in effects, one slice per kind.
 static KINDS: [&[Effect]; 11] = [
@@ -74,7 +73,7 @@ enum Kind {
     Air(air::Air),
     Inertia(inertia::Inertia),
     Observation(observation::Observation),
-    Clock(clock::Clock),
+    Clock,
 }
 
 const DISC: [Law; 1] = [Law::Disc];
@@ -112,34 +111,4 @@ pub fn all() -> impl Iterator<Item = &'static Effect> + Clone {
 /// Built-in effect with the given name; `None` if there is none.
 pub fn by_name(name: &str) -> Option<&'static Effect> {
     all().find(|effect| effect.name == name)
-}
-
-/// Force at the mass centre, N, and moment about it, N·m, in inertial components.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Load<T> {
-    force: Vector3<T>,
-    moment: Vector3<T>,
-}
-
-impl<T: Real> Load<T> {
-    fn zero() -> Self {
-        Self {
-            force: Vector3::zeros(),
-            moment: Vector3::zeros(),
-        }
-    }
-
-    fn force(force: Vector3<T>) -> Self {
-        Self {
-            force,
-            ..Self::zero()
-        }
-    }
-
-    fn moment(moment: Vector3<T>) -> Self {
-        Self {
-            moment,
-            ..Self::zero()
-        }
-    }
 }

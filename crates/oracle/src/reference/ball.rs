@@ -1,15 +1,14 @@
 //! Ball as a point mass with weight and drag.
 
-use super::Loads;
 use crate::dynamics::MassProperties;
-use crate::physical::Physical;
+use crate::physical::{Load, Physical};
 use crate::scalar::Real;
 use crate::tree::norm;
 use nalgebra::Vector3;
 
 pub(super) const CONSTANTS: [&str; 5] = ["m", "radius", "rho", "g", "C_D"];
 
-pub(super) fn loads<T: Real>(constants: &[T], body: &Physical<T>, wind: Vector3<T>) -> Loads<T> {
+pub(super) fn load<T: Real>(constants: &[T], body: &Physical<T>, wind: Vector3<T>) -> Load<T> {
     let &[m, radius, rho, g, drag] = constants else {
         unreachable!("bound to {CONSTANTS:?}")
     };
@@ -18,7 +17,7 @@ pub(super) fn loads<T: Real>(constants: &[T], body: &Physical<T>, wind: Vector3<
     let area = T::lit(std::f64::consts::PI) * radius * radius;
     let force = -through_air * (rho * area * drag * norm(&through_air) / T::lit(2.0));
     let force = force + Vector3::new(T::zero(), T::zero(), -m * g);
-    Loads {
+    Load {
         force,
         moment: Vector3::zeros(),
     }

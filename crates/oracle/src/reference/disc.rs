@@ -1,9 +1,8 @@
 //! Disc of Hubbard and Hummel (2000), with the sign conventions of this project's model contract.
 
-use super::Loads;
 use super::spinning::{Body, Coefficients, Stream};
 use crate::dynamics::MassProperties;
-use crate::physical::Physical;
+use crate::physical::{Load, Physical};
 use crate::scalar::Real;
 use nalgebra::Vector3;
 
@@ -13,7 +12,7 @@ pub(super) const CONSTANTS: [&str; 15] = [
 ];
 
 #[allow(non_snake_case)]
-pub(super) fn loads<T: Real>(constants: &[T], at: &Physical<T>, wind: Vector3<T>) -> Loads<T> {
+pub(super) fn load<T: Real>(constants: &[T], at: &Physical<T>, wind: Vector3<T>) -> Load<T> {
     let &[
         _,
         _,
@@ -45,7 +44,7 @@ pub(super) fn loads<T: Real>(constants: &[T], at: &Physical<T>, wind: Vector3<T>
         damping: C_Mq,
         spin_down: C_Nr,
     };
-    body(constants).loads(&stream, &coefficients)
+    body(constants).load(&stream, &coefficients)
 }
 
 pub(super) fn mass_properties<T: Real>(constants: &[T]) -> MassProperties<T> {

@@ -1,10 +1,9 @@
 //! Symmetric discus of Frohlich (1981): lift and pitching moment with sin 2α, stall, drag with sin² α. The angle of
 //! attack α is not computed: sin α and cos α are ratios of velocities.
 
-use super::Loads;
 use super::disc::body;
 use super::spinning::{Coefficients, Stream};
-use crate::physical::Physical;
+use crate::physical::{Load, Physical};
 use crate::scalar::Real;
 use nalgebra::Vector3;
 
@@ -14,7 +13,7 @@ pub(super) const CONSTANTS: [&str; 15] = [
 ];
 
 #[allow(non_snake_case)]
-pub(super) fn loads<T: Real>(constants: &[T], at: &Physical<T>, wind: Vector3<T>) -> Loads<T> {
+pub(super) fn load<T: Real>(constants: &[T], at: &Physical<T>, wind: Vector3<T>) -> Load<T> {
     let &[
         _,
         _,
@@ -50,5 +49,5 @@ pub(super) fn loads<T: Real>(constants: &[T], at: &Physical<T>, wind: Vector3<T>
         damping: C_Mq,
         spin_down: C_Nr,
     };
-    body(constants).loads(&stream, &coefficients)
+    body(constants).load(&stream, &coefficients)
 }

@@ -10,9 +10,8 @@ pub(crate) mod spinning;
 use crate::chart::Chart;
 use crate::dynamics::MassProperties;
 use crate::error::BindError;
-use crate::physical::{Motion, Physical};
+use crate::physical::{Load, Motion, Physical};
 use crate::point::Point;
-use crate::rigid::{angular_acceleration, inertia_in_n};
 use crate::scalar::Real;
 use model_spec::model::{Model, Parameter};
 use nalgebra::Vector3;
@@ -28,8 +27,12 @@ pub enum Law {
     Discus,
 }
 
-/// Names of reference laws that a model may state after the keyword `reference`.
-pub(crate) const NAMES: [&str; 3] = ["hubbard_hummel_disc", "ball_with_drag", "frohlich_discus"];
+/// Reference laws with the names that a model may state after the keyword `reference`.
+pub(crate) const LAWS: [(&str, Law); 3] = [
+    ("hubbard_hummel_disc", Law::Disc),
+    ("ball_with_drag", Law::Ball),
+    ("frohlich_discus", Law::Discus),
+];
 
 /// A reference law of motion, with the indices of its parameters, coefficients, states and wind in a model.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,21 +55,11 @@ enum Slot {
     Coefficient(usize),
 }
 
-/// Sums of the forces, N, and of the moments about the mass centre, N·m, in inertial components.
-pub(crate) struct Loads<T> {
-    pub force: Vector3<T>,
-    pub moment: Vector3<T>,
-}
-
 impl Law {
     /// Law with the given name, as written after `reference` in a model; `None` for unknown names.
     pub fn by_name(name: &str) -> Option<Self> {
-        match name {
-            "hubbard_hummel_disc" => Some(Self::Disc),
-            "ball_with_drag" => Some(Self::Ball),
-            "frohlich_discus" => Some(Self::Discus),
-            _ => None,
-        }
+        let law = LAWS.into_iter().find(|law| law.0 == name);
+        law.map(|(_, law)| law)
     }
 
     /// Names of the law's parameters and coefficients, as a model with this law must declare them.
@@ -86,32 +79,21 @@ impl Law {
     /// Loads on a body and its accelerations by this law at the physical state `at`, in air of velocity `air`, m/s;
     /// `constants` are in the order of [`Law::constants`].
     pub fn motion<T: Real>(self, constants: &[T], at: &Physical<T>, air: Vector3<T>) -> Motion<T> {
-        let Loads { force, moment } = self.loads(constants, at, air);
-        let properties = self.mass_properties(constants);
-        let omega = at.angular_velocity;
-        let angular_acceleration = properties.inertia.map_or_else(Vector3::zeros, |inertia| {
-            let inertia = inertia_in_n(&at.attitude.matrix(), &inertia);
-            angular_acceleration(&inertia, &omega, &omega, &moment)
-        });
-        Motion {
-            force,
-            moment,
-            acceleration: force / properties.mass,
-            angular_acceleration,
-        }
+        let load = self.load(constants, at, air);
+        Motion::under(load, &self.mass_properties(constants), at)
     }
 
-    /// Loads on a body by this law; arguments as of [`Law::motion`].
-    pub(crate) fn loads<T: Real>(
+    /// Load on a body by this law; arguments as of [`Law::motion`].
+    pub(crate) fn load<T: Real>(
         self,
         constants: &[T],
         at: &Physical<T>,
         air: Vector3<T>,
-    ) -> Loads<T> {
+    ) -> Load<T> {
         match self {
-            Self::Disc => disc::loads(constants, at, air),
-            Self::Ball => ball::loads(constants, at, air),
-            Self::Discus => discus::loads(constants, at, air),
+            Self::Disc => disc::load(constants, at, air),
+            Self::Ball => ball::load(constants, at, air),
+            Self::Discus => discus::load(constants, at, air),
         }
     }
 

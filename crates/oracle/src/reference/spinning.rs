@@ -3,9 +3,8 @@
 //! Formulated with vectors, independent of the models' formulas: lift acts along v × d2, drag against the velocity,
 //! and the accelerations follow from the momenta in the inertial frame.
 
-use super::Loads;
 use crate::dynamics::MassProperties;
-use crate::physical::Physical;
+use crate::physical::{Load, Physical};
 use crate::scalar::Real;
 use crate::tree::norm;
 use nalgebra::{Matrix3, Vector3};
@@ -105,7 +104,7 @@ impl<T: Real> Body<T> {
         }
     }
 
-    pub fn loads(&self, s: &Stream<T>, c: &Coefficients<T>) -> Loads<T> {
+    pub fn load(&self, s: &Stream<T>, c: &Coefficients<T>) -> Load<T> {
         // ρ A / 2, to be multiplied by V for each force along a vector that itself has the length V.
         let half = self.density * self.area / T::lit(2.0);
         let lift = s.through_air.cross(&s.d2) * (half * s.speed * c.lift);
@@ -116,6 +115,6 @@ impl<T: Real> Body<T> {
         let lever = half * s.speed * s.speed * self.diameter;
         let aerodynamic = s.d1 * c.roll + s.d2 * c.pitch + s.transverse_rate * c.damping;
         let moment = aerodynamic * lever + s.normal * (c.spin_down * s.spin);
-        Loads { force, moment }
+        Load { force, moment }
     }
 }

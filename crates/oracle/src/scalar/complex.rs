@@ -3,7 +3,6 @@
 use super::{Elementary, Field, Real};
 use nalgebra::Complex;
 use num_traits::{One, Zero};
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// Imaginary step h of the complex-step method; h² is negligible against every value of a model.
 pub const STEP: f64 = 1e-120;
@@ -24,8 +23,8 @@ impl ComplexStep {
     }
 }
 
-super::wrapped_ops!(ComplexStep(Complex<f64>));
-super::assign_ops!([] ComplexStep);
+crate::wrapped_ops!(ComplexStep(Complex<f64>));
+crate::assign_ops!([] ComplexStep);
 
 impl Zero for ComplexStep {
     fn zero() -> Self {

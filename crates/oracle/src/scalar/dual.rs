@@ -3,7 +3,7 @@
 use super::table::Interpolant;
 use super::{Elementary, Field, Real};
 use num_traits::{One, Zero};
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Dual number: a value and its derivative in one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,7 +80,7 @@ impl<T: Field> Neg for Dual<T> {
     }
 }
 
-super::assign_ops!([T: Field] Dual<T>);
+crate::assign_ops!([T: Field] Dual<T>);
 
 impl<T: Field> Zero for Dual<T> {
     fn zero() -> Self {

@@ -7,7 +7,7 @@
 use super::table::Interpolant;
 use super::{Elementary, Field, Real};
 use num_traits::{One, Zero};
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A computed number and the scale of its rounding error: the sum of the absolute values of the terms that sum to the
 /// number.
@@ -89,7 +89,7 @@ impl Neg for ErrorBound {
     }
 }
 
-super::assign_ops!([] ErrorBound);
+crate::assign_ops!([] ErrorBound);
 
 impl Zero for ErrorBound {
     fn zero() -> Self {

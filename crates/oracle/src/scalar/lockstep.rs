@@ -3,7 +3,7 @@
 use super::table::Interpolant;
 use super::{Elementary, Field, Real};
 use num_traits::{One, Zero};
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A pair of scalars on which every operation acts separately; comparisons use `first`.
 ///
@@ -47,7 +47,7 @@ impl<A: Field, B: Field> Neg for Lockstep<A, B> {
     }
 }
 
-super::assign_ops!([A: Field, B: Field] Lockstep<A, B>);
+crate::assign_ops!([A: Field, B: Field] Lockstep<A, B>);
 
 impl<A: Field, B: Field> Zero for Lockstep<A, B> {
     fn zero() -> Self {

@@ -22,7 +22,7 @@ pub use prime::{PRIME, Prime};
 pub use table::Interpolant;
 
 use ::num_traits::{One, Zero};
-use ops::{assign_ops, rounded_literals, wrapped_ops};
+use ops::rounded_literals;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// An algebraic field: scalars with sums, differences, products and quotients.

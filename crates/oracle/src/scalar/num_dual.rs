@@ -4,7 +4,6 @@ use super::{Elementary, Field, Real};
 use num_dual::{Dual64, DualNum};
 use num_traits::{One, Zero};
 use std::f64::consts::FRAC_PI_2;
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// A dual number of the crate `num-dual`, as one of the scalar types with which models are evaluated.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,8 +21,8 @@ impl NumDual {
     }
 }
 
-super::wrapped_ops!(NumDual(Dual64));
-super::assign_ops!([] NumDual);
+crate::wrapped_ops!(NumDual(Dual64));
+crate::assign_ops!([] NumDual);
 
 impl Zero for NumDual {
     fn zero() -> Self {

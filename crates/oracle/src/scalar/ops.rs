@@ -1,24 +1,25 @@
 //! Macros that implement arithmetic operators in terms of other operators, and constants in terms of literals.
 
 /// Implements `+=`, `-=`, `*=` and `/=` of a type by its `+`, `-`, `*` and `/`.
+#[macro_export]
 macro_rules! assign_ops {
     ([$($generics:tt)*] $type:ty) => {
-        impl<$($generics)*> AddAssign for $type {
+        impl<$($generics)*> ::std::ops::AddAssign for $type {
             fn add_assign(&mut self, o: Self) {
                 *self = *self + o;
             }
         }
-        impl<$($generics)*> SubAssign for $type {
+        impl<$($generics)*> ::std::ops::SubAssign for $type {
             fn sub_assign(&mut self, o: Self) {
                 *self = *self - o;
             }
         }
-        impl<$($generics)*> MulAssign for $type {
+        impl<$($generics)*> ::std::ops::MulAssign for $type {
             fn mul_assign(&mut self, o: Self) {
                 *self = *self * o;
             }
         }
-        impl<$($generics)*> DivAssign for $type {
+        impl<$($generics)*> ::std::ops::DivAssign for $type {
             fn div_assign(&mut self, o: Self) {
                 *self = *self / o;
             }
@@ -27,33 +28,34 @@ macro_rules! assign_ops {
 }
 
 /// Implements `+`, `-`, `*`, `/` and negation of a newtype by the operators of its inner type.
+#[macro_export]
 macro_rules! wrapped_ops {
     ($type:ident($inner:ty)) => {
-        impl Add for $type {
+        impl ::std::ops::Add for $type {
             type Output = Self;
             fn add(self, o: Self) -> Self {
                 Self(self.0 + o.0)
             }
         }
-        impl Sub for $type {
+        impl ::std::ops::Sub for $type {
             type Output = Self;
             fn sub(self, o: Self) -> Self {
                 Self(self.0 - o.0)
             }
         }
-        impl Mul for $type {
+        impl ::std::ops::Mul for $type {
             type Output = Self;
             fn mul(self, o: Self) -> Self {
                 Self(self.0 * o.0)
             }
         }
-        impl Div for $type {
+        impl ::std::ops::Div for $type {
             type Output = Self;
             fn div(self, o: Self) -> Self {
                 Self(self.0 / o.0)
             }
         }
-        impl Neg for $type {
+        impl ::std::ops::Neg for $type {
             type Output = Self;
             fn neg(self) -> Self {
                 Self(-self.0)
@@ -83,4 +85,4 @@ macro_rules! rounded_literals {
     };
 }
 
-pub(super) use {assign_ops, rounded_literals, wrapped_ops};
+pub(super) use rounded_literals;

@@ -5,7 +5,7 @@
 
 use super::Field;
 use num_traits::{One, Zero};
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Modulus of the field: 2^61 − 1, a Mersenne prime.
 pub const PRIME: u64 = (1 << 61) - 1;
@@ -95,7 +95,7 @@ impl Neg for Prime {
     }
 }
 
-super::assign_ops!([] Prime);
+crate::assign_ops!([] Prime);
 
 impl Zero for Prime {
     fn zero() -> Self {

@@ -104,9 +104,7 @@ impl Fingerprint {
         let schedule = compiled.functions().map(|f| format!("{f:?}"));
         let files = PlainRust.emit(model, &compiled);
         let mut random = Random::new(seed, "results in a certificate");
-        let points: Vec<_> = (0..BACKEND_POINTS)
-            .map(|_| sample::point(model, &mut random))
-            .collect();
+        let points = sample::points(model, BACKEND_POINTS, &mut random);
         let runs = backends::runs(model, &compiled, &points);
         let first = runs.first().into_iter().flat_map(|run| &run.results);
         let bits: Vec<[u8; 8]> = first
@@ -119,7 +117,7 @@ impl Fingerprint {
             rust: Hash::of(
                 files
                     .iter()
-                    .flat_map(|file| [file.path.as_bytes(), file.text.as_bytes()]),
+                    .flat_map(|f| [f.path.as_bytes(), f.text.as_bytes()]),
             ),
             results: Hash::of(bits.iter().map(<[u8; 8]>::as_slice)),
         }

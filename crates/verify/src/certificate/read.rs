@@ -1,7 +1,7 @@
 //! Reads certificates, with bounded size and located errors.
 
-use super::{Certificate, CertifiedModel, SCHEMA, outcome};
-use crate::report::{Outcome, Verdict};
+use super::{Certificate, SCHEMA, outcome};
+use crate::report::Outcome;
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
@@ -94,7 +94,8 @@ impl Certificate {
             return invalid("models".into(), format!("{count} models"), "1 to 1000");
         }
         for (index, model) in self.models.iter().enumerate() {
-            let (found, expected) = (model.outcome, of_checks(model));
+            let expected = Outcome::of(model.checks.iter().map(|check| check.verdict));
+            let found = model.outcome;
             if found != expected {
                 let place = format!("models[{index}].outcome");
                 return invalid(place, name(found), &(name(expected) + ", by its checks"));
@@ -107,16 +108,6 @@ impl Certificate {
         }
         Ok(())
     }
-}
-
-/// Combined outcome of the verdicts of a model's checks.
-fn of_checks(model: &CertifiedModel) -> Outcome {
-    let outcomes = model.checks.iter().map(|check| match check.verdict {
-        Verdict::Holds | Verdict::Skipped => Outcome::Verified,
-        Verdict::Unverified => Outcome::NotVerified,
-        Verdict::Refuted => Outcome::Refuted,
-    });
-    outcomes.max().unwrap_or(Outcome::NotVerified)
 }
 
 fn name(outcome: Outcome) -> String {

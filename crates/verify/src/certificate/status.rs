@@ -23,36 +23,25 @@ impl Certificate {
         let folder = folder_of(path);
         let same_text = |m: &&super::CertifiedModel| m.covers.has_texts(&model.sources);
         let mut changes = self.program.changes();
-        match self.models.iter().find(same_text) {
-            Some(certified) => {
-                changes.extend(certified.changes(&folder, self.options.seed));
-                Status {
-                    outcome: Some(certified.outcome),
-                    changes,
-                }
+        let covered = self.models.iter().find(same_text);
+        let mut same_name = self.models.iter().filter(|m| m.model == model.name);
+        let certified = covered.or_else(|| same_name.next());
+        let own = certified.map(|m| m.changes(&folder, self.options.seed));
+        let what = match &own {
+            None => Some("it does not cover this model"),
+            Some(own) if covered.is_none() && own.is_empty() => {
+                Some("it covers other effects or another text")
             }
-            None => {
-                match self.models.iter().find(|m| m.model == model.name) {
-                    Some(certified) => {
-                        let own = certified.changes(&folder, self.options.seed);
-                        if own.is_empty() {
-                            changes.push(Change {
-                                model: Some(model.name.clone()),
-                                what: String::from("it covers other effects or another text"),
-                            });
-                        }
-                        changes.extend(own);
-                    }
-                    None => changes.push(Change {
-                        model: Some(model.name.clone()),
-                        what: String::from("it does not cover this model"),
-                    }),
-                }
-                Status {
-                    outcome: None,
-                    changes,
-                }
-            }
+            Some(_) => None,
+        };
+        changes.extend(what.map(|what| Change {
+            model: Some(model.name.clone()),
+            what: what.to_owned(),
+        }));
+        changes.extend(own.into_iter().flatten());
+        Status {
+            outcome: covered.map(|certified| certified.outcome),
+            changes,
         }
     }
 }

@@ -3,7 +3,7 @@
 //! numbers along the model's own equations. States need not be recovered from physical quantities, so the equations may
 //! have any number of states in any parametrization.
 
-use crate::claim::{along, is_fault, relative};
+use crate::claim::{along, is_fault};
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample;
@@ -41,7 +41,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Option<Row> {
     if model.claim.is_none() {
         return Some(match &subject.reference {
             Some(_) => Row::skipped(CLAIM, "its equations are held to a reference"),
-            None => subject.without_meaning(CLAIM).remarking(ADVICE),
+            None => subject.without_meaning(CLAIM).with_remark(ADVICE),
         });
     }
     let mut random = Random::new(options.seed, CLAIM);
@@ -55,8 +55,8 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Option<Row> {
         for balance in body.balances() {
             let sides = balance.change.iter().zip(balance.cause.iter());
             for ((change, cause), axis) in sides.zip(AXES) {
-                let error = relative(*change - *cause);
-                worst.see(error, || balance.law.formula().to_owned());
+                let error = (*change - *cause).relative_error(0.0);
+                worst.update(error, || balance.law.formula().to_owned());
                 let so_far = broken.entry(balance.law).or_insert((0.0, axis));
                 if is_fault(error) && error > so_far.0 {
                     *so_far = (error, axis);
@@ -67,7 +67,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Option<Row> {
     broken.retain(|_, (error, _)| *error > 0.0);
     let row = Row::judged(CLAIM, options.cases, &worst, TOLERANCE);
     if broken.is_empty() {
-        return Some(row.saying("the equations obey the laws of the claimed body"));
+        return Some(row.with_detail("the equations obey the laws of the claimed body"));
     }
     let inertial = &model.frames[0].name;
     let lines = broken.into_iter().map(|(law, (error, axis))| {
@@ -76,7 +76,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Option<Row> {
     });
     let lines = lines.chain(unsatisfied(subject, options));
     let lines: Vec<String> = lines.collect();
-    Some(row.saying(lines.join("\n")))
+    Some(row.with_detail(lines.join("\n")))
 }
 
 /// One line of text for each law of motion of the claimed body that no rates of the states can satisfy. Such a law

@@ -5,12 +5,14 @@
 //!
 //! Quaternions are varied on the unit sphere only, because other quaternions represent no attitude.
 
+use super::function_rows::{direction, row_name};
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample;
 use crate::subject::{Derivatives, Differentiable, Subject};
 use crate::{Options, TOLERANCE};
-use model_spec::model::{FrameKind, Model};
+use model_spec::Layout;
+use model_spec::model::Model;
 use oracle::scalar::{ComplexStep, Dual, ErrorBound, Lockstep, NumDual, Real};
 use oracle::{Point, Reference, Tree, derivatives_of};
 
@@ -47,9 +49,10 @@ fn three_ways(value: f64, derivative: f64) -> ThreeWays {
 pub fn check(subject: &Subject<'_>, equations: &dyn Differentiable, options: &Options) -> Vec<Row> {
     let cases = options.cases.div_ceil(4);
     let mut random = Random::new(options.seed, "derivatives");
+    let layout = Layout::new(subject.model);
     let mut comparison = Comparison {
         subject,
-        variables: variables(subject.model),
+        variables: [layout.states, layout.parameters].concat(),
         worst: Default::default(),
     };
     for _ in 0..cases {
@@ -74,6 +77,7 @@ pub fn check(subject: &Subject<'_>, equations: &dyn Differentiable, options: &Op
 
 struct Comparison<'a> {
     subject: &'a Subject<'a>,
+    /// Names of the independent variables: states, parameters, coefficients, components of inputs.
     variables: Vec<String>,
     /// Maximum error found by each check in [`CHECKS`], in that order.
     worst: [Worst; 4],
@@ -103,14 +107,14 @@ impl Comparison<'_> {
                 ];
                 let entry = || format!("d {} / d {name}", row_name(model, i));
                 for (k, expected) in [num_dual, complex_step, dual].into_iter().enumerate() {
-                    self.worst[k].see(error(expected, magnitude, column[i]), entry);
+                    self.worst[k].update(error(expected, magnitude, column[i]), entry);
                 }
                 if let Some(short) = short.as_ref().and_then(|short| short.get(i)) {
-                    self.worst[2].see(error(dual, magnitude, *short), || entry() + " in f_jac");
+                    self.worst[2].update(error(dual, magnitude, *short), || entry() + " in f_jac");
                 }
                 for values in [&got.values, &by_state.values] {
                     let error = |&v: &f64| expected.first.value.relative_error(v);
-                    self.worst[2].see(values.get(i).map_or(0.0, error), || {
+                    self.worst[2].update(values.get(i).map_or(0.0, error), || {
                         row_name(model, i) + " beside its derivatives"
                     });
                 }
@@ -144,7 +148,7 @@ impl Comparison<'_> {
                     continue;
                 }
                 let ErrorBound { value, magnitude } = expected.derivative;
-                self.worst[3].see(error(value, magnitude, column[i]), || {
+                self.worst[3].update(error(value, magnitude, column[i]), || {
                     format!("d {} / d {name}", row_name(model, i))
                 });
             }
@@ -165,47 +169,6 @@ fn has_reference(model: &Model, reference: &Reference, variable: usize) -> bool 
         .is_none_or(|index| !reference.unknown.contains(&index))
 }
 
-/// Names of the independent variables: states, parameters, coefficients, components of inputs.
-fn variables(model: &Model) -> Vec<String> {
-    let constants = model.params.iter().chain(&model.coefficients);
-    let inputs = model
-        .inputs
-        .iter()
-        .flat_map(|i| ["x", "y", "z"].map(|axis| format!("{}_{axis}", i.name)));
-    model
-        .states
-        .iter()
-        .map(|s| s.name.clone())
-        .chain(constants.map(|c| c.name.clone()))
-        .chain(inputs)
-        .collect()
-}
-
-fn row_name(model: &Model, row: usize) -> String {
-    match model.states.get(row) {
-        Some(state) => format!("der({})", state.name),
-        None => format!("observation {}", row - model.states.len() + 1),
-    }
-}
-
-/// Direction of differentiation in state space for variable `j`: a unit vector, projected onto the tangent space of the
-/// unit sphere for a component of a quaternion; zero if `j` is not a state.
-fn direction(model: &Model, point: &Point<f64>, j: usize) -> Vec<f64> {
-    let mut direction = vec![0.0; point.states.len()];
-    if let Some(component) = direction.get_mut(j) {
-        *component = 1.0;
-    }
-    for frame in &model.frames {
-        if let FrameKind::Quaternion { states: q, .. } = frame.kind
-            && q.contains(&j)
-        {
-            q.into_iter()
-                .for_each(|k| direction[k] -= point.states[j] * point.states[k]);
-        }
-    }
-    direction
-}
-
 /// Lifts the point to scalars that carry derivatives with respect to variable `j`; `variable(value, derivative)`
 /// creates such a scalar.
 fn seed<T: Real>(
@@ -215,7 +178,8 @@ fn seed<T: Real>(
     variable: fn(f64, f64) -> T,
 ) -> Point<T> {
     let mut out = point.lift::<T>();
-    for (state, derivative) in out.states.iter_mut().zip(direction(model, point, j)) {
+    let derivatives = direction(model, &point.states, j);
+    for (state, derivative) in out.states.iter_mut().zip(derivatives) {
         if derivative != 0.0 {
             *state = variable(state.re(), derivative);
         }
@@ -233,7 +197,7 @@ fn seed<T: Real>(
 /// from the Jacobian in `got`; for a state, along [`direction`]. The magnitude, to which errors are relative, is the
 /// sum of the absolute values of the Jacobian entries that are used.
 fn along(got: &Derivatives, model: &Model, point: &Point<f64>, j: usize) -> Vec<ErrorBound> {
-    let mut direction = direction(model, point, j);
+    let mut direction = direction(model, &point.states, j);
     direction.resize(got.entries.first().map_or(0, Vec::len), 0.0);
     if j >= point.states.len() {
         direction[j] = 1.0;

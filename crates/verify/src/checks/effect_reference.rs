@@ -2,6 +2,7 @@
 //! all together, with random coefficients within half their bounds. Coefficients of the model that the reference law
 //! does not contain have their null values, and added states their defaults.
 
+use super::bounded::{compare_observation, compare_rates};
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample;
@@ -28,7 +29,7 @@ pub fn check(with: &[(Model, Values)], options: &Options) -> Row {
     let mut worst = Worst::default();
     for (model, engine) in catalogued.iter().copied() {
         match compare(model, engine, options) {
-            Some(Ok(one)) => worst.see(one.error, || one.place),
+            Some(Ok(one)) => worst.update(one.error, || one.place),
             Some(Err(why)) => return Row::counted(EFFECT_REFERENCE, 1, &[why.to_string()], ""),
             None => return Row::skipped(EFFECT_REFERENCE, "the model claims no reference"),
         }
@@ -73,23 +74,11 @@ pub fn compare(
         let point = at_work(model, point, &mut random);
         let lifted = point.lift::<ErrorBound>();
         let got = equations.rates(&point);
-        for (i, expected) in reference.derivatives(&lifted).into_iter().enumerate() {
-            if own.contains(&i) {
-                continue;
-            }
-            let error = got
-                .get(i)
-                .map_or(f64::INFINITY, |&v| expected.relative_error(v));
-            worst.see(error, || {
-                format!("der({}) with {names}", model.states[i].name)
-            });
-        }
-        let Some(seen) = equations.observation(&point) else {
-            continue;
-        };
-        for (expected, got) in reference.observation(&lifted).iter().zip(seen.iter()) {
-            let error = expected.relative_error(*got);
-            worst.see(error, || format!("the observation with {names}"));
+        let mut errors = |error, name| worst.update(error, || format!("{name} with {names}"));
+        let expected = reference.derivatives(&lifted);
+        compare_rates(model, &expected, &got, &own, &mut errors);
+        if let Some(observed) = equations.observation(&point) {
+            compare_observation(&reference.observation(&lifted), &observed, &mut errors);
         }
     }
     Some(Ok(worst))

@@ -5,7 +5,7 @@ use crate::expressions::{fix_coefficient, fix_state};
 use crate::random::Random;
 use crate::row::{Row, Verdict, Worst};
 use crate::sample;
-use crate::subject::Equations;
+use crate::subject::{Equations, carry_by_name};
 use crate::values::Values;
 use crate::{Options, TOLERANCE};
 use model_spec::compose::{Origin, known_effects};
@@ -87,7 +87,7 @@ pub fn check(without: &Model, with: &[(Model, Values)], options: &Options) -> Ro
                     ..size
                 }
                 .relative_error(*rate);
-                worst.see(error, || format!("with {names}"));
+                worst.update(error, || format!("with {names}"));
             }
         }
         let mut fixed = model.clone();
@@ -106,13 +106,12 @@ pub fn check(without: &Model, with: &[(Model, Values)], options: &Options) -> Ro
     }
     let row = Row::judged(EFFECTS, with.len(), &worst, TOLERANCE);
     if faults.is_empty() {
-        row
-    } else {
-        Row {
-            verdict: Verdict::Refuted,
-            ..row
-        }
-        .saying(faults.join("\n"))
+        return row;
+    }
+    Row {
+        verdict: Verdict::Refuted,
+        detail: faults.join("\n"),
+        ..row
     }
 }
 
@@ -134,17 +133,8 @@ fn bare(without: &Model, with: &Model, point: &Point<f64>) -> Option<Point<f64>>
     let mut bare = Point::defaults(without);
     bare.time = point.time;
     bare.marker = point.marker;
-    for (constant, to) in without.params.iter().zip(&mut bare.params) {
-        *to = point.params[with.params.iter().position(|c| c.name == constant.name)?];
-    }
-    for (constant, to) in without.coefficients.iter().zip(&mut bare.coefficients) {
-        *to = point.coefficients[with
-            .coefficients
-            .iter()
-            .position(|c| c.name == constant.name)?];
-    }
-    for (input, to) in without.inputs.iter().zip(&mut bare.inputs) {
-        *to = point.inputs[with.inputs.iter().position(|i| i.name == input.name)?];
+    if !carry_by_name(with, point, without, &mut bare) {
+        return None;
     }
     for (state, to) in without.states.iter().zip(&mut bare.states) {
         *to = point.states[with.states.iter().position(|s| s.name == state.name)?];

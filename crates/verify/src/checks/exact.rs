@@ -10,7 +10,7 @@ use crate::row::Row;
 use crate::subject::Subject;
 use codegen::Compiled;
 use model_spec::diagnostic::Span;
-use model_spec::model::{Expr, ExprKind, FrameKind, Input, Load, Model, Shape};
+use model_spec::model::{Expr, ExprKind, Input, Load, Model, Shape};
 use model_spec::unit::Unit;
 use num_traits::{One, Zero};
 use oracle::scalar::{Field, Prime};
@@ -46,7 +46,7 @@ pub fn compare(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     let mut random = Random::new(options.seed, EXACT);
     let mut faults = Vec::new();
     for _ in 0..POINTS {
-        let spot = Spot::random(model, &mut random);
+        let spot = FieldPoint::random(model, &mut random);
         let circle = |i: usize| spot.circles[i];
         let count = model.inputs.len();
         let (force, moment) = (spot.point.inputs[count - 2], spot.point.inputs[count - 1]);
@@ -56,20 +56,13 @@ pub fn compare(model: &Model, compiled: &Compiled, options: &Options) -> Row {
         };
         let mut machine = Machine::new(&spot.point, &spot.circles, false);
         machine.prepared = machine.run(&compiled.prepare.program);
-        for (i, (got, expected)) in machine
-            .run(&compiled.f.program)
-            .iter()
-            .zip(&expected)
-            .enumerate()
-        {
-            let Some(got) = got else {
-                return Row::skipped(
-                    EXACT,
-                    format!("der({}) is not rational", model.states[i].name),
-                );
+        let found = machine.run(&compiled.f.program);
+        for ((found, expected), state) in found.iter().zip(expected).zip(&model.states) {
+            let Some(found) = found else {
+                return Row::skipped(EXACT, format!("der({}) is not rational", state.name));
             };
-            let fault = format!("der({}) is another function", model.states[i].name);
-            if got != expected && !faults.contains(&fault) {
+            let fault = format!("der({}) is another function", state.name);
+            if *found != expected && !faults.contains(&fault) {
                 faults.push(fault);
             }
         }
@@ -88,12 +81,7 @@ pub fn free_loads(model: &Model) -> Model {
         let index = model.inputs.len();
         model.inputs.push(Input {
             name: name.to_owned(),
-            doc: String::new(),
-            frame: 0,
-            unit: Unit::default(),
-            unit_text: String::new(),
-            value: [0.0; 3],
-            span: Span::default(),
+            ..Input::default()
         });
         let value = Expr {
             kind: ExprKind::Input(index),
@@ -122,30 +110,27 @@ pub fn free_loads(model: &Model) -> Model {
 }
 
 /// A random point of the prime field, with the sine and cosine of every state.
-pub struct Spot {
+pub struct FieldPoint {
     /// Field elements for time, parameters, coefficients, inputs, states and marker.
     pub point: Point<Prime>,
     /// (sine, cosine) of every state.
     pub circles: Vec<(Prime, Prime)>,
 }
 
-impl Spot {
+impl FieldPoint {
     /// Draws a random point; quaternions have norm 1.
     pub fn random(model: &Model, random: &mut Random) -> Self {
         let mut point = Point::defaults(model).map(|_| random.prime());
-        for frame in &model.frames {
-            if let FrameKind::Quaternion { states, .. } = frame.kind {
-                for (i, part) in states.into_iter().zip(unit_quaternion(random)) {
-                    point.states[i] = part;
-                }
+        for states in model.quaternions() {
+            for (i, part) in states.into_iter().zip(unit_quaternion(random)) {
+                point.states[i] = part;
             }
         }
-        let circles = point
-            .states
-            .iter()
-            .map(|_| on_circle(random.prime()))
-            .collect();
-        Self { point, circles }
+        let circles = point.states.iter().map(|_| on_circle(random.prime()));
+        Self {
+            circles: circles.collect(),
+            point,
+        }
     }
 }
 

@@ -4,9 +4,8 @@
 //! of their arguments. Branches and rounded constants, which the field cannot decide, are compared in 256-bit
 //! arithmetic at states of the model.
 
-use super::derivatives::tree_column;
-use super::exact::{POINTS, Spot};
-use super::function_rows::{along, direction, row_name, sections};
+use super::exact::{FieldPoint, POINTS};
+use super::function_rows::{Variable, differences, functions, law, variables};
 use super::long_functions;
 use crate::Options;
 use crate::field::{self, Angle, Machine};
@@ -15,10 +14,8 @@ use crate::row::Row;
 use crate::symbolic::{Symbolic, evaluate};
 use codegen::Compiled;
 use codegen::functions::MathFunction;
-use codegen::program::{Binary, Function, Op, Operand, Unary};
+use codegen::program::{Binary, Op, Operand, Unary};
 use model_spec::model::Model;
-use num_traits::One;
-use oracle::Point;
 use oracle::scalar::{Dual, Prime};
 
 /// Name of this check in reports: state derivatives f, Jacobians J (states) and Jp (parameters) and the observation in
@@ -48,7 +45,7 @@ pub fn check(model: &Model, compiled: &Compiled, options: &Options) -> Row {
         if good == POINTS || lacking == LACKING || !faults.is_empty() {
             break;
         }
-        let mut spot = Spot::random(model, &mut random);
+        let mut spot = FieldPoint::random(model, &mut random);
         let circles = spot.point.states.iter().map(|&s| field::circle(s));
         spot.circles = circles.collect();
         match compare(model, compiled, &spot) {
@@ -84,7 +81,7 @@ pub fn check(model: &Model, compiled: &Compiled, options: &Options) -> Row {
 /// `why` as the detail.
 fn in_long_arithmetic(model: &Model, compiled: &Compiled, options: &Options, why: &str) -> Row {
     let mut random = Random::new(options.seed, "f, J and Jp in 256 bits");
-    match long_functions::differences(model, compiled, &mut random) {
+    match long_functions::faults(model, compiled, &mut random) {
         Some(faults) if !faults.is_empty() => Row::counted(FUNCTIONS, 1, &faults, ""),
         Some(_) => Row::skipped(
             FUNCTIONS,
@@ -105,53 +102,27 @@ enum Compared {
     NoCode,
 }
 
-fn compare(model: &Model, compiled: &Compiled, spot: &Spot) -> Compared {
+fn compare(model: &Model, compiled: &Compiled, spot: &FieldPoint) -> Compared {
     let mut machine = Machine::new(&spot.point, &spot.circles, true);
     machine.prepared = machine.run(&compiled.prepare.program);
-    let functions = [
-        &compiled.f,
-        &compiled.f_jac,
-        &compiled.f_jac_par,
-        &compiled.observe,
-        &compiled.observe_jac,
-    ];
-    let states = model.states.len();
-    let values: Option<Vec<(&Function, Vec<Prime>)>> = functions
-        .into_iter()
-        .map(|function| {
-            let values = machine.run(&function.program);
-            Some((function, values.into_iter().collect::<Option<_>>()?))
-        })
-        .collect();
-    let variables = compiled
-        .layout
-        .states
-        .iter()
-        .chain(&compiled.layout.parameters);
+    let results = functions(compiled).map(|function| {
+        let values = machine.run(&function.program);
+        Some((
+            function,
+            values.into_iter().collect::<Option<Vec<Prime>>>()?,
+        ))
+    });
+    let results: Option<Vec<_>> = results.into_iter().collect();
     let mut faults = Vec::new();
-    for (j, name) in variables.enumerate() {
-        let direction = direction(model, &spot.point.states, j);
-        let Some(expected) = law(model, spot, j, &direction) else {
+    for variable in variables(model, compiled, &spot.point.states) {
+        let Some(expected) = exact_law(model, spot, &variable) else {
             return Compared::NoLaw;
         };
-        let Some(values) = &values else {
+        let Some(results) = &results else {
             return Compared::NoCode;
         };
-        for (function, values) in values {
-            let (rows, section, jacobians) = sections(function, states, expected.len());
-            let first = function.range(section).start;
-            for (k, row) in rows.enumerate() {
-                let (value, derivative) = expected[row];
-                let row = row_name(model, row);
-                if values[first + k] != value {
-                    faults.push(format!("{row} in {}", function.name));
-                }
-                let found = along(function, values, jacobians, k, j, &direction);
-                if found.is_some_and(|found| found != derivative) {
-                    faults.push(format!("∂{row}/∂{name} in {}", function.name));
-                }
-            }
-        }
+        let differ = |found, expected| found != expected;
+        faults.extend(differences(model, results, &variable, &expected, &differ));
     }
     faults.sort();
     faults.dedup();
@@ -159,30 +130,20 @@ fn compare(model: &Model, compiled: &Compiled, spot: &Spot) -> Compared {
 }
 
 /// Every state derivative and component of the observation, from the model's vector expressions over the prime field,
-/// each as (value, derivative with respect to the variable with the given index: states first, then parameters; for a
-/// state, along `direction` in state space). `None` if a value does not exist in the field.
-fn law(
+/// with its derivative with respect to a variable. `None` if a value does not exist in the field.
+fn exact_law(
     model: &Model,
-    spot: &Spot,
-    variable: usize,
-    direction: &[Prime],
-) -> Option<Vec<(Prime, Prime)>> {
-    type T = Dual<Symbolic>;
-    let mut point: Point<T> = spot.point.map(|v| Dual::constant(Symbolic(v)));
-    for (state, &d) in point.states.iter_mut().zip(direction) {
-        state.derivative = Symbolic(d);
-    }
-    if let Some(k) = variable.checked_sub(model.states.len())
-        && let Some(value) = point.parameters_mut().nth(k)
-    {
-        value.derivative = Symbolic(Prime::one());
-    }
+    spot: &FieldPoint,
+    variable: &Variable<'_, Prime>,
+) -> Option<Vec<Dual<Prime>>> {
+    let direction = variable.direction.iter().map(|&d| Symbolic(d)).collect();
+    let variable = variable.along(direction);
     let states = spot.point.states.iter().zip(&spot.circles);
     let angles: Vec<Angle> = states.map(|(&s, &circle)| (s, circle)).collect();
-    let rows = evaluate(angles, || tree_column(model, &point))??;
+    let rows = evaluate(angles, || law(model, &spot.point.map(Symbolic), &variable))??;
+    let rows = rows.iter();
     Some(
-        rows.iter()
-            .map(|row| (row.value.0, row.derivative.0))
+        rows.map(|row| Dual::new(row.value.0, row.derivative.0))
             .collect(),
     )
 }

@@ -1,15 +1,112 @@
 //! Rows and directions for the comparison of compiled functions with the model's vector expressions.
 
+use super::derivatives::tree_column;
+use codegen::Compiled;
 use codegen::program::Function;
 use model_spec::model::{FrameKind, Model};
-use oracle::scalar::Field;
+use oracle::Point;
+use oracle::scalar::{Dual, Field, Real};
 use std::ops::Range;
+
+/// Compiled functions that are compared: state derivatives and observation, each also with its Jacobians.
+pub(super) fn functions(compiled: &Compiled) -> [&Function; 5] {
+    [
+        &compiled.f,
+        &compiled.f_jac,
+        &compiled.f_jac_par,
+        &compiled.observe,
+        &compiled.observe_jac,
+    ]
+}
+
+/// A variable with respect to which results are differentiated.
+pub(super) struct Variable<'a, T> {
+    /// Name of the state or parameter.
+    pub name: &'a str,
+    /// Index among the states, which come first, and the parameters.
+    pub index: usize,
+    /// Direction of differentiation in state space, see [`direction`].
+    pub direction: Vec<T>,
+}
+
+impl<'a, T> Variable<'a, T> {
+    /// The variable with another direction of differentiation.
+    pub fn along<U>(&self, direction: Vec<U>) -> Variable<'a, U> {
+        Variable {
+            name: self.name,
+            index: self.index,
+            direction,
+        }
+    }
+}
+
+/// States and parameters of a compiled model, with the directions of differentiation at the given states.
+pub(super) fn variables<'a, T: Field>(
+    model: &Model,
+    compiled: &'a Compiled,
+    states: &[T],
+) -> Vec<Variable<'a, T>> {
+    let layout = &compiled.layout;
+    let names = layout.states.iter().chain(&layout.parameters).enumerate();
+    let variable = |(index, name): (usize, &'a String)| Variable {
+        name,
+        index,
+        direction: direction(model, states, index),
+    };
+    names.map(variable).collect()
+}
+
+/// Every state derivative and component of the observation, from the model's vector expressions, with its derivative
+/// with respect to a variable. `None` if the model has no equations of motion.
+pub(super) fn law<T: Real>(
+    model: &Model,
+    point: &Point<T>,
+    variable: &Variable<'_, T>,
+) -> Option<Vec<Dual<T>>> {
+    let mut point = point.map(Dual::constant);
+    for (state, &d) in point.states.iter_mut().zip(&variable.direction) {
+        state.derivative = d;
+    }
+    if let Some(k) = variable.index.checked_sub(model.states.len())
+        && let Some(value) = point.parameters_mut().nth(k)
+    {
+        value.derivative = T::one();
+    }
+    tree_column(model, &point)
+}
+
+/// Names of the results of compiled functions, and of their derivatives with respect to a variable, that differ from
+/// the `expected` values. `results` contains all outputs of each function.
+pub(super) fn differences<T: Field>(
+    model: &Model,
+    results: &[(&Function, Vec<T>)],
+    variable: &Variable<'_, T>,
+    expected: &[Dual<T>],
+    differ: &dyn Fn(T, T) -> bool,
+) -> Vec<String> {
+    let mut faults = Vec::new();
+    for (function, values) in results {
+        let (rows, section, jacobians) = sections(function, model.states.len(), expected.len());
+        let first = function.range(section).start;
+        for (k, row) in rows.enumerate() {
+            let name = row_name(model, row);
+            if differ(values[first + k], expected[row].value) {
+                faults.push(format!("{name} in {}", function.name));
+            }
+            let found = along(function, values, jacobians, k, variable);
+            if found.is_some_and(|found| differ(found, expected[row].derivative)) {
+                faults.push(format!("∂{name}/∂{} in {}", variable.name, function.name));
+            }
+        }
+    }
+    faults
+}
 
 /// Describes the results of a compiled function: the range of its rows, the name of the section with its values, and
 /// the names of the sections with its Jacobians with respect to states and to parameters. The rows of a model are its
 /// scalar results: `all` rows, of which the first `states` are state derivatives, the others components of the
 /// observation.
-pub(crate) fn sections(
+fn sections(
     function: &Function,
     states: usize,
     all: usize,
@@ -20,20 +117,18 @@ pub(crate) fn sections(
     }
 }
 
-/// Derivative of one scalar result of a compiled function (row `row` of its Jacobians) with respect to the variable
-/// with the given index (states first, then parameters); for a state, along `direction` in state space. It is computed
-/// from the Jacobian entries in `values`, which contains all outputs of the function. The array contains the names of
-/// the Jacobians by state and by parameter. `None` if the function does not compute the required Jacobian.
-pub(crate) fn along<T: Field>(
+/// Derivative of one scalar result of a compiled function (row `row` of its Jacobians) with respect to a variable. It is
+/// computed from the Jacobian entries in `values`, which contains all outputs of the function. The array contains the
+/// names of the Jacobians by state and by parameter. `None` if the function does not compute the required Jacobian.
+fn along<T: Field>(
     function: &Function,
     values: &[T],
     [by_state, by_parameter]: [&str; 2],
     row: usize,
-    variable: usize,
-    direction: &[T],
+    variable: &Variable<'_, T>,
 ) -> Option<T> {
-    let states = direction.len();
-    let section = if variable < states {
+    let states = variable.direction.len();
+    let section = if variable.index < states {
         by_state
     } else {
         by_parameter
@@ -46,8 +141,8 @@ pub(crate) fn along<T: Field>(
         .iter()
         .zip(&values[function.range(section)]);
     let of_row = entries.filter(|((r, _), _)| *r as usize == row);
-    let weight = |column: usize| match variable.checked_sub(states) {
-        None => direction[column],
+    let weight = |column: usize| match variable.index.checked_sub(states) {
+        None => variable.direction[column],
         Some(parameter) if parameter == column => T::one(),
         Some(_) => T::zero(),
     };
@@ -58,7 +153,7 @@ pub(crate) fn along<T: Field>(
 
 /// Direction of differentiation in state space: a unit vector, projected onto the tangent space of the unit sphere for
 /// a component of a quaternion; zero for a parameter.
-pub(crate) fn direction<T: Field>(model: &Model, states: &[T], variable: usize) -> Vec<T> {
+pub(super) fn direction<T: Field>(model: &Model, states: &[T], variable: usize) -> Vec<T> {
     let mut out = vec![T::zero(); states.len()];
     if let Some(component) = out.get_mut(variable) {
         *component = T::one();
@@ -75,7 +170,8 @@ pub(crate) fn direction<T: Field>(model: &Model, states: &[T], variable: usize) 
     out
 }
 
-pub(crate) fn row_name(model: &Model, row: usize) -> String {
+/// Name of a scalar result of a model in messages, see [`sections`].
+pub(super) fn row_name(model: &Model, row: usize) -> String {
     match model.states.get(row) {
         Some(state) => format!("der({})", state.name),
         None => format!("observation {}", row - model.states.len() + 1),

@@ -1,14 +1,15 @@
 //! Checks the balance laws under arbitrary loads: dp/dt = F, dH/dt = M, dE/dt = F·v + M·ω, and dr/dt = v.
 
-use crate::claim::{Bounded, along, see};
+use crate::claim::{Bounded, along, compare_sides};
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample;
 use crate::subject::Subject;
 use crate::{Options, TOLERANCE};
-use nalgebra::{Matrix3, Vector3};
+use model_spec::model::Body;
+use nalgebra::Vector3;
 use oracle::scalar::{Dual, ErrorBound, Real};
-use oracle::{MassProperties, Motion, PlacedFrame, Point, Tree, inertia_in_n, mass_properties};
+use oracle::{MassProperties, Motion, Point, Tree, inertia_in_n, mass_properties};
 
 /// Name of this check in reports: balances of momentum, angular momentum and energy.
 pub const IDENTITIES: &str = "momentum and energy";
@@ -64,27 +65,15 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
             let angular_momentum = spatial * body.angular_velocity;
             energy += angular_momentum.dot(&body.angular_velocity) / Bounded::lit(2.0);
             power += motion.moment.dot(&value(&body.angular_velocity));
-            see(
-                &mut worst,
-                &derivative(&angular_momentum),
-                &motion.moment,
-                "dH/dt against M",
-            );
+            let change = derivative(&angular_momentum);
+            compare_sides(&mut worst, "dH/dt against M", change, motion.moment);
         }
-        see(
-            &mut worst,
-            &derivative(&momentum),
-            &motion.force,
-            "dp/dt against F",
-        );
-        see(
-            &mut worst,
-            &derivative(&body.position),
-            &value(&body.velocity),
-            "dr/dt against v",
-        );
+        let change = derivative(&momentum);
+        compare_sides(&mut worst, "dp/dt against F", change, motion.force);
+        let (change, velocity) = (derivative(&body.position), value(&body.velocity));
+        compare_sides(&mut worst, "dr/dt against v", change, velocity);
         let (energy, power) = (Vector3::repeat(energy.derivative), Vector3::repeat(power));
-        see(&mut worst, &energy, &power, "dE/dt against F·v + M·ω");
+        compare_sides(&mut worst, "dE/dt against F·v + M·ω", energy, power);
     }
     Row::judged(IDENTITIES, options.cases, &worst, TOLERANCE)
 }
@@ -101,23 +90,21 @@ fn of_claim(subject: &Subject<'_>, options: &Options) -> Row {
             return Row::unverified(IDENTITIES, "there are no equations to evaluate");
         };
         let (energy, power) = (body.kinetic_energy().derivative, body.power().value);
-        let momentum = derivative(&body.momentum());
-        see(
-            &mut worst,
-            &momentum,
-            &value(&body.force),
-            "dp/dt against F",
-        );
+        let (change, force) = (derivative(&body.momentum()), value(&body.force));
+        compare_sides(&mut worst, "dp/dt against F", change, force);
         if let Some(turning) = &body.turning {
-            let moment = value(&turning.moment);
             let change = derivative(&body.angular_momentum());
-            see(&mut worst, &change, &moment, "dH/dt against M");
+            compare_sides(
+                &mut worst,
+                "dH/dt against M",
+                change,
+                value(&turning.moment),
+            );
         }
-        let velocity = value(&body.velocity);
-        let motion = derivative(&body.position);
-        see(&mut worst, &motion, &velocity, "dr/dt against v");
+        let (change, velocity) = (derivative(&body.position), value(&body.velocity));
+        compare_sides(&mut worst, "dr/dt against v", change, velocity);
         let (energy, power) = (Vector3::repeat(energy), Vector3::repeat(power));
-        see(&mut worst, &energy, &power, "dE/dt against F·v + M·ω");
+        compare_sides(&mut worst, "dE/dt against F·v + M·ω", energy, power);
     }
     Row::judged(IDENTITIES, options.cases, &worst, TOLERANCE)
 }
@@ -145,25 +132,22 @@ fn loads(
         angular_acceleration: Vector3::zeros(),
     };
     let properties = reference.map_or_else(
-        || in_body_frame(&tree, mass_properties(&tree, body)),
+        || body_properties(&tree, body),
         |reference| reference.mass_properties(point),
     );
     Some((motion, properties))
 }
 
-/// Mass properties with the inertia tensor rotated from the frame of its declaration to the body frame.
-fn in_body_frame(
-    tree: &Tree<'_, ErrorBound>,
-    given: MassProperties<ErrorBound>,
-) -> MassProperties<ErrorBound> {
-    let rotation = tree.model.body.as_ref().and_then(|b| b.rotation.as_ref());
-    let inertia = rotation.zip(given.inertia).map(|(rotation, inertia)| {
-        let frame = |i: usize| -> &PlacedFrame<ErrorBound> { &tree.frames[i] };
-        let turn: Matrix3<ErrorBound> =
-            frame(rotation.body_frame).axes.transpose() * frame(rotation.inertia_frame).axes;
-        inertia_in_n(&turn, &inertia)
-    });
-    MassProperties { inertia, ..given }
+/// Mass properties of a declared body, with the inertia tensor rotated from the frame of its declaration to the body
+/// frame.
+pub(crate) fn body_properties<T: Real>(tree: &Tree<'_, T>, body: &Body) -> MassProperties<T> {
+    let mut properties = mass_properties(tree, body);
+    if let (Some(rotation), Some(inertia)) = (&body.rotation, properties.inertia) {
+        let turn = tree.frames[rotation.body_frame].axes.transpose()
+            * tree.frames[rotation.inertia_frame].axes;
+        properties.inertia = Some(inertia_in_n(&turn, &inertia));
+    }
+    properties
 }
 
 fn value(v: &Vector3<Bounded>) -> Vector3<ErrorBound> {

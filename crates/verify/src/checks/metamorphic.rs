@@ -12,10 +12,11 @@ use crate::Options;
 use crate::meaning::Meaning;
 use crate::random::Random;
 use crate::row::{Row, Worst};
-use crate::sample;
+use crate::same_motion::rate_differences;
+use crate::sample::{self, is_velocity};
 use crate::subject::Subject;
 use model_spec::model::{FrameKind, Model};
-use model_spec::unit::{Base, Unit};
+use model_spec::unit::Base;
 use nalgebra::{Matrix3, Vector3};
 use oracle::{Physical, PhysicalRate, Point, Quaternion, Tree};
 
@@ -68,11 +69,9 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
         .collect();
     let mut random = Random::new(options.seed, "symmetries");
     let mut worst = Worst::default();
-    let mut broken: Vec<(usize, Vec<&'static str>)> = subject
-        .extras()
-        .into_iter()
-        .map(|(index, _)| (index, Vec::new()))
-        .collect();
+    let extras = subject.extras().into_iter();
+    let mut broken: Vec<(usize, Vec<&'static str>)> =
+        extras.map(|(index, _)| (index, Vec::new())).collect();
     let mut of_model: BTreeSet<&str> = BTreeSet::new();
     // Names of the relations for which transformed states were found at some point, and of those for which they were
     // missing at some point.
@@ -81,7 +80,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     for _ in 0..options.cases {
         let full = sample::point(subject.model, &mut random);
         let core = subject.without_extras(full.clone());
-        let draw = Draw::new(&mut random, axis.unwrap_or(3));
+        let draw = RandomTransformation::new(&mut random, axis.unwrap_or(3));
         let symmetric = is_symmetric(subject.model, &core);
         asymmetric |= !symmetric;
         for &(symmetry, name) in &apply {
@@ -96,7 +95,7 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
                 return subject.without_meaning(METAMORPHIC);
             };
             seen.insert(name);
-            worst.see(error, || name.to_owned());
+            worst.update(error, || name.to_owned());
             if error.is_nan() || error > TOLERANCE {
                 of_model.insert(name);
             }
@@ -143,11 +142,11 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
         let coefficient = &subject.model.coefficients[index].name;
         lines.push(format!("{coefficient} breaks: {}", names.join(", ")));
     }
-    row.saying(lines.join("\n").trim().to_owned())
+    row.with_detail(lines.join("\n").trim().to_owned())
 }
 
 /// Randomly drawn parameters of the transformations: shift (m), boost (m/s), angle (rad), delay (s).
-struct Draw {
+struct RandomTransformation {
     shift: Vector3<f64>,
     boost: Vector3<f64>,
     angle: f64,
@@ -156,7 +155,7 @@ struct Draw {
     axis: u8,
 }
 
-impl Draw {
+impl RandomTransformation {
     fn new(random: &mut Random, axis: u8) -> Self {
         Self {
             shift: Vector3::from_fn(|_, _| random.within(10.0)),
@@ -176,7 +175,7 @@ fn error(
     meaning: &Meaning<'_>,
     point: &Point<f64>,
     symmetry: Relation,
-    draw: &Draw,
+    draw: &RandomTransformation,
 ) -> Option<f64> {
     let model = subject.model;
     let physical = meaning.physical(point)?;
@@ -191,20 +190,11 @@ fn error(
     }
     let pace = subject.clock(&seen);
     let got = meaning.rate(&seen, &subject.flight_rates(&seen), pace)?;
-    let parts = [
-        (got.velocity, expected.velocity),
-        (got.acceleration, expected.acceleration),
-        (got.angular_velocity, expected.angular_velocity),
-        (got.angular_acceleration, expected.angular_acceleration),
-    ];
-    // Velocities and accelerations are of order 1 to 1000; the added 1 is far below a typical fault.
-    let error = |(got, expected): (Vector3<f64>, Vector3<f64>)| {
-        (got - expected).norm() / (got.norm() + expected.norm() + 1.0)
-    };
-    Some(parts.into_iter().map(error).fold(
-        0.0,
-        |a, b| if b.is_nan() { f64::INFINITY } else { a.max(b) },
-    ))
+    let mut worst = Worst::default();
+    for (what, error) in rate_differences(&got, &expected) {
+        worst.update(error, || what.to_owned());
+    }
+    Some(worst.error)
 }
 
 fn transform(
@@ -213,7 +203,7 @@ fn transform(
     p: &Physical<f64>,
     change: &PhysicalRate,
     symmetry: Relation,
-    draw: &Draw,
+    draw: &RandomTransformation,
 ) -> (Physical<f64>, Vec<Vector3<f64>>, PhysicalRate) {
     let (mut p, mut change, mut inputs) = (*p, *change, point.inputs.clone());
     let heading = Quaternion::turn(3, draw.angle);
@@ -233,10 +223,9 @@ fn transform(
             p = map(&p, &polar, &-polar, attitude);
             change = map_change(&change, &polar, &-polar);
             for (input, v) in model.inputs.iter().zip(&mut inputs) {
-                *v = if input.unit.doubled[Base::Metre as usize] == 0 {
-                    -polar * *v
-                } else {
-                    polar * *v
+                *v = match input.unit.doubled[Base::Metre as usize] {
+                    0 => -polar * *v,
+                    _ => polar * *v,
                 };
             }
         }
@@ -308,9 +297,4 @@ fn axis_of_revolution(model: &Model) -> Option<u8> {
 /// Whether the model has an input with the unit of a velocity. Such an input is assumed to be the velocity of the air.
 fn has_wind(model: &Model) -> bool {
     model.inputs.iter().any(|input| is_velocity(input.unit))
-}
-
-fn is_velocity(unit: Unit) -> bool {
-    let [metre, second] = [Base::Metre, Base::Second].map(|base| unit.doubled[base as usize]);
-    (metre, second) == (2, -2)
 }

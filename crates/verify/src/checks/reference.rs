@@ -1,6 +1,7 @@
 //! Compares derivatives and observation with the reference implementation and with the model's vector expressions (its
 //! vector tree).
 
+use super::bounded::{compare_observation, compare_rates};
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample;
@@ -35,40 +36,31 @@ pub fn reference(subject: &Subject<'_>, options: &Options) -> Row {
         let point = subject.without_extras(sample::point(model, &mut random));
         let lifted = point.lift::<ErrorBound>();
         let got = subject.flight_rates(&point);
-        for (i, expected) in reference.derivatives(&lifted).into_iter().enumerate() {
-            if added.contains(&i) {
-                continue;
+        let mut errors = |error: f64, name: String| {
+            if error > TOLERANCE && !refused.contains(&name) {
+                refused.push(name.clone());
             }
-            let error = got
-                .get(i)
-                .map_or(f64::INFINITY, |&v| expected.relative_error(v));
-            let name = format!("der({})", model.states[i].name);
-            note(&mut worst, &mut refused, error, name);
-        }
-        if let Some(seen) = subject.equations.observation(&point) {
-            for (expected, got) in reference.observation(&lifted).iter().zip(seen.iter()) {
-                note(
-                    &mut worst,
-                    &mut refused,
-                    expected.relative_error(*got),
-                    String::from("the observation"),
-                );
-            }
+            worst.update(error, || name);
+        };
+        let expected = reference.derivatives(&lifted);
+        compare_rates(model, &expected, &got, &added, &mut errors);
+        if let Some(observed) = subject.equations.observation(&point) {
+            compare_observation(&reference.observation(&lifted), &observed, &mut errors);
         }
     }
     let row = Row::judged(REFERENCE, options.cases, &worst, TOLERANCE);
     if refused.is_empty() {
         let still =
             (!reference.has_wind()).then_some("in still air: the model has no input `wind`");
-        let row = still.map_or(row.clone(), |words| row.saying(words));
+        let row = still.map_or(row.clone(), |words| row.with_detail(words));
         return match uncovered(subject, reference, options) {
             None => row,
             // Whatever the author's coefficients are, the loads of a body are checked by the balance of its momentum.
-            Some(lines) if model.body.is_some() => row.remarking(lines.join("\n")),
+            Some(lines) if model.body.is_some() => row.with_remark(lines.join("\n")),
             Some(lines) => Row::unverified(REFERENCE, lines.join("\n")),
         };
     }
-    row.saying(format!(
+    row.with_detail(format!(
         "differ from the reference implementation: {}",
         refused.join(", ")
     ))
@@ -125,13 +117,6 @@ fn uncovered(
     Some(lines.collect())
 }
 
-fn note(worst: &mut Worst, refused: &mut Vec<String>, error: f64, name: String) {
-    if error > TOLERANCE && !refused.contains(&name) {
-        refused.push(name.clone());
-    }
-    worst.see(error, || name);
-}
-
 /// Compares state derivatives and observation of the equations under test with those of the reference simulator (crate
 /// `oracle`). The simulator computes them from the vector expressions of the model (its vector tree). All coefficients
 /// have random nonzero values.
@@ -148,22 +133,11 @@ pub fn tree(subject: &Subject<'_>, options: &Options) -> Row {
             Err(why) => return Row::unverified(TREE, why.to_string()),
         };
         let got = subject.equations.rates(&point);
-        for (i, expected) in expected.into_iter().enumerate() {
-            let error = got
-                .get(i)
-                .map_or(f64::INFINITY, |&v| expected.relative_error(v));
-            worst.see(error, || format!("der({})", model.states[i].name));
-        }
-        let seen = subject
-            .equations
-            .observation(&point)
-            .zip(model.observation.as_ref());
-        if let Some((got, expression)) = seen {
-            for (expected, got) in tree.vector(&expression.value).iter().zip(got.iter()) {
-                worst.see(expected.relative_error(*got), || {
-                    String::from("the observation")
-                });
-            }
+        let mut errors = |error, name| worst.update(error, || name);
+        compare_rates(model, &expected, &got, &[], &mut errors);
+        let observed = subject.equations.observation(&point);
+        if let Some((observed, stated)) = observed.zip(model.observation.as_ref()) {
+            compare_observation(&tree.vector(&stated.value), &observed, &mut errors);
         }
     }
     Row::judged(TREE, options.cases, &worst, TOLERANCE)

@@ -2,12 +2,9 @@
 
 use super::backends::{Run, function_at};
 use crate::row::Row;
-use crate::sample::is_valid;
+use crate::sample::{is_valid, is_velocity};
 use codegen::Compiled;
-use model_spec::diagnostic::Span;
 use model_spec::model::{FrameKind, Model};
-use model_spec::syntax::ast::ItemKind;
-use model_spec::unit::{Base, Unit};
 use oracle::{Point, Tree};
 use std::f64::consts::FRAC_PI_2;
 
@@ -36,7 +33,10 @@ pub fn check(points: &[(String, Point<f64>)], compiled: &Compiled, runs: &[Run])
 /// those that the language adds.
 pub fn points(model: &Model) -> Vec<(String, Point<f64>)> {
     let base = moving(model);
-    let velocities = by_unit(model, |metre, second, _| (metre, second) == (2, -2));
+    let states = 0..model.states.len();
+    let velocities: Vec<usize> = states
+        .filter(|&state| is_velocity(model.states[state].unit))
+        .collect();
     let mut out = vec![
         (
             String::from("every state at its default"),
@@ -73,7 +73,7 @@ pub fn points(model: &Model) -> Vec<(String, Point<f64>)> {
     out.retain(|(_, point)| is_valid(model, point));
     // At singular attitudes of the coordinates the results must be finite too, so only limits stated in the model
     // exclude them.
-    let first_attitude = out.len();
+    let mut attitudes = Vec::new();
     for frame in &model.frames {
         let FrameKind::Turned { angle, .. } = frame.kind else {
             continue;
@@ -84,28 +84,20 @@ pub fn points(model: &Model) -> Vec<(String, Point<f64>)> {
             ("at minus", -FRAC_PI_2),
         ] {
             let name = &model.states[angle].name;
-            out.push((
-                format!("{name} {how} a right angle"),
-                with(&base, [angle], value),
-            ));
+            let point = with(&base, [angle], value);
+            attitudes.push((format!("{name} {how} a right angle"), point));
         }
     }
-    let mut index = 0;
-    out.retain(|(_, point)| {
-        index += 1;
-        index <= first_attitude || is_within_stated(model, point)
-    });
+    attitudes.retain(|(_, point)| is_within_stated(model, point));
+    out.extend(attitudes);
     out
 }
 
 /// Whether a point is within every validity limit that is written in the model file, as opposed to limits that the
 /// language adds.
 fn is_within_stated(model: &Model, point: &Point<f64>) -> bool {
-    let items = model.tree.items.iter();
-    let stated = items.filter(|item| matches!(item.kind, ItemKind::Limit(_)));
-    let spans: Vec<Span> = stated.map(|item| item.span).collect();
     let tree = Tree::new(model, point);
-    let mut limits = model.limits.iter().filter(|l| spans.contains(&l.span));
+    let mut limits = model.limits.iter().filter(|l| !model.is_automatic(l));
     limits.all(|limit| tree.scalar(&limit.value) > limit.bound)
 }
 
@@ -123,18 +115,4 @@ fn with(point: &Point<f64>, states: impl IntoIterator<Item = usize>, value: f64)
         point.states[state] = value;
     }
     point
-}
-
-fn by_unit(model: &Model, is: impl Fn(i8, i8, i8) -> bool) -> Vec<usize> {
-    let exponent = |unit: Unit, base: Base| unit.doubled[base as usize];
-    let fits = |unit| {
-        is(
-            exponent(unit, Base::Metre),
-            exponent(unit, Base::Second),
-            exponent(unit, Base::Radian),
-        )
-    };
-    (0..model.states.len())
-        .filter(|&i| fits(model.states[i].unit))
-        .collect()
 }

@@ -140,9 +140,7 @@ const POINTS: usize = 64;
 /// a disturbance of the machine affects both.
 pub fn time(old: &Everything<'_>, new: &Everything<'_>, pairing: &Pairing) -> Time {
     let mut random = Random::new(0, "time");
-    let here: Vec<_> = (0..POINTS)
-        .map(|_| sample::point(old.model, &mut random))
-        .collect();
+    let here = sample::points(old.model, POINTS, &mut random);
     let there = here
         .iter()
         .map(|point| pairing.carry(point, &sample::point(new.model, &mut random)))

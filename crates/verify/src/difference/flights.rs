@@ -2,10 +2,11 @@
 
 use super::pairing::Pairing;
 use super::values::Everything;
+use crate::integration;
 use crate::random::Random;
 use crate::sample::{self, is_valid};
 use flight::release::{self, Vocabulary};
-use ode::Method;
+use ode::IntegrationOptions;
 use oracle::{Chart, Point};
 use serde::Serialize;
 
@@ -18,7 +19,7 @@ const SPREAD: f64 = 0.2;
 const TOLERANCE: f64 = 1e-10;
 
 /// Difference between the flights of two models that start from the same release (initial state).
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct FlightShift {
     /// Name of the release (initial state of the flights): that of a built-in release, or `random 1` and so on.
     pub release: String,
@@ -113,27 +114,19 @@ fn shift(
     seconds: f64,
 ) -> FlightShift {
     // Values stated in a model file are not carried over to the other model; values set by the release are.
+    let parameters = pairing.parameters.iter().enumerate().map(|(k, from)| {
+        let is_input = k >= new.model.params.len() + new.model.coefficients.len();
+        from.filter(|from| is_input || set.contains(from))
+    });
     let of_release = Pairing {
         states: pairing.states.clone(),
-        parameters: pairing
-            .parameters
-            .iter()
-            .enumerate()
-            .map(|(k, from)| {
-                let is_input = k >= new.model.params.len() + new.model.coefficients.len();
-                from.filter(|from| is_input || set.contains(from))
-            })
-            .collect(),
+        parameters: parameters.collect(),
     };
     let there = of_release.carry(here, &Point::defaults(new.model));
     let mut out = FlightShift {
         release,
         seconds,
-        distance_m: None,
-        state: String::new(),
-        old: 0.0,
-        new: 0.0,
-        failed: None,
+        ..FlightShift::default()
     };
     let (a, b) = match (fly(old, here, seconds), fly(new, &there, seconds)) {
         (Ok(a), Ok(b)) => (a, b),
@@ -146,15 +139,11 @@ fn shift(
             return out;
         }
     };
-    out.distance_m = place(old, &a, here)
-        .zip(place(new, &b, &there))
-        .map(|(p, q)| {
-            p.iter()
-                .zip(&q)
-                .map(|(p, q)| (p - q).powi(2))
-                .sum::<f64>()
-                .sqrt()
-        });
+    let ends = position(old, &a, here).zip(position(new, &b, &there));
+    out.distance_m = ends.map(|(p, q)| {
+        let squares = p.iter().zip(&q).map(|(p, q)| (p - q).powi(2));
+        squares.sum::<f64>().sqrt()
+    });
     let mut worst = -1.0;
     for (k, from) in pairing.states.iter().enumerate() {
         let Some(from) = *from else { continue };
@@ -172,7 +161,7 @@ fn shift(
 /// Position, m, at the end of a flight with the final states `states`: that of the body if the model has a body,
 /// otherwise the observed position, with all other values from `point`. `None` if the model has neither a body nor an
 /// observation.
-fn place(model: &Everything<'_>, states: &[f64], point: &Point<f64>) -> Option<Vec<f64>> {
+fn position(model: &Everything<'_>, states: &[f64], point: &Point<f64>) -> Option<Vec<f64>> {
     if let Some(chart) = Chart::declared(model.model) {
         return Some(chart.physical(states).position.iter().copied().collect());
     }
@@ -184,31 +173,15 @@ fn place(model: &Everything<'_>, states: &[f64], point: &Point<f64>) -> Option<V
 }
 
 fn fly(model: &Everything<'_>, from: &Point<f64>, seconds: f64) -> Result<Vec<f64>, String> {
-    let mut at = from.clone();
-    let count = from.states.len();
-    let mut moving = ode::rhs_from_fn(&[], |t, x: &Vec<f64>, dx: &mut Vec<f64>| {
-        at.time = t;
-        at.states.copy_from_slice(x);
-        dx.copy_from_slice(&model.numbers(&at)[..count]);
-    });
-    let options = ode::IntegrationOptions {
-        method: Method::Dop853,
-        ..ode::IntegrationOptions::with_tolerance(TOLERANCE)
+    let rates = |at: &Point<f64>| {
+        let mut all = model.numbers(at);
+        all.truncate(from.states.len());
+        all
     };
-    ode::integrate_to_end(
-        &mut moving,
-        (0.0, &from.states.clone()),
-        seconds,
-        &options,
-        &mut [],
-    )
-    .map(|end| end.state)
-    .map_err(|fault| {
-        fault
-            .to_string()
-            .lines()
-            .next()
-            .unwrap_or_default()
-            .to_owned()
+    let options = IntegrationOptions::with_tolerance(TOLERANCE);
+    let end = integration::fly(&rates, from, seconds, &options);
+    end.map(|end| end.states).map_err(|fault| {
+        let text = fault.to_string();
+        text.lines().next().unwrap_or_default().to_owned()
     })
 }

@@ -4,7 +4,7 @@
 
 use super::pairing::Pairing;
 use super::values::Everything;
-use crate::checks::exact::Spot;
+use crate::checks::exact::FieldPoint;
 use crate::field::literal;
 use crate::random::Random;
 use crate::{TOLERANCE, sample};
@@ -20,7 +20,7 @@ const POINTS: usize = 4;
 const MAX_TRIALS: usize = 4096;
 /// Lower bound, in SI units, of the magnitude by which the difference of two auxiliary variables or loads is divided.
 /// Because of this bound, values that are 0 except for rounding count as equal.
-const FLOOR: f64 = 1e-6;
+const MIN_MAGNITUDE: f64 = 1e-6;
 /// Number of random points of the floating-point comparison.
 const NUMBERS: usize = 24;
 
@@ -44,6 +44,13 @@ pub struct Compared {
     pub sameness: Sameness,
     /// Maximum difference between the two outputs at random points, relative to the sum of the magnitudes of the terms.
     pub error: f64,
+}
+
+impl Compared {
+    /// Whether the outputs are different functions.
+    pub fn is_changed(self) -> bool {
+        self.sameness == Sameness::Changed
+    }
 }
 
 /// Compares pairs of outputs (index in the old model, index in the new model) as functions of the states and
@@ -89,7 +96,7 @@ fn exactly(
         if !(0..pairs.len()).any(open) {
             break;
         }
-        let (here, there) = spots(old.model, new.model, pairing, stated, &mut random);
+        let (here, there) = field_points(old.model, new.model, pairing, stated, &mut random);
         let (a, b) = (old.exact(&here), new.exact(&there));
         for (k, &(i, j)) in pairs.iter().enumerate() {
             match (a[i], b[j]) {
@@ -110,15 +117,15 @@ fn exactly(
 
 /// Draws a random field point for each of the two models. Paired states and parameters have equal values; if `stated`,
 /// unpaired parameters have the default values of their model.
-fn spots(
+fn field_points(
     old: &Model,
     new: &Model,
     pairing: &Pairing,
     stated: bool,
     random: &mut Random,
-) -> (Spot, Spot) {
-    let mut here = Spot::random(old, random);
-    let mut there = Spot::random(new, random);
+) -> (FieldPoint, FieldPoint) {
+    let mut here = FieldPoint::random(old, random);
+    let mut there = FieldPoint::random(new, random);
     if stated {
         let defaults = Point::defaults(old).map(literal);
         here.point = unpaired_at(&here.point, &defaults, |k| {
@@ -188,8 +195,8 @@ fn in_numbers(
 
 /// Lower bound of the divisor that makes a difference of output `k` relative. For a state derivative or component of
 /// the observation: `sizes[k]`, the sum of the magnitudes of its terms. For an auxiliary variable or load: the maximum
-/// absolute value of its components, or [`FLOOR`] if that is larger. For a validity limit: 0, so that its value alone
-/// determines the divisor.
+/// absolute value of its components, or [`MIN_MAGNITUDE`] if that is larger. For a validity limit: 0, so that its value
+/// alone determines the divisor.
 fn size(model: &Everything<'_>, sizes: &[f64], values: &[f64], k: usize) -> f64 {
     if let Some(size) = sizes.get(k) {
         return *size;
@@ -197,7 +204,7 @@ fn size(model: &Everything<'_>, sizes: &[f64], values: &[f64], k: usize) -> f64 
     let named = model.named.iter().find(|named| named.outputs.contains(&k));
     named.map_or(0.0, |named| {
         let parts = values[named.outputs.clone()].iter();
-        parts.fold(FLOOR, |most, v| most.max(v.abs()))
+        parts.fold(MIN_MAGNITUDE, |most, v| most.max(v.abs()))
     })
 }
 

@@ -1,6 +1,6 @@
 //! Formats a comparison of two models as Markdown, for example for a pull request.
 
-use super::Difference;
+use super::{Difference, Sameness};
 use std::fmt::Write;
 
 impl Difference {
@@ -21,7 +21,7 @@ impl Difference {
             let (name, says) = (&row.row, cell(&row.sentence()));
             let _ = writeln!(out, "| `{name}` | {says} | {} |", causes.join("<br>"));
         }
-        let same = self.same_rows();
+        let same = self.rows_that_are(Sameness::Same);
         if !same.is_empty() {
             let rows: Vec<String> = same.iter().map(|row| format!("`{row}`")).collect();
             let _ = writeln!(out, "\nExactly the same function: {}", rows.join(", "));

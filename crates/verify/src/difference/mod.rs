@@ -63,7 +63,7 @@ impl Default for DifferenceOptions {
 
 /// Comparison of one row, that is, one scalar function of the models: a state derivative, a component of the
 /// observation, or a validity limit.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct RowChange {
     /// Name in the new model, or in the old model if the row was removed: `der(u)`, `observation x`, `limit 1`.
     pub row: String,
@@ -160,9 +160,9 @@ pub fn compare(old: &Model, new: &Model, options: &DifferenceOptions) -> Differe
     let names = renamed(&a, &b, &pairing);
     let of_row = |old: usize, new: usize| {
         let at = pairs.iter().position(|&pair| pair == (old, new));
-        at.map(|at| compared[at].sameness != Sameness::Changed)
+        at.map(|at| !compared[at].is_changed())
     };
-    let all_same = compared.iter().all(|c| c.sameness != Sameness::Changed);
+    let all_same = !compared.iter().any(|c| c.is_changed());
     let same = |was: &Key, is: &Key| match was.0 {
         "let" | "force" | "moment" => same_named(&a, &b, &pairing, was, is),
         "der" => {
@@ -178,13 +178,15 @@ pub fn compare(old: &Model, new: &Model, options: &DifferenceOptions) -> Differe
     let reach_a = Reach::of_file(&old.tree, &rows::kinds(old, &names_a));
     let reach_b = Reach::of_file(&new.tree, &rows::kinds(new, &names_b));
     let reached = [&reach_a, &reach_b];
-    let found = Found {
-        names: [&names_a, &names_b],
-        pairs: &pairs,
-        compared: &compared,
-        stated: &stated,
-    };
-    let rows = row_changes(&found, &statements, reached);
+    let results = pairs.iter().zip(compared.iter().zip(&stated));
+    let results = results.map(|(&(old, new), (&compared, stated))| ComparedRow {
+        old,
+        new,
+        compared,
+        is_same_at_stated_values: !stated.is_changed(),
+    });
+    let results: Vec<ComparedRow> = results.collect();
+    let rows = row_changes([&names_a, &names_b], &results, &statements, reached);
     let (cost, flights) = match options.consequences {
         true => (
             Some(cost::cost(&a, &b, &pairing)),
@@ -229,52 +231,54 @@ fn row_pairs(a: &Everything<'_>, b: &Everything<'_>, pairing: &Pairing) -> Vec<(
     pairs
 }
 
-/// Comparison of the rows (state derivatives, components of the observation, validity limits) of two models. `names`
-/// are the names of the rows of the old and of the new model, `pairs` the indices (old, new) of corresponding rows.
-/// `compared` and `stated` are the results for each pair: in `compared`, parameters that only one model has are random;
-/// in `stated`, they have their default values.
-struct Found<'a> {
-    names: [&'a [String]; 2],
-    pairs: &'a [(usize, usize)],
-    compared: &'a [Compared],
-    stated: &'a [Compared],
+/// Comparison of a row (state derivative, component of the observation or validity limit) that both models have.
+struct ComparedRow {
+    /// Index of the row in the old model.
+    old: usize,
+    /// Index of the row in the new model.
+    new: usize,
+    /// Result of the comparison; parameters that only one model has are random.
+    compared: Compared,
+    /// Whether the rows are the same function if parameters that only one model has have their default values.
+    is_same_at_stated_values: bool,
 }
 
-fn row_changes(found: &Found<'_>, statements: &[Statement], reach: [&Reach; 2]) -> Vec<RowChange> {
+/// Changes of the rows of the new model, followed by the rows that only the old model has. `names` are the names of the
+/// rows of the old and of the new model; `compared` are the rows that both have.
+fn row_changes(
+    names: [&[String]; 2],
+    compared: &[ComparedRow],
+    statements: &[Statement],
+    reach: [&Reach; 2],
+) -> Vec<RowChange> {
     let causes = |old: &str, new: &str| {
         let mut all = statements::causes(statements, reach[0], reach[1], old, new);
         all.dedup();
         all
     };
     let mut rows = Vec::new();
-    for (new, name) in found.names[1].iter().enumerate() {
-        let at = found.pairs.iter().position(|pair| pair.1 == new);
-        let compared = at.map(|at| found.compared[at]);
-        let is_changed = compared.is_none_or(|c| c.sameness == Sameness::Changed);
-        let old = at.map_or("", |at| found.names[0][found.pairs[at].0].as_str());
-        rows.push(RowChange {
+    for (new, name) in names[1].iter().enumerate() {
+        let row = compared.iter().find(|row| row.new == new);
+        let mut change = RowChange {
             row: name.clone(),
-            sameness: compared.map(|c| c.sameness),
-            added: at.is_none(),
-            error: compared.map_or(0.0, |c| c.error),
-            same_at_stated_values: at
-                .is_some_and(|at| found.stated[at].sameness != Sameness::Changed),
-            causes: if is_changed {
-                causes(old, name)
-            } else {
-                Vec::new()
-            },
-        });
+            sameness: row.map(|row| row.compared.sameness),
+            added: row.is_none(),
+            error: row.map_or(0.0, |row| row.compared.error),
+            same_at_stated_values: row.is_some_and(|row| row.is_same_at_stated_values),
+            causes: Vec::new(),
+        };
+        if change.is_changed() {
+            let old = row.map_or("", |row| names[0][row.old].as_str());
+            change.causes = causes(old, name);
+        }
+        rows.push(change);
     }
-    for (old, name) in found.names[0].iter().enumerate() {
-        if found.pairs.iter().all(|pair| pair.0 != old) {
+    for (old, name) in names[0].iter().enumerate() {
+        if compared.iter().all(|row| row.old != old) {
             rows.push(RowChange {
                 row: name.clone(),
-                sameness: None,
-                added: false,
-                error: 0.0,
-                same_at_stated_values: false,
                 causes: causes(name, ""),
+                ..RowChange::default()
             });
         }
     }

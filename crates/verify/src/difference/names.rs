@@ -22,51 +22,39 @@ impl Names {
     /// Name in the old model of the item of the given class of statements that is named `new` in the new model; returns
     /// `new` if the item was not renamed.
     pub fn old(&self, class: &'static str, new: &str) -> String {
-        let found = self.renamed.get(&(class, new.to_owned()));
-        found.map_or_else(|| new.to_owned(), Clone::clone)
+        let old = self.renamed.get(&(class, new.to_owned()));
+        old.map_or(new, String::as_str).to_owned()
     }
 
     /// Name in the old model for a word in the text of the new model; `None` if the word is not the name of a renamed
     /// item.
     fn word(&self, word: &str) -> Option<&str> {
-        let of = |word: &str| {
-            let mut entries = self.renamed.iter();
-            entries
-                .find(|((_, new), _)| new == word)
-                .map(|(_, old)| old.as_str())
-        };
-        of(word)
+        let mut entries = self.renamed.iter();
+        let entry = entries.find(|((_, new), _)| new == word);
+        entry.map(|(_, old)| old.as_str())
     }
 }
 
 /// Words of a text that may be names of the model. A word `in_F` also gives `F` (name of a frame), and a word `w_x`,
 /// `w_y` or `w_z` also gives `w` (name of an input with these components).
 pub fn words(text: &str) -> Vec<&str> {
-    let is_name = |c: char| c.is_alphanumeric() || c == '_';
     let mut out: Vec<&str> = Vec::new();
-    for word in text.split(|c| !is_name(c)).filter(|word| !word.is_empty()) {
+    for word in text.split(is_separator).filter(|word| !word.is_empty()) {
         out.push(word);
         out.extend(word.strip_prefix("in_"));
         // Components of an input are named after it.
-        out.extend(
-            ["_x", "_y", "_z"]
-                .iter()
-                .find_map(|axis| word.strip_suffix(axis)),
-        );
+        let mut axes = ["_x", "_y", "_z"].iter();
+        out.extend(axes.find_map(|axis| word.strip_suffix(axis)));
     }
     out
 }
 
 /// Replaces the new name of every renamed item in the text by its name in the old model.
 pub fn renamed_text(text: &str, names: &Names) -> String {
-    let is_name = |c: char| c.is_alphanumeric() || c == '_';
     let mut out = String::with_capacity(text.len());
-    let mut word = String::new();
-    let flush = |word: &mut String, out: &mut String| {
-        if word.is_empty() {
-            return;
-        }
-        let frame = word.strip_prefix("in_").and_then(|w| names.word(w));
+    for part in text.split_inclusive(is_separator) {
+        let word = part.trim_end_matches(is_separator);
+        let frame = word.strip_prefix("in_").and_then(|frame| names.word(frame));
         match (names.word(word), frame) {
             (Some(old), _) => out.push_str(old),
             (None, Some(old)) => {
@@ -75,18 +63,14 @@ pub fn renamed_text(text: &str, names: &Names) -> String {
             }
             (None, None) => out.push_str(word),
         }
-        word.clear();
-    };
-    for c in text.chars() {
-        if is_name(c) {
-            word.push(c);
-        } else {
-            flush(&mut word, &mut out);
-            out.push(c);
-        }
+        out.push_str(&part[word.len()..]);
     }
-    flush(&mut word, &mut out);
     out
+}
+
+/// Whether a character cannot be part of a name.
+fn is_separator(c: char) -> bool {
+    !c.is_alphanumeric() && c != '_'
 }
 
 /// Terms, with signs, in which two sums differ: first those only in `old`, then those only in `new`. Names are those of
@@ -95,10 +79,8 @@ pub fn renamed_text(text: &str, names: &Names) -> String {
 pub fn differing_terms(old: &Expr, new: &Expr, names: &Names) -> (Vec<String>, Vec<String>) {
     let (before, after) = (terms(old), terms(new));
     let olds: Vec<String> = before.iter().map(Term::to_string).collect();
-    let news: Vec<String> = after
-        .iter()
-        .map(|term| renamed_text(&term.to_string(), names))
-        .collect();
+    let renamed = |term: &Term| renamed_text(&term.to_string(), names);
+    let news: Vec<String> = after.iter().map(renamed).collect();
     let (gone, come) = (without(&olds, &news), without(&news, &olds));
     if let ([i], [j]) = (&gone[..], &come[..])
         && before[*i].negative == after[*j].negative
@@ -135,28 +117,24 @@ fn one_part<'a>(old: &'a Expr, new: &'a Expr, names: &Names) -> Option<(&'a Expr
     old.children(&mut |child| olds.push(child));
     new.children(&mut |child| news.push(child));
     let differ = |(a, b): &(&Expr, &Expr)| a.to_string() != renamed_text(&b.to_string(), names);
-    let mut parts = olds
-        .iter()
-        .copied()
-        .zip(news.iter().copied())
-        .filter(differ);
+    let is_equal_count = olds.len() == news.len();
+    let mut parts = olds.into_iter().zip(news).filter(differ);
     let first = parts.next()?;
-    (parts.next().is_none() && olds.len() == news.len()).then_some(first)
+    (parts.next().is_none() && is_equal_count).then_some(first)
 }
 
 /// Multiset difference: indices of the elements of `list` that remain after one equal element is removed for each
 /// element of `other`.
 fn without(list: &[String], other: &[String]) -> Vec<usize> {
     let mut left = other.to_vec();
-    let is_missing = |term: &String| match left.iter().position(|o| o == term) {
-        Some(at) => {
-            left.swap_remove(at);
-            false
+    let mut missing = Vec::new();
+    for (k, term) in list.iter().enumerate() {
+        match left.iter().position(|o| o == term) {
+            Some(at) => drop(left.swap_remove(at)),
+            None => missing.push(k),
         }
-        None => true,
-    };
-    let missing: Vec<bool> = list.iter().map(is_missing).collect();
-    (0..list.len()).filter(|&k| missing[k]).collect()
+    }
+    missing
 }
 
 /// A term of a sum, with its sign.

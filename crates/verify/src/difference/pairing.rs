@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 /// Number of random points at which the influence of an unpaired state or parameter on the equations is measured.
 const POINTS: usize = 3;
 /// Maximum relative difference of two values that count as equal in the pairing.
-const CLOSE: f64 = 1e-7;
+const PAIRING_TOLERANCE: f64 = 1e-7;
 
 /// For every state and parameter of the new model, the corresponding one of the old model.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -75,26 +75,20 @@ impl Pairing {
     /// States and parameters whose names changed.
     pub fn renamed(&self, old: &Everything<'_>, new: &Everything<'_>) -> Vec<Renamed> {
         let (a, b) = (&old.code.layout, &new.code.layout);
-        let states = self
-            .states
-            .iter()
-            .enumerate()
-            .map(|(i, o)| (o.map(|o| &a.states[o]), &b.states[i]));
-        let parameters = self
-            .parameters
-            .iter()
-            .enumerate()
-            .map(|(i, o)| (o.map(|o| &a.parameters[o]), &b.parameters[i]));
-        states
-            .chain(parameters)
-            .filter_map(|(from, to)| {
-                let from = from.filter(|from| *from != to)?.clone();
-                Some(Renamed {
-                    from,
+        let mut out = Vec::new();
+        for (pairs, old_names, new_names) in [
+            (&self.states, &a.states, &b.states),
+            (&self.parameters, &a.parameters, &b.parameters),
+        ] {
+            for (from, to) in pairs.iter().zip(new_names) {
+                let from = from.map(|from| &old_names[from]).filter(|from| *from != to);
+                out.extend(from.map(|from| Renamed {
+                    from: from.clone(),
                     to: to.clone(),
-                })
-            })
-            .collect()
+                }));
+            }
+        }
+        out
     }
 
     /// Returns the point `there` of the new model with the values of all paired states and parameters, the time and the
@@ -128,7 +122,7 @@ impl Pairing {
     /// Pairs the states and parameters that have no counterpart yet with those of the same kind and unit in the other
     /// model. Pairs with the most similar influence on the equations are formed first, see [`Effects::conflicts`].
     fn by_effect(&mut self, old: &Everything<'_>, new: &Everything<'_>) {
-        let (olds, news) = self.open(old.model, new.model);
+        let (olds, news) = self.unpaired(old.model, new.model);
         if olds.is_empty() || news.is_empty() {
             return;
         }
@@ -168,7 +162,7 @@ impl Pairing {
     }
 
     /// Lists the symbols (states and parameters) of the old model, and those of the new model, that are not paired yet.
-    fn open(&self, old: &Model, new: &Model) -> (Vec<Symbol>, Vec<Symbol>) {
+    fn unpaired(&self, old: &Model, new: &Model) -> (Vec<Symbol>, Vec<Symbol>) {
         let states = (0..old.states.len()).filter(|&i| self.new_state(i).is_none());
         let count = Point::defaults(old).parameters().len();
         let rest = (0..count).filter(|&i| self.new_parameter(i).is_none());
@@ -323,5 +317,5 @@ impl Effects {
 }
 
 fn is_close(a: f64, b: f64) -> bool {
-    (a - b).abs() <= CLOSE * (a.abs() + b.abs()) + 1e-12 || (a.is_nan() && b.is_nan())
+    (a - b).abs() <= PAIRING_TOLERANCE * (a.abs() + b.abs()) + 1e-12 || (a.is_nan() && b.is_nan())
 }

@@ -1,6 +1,6 @@
 //! Maps names of the new model to those of the old model by comparing the computed functions.
 
-use super::function::{self, Sameness};
+use super::function;
 use super::names::{self, Names};
 use super::pairing::{Pairing, Renamed};
 use super::statements::{self, Key};
@@ -46,7 +46,7 @@ fn same_outputs(
     }
     let pairs: Vec<(usize, usize)> = old.zip(new).collect();
     let compared = function::compare(a, b, pairing, &pairs, false);
-    compared.iter().all(|c| c.sameness != Sameness::Changed)
+    !compared.iter().any(|c| c.is_changed())
 }
 
 /// Names of the items that are renamed in the new model `b`, with their names in the old model `a`. States, constants

@@ -72,15 +72,9 @@ pub fn compare(old: &File, new: &File, names: &Names, same: &IsSame<'_>) -> Vec<
         let text = item.kind.to_string();
         let Some(old_item) = old_item else {
             out.push(Statement {
-                change: Change::Added,
-                what: title(key),
-                was: None,
-                old: None,
                 new: Some(text),
-                terms_removed: Vec::new(),
-                terms_added: Vec::new(),
                 key_new: Some(key.clone()),
-                key_old: None,
+                ..Statement::new(Change::Added, key)
             });
             continue;
         };
@@ -103,8 +97,6 @@ pub fn compare(old: &File, new: &File, names: &Names, same: &IsSame<'_>) -> Vec<
             _ => Default::default(),
         };
         out.push(Statement {
-            change,
-            what: title(key),
             was: (was != *key).then(|| title(&was)),
             old: Some(old_text),
             new: Some(text),
@@ -112,19 +104,14 @@ pub fn compare(old: &File, new: &File, names: &Names, same: &IsSame<'_>) -> Vec<
             terms_added,
             key_new: Some(key.clone()),
             key_old: Some(was),
+            ..Statement::new(change, key)
         });
     }
     for (key, item) in olds.iter().filter(|(key, _)| !kept.contains(key)) {
         out.push(Statement {
-            change: Change::Removed,
-            what: title(key),
-            was: None,
             old: Some(item.kind.to_string()),
-            new: None,
-            terms_removed: Vec::new(),
-            terms_added: Vec::new(),
-            key_new: None,
             key_old: Some(key.clone()),
+            ..Statement::new(Change::Removed, key)
         });
     }
     out
@@ -152,6 +139,21 @@ pub fn causes(
 }
 
 impl Statement {
+    /// Creates the description of a change of the statement `key`, without texts, terms and keys.
+    fn new(change: Change, key: &Key) -> Self {
+        Self {
+            change,
+            what: title(key),
+            was: None,
+            old: None,
+            new: None,
+            terms_removed: Vec::new(),
+            terms_added: Vec::new(),
+            key_new: None,
+            key_old: None,
+        }
+    }
+
     /// Describes the statement as the cause of a difference between the models: class, name and differing terms.
     fn cause(&self) -> String {
         match self.change {
@@ -163,18 +165,10 @@ impl Statement {
             _ => {
                 let list = |terms: &[String]| match terms {
                     [] => String::from("nothing"),
-                    _ => terms
-                        .iter()
-                        .map(|t| format!("`{t}`"))
-                        .collect::<Vec<_>>()
-                        .join(", "),
+                    _ => format!("`{}`", terms.join("`, `")),
                 };
-                format!(
-                    "{}: {} instead of {}",
-                    self.what,
-                    list(&self.terms_added),
-                    list(&self.terms_removed)
-                )
+                let (added, removed) = (list(&self.terms_added), list(&self.terms_removed));
+                format!("{}: {added} instead of {removed}", self.what)
             }
         }
     }
@@ -224,13 +218,8 @@ pub fn keyed(file: &File) -> Vec<(Key, &Item)> {
 /// such as a declaration.
 pub fn value(item: &Item) -> Option<&Expr> {
     match &item.kind {
-        ItemKind::Let(l) => Some(&l.value),
-        ItemKind::Load(l) => Some(&l.value),
-        ItemKind::Equation(e) => Some(&e.value),
-        ItemKind::Observe(o) => Some(&o.value),
-        ItemKind::Clock(value) => Some(value),
         ItemKind::Limit(l) => Some(&l.value),
-        _ => None,
+        other => other.value(),
     }
 }
 
@@ -259,20 +248,16 @@ impl Reach {
             let mut found: BTreeSet<Key> = words.iter().flat_map(|w| by_name(w)).collect();
             found.remove(key);
             // Only `der(…)` refers to the equation of a state; the name of the state does not.
+            let mut used = BTreeSet::new();
             if let Some(value) = value(item) {
-                let mut used = BTreeSet::new();
                 derivatives(value, &mut used);
-                found.retain(|k| k.0 != "der" || used.contains(&k.1));
-            } else {
-                found.retain(|k| k.0 != "der");
             }
+            found.retain(|k| k.0 != "der" || used.contains(&k.1));
             uses.insert(key.clone(), found);
         }
         let of = |classes: &[&str]| -> BTreeSet<Key> {
-            let keys = items.iter().map(|(key, _)| key);
-            keys.filter(|key| classes.contains(&key.0))
-                .cloned()
-                .collect()
+            let keys = items.iter().map(|(key, _)| key.clone());
+            keys.filter(|key| classes.contains(&key.0)).collect()
         };
         let roots = rows.iter().map(|(row, kind)| {
             use super::rows::RowKind as K;

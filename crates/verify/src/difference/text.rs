@@ -9,7 +9,7 @@ impl Difference {
     pub fn sentence(&self) -> String {
         let changed = self.changed_rows();
         if changed.is_empty() {
-            let open = self.not_decided();
+            let open = self.rows_that_are(Sameness::Agrees);
             let mut text = String::from("the same function");
             if !open.is_empty() {
                 let _ = write!(
@@ -23,20 +23,10 @@ impl Difference {
         format!("another function: {}", changed.join(", "))
     }
 
-    /// Names of the rows (such as state derivatives) that agree in floating-point numbers, but whose equality could not
-    /// be proved in exact arithmetic.
-    fn not_decided(&self) -> Vec<&str> {
+    /// Names of the rows (such as state derivatives) whose comparison has the given result.
+    pub(super) fn rows_that_are(&self, sameness: Sameness) -> Vec<&str> {
         let rows = self.rows.iter();
-        rows.filter(|row| row.sameness == Some(Sameness::Agrees))
-            .map(|row| row.row.as_str())
-            .collect()
-    }
-
-    /// Names of the rows (such as state derivatives) that are the same function in both models, as proved in exact
-    /// arithmetic.
-    pub(super) fn same_rows(&self) -> Vec<&str> {
-        let rows = self.rows.iter();
-        rows.filter(|row| row.sameness == Some(Sameness::Same))
+        rows.filter(|row| row.sameness == Some(sameness))
             .map(|row| row.row.as_str())
             .collect()
     }
@@ -59,7 +49,7 @@ impl Difference {
                 let _ = writeln!(out, "      by {cause}");
             }
         }
-        let same = self.same_rows();
+        let same = self.rows_that_are(Sameness::Same);
         if !same.is_empty() {
             let _ = writeln!(out, "\nexactly the same function: {}", same.join(", "));
         }

@@ -1,7 +1,7 @@
 //! Evaluates every value of a model, in floating-point numbers and in the prime field: derivatives, observation,
 //! limits, named quantities, loads.
 
-use crate::checks::exact::Spot;
+use crate::checks::exact::FieldPoint;
 use crate::field::Machine;
 use crate::values::evaluated;
 use codegen::EveryValue;
@@ -40,7 +40,6 @@ impl<'a> Everything<'a> {
     pub fn of(model: &'a Model) -> Self {
         let mut extended = model.clone();
         let mut sources: Vec<(&'static str, String, usize)> = Vec::new();
-        let own = model.aux_variables.len();
         for (index, quantity) in model.aux_variables.iter().enumerate() {
             let place = match quantity.value.shape {
                 Shape::Vector(frame) if frame != 0 => {
@@ -59,7 +58,6 @@ impl<'a> Everything<'a> {
             let place = add(&mut extended, load.value.clone());
             sources.push((class, load.name.clone(), place));
         }
-        debug_assert!(own <= extended.aux_variables.len());
         let code = codegen::compile_every_value(&extended);
         let first = code.layout.states.len() + code.observed + code.limits;
         let start = |place: usize| first + code.lets[..place].iter().sum::<usize>();
@@ -98,7 +96,7 @@ impl<'a> Everything<'a> {
 
     /// All outputs of the program `code` at a point of the prime field; `None` for a value that does not exist in the
     /// field.
-    pub fn exact(&self, spot: &Spot) -> Vec<Option<Prime>> {
+    pub fn exact(&self, spot: &FieldPoint) -> Vec<Option<Prime>> {
         Machine::new(&spot.point, &spot.circles, true).run(&self.code.program)
     }
 }
@@ -107,22 +105,16 @@ impl<'a> Everything<'a> {
 /// components in another frame is converted to inertial components, so that it can be compared.
 fn add(model: &mut Model, value: Expr) -> usize {
     let index = model.aux_variables.len();
-    let span = value.span;
     let value = match value.shape {
         Shape::Vector(frame) if frame != 0 => Expr {
             shape: Shape::Vector(0),
             unit: value.unit,
-            span,
+            span: value.span,
             kind: ExprKind::Reexpress(Box::new(value)),
         },
         _ => value,
     };
-    model.aux_variables.push(AuxVariable {
-        name: format!("compared_{index}"),
-        doc: String::new(),
-        value,
-        span,
-        effect: None,
-    });
+    let name = format!("compared_{index}");
+    model.aux_variables.push(AuxVariable::new(name, value));
     index
 }

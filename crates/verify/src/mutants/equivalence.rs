@@ -1,6 +1,6 @@
 //! Detects equivalent mutants: mutants whose compiled equations are proved equal to those of the model.
 
-use crate::checks::exact::Spot;
+use crate::checks::exact::FieldPoint;
 use crate::field::Machine;
 use crate::random::Random;
 use crate::sample;
@@ -74,7 +74,7 @@ impl<'a> Original<'a> {
         let mut random = Random::new(0, "equivalence");
         let mut good = 0;
         for _ in 0..MAX_TRIALS {
-            let spot = Spot::random(self.subject.model, &mut random);
+            let spot = FieldPoint::random(self.subject.model, &mut random);
             let machine = Machine::new(&spot.point, &spot.circles, true);
             let here = machine.run(&self.values.program);
             if here.iter().any(Option::is_none) {

@@ -60,11 +60,8 @@ impl MutationMatrix {
                 noticed: vec![0; count],
                 ..MutationRow::default()
             };
-            for (mutant, fate) in mutants
-                .iter()
-                .zip(statuses)
-                .filter(|(m, _)| m.operator == operator)
-            {
+            let own = mutants.iter().zip(statuses);
+            for (mutant, fate) in own.filter(|(m, _)| m.operator == operator) {
                 let name = || format!("{}: {}", mutant.place, mutant.change);
                 match fate {
                     MutantStatus::Equivalent(reason) => {
@@ -107,7 +104,7 @@ impl MutationMatrix {
             n => format!("; {n} not covered by the reference"),
         };
         let says = format!("{killed} of {mutants} killed; {same} more are equivalent{not_covered}");
-        Row::counted("mutants", mutants, &self.survivors, "").saying(says)
+        Row::counted("mutants", mutants, &self.survivors, "").with_detail(says)
     }
 
     /// Formats the matrix as text. A cell `first/all` contains the number of mutants for which the check is the first
@@ -125,12 +122,8 @@ impl MutationMatrix {
                 row.mutants.to_string(),
                 row.killed.to_string(),
             ];
-            cells.extend(
-                row.first
-                    .iter()
-                    .zip(&row.noticed)
-                    .map(|(first, all)| format!("{first}/{all}")),
-            );
+            let counts = row.first.iter().zip(&row.noticed);
+            cells.extend(counts.map(|(first, all)| format!("{first}/{all}")));
             table.add_row(cells);
         }
         let mut cells = vec![

@@ -11,7 +11,7 @@ pub mod status;
 
 pub use matrix::{MutationMatrix, MutationRow};
 use model_spec::model::Source;
-use model_spec::syntax::ast::{File, FrameKind, ItemKind, Name};
+use model_spec::syntax::ast::{File, FrameKind, Name};
 use names::Names;
 pub use run::run;
 
@@ -77,6 +77,16 @@ impl Operator {
     }
 }
 
+/// A mutation of a part of a model file.
+struct Mutation<T> {
+    /// Operator that produced the mutation.
+    operator: Operator,
+    /// Short description of the mutation.
+    how: String,
+    /// The mutated part.
+    to: T,
+}
+
 /// A model with one mutation.
 #[derive(Clone, Debug)]
 pub struct Mutant {
@@ -93,20 +103,14 @@ pub struct Mutant {
 /// Generates all mutants of a model file, in the order of its statements.
 pub fn mutants(file: &File, sources: &[Source]) -> Vec<Mutant> {
     let names = Names::of(file);
-    let angles: Vec<Name> = file
-        .items
-        .iter()
-        .filter_map(|item| match &item.kind {
-            ItemKind::Frame(f) => match &f.kind {
-                FrameKind::Turned { angle, .. } => Some(angle.clone()),
-                _ => None,
-            },
-            _ => None,
-        })
-        .collect();
+    let angles = file.frames().filter_map(|frame| match &frame.kind {
+        FrameKind::Turned { angle, .. } => Some(angle.clone()),
+        _ => None,
+    });
+    let angles: Vec<Name> = angles.collect();
     let mut out = Vec::new();
     for (index, item) in file.items.iter().enumerate() {
-        let place = sites::place(item);
+        let place = sites::statement_name(item);
         for change in statement::changes(item, &names, &angles) {
             let mut file = file.clone();
             match change.to {
@@ -134,10 +138,8 @@ fn expressions(
     out: &mut Vec<Mutant>,
 ) {
     let mut scratch = file.items[index].clone();
-    let sizes: Vec<usize> = sites::roots(&mut scratch)
-        .into_iter()
-        .map(sites::count)
-        .collect();
+    let roots = sites::roots(&mut scratch).into_iter();
+    let sizes: Vec<usize> = roots.map(sites::count).collect();
     for (root, size) in sizes.into_iter().enumerate() {
         for n in 0..size {
             let Some(e) = sites::nth(sites::roots(&mut scratch).swap_remove(root), n) else {

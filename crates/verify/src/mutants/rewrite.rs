@@ -1,25 +1,21 @@
 //! Generates the mutations of one expression.
 
-use super::Operator;
 use super::names::Names;
-use model_spec::syntax::ast::{BinaryOp, Expr, ExprKind, Name, Number, Quantity};
-
-/// A mutation of an expression.
-pub struct Rewrite {
-    /// Operator that produced the mutation.
-    pub operator: Operator,
-    /// Short description of the mutation.
-    pub how: String,
-    /// The mutated expression.
-    pub to: Expr,
-}
+use super::{Mutation, Operator};
+use model_spec::syntax::ast::{BinaryOp, Expr, ExprKind, Name};
 
 /// Generates all mutations of the expression `e` in the statement with index `item`. If `root` is true, `e` is a whole
 /// right-hand side and is multiplied by each of the factors 2, 0.5 and 1.1. Otherwise, if `e` is a name or number, it
 /// is multiplied by one of these factors, chosen by `serial` modulo 3.
-pub fn rewrites(e: &Expr, names: &Names, item: usize, root: bool, serial: usize) -> Vec<Rewrite> {
+pub fn rewrites(
+    e: &Expr,
+    names: &Names,
+    item: usize,
+    root: bool,
+    serial: usize,
+) -> Vec<Mutation<Expr>> {
     let mut out = Vec::new();
-    let mut push = |operator, how: String, to: Expr| out.push(Rewrite { operator, how, to });
+    let mut push = |operator, how: String, to: Expr| out.push(Mutation { operator, how, to });
     let leaf = match &e.kind {
         ExprKind::Name(name) => !names.is_frame(name),
         ExprKind::Number(_) => true,
@@ -66,10 +62,7 @@ pub fn rewrites(e: &Expr, names: &Names, item: usize, root: bool, serial: usize)
         }
         ExprKind::Components(parts, frame) => {
             for other in names.other_frames(&frame.text) {
-                let name = Name {
-                    text: other.clone(),
-                    span: frame.span,
-                };
+                let name = Name::new(other, frame.span);
                 let to = with(e, ExprKind::Components(parts.clone(), name));
                 push(Operator::Frame, format!("in {other}"), to);
             }
@@ -77,11 +70,8 @@ pub fn rewrites(e: &Expr, names: &Names, item: usize, root: bool, serial: usize)
                 let mut swapped = parts.clone();
                 swapped.swap(i, j);
                 let how = format!("components {} and {} swapped", i + 1, j + 1);
-                push(
-                    Operator::Axis,
-                    how,
-                    with(e, ExprKind::Components(swapped, frame.clone())),
-                );
+                let to = with(e, ExprKind::Components(swapped, frame.clone()));
+                push(Operator::Axis, how, to);
             }
         }
         ExprKind::Binary(op, a, b) => binary(e, *op, a, b, &mut push),
@@ -98,25 +88,20 @@ fn binary(
     push: &mut impl FnMut(Operator, String, Expr),
 ) {
     let as_op = |op| {
-        with(
-            e,
-            ExprKind::Binary(op, Box::new(a.clone()), Box::new(b.clone())),
-        )
+        let (a, b) = (Box::new(a.clone()), Box::new(b.clone()));
+        with(e, ExprKind::Binary(op, a, b))
     };
     match op {
         BinaryOp::Add | BinaryOp::Sub => {
-            let (flipped, sign) = if op == BinaryOp::Add {
-                (BinaryOp::Sub, "-")
-            } else {
-                (BinaryOp::Add, "+")
+            let (flipped, sign, second) = match op {
+                BinaryOp::Add => (BinaryOp::Sub, "-", b.clone()),
+                _ => {
+                    let negated = with(b, ExprKind::Neg(Box::new(b.clone())));
+                    (BinaryOp::Add, "+", negated)
+                }
             };
             push(Operator::Sign, format!("`{sign}` instead"), as_op(flipped));
             push(Operator::Dropped, "second term dropped".into(), a.clone());
-            let second = if op == BinaryOp::Add {
-                b.clone()
-            } else {
-                with(b, ExprKind::Neg(Box::new(b.clone())))
-            };
             push(Operator::Dropped, "first term dropped".into(), second);
         }
         BinaryOp::Mul | BinaryOp::Dot | BinaryOp::Cross => {
@@ -132,7 +117,7 @@ fn binary(
                 return;
             };
             for other in [n - 1, n + 1] {
-                let exponent = Box::new(number(b, &other.to_string()));
+                let exponent = Box::new(Expr::number(other.to_string(), b.span));
                 let to = with(e, ExprKind::Binary(op, Box::new(a.clone()), exponent));
                 push(Operator::Exponent, format!("exponent {other} for {n}"), to);
             }
@@ -148,21 +133,15 @@ fn call(
     push: &mut impl FnMut(Operator, String, Expr),
 ) {
     let renamed = |to: &str| {
-        let name = Name {
-            text: to.to_owned(),
-            span: function.span,
-        };
+        let name = Name::new(to, function.span);
         with(e, ExprKind::Call(name, arguments.to_vec()))
     };
     match (function.text.as_str(), arguments) {
         ("sin", _) => push(Operator::Function, "cos for sin".into(), renamed("cos")),
         ("cos", _) => push(Operator::Function, "sin for cos".into(), renamed("sin")),
         ("sqrt" | "unit" | "abs", [a, ..]) => {
-            push(
-                Operator::Function,
-                format!("{} left out", function.text),
-                a.clone(),
-            );
+            let how = format!("{} left out", function.text);
+            push(Operator::Function, how, a.clone());
         }
         ("cross" | "atan2" | "dot", [a, b]) => {
             let swapped = vec![b.clone(), a.clone()];
@@ -174,11 +153,8 @@ fn call(
                 return;
             };
             for other in names.other_frames(frame) {
-                push(
-                    Operator::Frame,
-                    format!("in_{other}"),
-                    renamed(&format!("in_{other}")),
-                );
+                let to = format!("in_{other}");
+                push(Operator::Frame, to.clone(), renamed(&to));
             }
         }
     }
@@ -188,28 +164,10 @@ fn with(e: &Expr, kind: ExprKind) -> Expr {
     Expr { kind, span: e.span }
 }
 
-fn number(at: &Expr, text: &str) -> Expr {
-    let number = Number {
-        text: text.to_owned(),
-        span: at.span,
-    };
-    with(
-        at,
-        ExprKind::Number(Quantity {
-            number,
-            unit: None,
-            span: at.span,
-        }),
-    )
-}
-
 fn times(e: &Expr, factor: &str) -> Expr {
+    let factor = Box::new(Expr::number(factor, e.span));
     with(
         e,
-        ExprKind::Binary(
-            BinaryOp::Mul,
-            Box::new(number(e, factor)),
-            Box::new(e.clone()),
-        ),
+        ExprKind::Binary(BinaryOp::Mul, factor, Box::new(e.clone())),
     )
 }

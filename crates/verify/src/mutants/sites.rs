@@ -6,11 +6,6 @@ use model_spec::syntax::ast::{BinaryOp, BodyPartKind, Expr, ExprKind, Item, Item
 /// not describe physics, such as validity limits and check cases.
 pub fn roots(item: &mut Item) -> Vec<&mut Expr> {
     match &mut item.kind {
-        ItemKind::Let(l) => vec![&mut l.value],
-        ItemKind::Load(l) => vec![&mut l.value],
-        ItemKind::Equation(e) => vec![&mut e.value],
-        ItemKind::Observe(o) => vec![&mut o.value],
-        ItemKind::Clock(value) => vec![value],
         ItemKind::Body(body) => {
             let of_part = body.parts.iter_mut().flat_map(|part| match &mut part.kind {
                 BodyPartKind::Mass(e) => vec![e],
@@ -19,12 +14,12 @@ pub fn roots(item: &mut Item) -> Vec<&mut Expr> {
             });
             of_part.collect()
         }
-        _ => Vec::new(),
+        other => other.value_mut().into_iter().collect(),
     }
 }
 
 /// Name of a statement, for messages.
-pub fn place(item: &Item) -> String {
+pub fn statement_name(item: &Item) -> String {
     match &item.kind {
         ItemKind::Parameter(c) => format!("declaration of {}", c.name.text),
         ItemKind::Input(i) => format!("input {}", i.name.text),

@@ -1,74 +1,43 @@
 //! Generates mutations of whole statements: units, frames, tables, loads, body.
 
-use super::Operator;
 use super::names::Names;
+use super::{Mutation, Operator};
+use model_spec::diagnostic::Span;
 use model_spec::syntax::ast::{
     BodyPartKind, FrameKind, Interpolation, Item, ItemKind, LoadClass, Name, Table, UnitExpr,
     UnitFactor,
 };
 
-/// A mutation of one statement.
-pub struct Change {
-    /// Operator that produced the mutation.
-    pub operator: Operator,
-    /// Short description of the mutation.
-    pub how: String,
-    /// The mutated statement; `None` if it is deleted.
-    pub to: Option<Item>,
-}
-
-/// Generates the mutations of a statement other than those of its expressions, such as another unit or axis. `angles`
-/// are the names that may replace a frame's angle.
-pub fn changes(item: &Item, names: &Names, angles: &[Name]) -> Vec<Change> {
+/// Generates the mutations of a statement other than those of its expressions, such as another unit or axis; a mutation
+/// to `None` deletes the statement. `angles` are the names that may replace a frame's angle.
+pub fn changes(item: &Item, names: &Names, angles: &[Name]) -> Vec<Mutation<Option<Item>>> {
     let mut out = Changes {
         item,
         list: Vec::new(),
     };
     match &item.kind {
         ItemKind::Parameter(c) => {
-            let unit = &c.value.unit;
+            let (unit, at) = (&c.value.unit, c.value.span);
             let mut set = |how: &str, unit: Option<UnitExpr>| {
-                out.push(Operator::Unit, how.to_owned(), |item| {
+                out.push(Operator::Unit, how.to_owned(), &|item| {
+                    // Bounds without a unit have the unit of the default value.
                     if let ItemKind::Parameter(c) = &mut item.kind {
-                        c.value.unit = unit;
-                        // Bounds without a unit have the unit of the default value.
+                        c.value.unit.clone_from(&unit);
                     }
                 });
             };
-            set(
-                "unit times m",
-                Some(times(unit.as_ref(), "m", c.value.span)),
-            );
-            set(
-                "unit times s",
-                Some(times(unit.as_ref(), "s", c.value.span)),
-            );
+            set("unit times m", Some(times(unit.as_ref(), "m", at)));
+            set("unit times s", Some(times(unit.as_ref(), "s", at)));
             if unit.is_some() {
                 set("unit left out", None);
             }
         }
-        ItemKind::Input(i) => {
-            for other in names.other_frames(&i.frame.text) {
-                out.push(Operator::Frame, format!("in {other}"), |item| {
-                    if let ItemKind::Input(i) = &mut item.kind {
-                        i.frame.text.clone_from(other);
-                    }
-                });
-            }
-        }
-        ItemKind::Marker(m) => {
-            for other in names.other_frames(&m.frame.text) {
-                out.push(Operator::Frame, format!("in {other}"), |item| {
-                    if let ItemKind::Marker(m) = &mut item.kind {
-                        m.frame.text.clone_from(other);
-                    }
-                });
-            }
-        }
+        ItemKind::Input(i) => frame_of_components(&mut out, &i.frame, names),
+        ItemKind::Marker(m) => frame_of_components(&mut out, &m.frame, names),
         ItemKind::Table(t) => table(&mut out, t),
         ItemKind::Frame(f) => frame(&mut out, &f.kind, names, angles),
         ItemKind::Load(l) => {
-            out.list.push(Change {
+            out.list.push(Mutation {
                 operator: Operator::Dropped,
                 how: "left out".into(),
                 to: None,
@@ -77,15 +46,12 @@ pub fn changes(item: &Item, names: &Names, angles: &[Name]) -> Vec<Change> {
                 LoadClass::Force => LoadClass::Moment,
                 LoadClass::Moment => LoadClass::Force,
             };
-            out.push(
-                Operator::Exchanged,
-                format!("{other:?} instead").to_lowercase(),
-                |item| {
-                    if let ItemKind::Load(l) = &mut item.kind {
-                        l.class = other;
-                    }
-                },
-            );
+            let how = format!("{other:?} instead").to_lowercase();
+            out.push(Operator::Exchanged, how, &|item| {
+                if let ItemKind::Load(l) = &mut item.kind {
+                    l.class = other;
+                }
+            });
         }
         ItemKind::Body(b) => {
             for (index, part) in b.parts.iter().enumerate() {
@@ -99,26 +65,33 @@ pub fn changes(item: &Item, names: &Names, angles: &[Name]) -> Vec<Change> {
 
 struct Changes<'a> {
     item: &'a Item,
-    list: Vec<Change>,
+    list: Vec<Mutation<Option<Item>>>,
 }
 
 impl Changes<'_> {
-    fn push(&mut self, operator: Operator, how: String, change: impl FnOnce(&mut Item)) {
+    fn push(&mut self, operator: Operator, how: String, change: &dyn Fn(&mut Item)) {
         let mut to = self.item.clone();
         change(&mut to);
-        self.list.push(Change {
+        self.list.push(Mutation {
             operator,
             how,
             to: Some(to),
         });
     }
+}
 
-    fn push_part(&mut self, operator: Operator, how: String, index: usize, kind: BodyPartKind) {
-        self.push(operator, how, |item| {
-            if let ItemKind::Body(b) = &mut item.kind {
-                b.parts[index].kind = kind;
-            }
-        });
+/// Adds the mutations of the frame in which an input or a marker is given by its components.
+fn frame_of_components(out: &mut Changes<'_>, frame: &Name, names: &Names) {
+    for other in names.other_frames(&frame.text) {
+        out.push(
+            Operator::Frame,
+            format!("in {other}"),
+            &|item| match &mut item.kind {
+                ItemKind::Input(i) => i.frame.text.clone_from(other),
+                ItemKind::Marker(m) => m.frame.text.clone_from(other),
+                _ => {}
+            },
+        );
     }
 }
 
@@ -126,7 +99,7 @@ impl Changes<'_> {
 /// same knots.
 fn table(out: &mut Changes<'_>, table: &Table) {
     let mut change = |operator, how: String, change: &dyn Fn(&mut Table)| {
-        out.push(operator, how, |item| {
+        out.push(operator, how, &|item| {
             if let ItemKind::Table(table) = &mut item.kind {
                 change(table);
             }
@@ -160,150 +133,96 @@ fn frame(out: &mut Changes<'_>, kind: &FrameKind, names: &Names, angles: &[Name]
     else {
         return;
     };
-    let turned = |parent: &Name, angle: &Name, axis: u8| {
+    let mut turned = |how: String, parent: &Name, angle: &Name, axis: u8| {
         let kind = FrameKind::Turned {
             parent: parent.clone(),
             angle: angle.clone(),
             axis,
         };
-        move |item: &mut Item| {
+        out.push(Operator::Turn, how, &|item| {
             if let ItemKind::Frame(f) = &mut item.kind {
-                f.kind = kind;
+                f.kind = kind.clone();
             }
-        }
+        });
     };
     for other in (1..=3).filter(|other| other != axis) {
-        out.push(
-            Operator::Turn,
-            format!("about {other} for {axis}"),
-            turned(parent, angle, other),
-        );
+        turned(format!("about {other} for {axis}"), parent, angle, other);
     }
     for other in names.other_frames(&parent.text) {
-        let name = Name {
-            text: other.clone(),
-            span: parent.span,
-        };
-        out.push(
-            Operator::Turn,
-            format!("{other} turned"),
-            turned(&name, angle, *axis),
-        );
+        let name = Name::new(other, parent.span);
+        turned(format!("{other} turned"), &name, angle, *axis);
     }
     for other in angles.iter().filter(|other| other.text != angle.text) {
-        out.push(
-            Operator::Turn,
-            format!("turned {}", other.text),
-            turned(parent, other, *axis),
-        );
+        turned(format!("turned {}", other.text), parent, other, *axis);
     }
 }
 
-fn body_part(out: &mut Changes<'_>, index: usize, kind: &BodyPartKind, names: &Names) {
-    let name = |other: &String, at: &Name| Name {
-        text: other.clone(),
-        span: at.span,
+/// Adds the mutations of the part of a body with the given index: another frame, and interchanged components.
+fn body_part(out: &mut Changes<'_>, index: usize, part: &BodyPartKind, names: &Names) {
+    let mut push = |operator, how: String, change: &dyn Fn(&mut BodyPartKind)| {
+        out.push(operator, how, &|item| {
+            if let ItemKind::Body(b) = &mut item.kind {
+                change(&mut b.parts[index].kind);
+            }
+        });
     };
-    match kind {
-        BodyPartKind::Mass(_) => {}
-        BodyPartKind::Inertia(inertia) => {
-            for other in names.other_frames(&inertia.frame.text) {
-                let mut to = inertia.clone();
-                to.frame.text.clone_from(other);
-                let how = format!("inertia in {other}");
-                out.push_part(Operator::Frame, how, index, BodyPartKind::Inertia(to));
-            }
-            for (i, j) in [(0, 1), (1, 2), (0, 2)] {
-                let mut to = inertia.clone();
-                (to.rows[i][i], to.rows[j][j]) = (to.rows[j][j].take(), to.rows[i][i].take());
-                let how = format!("moments of inertia {} and {} swapped", i + 1, j + 1);
-                out.push_part(Operator::Axis, how, index, BodyPartKind::Inertia(to));
-            }
-        }
-        BodyPartKind::Fixed(frame) => {
-            for other in names.other_frames(&frame.text) {
-                let how = format!("fixed in {other}");
-                out.push_part(
-                    Operator::Frame,
-                    how,
-                    index,
-                    BodyPartKind::Fixed(name(other, frame)),
-                );
-            }
-        }
-        BodyPartKind::AngularVelocityIn(frame) => {
-            for other in names.other_frames(&frame.text) {
-                let how = format!("angular velocity in {other}");
-                let kind = BodyPartKind::AngularVelocityIn(name(other, frame));
-                out.push_part(Operator::Frame, how, index, kind);
-            }
-        }
-        BodyPartKind::Position(states, frame) => {
-            vector(
-                out,
-                index,
-                "position",
-                states,
-                frame,
-                names,
-                BodyPartKind::Position,
-            );
-        }
-        BodyPartKind::Velocity(states, frame) => {
-            vector(
-                out,
-                index,
-                "velocity",
-                states,
-                frame,
-                names,
-                BodyPartKind::Velocity,
-            );
-        }
-        BodyPartKind::AngularVelocity(states, frame) => {
-            vector(
-                out,
-                index,
-                "angular velocity",
-                states,
-                frame,
-                names,
-                BodyPartKind::AngularVelocity,
-            );
-        }
-    }
-}
-
-fn vector(
-    out: &mut Changes<'_>,
-    index: usize,
-    what: &str,
-    states: &[Name; 3],
-    frame: &Name,
-    names: &Names,
-    kind: impl Fn([Name; 3], Name) -> BodyPartKind,
-) {
+    let mut named = part.clone();
+    let Some((what, frame)) = frame_of_part(&mut named) else {
+        return;
+    };
     for other in names.other_frames(&frame.text) {
-        let name = Name {
-            text: other.clone(),
-            span: frame.span,
-        };
-        out.push_part(
-            Operator::Frame,
-            format!("{what} in {other}"),
-            index,
-            kind(states.clone(), name),
-        );
+        push(Operator::Frame, format!("{what} in {other}"), &|part| {
+            if let Some((_, frame)) = frame_of_part(part) {
+                frame.text.clone_from(other);
+            }
+        });
     }
-    for (i, j) in [(0, 1), (1, 2)] {
-        let mut swapped = states.clone();
-        swapped.swap(i, j);
-        let how = format!("{what}: {} and {} swapped", states[i].text, states[j].text);
-        out.push_part(Operator::Axis, how, index, kind(swapped, frame.clone()));
+    match part {
+        BodyPartKind::Inertia(_) => {
+            for (i, j) in [(0, 1), (1, 2), (0, 2)] {
+                let how = format!("moments of inertia {} and {} swapped", i + 1, j + 1);
+                push(Operator::Axis, how, &|part| {
+                    if let BodyPartKind::Inertia(to) = part {
+                        (to.rows[i][i], to.rows[j][j]) =
+                            (to.rows[j][j].take(), to.rows[i][i].take());
+                    }
+                });
+            }
+        }
+        BodyPartKind::Position(states, _)
+        | BodyPartKind::Velocity(states, _)
+        | BodyPartKind::AngularVelocity(states, _) => {
+            for (i, j) in [(0, 1), (1, 2)] {
+                let how = format!("{what}: {} and {} swapped", states[i].text, states[j].text);
+                push(Operator::Axis, how, &|part| {
+                    if let BodyPartKind::Position(states, _)
+                    | BodyPartKind::Velocity(states, _)
+                    | BodyPartKind::AngularVelocity(states, _) = part
+                    {
+                        states.swap(i, j);
+                    }
+                });
+            }
+        }
+        _ => {}
     }
 }
 
-fn times(unit: Option<&UnitExpr>, symbol: &str, at: model_spec::diagnostic::Span) -> UnitExpr {
+/// Name of the frame that a part of a body refers to, with the name of the part in descriptions of mutations. `None`
+/// for the mass.
+fn frame_of_part(part: &mut BodyPartKind) -> Option<(&'static str, &mut Name)> {
+    Some(match part {
+        BodyPartKind::Mass(_) => return None,
+        BodyPartKind::Inertia(inertia) => ("inertia", &mut inertia.frame),
+        BodyPartKind::Fixed(frame) => ("fixed", frame),
+        BodyPartKind::AngularVelocityIn(frame) => ("angular velocity", frame),
+        BodyPartKind::Position(_, frame) => ("position", frame),
+        BodyPartKind::Velocity(_, frame) => ("velocity", frame),
+        BodyPartKind::AngularVelocity(_, frame) => ("angular velocity", frame),
+    })
+}
+
+fn times(unit: Option<&UnitExpr>, symbol: &str, at: Span) -> UnitExpr {
     let mut product = unit.cloned().unwrap_or(UnitExpr {
         factors: Vec::new(),
         span: at,

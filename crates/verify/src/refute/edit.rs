@@ -1,7 +1,7 @@
 //! Generates small corrections of an equation, as candidate explanations of a misprint.
 
 use crate::expressions::{children, children_mut};
-use model_spec::model::{Expr, ExprKind, Function, Model, Source};
+use model_spec::model::{Expr, ExprKind, Function, Model};
 
 /// A small change of an expression that may correct a misprint.
 #[derive(Clone)]
@@ -42,19 +42,16 @@ impl<'a> Editor<'a> {
     /// of the term of a sum in which `e` occurs; the descriptions of the changes quote this text.
     pub fn edits(&self, e: &Expr, term: &str) -> Vec<Edit> {
         let mut out = Vec::new();
-        self.here(e, term, &mut out);
+        self.edits_of_root(e, term, &mut out);
         let is_sum = matches!(
             e.kind,
             ExprKind::Add(..) | ExprKind::Sub(..) | ExprKind::Neg(..)
         );
-        let count = children(e).len();
-        for k in 0..count {
-            let child = children(e)[k];
+        for (k, child) in children(e).into_iter().enumerate() {
             // The operands of a sum are terms; subexpressions of a term belong to that term.
-            let inner = if is_sum {
-                self.text(child)
-            } else {
-                term.to_owned()
+            let inner = match is_sum {
+                true => self.text(child),
+                false => term.to_owned(),
             };
             for edit in self.edits(child, &inner) {
                 let mut to = e.clone();
@@ -65,7 +62,7 @@ impl<'a> Editor<'a> {
         out
     }
 
-    fn here(&self, e: &Expr, term: &str, out: &mut Vec<Edit>) {
+    fn edits_of_root(&self, e: &Expr, term: &str, out: &mut Vec<Edit>) {
         let mut push = |rank, says: String, to: Expr| out.push(Edit { says, rank, to });
         match &e.kind {
             ExprKind::Mul(a, b) => {
@@ -87,29 +84,13 @@ impl<'a> Editor<'a> {
                 push(0, says, (**a).clone());
                 self.divisor_of_some(a, b, &mut push);
             }
-            ExprKind::Add(a, b) => {
-                push(
-                    1,
-                    format!("the term `{}` has the wrong sign", self.text(b)),
-                    {
-                        Expr {
-                            kind: ExprKind::Sub(a.clone(), b.clone()),
-                            ..e.clone()
-                        }
-                    },
-                );
-            }
-            ExprKind::Sub(a, b) => {
-                push(
-                    1,
-                    format!("the term `{}` has the wrong sign", self.text(b)),
-                    {
-                        Expr {
-                            kind: ExprKind::Add(a.clone(), b.clone()),
-                            ..e.clone()
-                        }
-                    },
-                );
+            ExprKind::Add(a, b) | ExprKind::Sub(a, b) => {
+                let kind = match &e.kind {
+                    ExprKind::Add(..) => ExprKind::Sub(a.clone(), b.clone()),
+                    _ => ExprKind::Add(a.clone(), b.clone()),
+                };
+                let says = format!("the term `{}` has the wrong sign", self.text(b));
+                push(1, says, Expr { kind, ..e.clone() });
             }
             ExprKind::Call(function @ (Function::Sin | Function::Cos), a) => {
                 let (was, is, other) = match function {
@@ -120,14 +101,8 @@ impl<'a> Editor<'a> {
                     "the term `{term}` has a {was} for a {is} of `{}`",
                     self.text(a)
                 );
-                push(
-                    3,
-                    says,
-                    Expr {
-                        kind: ExprKind::Call(other, a.clone()),
-                        ..e.clone()
-                    },
-                );
+                let kind = ExprKind::Call(other, a.clone());
+                push(3, says, Expr { kind, ..e.clone() });
             }
             _ => {}
         }
@@ -135,17 +110,12 @@ impl<'a> Editor<'a> {
             for (k, part) in [a, b].into_iter().enumerate() {
                 for (name, factor) in &self.factors {
                     let mut to = e.clone();
-                    let product = ExprKind::Mul(part.clone(), Box::new(factor.clone()));
-                    let product = Expr {
-                        kind: product,
+                    *children_mut(&mut to).swap_remove(k) = Expr {
+                        kind: ExprKind::Mul(part.clone(), Box::new(factor.clone())),
                         ..(**part).clone()
                     };
-                    *children_mut(&mut to).swap_remove(k) = product;
-                    push(
-                        4,
-                        format!("the term `{}` lacks a factor `{name}`", self.text(part)),
-                        to,
-                    );
+                    let says = format!("the term `{}` lacks a factor `{name}`", self.text(part));
+                    push(4, says, to);
                 }
             }
         }
@@ -171,15 +141,12 @@ impl<'a> Editor<'a> {
                 *children_mut(&mut rebuilt).swap_remove(0) = to;
                 to = rebuilt;
             }
-            push(
-                2,
-                format!(
-                    "the divisor `{}` belongs to `{}` alone",
-                    self.text(divisor),
-                    self.text(part)
-                ),
-                to,
+            let says = format!(
+                "the divisor `{}` belongs to `{}` alone",
+                self.text(divisor),
+                self.text(part)
             );
+            push(2, says, to);
             match &part.kind {
                 ExprKind::Add(next, _) | ExprKind::Sub(next, _) => {
                     outer.push(part);
@@ -191,17 +158,6 @@ impl<'a> Editor<'a> {
     }
 
     fn text(&self, e: &Expr) -> String {
-        snippet(&self.model.sources, e)
+        self.model.text(e.span)
     }
-}
-
-/// Source text of an expression, on one line.
-pub fn snippet(sources: &[Source], e: &Expr) -> String {
-    let text = sources
-        .get(usize::from(e.span.source))
-        .and_then(|s| s.text.get(e.span.range()));
-    text.unwrap_or_default()
-        .split_whitespace()
-        .collect::<Vec<_>>()
-        .join(" ")
 }

@@ -11,7 +11,7 @@ use crate::random::Random;
 use crate::sample;
 use crate::subject::Subject;
 use crate::{Options, TOLERANCE};
-use edit::{Edit, Editor, snippet};
+use edit::{Edit, Editor};
 use model_spec::model::{Equation, Expr, ExprKind, FrameKind, Function, Model, Shape};
 use model_spec::unit::Unit;
 use oracle::scalar::{ErrorBound, Field};
@@ -77,21 +77,19 @@ pub fn refutations(subject: &Subject<'_>, options: &Options) -> Vec<Refutation> 
             None => return Vec::new(),
         },
     };
-    let trees: Vec<Tree<'_, ErrorBound>> = points
-        .iter()
-        .zip(&truths)
-        .map(|(point, truth)| Tree::overriding(model, point, &used_derivatives(model, truth)))
-        .collect();
-    let bench = Bench {
+    let points = points.iter().zip(truths).map(|(point, rates)| {
+        let tree = Tree::overriding(model, point, &used_derivatives(model, &rates));
+        ReferencePoint { tree, rates }
+    });
+    let examination = Examination {
         model,
-        trees,
-        truths,
+        points: points.collect(),
     };
     // The reference law does not contain added states.
     let added = model.added_states();
     let of_law = model.equations.iter().filter(|e| !added.contains(&e.state));
     of_law
-        .filter_map(|equation| bench.examine(equation))
+        .filter_map(|equation| examination.of(equation))
         .collect()
 }
 
@@ -142,30 +140,34 @@ fn used_derivatives(
     out
 }
 
-struct Bench<'a> {
-    model: &'a Model,
-    trees: Vec<Tree<'a, ErrorBound>>,
-    truths: Vec<Vec<Option<ErrorBound>>>,
+/// A random point at which the equations are compared with the reference.
+struct ReferencePoint<'a> {
+    /// Evaluator of the model's expressions at the point, in which derivatives have the values of the reference.
+    tree: Tree<'a, ErrorBound>,
+    /// Rates of the states according to the reference; `None` for a rate that the reference does not determine.
+    rates: Vec<Option<ErrorBound>>,
 }
 
-impl Bench<'_> {
+/// Examination of the equations of a model at random points.
+struct Examination<'a> {
+    model: &'a Model,
+    points: Vec<ReferencePoint<'a>>,
+}
+
+impl Examination<'_> {
     /// Maximum over the random points of the difference between an expression and the reference derivative of a state,
     /// relative to the sum of the magnitudes of the terms. The evaluation stops at the first point whose error exceeds
     /// `stop`.
     fn error(&self, state: usize, e: &Expr, stop: f64) -> f64 {
         let mut worst = 0.0_f64;
-        for (tree, truth) in self.trees.iter().zip(&self.truths) {
-            let Some(truth) = truth[state] else {
+        for point in &self.points {
+            let Some(truth) = point.rates[state] else {
                 continue;
             };
-            let got = tree.scalar(e);
-            let magnitude = truth.magnitude.max(got.magnitude).max(f64::MIN_POSITIVE);
-            let error = (got.value - truth.value).abs() / magnitude;
-            worst = if error.is_finite() {
-                worst.max(error)
-            } else {
-                f64::INFINITY
-            };
+            let found = point.tree.scalar(e);
+            let magnitude = truth.magnitude.max(found.magnitude);
+            let truth = ErrorBound { magnitude, ..truth };
+            worst = worst.max(truth.relative_error(found.value));
             if worst > stop {
                 break;
             }
@@ -173,7 +175,7 @@ impl Bench<'_> {
         worst
     }
 
-    fn examine(&self, equation: &Equation) -> Option<Refutation> {
+    fn of(&self, equation: &Equation) -> Option<Refutation> {
         let state = equation.state;
         // A derivative that other equations use is stated as an auxiliary variable, whose expression is examined.
         let stated = match &equation.value.kind {
@@ -188,11 +190,12 @@ impl Bench<'_> {
         if error <= TOLERANCE {
             return None;
         }
-        let (corrections, error_corrected) =
-            self.mend(state, stated).unwrap_or((Vec::new(), error));
+        let (corrections, error_corrected) = self
+            .corrections(state, stated)
+            .unwrap_or((Vec::new(), error));
         Some(Refutation {
             state: self.model.states[state].name.clone(),
-            equation: snippet(&self.model.sources, stated),
+            equation: self.model.text(stated.span),
             error,
             corrections,
             error_corrected,
@@ -202,8 +205,8 @@ impl Bench<'_> {
     /// Searches for corrections of the equation `e` that make it agree with the reference. It tries one correction,
     /// then one correction including the insertion of a missing factor, then two, then three corrections. Returns the
     /// descriptions of the corrections and the remaining error; `None` if no correction makes the equation agree.
-    fn mend(&self, state: usize, e: &Expr) -> Option<(Vec<String>, f64)> {
-        let whole = snippet(&self.model.sources, e);
+    fn corrections(&self, state: usize, e: &Expr) -> Option<(Vec<String>, f64)> {
+        let whole = self.model.text(e.span);
         let plain = Editor::new(self.model);
         let thorough = Editor::lacking(self.model, factors(self.model, e));
         for (editor, depth) in [(&plain, 1), (&thorough, 1), (&plain, 2), (&plain, 3)] {
@@ -212,8 +215,9 @@ impl Bench<'_> {
                 rank: 0,
                 to: e.clone(),
             };
-            if let Some((edits, error)) = self.search(editor, state, &start, &whole, depth) {
-                return Some((edits, error));
+            let found = self.search(editor, state, &start, &whole, depth);
+            if found.is_some() {
+                return found;
             }
         }
         None

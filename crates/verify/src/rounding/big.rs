@@ -10,7 +10,7 @@ use oracle::scalar::{Elementary, Field, Real};
 use std::cell::RefCell;
 use std::cmp::Ordering;
 use std::collections::HashMap;
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Precision of the numbers, bits.
 pub const PRECISION: usize = 256;
@@ -188,22 +188,7 @@ impl Div for Big {
     }
 }
 
-macro_rules! assign_operator {
-    ($($trait:ident $method:ident $assign:ident $assign_method:ident;)*) => {$(
-        impl $assign for Big {
-            fn $assign_method(&mut self, other: Self) {
-                *self = $trait::$method(*self, other);
-            }
-        }
-    )*};
-}
-
-assign_operator! {
-    Add add AddAssign add_assign;
-    Sub sub SubAssign sub_assign;
-    Mul mul MulAssign mul_assign;
-    Div div DivAssign div_assign;
-}
+oracle::assign_ops!([] Big);
 
 impl Neg for Big {
     type Output = Self;

@@ -16,6 +16,7 @@ use crate::Options;
 use crate::checks::backends::{self, Run};
 use crate::random::Random;
 use crate::row::{Measure, Row, Verdict};
+use crate::sample;
 use crate::subject::Subject;
 use big::{Big, with_numbers};
 use codegen::Compiled;
@@ -24,7 +25,7 @@ use oracle::Point;
 use oracle::scalar::{ErrorBound, Real};
 use program::{Inputs, magnitudes, outputs};
 use serde::Serialize;
-use statements::{LOSES, Loss};
+use statements::{Loss, REPORTED_BITS};
 
 /// Name in reports of the check of rounding errors.
 pub const ROUNDING: &str = "rounding";
@@ -119,7 +120,7 @@ pub fn measure(
     effort: Effort,
 ) -> Rounding {
     let mut random = Random::new(options.seed, ROUNDING);
-    let mut at = points::random(subject, effort.random, &mut random);
+    let mut at = sample::points(subject.model, effort.random, &mut random);
     let flown = points::flown(subject, effort.flights, effort.states, &mut random);
     let counts = [at.len(), flown.len()];
     let named = |what: &str, points: &[Point<f64>]| -> Vec<(String, Point<f64>)> {
@@ -200,29 +201,26 @@ pub fn row(rounding: &Rounding) -> Row {
         return Row::unverified(ROUNDING, "rounding may decide a branch at every point");
     };
     let median = rounding.errors.iter().map(|e| e.median).fold(0.0, f64::max);
+    let (place, backend) = (&worst.place, &worst.backend);
+    let detail = format!("{place} by {backend}; medians up to {median:.2}");
     let row = Row {
-        check: ROUNDING,
         cases,
         worst: worst.worst,
         measure: Measure::Magnitude,
         tolerance: ALLOWED,
         verdict: Verdict::of(worst.worst <= ALLOWED),
-        detail: format!(
-            "{} by {}; medians up to {median:.2}",
-            worst.place, worst.backend
-        ),
-        remark: None,
+        ..Row::skipped(ROUNDING, detail)
     };
     let lossy: Vec<String> = rounding
         .losses
         .iter()
-        .filter(|loss| loss.bits >= LOSES)
+        .filter(|loss| loss.bits >= REPORTED_BITS)
         .map(Loss::sentence)
         .collect();
     if lossy.is_empty() {
         row
     } else {
-        row.remarking(lossy.join("\n"))
+        row.with_remark(lossy.join("\n"))
     }
 }
 
@@ -231,11 +229,7 @@ pub fn row(rounding: &Rounding) -> Row {
 fn exact(compiled: &Compiled, point: &Point<f64>) -> Option<Vec<Exact>> {
     with_numbers(|| {
         let mut bounds: Inputs<ErrorBound> = Inputs::of(point);
-        let (prepared, undecided) = magnitudes(&compiled.prepare.program, &bounds, None);
-        bounds.prepared = prepared;
-        if undecided {
-            return None;
-        }
+        bounds.prepared = magnitudes(&compiled.prepare.program, &bounds, None)?;
         let mut inputs: Inputs<Big> = Inputs::of(point);
         inputs.prepared = outputs(&compiled.prepare.program, &inputs);
         let mut all = Vec::new();
@@ -243,19 +237,13 @@ fn exact(compiled: &Compiled, point: &Point<f64>) -> Option<Vec<Exact>> {
             if sections(function).is_empty() {
                 continue;
             }
-            let (bounds, undecided) = magnitudes(&function.program, &bounds, None);
-            if undecided {
-                return None;
-            }
-            let values = outputs(&function.program, &inputs);
-            let values: Vec<(f64, f64, f64)> = values
-                .into_iter()
-                .zip(bounds)
-                .map(|(value, bound)| {
-                    let rounded = value.re();
-                    (rounded, (value - Big::lit(rounded)).re(), bound.magnitude)
-                })
-                .collect();
+            let bounds = magnitudes(&function.program, &bounds, None)?;
+            let values = outputs(&function.program, &inputs).into_iter().zip(bounds);
+            let values = values.map(|(value, bound)| {
+                let rounded = value.re();
+                (rounded, (value - Big::lit(rounded)).re(), bound.magnitude)
+            });
+            let values: Vec<(f64, f64, f64)> = values.collect();
             let finite = |v: &(f64, f64, f64)| v.0.is_finite() && v.2.is_finite();
             if !values.iter().all(finite) {
                 return None;

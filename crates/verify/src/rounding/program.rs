@@ -124,7 +124,7 @@ fn unary<T: Real>(program: &Program, op: Unary, a: T) -> T {
 
 /// Distance of an operation's argument from the branch point (such as 0 for abs), relative to the magnitude of the
 /// argument's terms, below which rounding may change the result of the branch.
-const NEAR: f64 = 1e-9;
+const BRANCH_DISTANCE: f64 = 1e-9;
 
 /// Signed distance of an operation's argument to its branch point, such as 0 for abs; `None` for an operation without
 /// branches. `of` returns the value of an operand.
@@ -146,14 +146,14 @@ fn gap<T: Real>(op: Op, of: impl Fn(Operand) -> T) -> Option<T> {
     }
 }
 
-/// Evaluates a program. Returns its outputs with the magnitudes of their terms, and whether rounding may change the
+/// Evaluates a program and returns its outputs with the magnitudes of their terms. `None` if rounding may change the
 /// result of a branch, such as that of abs, because its argument is close to the branch point. If `exact` contains the
 /// inputs for 256-bit arithmetic, arguments that equal the branch point in this arithmetic do not count as close.
 pub fn magnitudes(
     program: &Program,
     inputs: &Inputs<ErrorBound>,
     exact: Option<&Inputs<Big>>,
-) -> (Vec<ErrorBound>, bool) {
+) -> Option<Vec<ErrorBound>> {
     let temps = evaluated(program, inputs);
     let of = |operand| value(operand, inputs, &temps);
     let exact = exact.map(|exact| (exact, evaluated(program, exact)));
@@ -163,9 +163,9 @@ pub fn magnitudes(
         })
     };
     let undecided = program.statements.iter().any(|statement| {
-        let is_near = |x: ErrorBound| x.magnitude > 0.0 && x.value.abs() <= NEAR * x.magnitude;
+        let is_near =
+            |x: ErrorBound| x.magnitude > 0.0 && x.value.abs() <= BRANCH_DISTANCE * x.magnitude;
         gap(statement.op, of).is_some_and(is_near) && !is_exactly_zero(statement.op)
     });
-    let outputs = program.outputs.iter();
-    (outputs.map(|&output| of(output)).collect(), undecided)
+    (!undecided).then(|| program.outputs.iter().map(|&output| of(output)).collect())
 }

@@ -8,13 +8,11 @@
 use super::big::{Big, with_numbers};
 use super::program::{Inputs, outputs};
 use crate::engine;
-use crate::expressions::{children_mut, roots_mut};
 use codegen::compile_every_value;
 use codegen::tape::Tape;
 use model_spec::diagnostic::Span;
 use model_spec::location::trimmed_line;
 use model_spec::model::{AuxVariable, Expr, ExprKind, Input, Model, Parameter, Shape};
-use model_spec::unit::Unit;
 use oracle::Point;
 use oracle::scalar::Real;
 use serde::Serialize;
@@ -22,11 +20,11 @@ use std::path::Path;
 
 /// Number of lost bits above which a statement is reported. At a random point, cancellation loses this many bits by
 /// chance once in a million.
-pub const LOSES: f64 = 20.0;
+pub const REPORTED_BITS: f64 = 20.0;
 
 /// Minimum magnitude of values whose lost bits are counted. Smaller values may be subnormal f64 numbers, which have
 /// fewer digits.
-const SMALLEST: f64 = 1e-290;
+const MIN_NORM: f64 = 1e-290;
 
 /// A statement of the model whose value is inaccurate because of rounding or cancellation, with the number of lost
 /// bits.
@@ -69,14 +67,11 @@ pub fn losses(model: &Model, points: &[(String, Point<f64>)]) -> Vec<Loss> {
         with_numbers(|| {
             let values: Vec<Big> = outputs(&whole.program, &Inputs::of(point));
             let given = &values[start..];
-            let p = rearranged(
-                model,
-                &whole.lets,
-                &point.parameters(),
-                given.iter().map(|v| v.re()),
-            );
-            let exact_p: Vec<Big> = point.parameters().into_iter().map(Big::lit).collect();
-            let exact_p = rearranged(model, &whole.lets, &exact_p, given.iter().copied());
+            let p = point.parameters();
+            let exact_p: Vec<Big> = p.iter().copied().map(Big::lit).collect();
+            let near: Vec<f64> = given.iter().map(|v| v.re()).collect();
+            let p = rearranged(model, &whole.lets, &p, &near);
+            let exact_p = rearranged(model, &whole.lets, &exact_p, given);
             let inputs = Inputs::of(point).with_parameters(exact_p);
             let exact: Vec<Big> = outputs(&parts.program, &inputs);
             let mut rounded = vec![0.0; tape.outputs()];
@@ -103,35 +98,27 @@ pub fn losses(model: &Model, points: &[(String, Point<f64>)]) -> Vec<Loss> {
 
 /// Rearranges values to the parameter vector of the model built by [`separated`]: parameters, scalar auxiliary
 /// variables, coefficients, inputs, vector auxiliary variables. `all` is the parameter vector of the original model.
-/// `given` yields the components of all auxiliary variables in turn; `lets` is the number of components of each
-/// variable.
-fn rearranged<T: Copy>(
-    model: &Model,
-    lets: &[usize],
-    all: &[T],
-    given: impl Iterator<Item = T>,
-) -> Vec<T> {
-    let given: Vec<T> = given.collect();
-    let (mut scalars, mut vectors, mut at) = (Vec::new(), Vec::new(), 0);
+/// `given` are the components of all auxiliary variables in turn; `lets` is the number of components of each variable.
+fn rearranged<T: Copy>(model: &Model, lets: &[usize], all: &[T], given: &[T]) -> Vec<T> {
+    let (mut scalars, mut vectors, mut rest) = (Vec::new(), Vec::new(), given);
     for &width in lets {
-        let to = if width == 1 {
-            &mut scalars
-        } else {
-            &mut vectors
-        };
-        to.extend_from_slice(&given[at..at + width]);
-        at += width;
+        let (own, others) = rest.split_at(width);
+        match own {
+            [scalar] => scalars.push(*scalar),
+            vector => vectors.extend_from_slice(vector),
+        }
+        rest = others;
     }
     let (params, rest) = all.split_at(model.params.len());
     [params, &scalars, rest, &vectors].concat()
 }
 
 /// Number of inaccurate bits of a scalar or a vector: log2 of the error relative to the norm, in units of the f64
-/// epsilon. `None` if the norm is below [`SMALLEST`] or not finite in f64.
+/// epsilon. `None` if the norm is below [`MIN_NORM`] or not finite in f64.
 fn bits(exact: &[Big], rounded: &[f64]) -> Option<f64> {
     let norm = |values: Vec<f64>| values.iter().fold(0.0, |sum: f64, v| sum.hypot(*v));
     let size = norm(exact.iter().map(|v| v.re()).collect());
-    if !(SMALLEST..f64::INFINITY).contains(&size) {
+    if !(MIN_NORM..f64::INFINITY).contains(&size) {
         return None;
     }
     let each = exact.iter().zip(rounded);
@@ -183,55 +170,52 @@ fn separated(model: &Model) -> (Model, Vec<Statement>) {
         let name = format!("given_{index}");
         given.push(match variable.value.shape {
             Shape::Scalar => {
-                alone.params.push(parameter(name, variable.span));
+                alone.params.push(Parameter {
+                    name,
+                    ..Parameter::default()
+                });
                 ExprKind::Param(alone.params.len() - 1)
             }
             Shape::Vector(frame) => {
-                alone.inputs.push(input(name, frame, variable.span));
+                alone.inputs.push(Input {
+                    name,
+                    frame,
+                    ..Input::default()
+                });
                 ExprKind::Input(alone.inputs.len() - 1)
             }
         });
     }
-    for root in roots_mut(&mut alone) {
+    for root in alone.expressions_mut() {
         replace(root, &given);
     }
-    let mut own: Vec<(String, Expr, Span)> = Vec::new();
+    let mut own: Vec<Expr> = Vec::new();
+    let mut add = |name: &str, value: &Expr, span: Span| {
+        push(name, span);
+        own.push(value.clone());
+    };
     for load in alone.forces.iter().chain(&alone.moments) {
-        own.push((load.name.clone(), load.value.clone(), load.span));
+        add(&load.name, &load.value, load.span);
     }
     for equation in &alone.equations {
         let name = format!("der({})", alone.states[equation.state].name);
-        own.push((name, equation.value.clone(), equation.span));
+        add(&name, &equation.value, equation.span);
     }
     if let Some(observation) = &alone.observation {
-        own.push((
-            observation.name.clone(),
-            observation.value.clone(),
-            observation.span,
-        ));
+        add(&observation.name, &observation.value, observation.span);
     }
     if let Some(clock) = &alone.clock {
-        own.push(("clock".to_owned(), clock.value.clone(), clock.span));
+        add("clock", &clock.value, clock.span);
     }
     if let Some(body) = &alone.body {
-        own.push(("mass".to_owned(), body.mass.clone(), body.mass.span));
-        for entry in body
-            .rotation
-            .iter()
-            .flat_map(|r| r.inertia.iter().flatten())
-        {
-            own.push(("inertia".to_owned(), entry.clone(), entry.span));
+        add("mass", &body.mass, body.mass.span);
+        for entry in body.rotation.iter().flat_map(|r| r.inertia.as_flattened()) {
+            add("inertia", entry, entry.span);
         }
     }
-    for (index, (name, value, span)) in own.into_iter().enumerate() {
-        push(&name, span);
-        alone.aux_variables.push(AuxVariable {
-            name: format!("statement_{index}"),
-            doc: String::new(),
-            value,
-            span,
-            effect: None,
-        });
+    for (index, value) in own.into_iter().enumerate() {
+        let name = format!("statement_{index}");
+        alone.aux_variables.push(AuxVariable::new(name, value));
     }
     (alone, statements)
 }
@@ -240,32 +224,5 @@ fn replace(e: &mut Expr, given: &[ExprKind]) {
     if let ExprKind::AuxVariable(index) = e.kind {
         e.kind = given[index].clone();
     }
-    for child in children_mut(e) {
-        replace(child, given);
-    }
-}
-
-fn parameter(name: String, span: Span) -> Parameter {
-    Parameter {
-        name,
-        doc: String::new(),
-        unit: Unit::default(),
-        unit_text: String::new(),
-        inferred: false,
-        value: 0.0,
-        bounds: None,
-        span,
-    }
-}
-
-fn input(name: String, frame: usize, span: Span) -> Input {
-    Input {
-        name,
-        doc: String::new(),
-        frame,
-        unit: Unit::default(),
-        unit_text: String::new(),
-        value: [0.0; 3],
-        span,
-    }
+    e.children_mut(&mut |child| replace(child, given));
 }

@@ -1,6 +1,6 @@
 //! Formats rounding errors as text.
 
-use super::statements::{LOSES, Loss};
+use super::statements::{Loss, REPORTED_BITS};
 use super::{Error, MEASURE, Rounding};
 use crate::table::plain_table;
 
@@ -62,7 +62,7 @@ impl Rounding {
             return text;
         }
         text.push_str(&format!(
-            "\nStatements by the bits that they lose (named in the report from {LOSES} bits):\n"
+            "\nStatements by the bits that they lose (named in the report from {REPORTED_BITS} bits):\n"
         ));
         for loss in self.losses.iter().take(LISTED) {
             text.push_str(&format!("  {}\n", loss.sentence()));

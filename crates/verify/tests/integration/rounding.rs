@@ -9,7 +9,7 @@ use verify::checks::backends::{self, Run};
 use verify::engine::Engine;
 use verify::random::Random;
 use verify::report::Verdict;
-use verify::rounding::statements::LOSES;
+use verify::rounding::statements::REPORTED_BITS;
 use verify::rounding::{ALLOWED, Effort, Rounding, errors, measure, row};
 use verify::sample;
 use verify::subject::Subject;
@@ -130,7 +130,7 @@ fn loads_and_effects_are_named_as_the_statements_that_they_are() {
     let model = from_text("ball", &text, &[]).unwrap();
     let found = measured(&model);
     assert_eq!(found.losses[0].name, "lift_off", "{:?}", found.losses);
-    assert!(found.losses[0].bits > LOSES);
+    assert!(found.losses[0].bits > REPORTED_BITS);
 }
 
 #[test]

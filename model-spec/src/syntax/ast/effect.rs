@@ -17,6 +17,13 @@ pub struct Effect {
     pub parts: Vec<EffectPart>,
 }
 
+impl Effect {
+    /// Whether the effect is restricted to certain models by `on MODEL, …`, and `model` is not one of them.
+    pub(crate) fn excludes(&self, model: &str) -> bool {
+        !self.on.is_empty() && self.on.iter().all(|on| on.text != model)
+    }
+}
+
 /// A quantity that a model must have for an effect to be applicable.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Need {

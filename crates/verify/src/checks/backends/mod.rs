@@ -87,7 +87,7 @@ pub fn generated_code(model: &Model) -> Row {
         Some(code) if code.source_hash == source_hash(model) => {
             Row::counted(GENERATED, 1, &[], "of this text")
         }
-        Some(_) => Row::skipped(GENERATED, "STALE: it is of another text").remarking(format!(
+        Some(_) => Row::skipped(GENERATED, "STALE: it is of another text").with_remark(format!(
             "STALE: the code of `{}` in the program is of another text of the model, and was not compared with anything; \
              run `hyzer generate` and build again, or give the model another name",
             model.name
@@ -122,12 +122,12 @@ pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
         };
         for (expected, got) in first.results.iter().zip(&run.results) {
             for (index, (a, b)) in expected.iter().zip(got).enumerate() {
-                worst.see(ulps(*a, *b), || {
+                worst.update(ulps(*a, *b), || {
                     format!("{} in {}", function_at(compiled, index), run.backend)
                 });
             }
             if expected.len() != got.len() {
-                worst.see(f64::INFINITY, || {
+                worst.update(f64::INFINITY, || {
                     format!("another number of results in {}", run.backend)
                 });
             }
@@ -140,7 +140,7 @@ pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
         ..Row::judged(BACKENDS, cases, &worst, 0.0)
     };
     if row.verdict == Verdict::Holds {
-        row.saying(names.join(", "))
+        row.with_detail(names.join(", "))
     } else {
         row
     }
@@ -162,7 +162,7 @@ pub fn check_fma(compiled: &Compiled, runs: &[Run]) -> Row {
                 .iter()
                 .fold(f64::MIN_POSITIVE, |most, v| most.max(v.abs()));
             for (a, b) in plain[range.clone()].iter().zip(&fused[range]) {
-                worst.see((a - b).abs() / size, || function.to_string());
+                worst.update((a - b).abs() / size, || function.to_string());
             }
         }
     }
