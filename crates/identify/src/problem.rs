@@ -9,6 +9,7 @@ use flight::CompiledModel;
 use model_spec::compose::Instrument;
 use model_spec::layout::{Layout, ParamId, StateId};
 use model_spec::model::Model;
+use nalgebra::DVector;
 
 use crate::channel::{self, Channel, ChannelKind};
 use crate::dataset::{Dataset, KnownValue, SensorKind, points_on_body};
@@ -173,6 +174,12 @@ impl FitProblem {
         let markers = self.channels.iter();
         let markers = markers.filter(|channel| matches!(channel.kind, ChannelKind::Marker(_)));
         markers.count() == self.markers.len()
+    }
+
+    /// Initial values of the global parameters, SI.
+    pub(crate) fn model_values(&self) -> DVector<f64> {
+        let values = self.globals.iter().map(|global| global.model_value);
+        DVector::from_iterator(self.globals.len(), values)
     }
 
     /// For each channel, the index of its noise group. The channels of a group have the same standard deviations and

@@ -13,9 +13,8 @@ use super::FitError;
 use super::exclusion::exclude_failed;
 use super::horizon_continuation::anneal_scale;
 use super::initial_guess::{first_segment, refined_guesses};
-use super::one_flight::fit_initial_state;
-use super::output_error::all_samples;
-use super::residual_cache::{ResidualCache, residual_scale};
+use super::one_flight::FixedGlobal;
+use super::residual_cache::ResidualCache;
 use super::reweighting::estimate_noise;
 use super::state::State;
 use super::taking_back::LIKE_RATIO;
@@ -25,8 +24,6 @@ use crate::error::{ExcludedFlight, FlightError};
 use crate::ids::FlightId;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
-use crate::options::FitOptions;
-use crate::problem::FitProblem;
 
 /// Range in which the contact of a truncated flight is searched again: numbers of samples before and after its present
 /// end, which was found from the samples alone, without the fitted model.
@@ -64,18 +61,17 @@ struct Moved {
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
 pub fn refine_contacts(
-    problem: &FitProblem,
     dataset: &Dataset,
-    state: &mut State,
+    state: &mut State<'_>,
     cache: ResidualCache,
-    options: &FitOptions<'_>,
 ) -> Result<ResidualCache, FitError> {
+    let (problem, options) = (state.problem, state.options);
     if !problem.sees_markers_alone() {
         return Ok(cache);
     }
     let usual = |cache: &ResidualCache| cache.median_scale().max(problem.sigma0);
     // Flights with contacts bias the global parameters and inflate the noise estimate.
-    let others = fitted_without(problem, state, &cache, usual(&cache), options)?;
+    let others = fitted_without(state, &cache, usual(&cache))?;
     let (others, of_others) = match &others {
         Some((others, cache)) => (others, cache),
         None => (&*state, &cache),
@@ -102,13 +98,11 @@ pub fn refine_contacts(
         return Ok(cache);
     }
     options.stage_started("contacts", suspects.len() + unlike.len());
-    let (noise, _) = estimate_noise(problem, &mut others.clone(), of_others, options)?;
+    let (noise, _) = estimate_noise(&mut others.clone(), of_others)?;
     let search = Search {
-        problem,
-        global: &others.global,
+        at: others.fixed_global(),
         noise: &noise,
         usual,
-        options,
     };
     let of_fitted = batch::each_on(options.threads(), suspects.len(), |index| {
         let index = suspects[index];
@@ -150,20 +144,18 @@ pub fn refine_contacts(
             state.push(excluded.flight, moved.observations, moved.local);
         }
     }
-    let residuals = ResidualCache::new(problem, state, &all_samples(&state.flights), options);
-    exclude_failed(state, residuals, options)
+    let residuals = state.residuals();
+    exclude_failed(state, residuals)
 }
 
 /// Reference fit: fits only the flights whose residual scale is not far above `usual`, m. Returns these flights with
 /// their residuals; `None` if no flight or more than half of the flights would be left out.
-fn fitted_without(
-    problem: &FitProblem,
-    state: &State,
+fn fitted_without<'a>(
+    state: &State<'a>,
     cache: &ResidualCache,
     usual: f64,
-    options: &FitOptions<'_>,
-) -> Result<Option<(State, ResidualCache)>, FitError> {
-    let mut others = State::new(state.global.clone(), state.interval);
+) -> Result<Option<(State<'a>, ResidualCache)>, FitError> {
+    let mut others = state.without_flights();
     let flights = state.ids.iter().zip(&state.flights).zip(&state.local);
     for (place, ((id, flight), local)) in flights.enumerate() {
         if !cache.stands_out(place, usual, STANDS_OUT, SURELY) {
@@ -173,20 +165,18 @@ fn fitted_without(
     if others.ids.len() == state.ids.len() || 2 * others.ids.len() < state.ids.len() {
         return Ok(None);
     }
-    let residuals = anneal_scale(problem, &mut others, options)?;
-    let residuals = exclude_failed(&mut others, residuals, options)?;
+    let residuals = anneal_scale(&mut others)?;
+    let residuals = exclude_failed(&mut others, residuals)?;
     Ok(Some((others, residuals)))
 }
 
-/// Data for the search for contacts: problem, global parameters and noise of the reference fit, and options.
+/// Data for the search for contacts: global parameters and noise of the reference fit.
 struct Search<'a> {
-    problem: &'a FitProblem,
-    global: &'a DVector<f64>,
+    at: FixedGlobal<'a>,
     noise: &'a NoiseModel,
     /// Usual residual scale (robust standard deviation of residuals) of a flight, m: the median over the flights of the
     /// reference fit, or `sigma0` if that is greater.
     usual: f64,
-    options: &'a FitOptions<'a>,
 }
 
 impl Search<'_> {
@@ -200,7 +190,7 @@ impl Search<'_> {
         present: &Observations,
         local: &DVector<f64>,
     ) -> Option<Moved> {
-        let mut whole = Observations::new(self.problem, flight).ok()?;
+        let mut whole = Observations::new(self.at.problem, flight).ok()?;
         whole.notes.clone_from(&present.notes);
         let least = first_segment(&whole);
         let end = present.times.len();
@@ -216,7 +206,7 @@ impl Search<'_> {
             return None;
         }
         let moved = self.ended(whole, &onset, local)?;
-        let is_contact = was_found || is_upward(&onset) && self.is_like_the_others(&moved);
+        let is_contact = was_found || is_upward(&onset) && self.is_within(LIKE_RATIO, &moved);
         is_contact.then_some(moved)
     }
 
@@ -224,38 +214,36 @@ impl Search<'_> {
     /// without the truncation; their initial state is fitted from the initial guess `local`. `None` if the fitted model
     /// does not predict all samples.
     fn whole(&self, whole: Observations, local: &DVector<f64>) -> Option<Moved> {
-        let samples = whole.times.len();
-        let local = self.fitted(&whole, samples, local)?;
-        let scale = residual_scale(self.problem, &whole, (self.global, &local), samples)?;
-        let is_predicted = scale <= STANDS_OUT * self.usual;
-        is_predicted.then_some(Moved {
+        let local = self.fitted(&whole, whole.times.len(), local)?;
+        let moved = Moved {
             observations: whole,
             local,
-        })
+        };
+        self.is_within(STANDS_OUT, &moved).then_some(moved)
     }
 
     /// Truncates an excluded flight at its contact. The flight was excluded because no fit predicts its whole length.
     /// `None` if no contact is found or if the residuals before the contact are larger than those of the fitted
     /// flights.
     fn like_the_others(&self, flight: &Flight) -> Option<Moved> {
-        let whole = Observations::new(self.problem, flight).ok()?;
-        let guesses = refined_guesses(self.problem, &whole, self.global, self.options).ok()?;
+        let whole = Observations::new(self.at.problem, flight).ok()?;
+        let guesses = refined_guesses(self.at, &whole).ok()?;
         let best = guesses.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
         let within = (first_segment(&whole), whole.times.len());
         let (onset, local) = self.contact(&whole, best.1.state, within)?;
         let moved = self
             .ended(whole, &onset, local)
             .filter(|_| is_upward(&onset))?;
-        self.is_like_the_others(&moved).then_some(moved)
+        self.is_within(LIKE_RATIO, &moved).then_some(moved)
     }
 
     /// Whether the residual scale (robust standard deviation of the residuals) of a flight up to its new last sample is
-    /// at most `LIKE_RATIO` times the usual one.
-    fn is_like_the_others(&self, moved: &Moved) -> bool {
-        let (observations, unknowns) = (&moved.observations, (self.global, &moved.local));
+    /// at most `ratio` times the usual one.
+    fn is_within(&self, ratio: f64, moved: &Moved) -> bool {
+        let (observations, local) = (&moved.observations, &moved.local);
         let samples = observations.times.len();
-        let scale = residual_scale(self.problem, observations, unknowns, samples);
-        scale.is_some_and(|scale| scale <= LIKE_RATIO * self.usual)
+        let scale = self.at.residual_scale(observations, local, samples);
+        scale.is_some_and(|scale| scale <= ratio * self.usual)
     }
 
     /// Searches the samples `from..to` of the flight `whole` for the first contact, in successive ranges. Returns the
@@ -269,19 +257,19 @@ impl Search<'_> {
     ) -> Option<(Onset, DVector<f64>)> {
         let to = to.min(whole.times.len());
         let mut samples = from;
-        while samples < to && !self.options.is_past_deadline() {
+        while samples < to && !self.at.options.is_past_deadline() {
             // Few samples may not determine all components of the initial state.
             local = self.fitted(whole, samples, &local).unwrap_or(local);
             // A prediction far beyond the fitted samples is not linear in the initial state.
             let until = to.min(2 * samples);
-            let unknowns = (self.global, &local);
+            let unknowns = (self.at.global, &local);
             let found = contact_time(
-                self.problem,
+                self.at.problem,
                 whole,
                 unknowns,
                 self.noise,
                 samples..until,
-                self.options.threads(),
+                self.at.options.threads(),
             );
             if let Some(onset) = found {
                 return Some((onset, local));
@@ -323,9 +311,7 @@ impl Search<'_> {
         samples: usize,
         start: &DVector<f64>,
     ) -> Option<DVector<f64>> {
-        let (problem, global) = (self.problem, self.global);
-        let start = start.clone();
-        let found = fit_initial_state(problem, whole, samples, global, start, self.options);
+        let found = self.at.fit_initial_state(whole, samples, start.clone());
         Some(found.ok()?.1)
     }
 }

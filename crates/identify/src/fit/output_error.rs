@@ -56,28 +56,6 @@ impl<'a> OutputError<'a> {
             options,
         }
     }
-
-    /// Creates the sum of squares over the first `samples` samples of one flight, as a function of its local
-    /// parameters.
-    pub fn of_local(
-        problem: &'a FitProblem,
-        observations: &'a Observations,
-        samples: usize,
-        loss: Loss<'a>,
-        global: &'a DVector<f64>,
-        options: &'a FitOptions<'a>,
-    ) -> Self {
-        Self {
-            problem,
-            flights: vec![observations],
-            samples: vec![samples],
-            loss,
-            fixed_global: Some(global),
-            constraints: Vec::new(),
-            threads: 1,
-            options,
-        }
-    }
 }
 
 impl LeastSquaresProblem for OutputError<'_> {

@@ -13,10 +13,6 @@ use crate::report::{FlightEvidence, ResidualPool, SensorEvidence};
 
 /// Residual statistics of one flight, and the minimum and maximum of each state and auxiliary variable.
 pub struct PostFit {
-    /// Root mean square residual of one coordinate, m, outliers excluded.
-    pub rms: f64,
-    /// Number of values excluded as outliers.
-    pub outliers: usize,
     /// Sums over the residuals of the flight for the residual diagnostics.
     pub pool: ResidualPool,
     /// Sums over the residuals of each channel, in the order of the channels.
@@ -104,8 +100,6 @@ pub fn post_fit(
         }
     }
     PostFit {
-        rms: pool.rms(),
-        outliers: observations.outliers(),
         channels: channel_sums(problem, observations, path),
         pool,
         ranges,

@@ -1,16 +1,13 @@
 //! Cache of the trajectories and residuals of all flights at one iterate, computed once for all stages that use them.
 
 use flight::batch;
-use nalgebra::DVector;
 
 use super::FitError;
 use super::state::{State, retain};
 use crate::error::FlightError;
 use crate::least_squares::FailedFlight;
 use crate::observations::Observations;
-use crate::options::FitOptions;
-use crate::predict::{Residuals, residuals, residuals_of, states};
-use crate::problem::FitProblem;
+use crate::predict::{Residuals, residuals_of, states};
 use crate::statistics::{median, robust_sigma};
 
 /// Trajectories and residuals of all flights at one iterate.
@@ -35,12 +32,8 @@ pub struct Path {
 
 impl ResidualCache {
     /// Integrates each flight up to its number of samples in `samples`, and computes the residuals.
-    pub fn new(
-        problem: &FitProblem,
-        state: &State,
-        samples: &[usize],
-        options: &FitOptions<'_>,
-    ) -> Self {
+    pub fn new(state: &State<'_>, samples: &[usize]) -> Self {
+        let (problem, options) = (state.problem, state.options);
         let count = state.flights.len();
         Self(batch::each_on(options.threads(), count, |flight| {
             if options.is_cancelled() {
@@ -126,18 +119,8 @@ impl ResidualCache {
     }
 }
 
-/// Robust standard deviation of one flight's residuals over its first `samples` samples, m; `None` if the flight cannot
-/// be integrated or has no residuals.
-pub fn residual_scale(
-    problem: &FitProblem,
-    observations: &Observations,
-    unknowns: (&DVector<f64>, &DVector<f64>),
-    samples: usize,
-) -> Option<f64> {
-    robust_scale(&residuals(problem, observations, unknowns, samples).ok()?)
-}
-
-fn robust_scale(residuals: &Residuals) -> Option<f64> {
+/// Robust standard deviation of one flight's residuals, m; `None` if it has none.
+pub fn robust_scale(residuals: &Residuals) -> Option<f64> {
     let all = residuals.iter().flatten().flatten().flatten();
     let mut sizes = Vec::with_capacity(3 * residuals.iter().map(Vec::len).sum::<usize>());
     sizes.extend(all.map(|residual| residual.abs()));

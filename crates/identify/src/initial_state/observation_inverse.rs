@@ -36,11 +36,8 @@ pub fn state(
     observations: &Observations,
     motion: &RigidMotion,
 ) -> Result<DVector<f64>, FlightError> {
-    let global = DVector::from_iterator(
-        problem.globals.len(),
-        problem.globals.iter().map(|global| global.model_value),
-    );
-    let conditions = problem.body.bind(observations.parameters(problem, &global));
+    let parameters = observations.parameters(problem, &problem.model_values());
+    let conditions = problem.body.bind(parameters);
     let probes: &[[f64; 3]] = if problem.has_attitude {
         &PROBES
     } else {
