@@ -15,7 +15,7 @@ use nalgebra::{Matrix4, Vector3, Vector4};
 use crate::observations::Observations;
 use crate::pose::{Pose, point_position};
 use crate::problem::FitProblem;
-use crate::statistics::{median, robust_sigma};
+use crate::statistics::{median_of, median_vector, robust_sigma};
 
 /// Number of neighbours on each side of a sample to which a cubic in time is fitted; the noise floor is estimated from
 /// the deviation of the sample from this cubic.
@@ -87,12 +87,8 @@ pub(crate) fn noise_floor_by_poses(
 
 /// Median over flights of their noise floors, along each axis, m; `None` if `flights` is empty.
 pub fn median_noise_floor(flights: &[[f64; 3]]) -> Option<[f64; 3]> {
-    (!flights.is_empty()).then(|| {
-        [0, 1, 2].map(|axis| {
-            let mut values: Vec<f64> = flights.iter().map(|sigma| sigma[axis]).collect();
-            median(&mut values)
-        })
-    })
+    let sigmas: Vec<Vector3<f64>> = flights.iter().map(|sigma| (*sigma).into()).collect();
+    median_vector(&sigmas).map(Into::into)
 }
 
 fn track(
@@ -101,8 +97,8 @@ fn track(
     poses: &[Option<Pose>],
 ) -> Vec<TrackPoint> {
     // A sample whose marker distances differ much from the rigid body contains an outlier.
-    let mut variances: Vec<f64> = poses.iter().flatten().map(Pose::variance).collect();
-    let limit = MAX_VARIANCE_RATIO * median(&mut variances);
+    let usual = median_of(poses.iter().flatten().map(Pose::variance));
+    let limit = MAX_VARIANCE_RATIO * usual.unwrap_or(0.0);
     let samples = observations.times.iter().enumerate();
     samples
         .filter_map(|(sample, &time)| match problem.has_attitude {

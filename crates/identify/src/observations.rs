@@ -11,7 +11,7 @@ use crate::error::FlightError;
 use crate::problem::FitProblem;
 use crate::report::Truncation;
 use crate::state_manifold::StateManifold;
-use crate::statistics::median;
+use crate::statistics::median_of;
 
 /// Samples of one flight from the first to the last measured value, with the parameters and initial states that are
 /// known for the flight.
@@ -162,8 +162,7 @@ impl Observations {
     /// Median time between consecutive samples, s; `None` for a single sample.
     pub fn interval(&self) -> Option<f64> {
         let pairs = self.times.windows(2);
-        let mut intervals: Vec<f64> = pairs.map(|pair| pair[1] - pair[0]).collect();
-        (!intervals.is_empty()).then(|| median(&mut intervals))
+        median_of(pairs.map(|pair| pair[1] - pair[0]))
     }
 
     /// Drops all but the first `samples` samples, and records the time and the reason `why` of the truncation.
@@ -285,9 +284,5 @@ fn stand_ins(
 /// Median over flights of their sampling intervals, s; 1 if no flight has two samples.
 pub fn median_interval<'o>(flights: impl IntoIterator<Item = &'o Observations>) -> f64 {
     let intervals = flights.into_iter().filter_map(Observations::interval);
-    let mut intervals: Vec<f64> = intervals.collect();
-    match intervals.is_empty() {
-        true => 1.0,
-        false => median(&mut intervals),
-    }
+    median_of(intervals).unwrap_or(1.0)
 }

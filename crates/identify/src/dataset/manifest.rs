@@ -13,6 +13,7 @@ use super::unplaced::Unplaced;
 use super::words::{meant, shown};
 use super::{KnownValue, Marker, Role, Sensor, file, names};
 use crate::input_error::InputError;
+use crate::pose::distance;
 
 /// Maximum size of `dataset.toml`, bytes.
 const LARGEST: u64 = 4 << 20;
@@ -194,13 +195,7 @@ impl Checker<'_> {
                 markers.push(Marker { name, position });
                 continue;
             };
-            let near = |other: &Marker| {
-                let apart = position
-                    .iter()
-                    .zip(other.position)
-                    .map(|(a, b)| (a - b).powi(2));
-                apart.sum::<f64>().sqrt() < NEAREST
-            };
+            let near = |other: &Marker| distance(position, other.position) < NEAREST;
             let mut others = markers.iter().enumerate();
             let is_placed = |index: usize| unplaced.iter().all(|own| own.marker != index);
             if let Some((_, other)) = others.find(|(index, other)| is_placed(*index) && near(other))

@@ -5,7 +5,8 @@ use std::path::Path;
 
 use super::{Flight, Marker};
 use crate::input_error::InputError;
-use crate::statistics::median;
+use crate::pose::distance;
+use crate::statistics::median_of;
 
 /// Maximum absolute coordinate of a measured marker position, m.
 const FARTHEST: f64 = 1e4;
@@ -96,10 +97,8 @@ fn apart(flight: &Flight, markers: &[Marker]) -> Option<(f64, f64)> {
         return None;
     };
     let seen = flight.positions.iter();
-    let measured = seen.filter_map(|row| Some(distance(row[0]?, row[1]?)));
-    let mut measured: Vec<f64> = measured.collect();
-    let declared = distance(first.position, second.position);
-    (!measured.is_empty()).then(|| (median(&mut measured), declared))
+    let measured = median_of(seen.filter_map(|row| Some(distance(row[0]?, row[1]?))))?;
+    Some((measured, distance(first.position, second.position)))
 }
 
 /// Median speed of the first marker, m/s, over pairs of samples half a flight apart, which is robust to outliers;
@@ -117,11 +116,5 @@ fn speed(flight: &Flight) -> Option<f64> {
         );
         Some(moved / (flight.times[i] - flight.times[i - half]))
     });
-    let mut speeds: Vec<f64> = speeds.collect();
-    (!speeds.is_empty()).then(|| median(&mut speeds))
-}
-
-fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    let squares = a.iter().zip(b).map(|(a, b)| (a - b).powi(2));
-    squares.sum::<f64>().sqrt()
+    median_of(speeds)
 }

@@ -7,7 +7,7 @@ use super::sensor::attitude;
 use super::{Flight, Marker, Sensor, SensorKind};
 use crate::input_error::InputError;
 use crate::pose::{fix_attitude, pose};
-use crate::statistics::median;
+use crate::statistics::median_vector;
 
 /// A marker with the position `"unknown"` in `dataset.toml`.
 #[derive(Clone, Debug, PartialEq)]
@@ -116,13 +116,14 @@ fn place_some(
             Some(body.attitude.inverse() * (Vector3::from(own) - body.position))
         });
         let marker = &mut markers[own.marker];
-        marker.position = middle(on_body.collect()).ok_or_else(|| {
+        let position = median_vector(&on_body.collect::<Vec<_>>()).ok_or_else(|| {
             let found = format!("{} never seen together with the others", marker.name);
             own.error(
                 found,
                 "samples that show it with three others, or its position",
             )
         })?;
+        marker.position = position.into();
     }
     Ok(())
 }
@@ -147,16 +148,9 @@ fn place_poses(markers: &[Marker], sensors: &mut [Sensor], flights: &[Flight]) {
             let place = Vector3::new(place[0], place[1], place[2]);
             Some(attitude(turn).inverse() * (place - body.position))
         });
-        if let Some(position) = middle(on_body.collect()) {
-            sensor.position = position;
+        if let Some(position) = median_vector(&on_body.collect::<Vec<_>>()) {
+            sensor.position = position.into();
             sensor.position_is_unknown = false;
         }
     }
-}
-
-/// Component-wise median of the positions `places`; `None` if there are none.
-fn middle(places: Vec<Vector3<f64>>) -> Option<[f64; 3]> {
-    (!places.is_empty()).then(|| {
-        [0, 1, 2].map(|axis| median(&mut places.iter().map(|at| at[axis]).collect::<Vec<f64>>()))
-    })
 }

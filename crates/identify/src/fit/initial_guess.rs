@@ -15,7 +15,7 @@ use crate::observations::{Observations, median_interval};
 use crate::options::FitOptions;
 use crate::pose::Pose;
 use crate::problem::FitProblem;
-use crate::statistics::median;
+use crate::statistics::median_of;
 use crate::vertical;
 
 /// Length of the first segment of a flight, to which its initial guess is fitted, s.
@@ -97,7 +97,7 @@ pub fn observe(
             Err(reason) => excluded.push(exclude(dataset, flight, reason)),
         }
     }
-    let mut sigma0 = (!estimates.is_empty()).then(|| median(&mut estimates).max(MIN_SIGMA0));
+    let mut sigma0 = median_of(estimates).map(|sigma0| sigma0.max(MIN_SIGMA0));
     let noise_floor = median_noise_floor(&floors);
     if let (Some(sigma0), Some(floor)) = (&mut sigma0, noise_floor) {
         let floor = overall(floor);

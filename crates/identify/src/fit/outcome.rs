@@ -21,7 +21,7 @@ use crate::report::{
     AxisNoise, Coefficient, Estimate, FitReport, FlightOutcome, FlightReport, Iterations,
     NoiseReport, Profile, ResidualPool, SensorReport,
 };
-use crate::statistics::median;
+use crate::statistics::median_of;
 use crate::uncertainty::{Covariance, interval, non_identifiable, profile};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -104,8 +104,7 @@ pub fn reports(
 
 /// Adds a note to the report of each flight whose residuals are far larger than those of the other flights.
 fn note_misfits(flights: &mut [FlightReport]) {
-    let mut rms: Vec<f64> = flights.iter().map(FlightReport::rms).collect();
-    let median = median(&mut rms);
+    let median = median_of(flights.iter().map(FlightReport::rms)).unwrap_or(0.0);
     for flight in flights {
         if flight.rms() > MISFIT_RATIO * median {
             flight.notes.push(format!(

@@ -8,7 +8,7 @@ use crate::error::FlightError;
 use crate::least_squares::FailedFlight;
 use crate::observations::Observations;
 use crate::predict::{Residuals, residuals_of, states};
-use crate::statistics::{median, robust_sigma};
+use crate::statistics::{median_of, robust_sigma};
 
 /// Trajectories and residuals of all flights at one iterate.
 pub struct ResidualCache(Vec<CachedFlight>);
@@ -78,7 +78,7 @@ impl ResidualCache {
     /// flight has a residual scale.
     pub fn median_scale(&self) -> f64 {
         let scales = self.0.iter().filter_map(|flight| flight.scale);
-        median(&mut scales.collect::<Vec<f64>>())
+        median_of(scales).unwrap_or(0.0)
     }
 
     /// Root mean square over the flights of their residual scales (robust standard deviations of the residuals), m; 0

@@ -7,7 +7,7 @@ use super::initial_guess::spin_note;
 use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::initial_state::InitialGuess;
-use crate::statistics::median;
+use crate::statistics::median_of;
 
 /// Numbers of turns per sampling interval that are added to the slowest spin compatible with the samples, in order of
 /// decreasing probability.
@@ -82,5 +82,5 @@ fn median_scale(cache: &ResidualCache, excluded: usize) -> f64 {
     let scales = cache.scales().into_iter();
     let flown = scales.map(|scale| scale.unwrap_or(f64::INFINITY));
     let without = std::iter::repeat_n(f64::INFINITY, excluded);
-    median(&mut flown.chain(without).collect::<Vec<f64>>())
+    median_of(flown.chain(without)).unwrap_or(0.0)
 }

@@ -8,7 +8,7 @@ use nalgebra::{SMatrix, SVector, Vector3};
 
 use super::PathPoint;
 use crate::path_noise::path_noise;
-use crate::statistics::median;
+use crate::statistics::median_of;
 
 /// Maximum number of points (measured positions) that are used on each side of an interval between two successive
 /// points that is tested for an impact.
@@ -58,7 +58,7 @@ pub fn impact(path: &[PathPoint]) -> Option<Impact> {
     if path.len() < LEAST_SIDES.0 + LEAST_SIDES.1 {
         return None;
     }
-    let noise = path_noise(path.iter().map(|&(_, time, at)| (time, at))).max(1e-9);
+    let noise = path_noise(path.iter().map(|point| (point.time, point.position))).max(1e-9);
     let candidates = LEAST_SIDES.0..=path.len() - LEAST_SIDES.1;
     let mut usual = None;
     let mut found: Option<(usize, Kink)> = None;
@@ -96,15 +96,15 @@ fn usual_jump(path: &[PathPoint], candidates: std::ops::RangeInclusive<usize>, n
     let kinks = candidates
         .step_by(step)
         .filter_map(|index| kink(path, index, noise));
-    let mut jumps: Vec<f64> = kinks.map(|kink| kink.jump.norm()).collect();
-    median(&mut jumps)
+    median_of(kinks.map(|kink| kink.jump.norm())).unwrap_or(0.0)
 }
 
 /// Whether an impact before point `index` is possible, judged at low cost from velocities over a few points on each
 /// side.
 fn may_be_impact(path: &[PathPoint], index: usize) -> bool {
-    let velocity =
-        |from: usize, to: usize| (path[to].2 - path[from].2) / (path[to].1 - path[from].1);
+    let velocity = |from: usize, to: usize| {
+        (path[to].position - path[from].position) / (path[to].time - path[from].time)
+    };
     let (before, after) = (velocity(index - 4, index - 1), velocity(index, index + 2));
     before.z < 0.0 && after.z - before.z > 0.5 * MIN_JUMP
 }
@@ -148,13 +148,13 @@ impl Kink {
 /// of both parabolas. `noise` is the standard deviation of one coordinate, m. `None` if there are too few points.
 fn kink(path: &[PathPoint], index: usize, noise: f64) -> Option<Kink> {
     let (from, to) = (index.saturating_sub(SIDE), (index + SIDE).min(path.len()));
-    let time = 0.5 * (path[index - 1].1 + path[index].1);
-    let half = 0.5 * (path[to - 1].1 - path[from].1);
-    let origin = path[index].2;
+    let time = 0.5 * (path[index - 1].time + path[index].time);
+    let half = 0.5 * (path[to - 1].time - path[from].time);
+    let origin = path[index].position;
     let mut sides = [Vec::new(), Vec::new()];
-    for (offset, (_, at, position)) in path[from..to].iter().enumerate() {
+    for (offset, point) in path[from..to].iter().enumerate() {
         let side = usize::from(from + offset >= index);
-        sides[side].push(((at - time) / half, position - origin));
+        sides[side].push(((point.time - time) / half, point.position - origin));
     }
     leave_out_outliers(&mut sides, noise);
     let [before, after] = &sides;
@@ -185,7 +185,7 @@ fn kink(path: &[PathPoint], index: usize, noise: f64) -> Option<Kink> {
         jump: velocity(&second) - velocity(&first),
         error: deviation * variance.sqrt() / half,
         impulse: acceleration(&first).max(acceleration(&second))
-            * (path[index].1 - path[index - 1].1),
+            * (path[index].time - path[index - 1].time),
         squares: squares.max(noise * noise),
         smooth: smooth.squares / freedom(all.len(), SMOOTH),
     })
@@ -290,7 +290,12 @@ mod tests {
         (0..90)
             .map(|i| {
                 let noise = [0, 1, 2].map(|axis| 0.002 * jitter(seed * 1000 + 3 * i + axis));
-                let now = (i, i as f64 * dt, position + Vector3::from(noise));
+                let now = PathPoint {
+                    sample: i,
+                    time: i as f64 * dt,
+                    position: position + Vector3::from(noise),
+                    attitude: None,
+                };
                 for step in 0..fine {
                     let time = (i as f64 + f64::from(step) / f64::from(fine)) * dt;
                     velocity.z += (lift * (-time / fading).exp() - 9.81) * dt / f64::from(fine);
@@ -336,8 +341,8 @@ mod tests {
             let mut path = path(6.0, (0.0, 1.0), None, seed);
             for (i, point) in path.iter_mut().enumerate() {
                 if jitter(seed * 7919 + i) > 0.97 {
-                    point.2.z += 0.1 * jitter(seed + 31 * i);
-                    point.2.x += 0.1 * jitter(seed + 37 * i);
+                    point.position.z += 0.1 * jitter(seed + 31 * i);
+                    point.position.x += 0.1 * jitter(seed + 37 * i);
                 }
             }
             assert_eq!(impact(&path), None, "seed {seed}");

@@ -17,7 +17,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 use crate::observations::Observations;
 use crate::pose::{Pose, point_position, pose};
 use crate::problem::FitProblem;
-use crate::statistics::median;
+use crate::statistics::median_of;
 
 /// Ratio of the residual variance of a pose (of the marker positions about the fitted rigid body) to the median over
 /// the flight, above which the sample contains an outlier.
@@ -30,11 +30,18 @@ const MIN_OUTLIER_VARIANCE: f64 = 1e-8;
 /// both to be the same contact.
 const SAME: usize = 4;
 
-/// Sample index, time (s) and position (m) of the body's origin.
-pub type PathPoint = (usize, f64, Vector3<f64>);
-
-/// A point of a path, with the rotation from body components to inertial components.
-pub type Posed = (PathPoint, UnitQuaternion<f64>);
+/// Measured pose or position of the body's origin in one sample.
+#[derive(Clone, Copy, Debug)]
+pub struct PathPoint {
+    /// Index of the sample in the flight's table.
+    pub sample: usize,
+    /// Time of the sample, s.
+    pub time: f64,
+    /// Position of the body's origin, m, inertial frame.
+    pub position: Vector3<f64>,
+    /// Rotation from body to inertial components; `None` for a point mass, or if the pose contains an outlier.
+    pub attitude: Option<UnitQuaternion<f64>>,
+}
 
 /// The first contact of a flight.
 #[derive(Clone, Debug, PartialEq)]
@@ -108,39 +115,41 @@ fn contact_of(
     observations: &Observations,
     poses: &[Option<Pose>],
 ) -> Option<Contact> {
-    let samples = 0..observations.times.len();
-    let position = |sample: usize| match problem.has_attitude {
-        true => poses[sample].map(|pose| pose.position),
-        false => point_position(&problem.markers, observations.points(sample)),
-    };
-    let point = |sample: usize| Some((sample, observations.times[sample], position(sample)?));
-    let path: Vec<PathPoint> = samples.clone().filter_map(point).collect();
     let limit = variance_limit(poses.iter().flatten().map(Pose::variance));
-    let posed = samples.filter_map(|sample| {
-        let pose = (*poses.get(sample)?).filter(|pose| pose.variance() <= limit)?;
-        Some((point(sample)?, pose.attitude))
+    let samples = observations.times.iter().enumerate();
+    let path = samples.filter_map(|(sample, &time)| {
+        let pose = poses.get(sample).copied().flatten();
+        let rigid = pose.filter(|pose| pose.variance() <= limit);
+        Some(PathPoint {
+            sample,
+            time,
+            position: match problem.has_attitude {
+                true => pose?.position,
+                false => point_position(&problem.markers, observations.points(sample))?,
+            },
+            attitude: rigid.map(|pose| pose.attitude),
+        })
     });
-    contact(&path, &posed.collect::<Vec<Posed>>())
+    contact(&path.collect::<Vec<PathPoint>>())
 }
 
 /// Threshold of the residual variance of a pose, m², above which the sample of the pose is considered to contain an
 /// outlier. `variances` are the residual variances of all poses of the flight, m².
 pub fn variance_limit(variances: impl Iterator<Item = f64>) -> f64 {
-    let limit = MAX_VARIANCE_RATIO * median(&mut variances.collect::<Vec<f64>>());
-    limit.max(MIN_OUTLIER_VARIANCE)
+    let usual = median_of(variances).unwrap_or(0.0);
+    (MAX_VARIANCE_RATIO * usual).max(MIN_OUTLIER_VARIANCE)
 }
 
 /// Finds the first contact of a body from the path of its origin and from its attitude; `None` if there is none.
-/// `posed` contains the points of the path that have an attitude; it is empty for a point mass.
-pub fn contact(path: &[PathPoint], posed: &[Posed]) -> Option<Contact> {
+pub fn contact(path: &[PathPoint]) -> Option<Contact> {
     let of_path = impact_detection::impact(path).map(|impact| Contact {
-        sample: path[impact.index].0,
+        sample: path[impact.index].sample,
         why: format!(
             "the velocity jumps by ({:.1}, {:.1}, {:.1}) m/s",
             impact.jump.x, impact.jump.y, impact.jump.z
         ),
     });
-    let of_attitude = touch::touch(posed).map(|touch| Contact {
+    let of_attitude = touch::touch(path).map(|touch| Contact {
         sample: touch.sample,
         why: format!(
             "the body is turned aside and its velocity jumps up by {:.1} m/s",

@@ -4,14 +4,14 @@
 //! The rim of a disc touches first. This changes the velocity only a little, but the disc starts to wobble until
 //! another part of the rim hits the ground a few samples later. The axis shows the contact at once.
 
-use super::Posed;
+use super::PathPoint;
 use super::halt::is_stopped;
 use super::motion::{Character, Comparison};
 use super::motion_fits::{MotionFits, SIDES};
 use super::onset::onset;
-use super::wobble::{noise_correlation, points_with_axis, wobble_rate};
+use super::wobble::{Posed, noise_correlation, points_with_axis, wobble_rate};
 use crate::path_noise::path_noise;
-use crate::statistics::median;
+use crate::statistics::{median, median_of};
 
 /// Minimum number of points (samples with a pose) before an interval that is tested for a contact. With fewer points,
 /// the model of free motion could follow any curve.
@@ -59,13 +59,17 @@ pub struct Touch {
 
 /// Finds the first contact with the ground; `None` if the body flies freely, is caught by a hand, has no steady axis
 /// (it tumbles), or has too few samples.
-pub fn touch(posed: &[Posed]) -> Option<Touch> {
+pub fn touch(path: &[PathPoint]) -> Option<Touch> {
+    let posed = path
+        .iter()
+        .filter_map(|point| Some((point, point.attitude?)));
+    let posed: Vec<Posed<'_>> = posed.collect();
     if posed.len() < LEAST_BEFORE + LEAST_AFTER {
         return None;
     }
-    let points = points_with_axis(posed)?;
-    let mut intervals: Vec<f64> = points.windows(2).map(|w| w[1].time - w[0].time).collect();
-    let rate = wobble_rate(&points, median(&mut intervals));
+    let points = points_with_axis(&posed)?;
+    let interval = median_of(points.windows(2).map(|w| w[1].time - w[0].time))?;
+    let rate = wobble_rate(&points, interval);
     let mut character = Character {
         rate,
         correlation: noise_correlation(&points),

@@ -2,10 +2,10 @@
 
 use nalgebra::{Matrix3, SVector, UnitQuaternion, Vector3};
 
+use super::PathPoint;
 use super::designs::Designs;
 use super::motion::Point;
 use super::regression::{Design, Row, Whitened};
-use super::{PathPoint, Posed};
 use crate::statistics::median;
 
 /// Maximum root mean square rotation of the axis between successive samples, rad; a tumbling body has no steady axis.
@@ -34,35 +34,35 @@ const CORRELATIONS: (f64, i32) = (0.05, 18);
 /// Minimum number of third differences of the positions from which the noise correlation is estimated.
 const DIFFERENCES: usize = 30;
 
+/// A point of a path, with the rotation from body components to inertial components.
+pub type Posed<'p> = (&'p PathPoint, UnitQuaternion<f64>);
+
 /// Position of the body and direction of its most steady axis (the body axis whose direction changes least) in each
 /// sample; `None` if the body has no such axis or spins slowly.
-pub fn points_with_axis(posed: &[Posed]) -> Option<Vec<Point>> {
+pub fn points_with_axis(posed: &[Posed<'_>]) -> Option<Vec<Point>> {
     let pairs = posed.windows(2);
     let mut spins: Vec<f64> = pairs
-        .map(|pair| pair[0].1.angle_to(&pair[1].1) / (pair[1].0.1 - pair[0].0.1))
+        .map(|pair| pair[0].1.angle_to(&pair[1].1) / (pair[1].0.time - pair[0].0.time))
         .collect();
     let part = spins.len().div_ceil(SPIN_PART);
     if median(spins.get_mut(..part)?) < LEAST_SPIN {
         return None;
     }
     let axis = steadiest_axis(posed)?;
-    let each = posed.iter().map(|(point, attitude)| {
-        let &(sample, time, position) = point;
-        Point {
-            sample,
-            time,
-            position,
-            axis: attitude * axis,
-        }
+    let each = posed.iter().map(|(point, attitude)| Point {
+        sample: point.sample,
+        time: point.time,
+        position: point.position,
+        axis: attitude * axis,
     });
     Some(each.collect())
 }
 
 /// Body axis whose direction in space changes least between successive samples; `None` if the body tumbles.
-fn steadiest_axis(posed: &[(PathPoint, UnitQuaternion<f64>)]) -> Option<Vector3<f64>> {
+fn steadiest_axis(posed: &[Posed<'_>]) -> Option<Vector3<f64>> {
     let neighbours = posed
         .windows(2)
-        .filter(|pair| pair[1].0.0 == pair[0].0.0 + 1);
+        .filter(|pair| pair[1].0.sample == pair[0].0.sample + 1);
     let (mut sum, mut count) = (Matrix3::zeros(), 0);
     for pair in neighbours {
         let turn = (pair[0].1.inverse() * pair[1].1).to_rotation_matrix();

@@ -6,7 +6,7 @@ use crate::error::FlightError;
 use crate::observations::Observations;
 use crate::pose::{Pose, point_position, pose};
 use crate::problem::FitProblem;
-use crate::statistics::{median, robust_sigma};
+use crate::statistics::{median, median_of, median_vector, robust_sigma};
 
 /// Rigid-body motion at one instant, in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -123,8 +123,8 @@ pub fn of(problem: &FitProblem, observations: &Observations) -> Result<RigidMoti
         });
     }
     // A sample whose marker distances differ much from the rigid body contains an outlier.
-    let mut variances: Vec<f64> = seen.iter().map(|frame| frame.variance).collect();
-    let limit = MAX_VARIANCE_RATIO * median(&mut variances);
+    let usual = median_of(seen.iter().map(|frame| frame.variance));
+    let limit = MAX_VARIANCE_RATIO * usual.unwrap_or(0.0);
     let is_rigid = |frame: &SeenFrame| frame.variance <= limit;
     if seen.iter().filter(|frame| is_rigid(frame)).count() >= least {
         seen.retain(is_rigid);
@@ -228,15 +228,8 @@ fn rates(seen: &[SeenFrame], observations: &Observations) -> Result<Vector3<f64>
             (gap <= MAX_GAP * usual).then(|| turn.scaled_axis() / gap)
         })
         .collect();
-    if pairs.is_empty() {
-        return Err(FlightError::NoNeighbouringPoses);
-    }
     // A gap of several intervals may hide whole turns that a single interval would show.
-    let rates = [0, 1, 2].map(|axis| {
-        let mut values: Vec<f64> = pairs.iter().map(|pair| pair[axis]).collect();
-        median(&mut values)
-    });
-    Ok(rates.into())
+    median_vector(&pairs).ok_or(FlightError::NoNeighbouringPoses)
 }
 
 /// Attitude at time 0. The first poses are rotated back to time 0 with the angular velocity `rates`, rad/s, and the one

@@ -4,6 +4,7 @@
 use super::distances::{Distances, MOST_MARKERS};
 use super::fault::{DataFault, FaultKind};
 use crate::dataset::{Flight, Marker};
+use crate::statistics::median_of;
 
 /// Maximum number of markers for which all permutations are tried; with more markers only exchanges of two are tried.
 const ALL_PERMUTATIONS: usize = 4;
@@ -79,20 +80,20 @@ pub fn check(distances: &Distances, flight: &Flight, markers: &[Marker]) -> Opti
             " of these rows".to_owned(),
         ),
     };
-    Some(DataFault {
-        file: file.clone(),
-        fault: FaultKind::LabelsExchanged,
-        detail: format!(
+    Some(DataFault::new(
+        flight,
+        FaultKind::LabelsExchanged,
+        format!(
             "{listed} in {file}{part}: the distances between markers fit the template only then"
         ),
-        mend: match moved.len() {
+        match moved.len() {
             2 => format!(
                 "exchange the columns of {} and {}{rows}",
                 moved[0], moved[1]
             ),
             _ => format!("rename the columns{rows}"),
         },
-    })
+    ))
 }
 
 /// Permutations of the labels of `count` markers other than the identity, in the order of the number of labels that
@@ -173,10 +174,8 @@ fn stretch(distances: &Distances, permuted: &[f64]) -> Option<Stretch> {
     }
     let best = best.filter(|best| best.evidence > LEAST_EVIDENCE)?;
     let within = &squares[best.first..=best.last];
-    let mut named: Vec<f64> = within.iter().map(|(named, _)| *named).collect();
-    let mut exchanged: Vec<f64> = within.iter().map(|(_, exchanged)| *exchanged).collect();
-    let [named, exchanged] =
-        [&mut named, &mut exchanged].map(|squares| crate::statistics::median(squares));
+    let named = median_of(within.iter().map(|(named, _)| *named))?;
+    let exchanged = median_of(within.iter().map(|(_, exchanged)| *exchanged))?;
     // Noise contributes to both errors; the error in excess of noise must vanish.
     let noise = distances.pairs.len() as f64 * distances.noise.powi(2);
     (exchanged - noise < ERROR_RATIO * (named - noise).max(0.0)).then_some(best)

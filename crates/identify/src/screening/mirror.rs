@@ -69,14 +69,9 @@ pub fn check(markers: &[[f64; 3]], flight: &Flight) -> Option<DataFault> {
         mirror.push(other.variance());
     }
     let (plain, mirror) = (median(&mut plain), median(&mut mirror));
-    (plain > RATIO * mirror && plain.sqrt() > LEAST_DISTANCE).then(|| DataFault {
-        file: flight.file.clone(),
-        fault: FaultKind::Mirrored,
-        detail: format!(
+    (plain > RATIO * mirror && plain.sqrt() > LEAST_DISTANCE).then(|| DataFault::new(flight, FaultKind::Mirrored, format!(
             "the markers fit the mirror image of the template ({:.1} mm) and not the template ({:.1} mm): the axes seem left-handed",
             1e3 * mirror.sqrt(),
             1e3 * plain.sqrt()
-        ),
-        mend: MEND.into(),
-    })
+        ), MEND))
 }

@@ -30,7 +30,7 @@ use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
-use crate::statistics::median;
+use crate::statistics::median_of;
 
 /// Minimum ratio of the noise of a track to the median noise of all flights at which a fault is reported: the data are
 /// then too noisy to be those of a flying body. The limit [`NOISE_PART`] must be exceeded too.
@@ -120,23 +120,23 @@ fn of_all(
 /// Adds a fault for each flight whose track is far noisier than the tracks of the other flights and than any measured
 /// flight can be, and removes this track.
 fn no_flights(dataset: &Dataset, faults: &mut [Option<DataFault>], tracks: &mut [Option<Track>]) {
-    let mut all: Vec<f64> = tracks.iter().flatten().map(|track| track.noise).collect();
-    let usual = median(&mut all);
+    let all = tracks.iter().flatten().map(|track| track.noise);
+    let usual = median_of(all).unwrap_or(0.0);
     let is_rough =
         |track: &&Track| track.noise > (NOISE_PART * track.extent()).max(NOISE_RATIO * usual);
     for (index, flight) in dataset.flights.iter().enumerate() {
         let Some(track) = tracks[index].as_ref().filter(is_rough) else {
             continue;
         };
-        faults[index] = Some(DataFault {
-            file: flight.file.clone(),
-            fault: FaultKind::Other,
-            detail: format!(
+        faults[index] = Some(DataFault::new(
+            flight,
+            FaultKind::Other,
+            format!(
                 "its positions scatter by {:.2} m from sample to sample, unlike those of the other flights",
                 track.noise
             ),
-            mend: "check that the table is of a flight".into(),
-        });
+            "check that the table is of a flight",
+        ));
         tracks[index] = None;
     }
 }

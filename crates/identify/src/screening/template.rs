@@ -52,12 +52,7 @@ fn units(distances: &Distances, flight: &Flight) -> Option<DataFault> {
                 .into(),
         ),
     };
-    Some(DataFault {
-        file: flight.file.clone(),
-        fault: FaultKind::Units,
-        detail,
-        mend,
-    })
+    Some(DataFault::new(flight, FaultKind::Units, detail, mend))
 }
 
 /// Fault of a marker whose distances to the other markers are grossly wrong in many samples; `None` if there is no
@@ -100,15 +95,13 @@ fn elsewhere(distances: &Distances, flight: &Flight, markers: &[Marker]) -> Opti
             let error = |pair: usize| (distances.medians[pair] - distances.declared[pair]).abs();
             error(a.0).total_cmp(&error(b.0))
         })?;
-    Some(DataFault {
-        file: flight.file.clone(),
-        fault: FaultKind::Other,
-        detail: format!(
+    Some(DataFault::new(
+        flight,
+        FaultKind::Other,
+        format!(
             "marker {name} is not where the template has it in {wrong} of {measured} samples (median distance of {} and {}: {:.3} m, declared {:.3} m)",
             markers[i].name, markers[j].name, distances.medians[pair], distances.declared[pair]
         ),
-        mend: format!(
-            "check the track and the declared position of {name}, or leave its cells empty"
-        ),
-    })
+        format!("check the track and the declared position of {name}, or leave its cells empty"),
+    ))
 }
