@@ -28,6 +28,7 @@ use std::path::Path;
 use flight::batch;
 pub use sensor::{Reading, Sensor, SensorKind};
 pub(crate) use sensor::{attitude, points_on_body, points_seen};
+pub(crate) use write::quoted;
 pub use write::{manifest_text, table_text, write, write_commented, write_with};
 
 use crate::input_error::InputError;
@@ -146,7 +147,7 @@ pub fn load_on(folder: &Path, threads: Option<usize>) -> Result<Dataset, InputEr
     assemble(manifest, threads, |_, entry, markers, sensors| {
         let path = folder.join(&entry.file);
         let names: Vec<&str> = markers.iter().map(|marker| marker.name.as_str()).collect();
-        if names::is_c3d(&entry.file) {
+        if names::is_c3d(&path) {
             let bytes = file::bytes(&path, LARGEST, "a C3D file")?;
             if let Some(sensor) = sensors.first() {
                 let found = format!("the sensor {} with a C3D file", sensor.name);

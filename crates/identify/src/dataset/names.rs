@@ -38,8 +38,7 @@ pub(super) fn wrong_with_file(file: &str) -> Option<&'static str> {
 }
 
 /// Whether a file is read as C3D, judged by the extension of its name.
-pub(super) fn is_c3d(file: &str) -> bool {
-    Path::new(file)
-        .extension()
+pub(super) fn is_c3d(file: &Path) -> bool {
+    file.extension()
         .is_some_and(|extension| extension.eq_ignore_ascii_case("c3d"))
 }

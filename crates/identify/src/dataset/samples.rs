@@ -23,7 +23,7 @@ const WIDEST: f64 = 1.0;
 const MOST: usize = 1 << 23;
 
 /// Texts of an error: what was found, and what was expected.
-type Wrong = (String, String);
+pub(super) type Wrong = (String, String);
 
 /// Maximum number of samples of a flight; `markers` is the total number of its markers and sensor channels.
 pub(super) fn most(markers: usize) -> usize {

@@ -1,11 +1,14 @@
 //! Writes a dataset as a folder: atomically, and only if reading the folder gives an equal dataset.
 
+use std::borrow::Cow;
 use std::fmt::Write as _;
 use std::io;
 use std::path::{Path, PathBuf};
 
 use super::recording::Recording;
+use super::sensor::channels;
 use super::{Dataset, Flight, KnownValue, Marker, Role, Sensor, assemble, manifest, names, table};
+use crate::input_error::InputError;
 
 /// Writes a dataset as a folder with `dataset.toml` and one table per flight.
 ///
@@ -155,30 +158,37 @@ fn fill(folder: &Path, files: &[(String, String)]) -> io::Result<()> {
 
 /// Returns an error if reading the files would fail or give a different dataset.
 fn is_read_back(dataset: &Dataset, files: &[(String, String)]) -> io::Result<()> {
-    let refused = |error: crate::input_error::InputError| invalid(error.to_string());
-    let manifest = manifest::parse(Path::new(&files[0].0), &files[0].1).map_err(refused)?;
-    let read = assemble(manifest, 1, |index, entry, markers, sensors| {
-        let path = PathBuf::from(&entry.file);
-        let names: Vec<&str> = markers.iter().map(|marker| marker.name.as_str()).collect();
-        let text = files.get(index + 1).map_or("", |(_, text)| text);
-        if names::is_c3d(&entry.file) {
+    let text = |index: usize, path: &Path| match names::is_c3d(path) {
+        true => {
             let expected = "a table: C3D is read and not written";
-            return Err(crate::input_error::InputError::of_file(
-                &path,
-                "a C3D file",
-                expected,
-            ));
+            Err(InputError::of_file(path, "a C3D file", expected))
         }
-        table::parse(&path, text, (&names, sensors), &Recording::default())
-            .map(|table| (path, table))
-    });
-    if read.map_err(refused)? == *dataset {
+        false => Ok(files.get(index + 1).map_or("", |(_, text)| text).into()),
+    };
+    let read = read_back(&files[0].1, text).map_err(|error| invalid(error.to_string()))?;
+    if read == *dataset {
         Ok(())
     } else {
         Err(invalid(
             "the dataset holds values that no file does: a position or a time that is not finite, or too few of them".into(),
         ))
     }
+}
+
+/// Reads the dataset of the text of `dataset.toml`, without files: `table` returns the text of a flight's table, given
+/// the flight's index and file name.
+pub(super) fn read_back<'t>(
+    manifest: &str,
+    table: impl Fn(usize, &Path) -> Result<Cow<'t, str>, InputError> + Sync,
+) -> Result<Dataset, InputError> {
+    let manifest = manifest::parse(Path::new("dataset.toml"), manifest)?;
+    assemble(manifest, 1, |index, entry, markers, sensors| {
+        let path = PathBuf::from(&entry.file);
+        let names: Vec<&str> = markers.iter().map(|marker| marker.name.as_str()).collect();
+        let text = table(index, &path)?;
+        table::parse(&path, &text, (&names, sensors), &Recording::default())
+            .map(|table| (path, table))
+    })
 }
 
 /// Text of `dataset.toml` for a dataset.
@@ -250,10 +260,10 @@ pub fn table_text(flight: &Flight, markers: &[Marker], sensors: &[Sensor]) -> St
         let name = &marker.name;
         let _ = write!(text, ",{name}_x,{name}_y,{name}_z");
     }
-    let channels = |sensor: &Sensor| sensor.kind.channels().iter();
-    let widths: Vec<usize> = sensors.iter().flat_map(channels).map(|c| c.len()).collect();
-    for sensor in sensors {
-        for ending in sensor.kind.channels().iter().copied().flatten() {
+    let mut widths = Vec::new();
+    for (sensor, endings) in channels(sensors) {
+        widths.push(endings.len());
+        for ending in endings {
             let _ = write!(text, ",{}{ending}", sensor.name);
         }
     }
@@ -297,7 +307,8 @@ fn commented(text: &str, comments: &[String]) -> String {
     made
 }
 
-fn quoted(text: &str) -> String {
+/// Quotes and escapes a text as a TOML string.
+pub(crate) fn quoted(text: &str) -> String {
     toml::Value::from(text).to_string()
 }
 

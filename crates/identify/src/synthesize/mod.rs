@@ -186,12 +186,7 @@ fn check(model: &Model, releases: &[Release], plan: &Plan) -> Result<(), Synthes
     if model.observation.is_none() {
         return refuse(format!("the model {} observes nothing", model.name));
     }
-    if !(1..=MOST_FLIGHTS).contains(&plan.flights) {
-        let found = plan.flights;
-        return refuse(format!(
-            "flights: found {found}, expected 1 to {MOST_FLIGHTS}"
-        ));
-    }
+    OutOfRange::check("flights", plan.flights as f64, 1.0, MOST_FLIGHTS as f64)?;
     if plan.held_out > plan.flights {
         let (found, most) = (plan.held_out, plan.flights);
         return refuse(format!(
