@@ -8,7 +8,7 @@
 use identify::Iterate;
 
 use super::sign_flip_test::SignFlipTest;
-use crate::context::{CandidateId, ColumnId, Context, ScoreTestModel, TermId};
+use crate::context::{CandidateId, ColumnId, ScoreTestModel, TermId};
 use crate::error::{DiagnosisError, if_possible};
 use crate::selection::{Hypothesis, Search};
 
@@ -51,9 +51,8 @@ pub(crate) struct Consensus {
 /// # Errors
 /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated, or the caller cancelled.
 pub(crate) fn consensus(
-    context: Context<'_>,
-    model: &ScoreTestModel,
-    search: &Search<'_>,
+    model: &ScoreTestModel<'_>,
+    search: &Search,
     base: &Iterate,
 ) -> Result<Option<Consensus>, DiagnosisError> {
     let flights = model.flights.len();
@@ -66,7 +65,7 @@ pub(crate) fn consensus(
     let Some(test) = if_possible(sign_flip_test(model, &null, search))? else {
         return Ok(None);
     };
-    let mut agreed = agreed_hypotheses(context, model, search, (&null, &test))?;
+    let mut agreed = agreed_hypotheses(model, search, (&null, &test))?;
     let of_most = explained_without_discordant(model, &test, &agreed);
     let excess = test.excess_chi2(0..flights);
     let explained = |hypothesis: &Hypothesis| (null.squares - hypothesis.squares) / excess;
@@ -101,9 +100,8 @@ struct ConcordantMajority {
 /// Fits each single candidate on which the flights agree, and returns the hypotheses, best fit first. A hypothesis is
 /// omitted if, once it is included, the flights still agree on a further candidate or library term.
 fn agreed_hypotheses(
-    context: Context<'_>,
-    model: &ScoreTestModel,
-    search: &Search<'_>,
+    model: &ScoreTestModel<'_>,
+    search: &Search,
     (null, test): (&Hypothesis, &SignFlipTest),
 ) -> Result<Vec<Agreed>, DiagnosisError> {
     let p_values = test.p_values(&groups(model, &[]));
@@ -113,8 +111,8 @@ fn agreed_hypotheses(
         if !is_common || p_value >= ALPHA_AGREE {
             continue;
         }
-        context.check_cancelled()?;
-        if context.is_out_of_time() {
+        model.context.check_cancelled()?;
+        if model.context.is_out_of_time() {
             break;
         }
         let from = &null.iterate;
@@ -141,7 +139,7 @@ fn agreed_hypotheses(
 /// whose effect has one coefficient. `None` if no fraction reaches [`MIN_EXPLAINED`], or too
 /// few flights are concordant.
 fn explained_without_discordant(
-    model: &ScoreTestModel,
+    model: &ScoreTestModel<'_>,
     test: &SignFlipTest,
     agreed: &[Agreed],
 ) -> Option<ConcordantMajority> {
@@ -175,9 +173,9 @@ fn explained_without_discordant(
 
 /// Sign-flip test of the flights' scores at the fit of the hypothesis `given`, whose effects are nuisance parameters.
 fn sign_flip_test(
-    model: &ScoreTestModel,
+    model: &ScoreTestModel<'_>,
     given: &Hypothesis,
-    search: &Search<'_>,
+    search: &Search,
 ) -> Result<SignFlipTest, DiagnosisError> {
     let at = given.linearization_point();
     let blocks = model.normal_equations_with_terms(at, &search.noise)?;
@@ -187,7 +185,7 @@ fn sign_flip_test(
 /// Groups of columns of the normal equations, to be tested by [`SignFlipTest::p_values`]: first the columns of each
 /// candidate's coefficients (an empty group for the candidates in `conditioned_on`), then the column of each library
 /// term.
-fn groups(model: &ScoreTestModel, conditioned_on: &[CandidateId]) -> Vec<Vec<ColumnId>> {
+fn groups(model: &ScoreTestModel<'_>, conditioned_on: &[CandidateId]) -> Vec<Vec<ColumnId>> {
     let of_candidates = model
         .candidates()
         .map(|(id, _)| match conditioned_on.contains(&id) {

@@ -12,7 +12,10 @@ const DAMPING: f64 = 1e-12;
 
 /// Information matrix of the global columns from the given normal equations, with the local parameters (initial states)
 /// eliminated; `None` if a flight does not determine its local parameters.
-pub(super) fn information(model: &ScoreTestModel, blocks: &[NormalBlock]) -> Option<DMatrix<f64>> {
+pub(super) fn information(
+    model: &ScoreTestModel<'_>,
+    blocks: &[NormalBlock],
+) -> Option<DMatrix<f64>> {
     let size = model.global_columns();
     let mut sum = DMatrix::zeros(size, size);
     for block in blocks {
@@ -32,7 +35,7 @@ pub(super) struct Alternative {
 
 impl Alternative {
     /// Computes the fitted minus the null value of every coefficient of the hypothesis.
-    pub fn new(model: &ScoreTestModel, hypothesis: &Hypothesis) -> Self {
+    pub fn new(model: &ScoreTestModel<'_>, hypothesis: &Hypothesis) -> Self {
         let effects = hypothesis.effects.iter();
         let columns: Vec<ColumnId> = effects
             .flat_map(|&e| model.columns_of(e))
@@ -45,7 +48,7 @@ impl Alternative {
     }
 }
 
-fn departures(model: &ScoreTestModel, columns: &[ColumnId], at: &Iterate) -> Vec<f64> {
+fn departures(model: &ScoreTestModel<'_>, columns: &[ColumnId], at: &Iterate) -> Vec<f64> {
     let departure = |column: &ColumnId| {
         let global = &model.problem.globals[column.index()];
         at.global[column.index()] - global.model_value

@@ -8,7 +8,7 @@ use identify::{Fit, fit};
 use super::cross_validation::cross_validate;
 use super::discordant_beginning::ApplyTo;
 use super::predictive_gain::{PredictiveGain, held_out_gain};
-use crate::context::{Context, ScoreTestModel, identifier};
+use crate::context::{ScoreTestModel, identifier};
 use crate::error::DiagnosisError;
 use crate::extension::ExtendedModel;
 use crate::selection::Hypothesis;
@@ -29,13 +29,13 @@ impl Validated {
     /// # Errors
     /// [`DiagnosisError`] if the effects cannot be combined, the flights cannot be fitted, or the caller cancelled.
     pub fn new(
-        context: Context<'_>,
-        model: &ScoreTestModel,
+        model: &ScoreTestModel<'_>,
         hypothesis: &Hypothesis,
         before: &Fit,
         noise_floor_m: f64,
     ) -> Result<Self, DiagnosisError> {
-        let extension = hypothesis.extension(context, model)?;
+        let context = model.context;
+        let extension = hypothesis.extension(model)?;
         let options = &context.options.fit;
         let fit = fit(&extension.model, context.dataset, options)?;
         let gain = if context.has_held_out() {
@@ -66,14 +66,10 @@ impl Hypothesis {
     ///
     /// # Errors
     /// [`DiagnosisError::Load`] if the effects cannot be combined.
-    pub fn extension(
-        &self,
-        context: Context<'_>,
-        model: &ScoreTestModel,
-    ) -> Result<ExtendedModel, DiagnosisError> {
+    pub fn extension(&self, model: &ScoreTestModel<'_>) -> Result<ExtendedModel, DiagnosisError> {
         let effects = self.effects.iter();
         let names = effects.map(|&id| identifier(&model.candidate(id).name));
         let names: Vec<String> = names.collect();
-        Ok(ExtendedModel::new(context.model, &names, &[])?)
+        Ok(ExtendedModel::new(model.context.model, &names, &[])?)
     }
 }
