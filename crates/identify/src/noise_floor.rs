@@ -46,20 +46,9 @@ struct TrackPoint {
 }
 
 /// Standard deviation of the noise of one marker coordinate along each axis, m, estimated without a model from the
-/// scatter of one flight's samples about smooth curves; `None` if the flight has too few samples.
-pub fn noise_floor(problem: &FitProblem, observations: &Observations) -> Option<[f64; 3]> {
-    let samples = 0..observations.times.len();
-    let poses: Vec<Option<Pose>> = match problem.has_attitude {
-        true => samples
-            .map(|sample| crate::pose::pose(&problem.markers, observations.points(sample)))
-            .collect(),
-        false => Vec::new(),
-    };
-    noise_floor_by_poses(problem, observations, &poses)
-}
-
-/// Noise floor as [`noise_floor`] computes it, given the pose in each sample if the body has an attitude.
-pub(crate) fn noise_floor_by_poses(
+/// scatter of one flight's samples about smooth curves; `None` if the flight has too few samples. `poses` are those of
+/// [`Observations::poses`].
+pub fn noise_floor(
     problem: &FitProblem,
     observations: &Observations,
     poses: &[Option<Pose>],
@@ -204,7 +193,7 @@ mod tests {
         let problem = FitProblem::new(&model, &dataset, &FitOptions::default()).unwrap();
         let each = dataset.flights.iter().map(|flight| {
             let observations = Observations::new(&problem, flight).unwrap();
-            noise_floor(&problem, &observations).unwrap()
+            noise_floor(&problem, &observations, &observations.poses(&problem)).unwrap()
         });
         median_noise_floor(&each.collect::<Vec<_>>()).unwrap()
     }

@@ -8,6 +8,7 @@ use nalgebra::DVector;
 use crate::channel::ChannelKind;
 use crate::dataset::{Flight, Role, attitude, points_seen};
 use crate::error::FlightError;
+use crate::pose::{Pose, pose};
 use crate::problem::FitProblem;
 use crate::report::Truncation;
 use crate::state_manifold::StateManifold;
@@ -138,6 +139,18 @@ impl Observations {
         }
     }
 
+    /// Pose in each sample, `None` where the measured markers do not determine it; empty for a point mass.
+    pub(crate) fn poses(&self, problem: &FitProblem) -> Vec<Option<Pose>> {
+        let samples = 0..self.times.len() * usize::from(problem.has_attitude);
+        let each = samples.map(|sample| pose(&problem.markers, self.points(sample)));
+        each.collect()
+    }
+
+    /// Whether the value of a channel in a sample is excluded as an outlier.
+    pub(crate) fn is_outlier(&self, sample: usize, channel: usize) -> bool {
+        self.outlier[sample * self.channels + channel]
+    }
+
     /// Measured value of a channel in a sample; `None` if it is missing.
     pub fn value(&self, sample: usize, channel: usize) -> Option<[f64; 3]> {
         self.measured[sample * self.channels + channel]
@@ -145,8 +158,8 @@ impl Observations {
 
     /// Measured value of a channel in a sample; `None` if it is missing or an outlier.
     pub fn inlier(&self, sample: usize, channel: usize) -> Option<[f64; 3]> {
-        let index = sample * self.channels + channel;
-        self.measured[index].filter(|_| !self.outlier[index])
+        let value = self.value(sample, channel);
+        value.filter(|_| !self.is_outlier(sample, channel))
     }
 
     /// Number of measured values that are excluded as outliers.

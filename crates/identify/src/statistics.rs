@@ -23,7 +23,7 @@ pub fn median(values: &mut [f64]) -> f64 {
 }
 
 /// Median of the values of an iterator; `None` for no values.
-pub(crate) fn median_of(values: impl IntoIterator<Item = f64>) -> Option<f64> {
+pub fn median_of(values: impl IntoIterator<Item = f64>) -> Option<f64> {
     let mut values: Vec<f64> = values.into_iter().collect();
     (!values.is_empty()).then(|| median(&mut values))
 }
@@ -36,7 +36,7 @@ pub(crate) fn median_vector(vectors: &[Vector3<f64>]) -> Option<Vector3<f64>> {
 
 /// Robust estimate of the standard deviation of normal values with mean 0: 1.4826 times the median of their absolute
 /// values; 0 for no values. Reorders the values.
-pub fn robust_sigma(absolute_values: &mut [f64]) -> f64 {
+pub(crate) fn robust_sigma(absolute_values: &mut [f64]) -> f64 {
     SIGMA_PER_MEDIAN * median(absolute_values)
 }
 

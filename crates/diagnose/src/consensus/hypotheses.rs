@@ -70,14 +70,13 @@ pub(crate) fn consensus(
     let excess = test.excess_chi2(0..flights);
     let explained = |hypothesis: &Hypothesis| (null.squares - hypothesis.squares) / excess;
     agreed.retain(|agreed| explained(&agreed.hypothesis) >= MIN_EXPLAINED);
-    let of_all = agreed
-        .first()
-        .map(|best| (explained(&best.hypothesis), best.p_value));
-    let shares = of_all.or(of_most.as_ref().map(|most| (most.explained, most.p_value)));
-    Ok(shares.map(|(explained, p_value)| Consensus {
+    let Some(best) = agreed.first() else {
+        return Ok(of_most);
+    };
+    Ok(Some(Consensus {
+        explained: explained(&best.hypothesis),
+        p_value: best.p_value,
         hypotheses: agreed.into_iter().map(|agreed| agreed.hypothesis).collect(),
-        explained,
-        p_value,
         discordant: of_most.map(|most| most.discordant).unwrap_or_default(),
     }))
 }
@@ -86,15 +85,6 @@ pub(crate) fn consensus(
 struct Agreed {
     hypothesis: Hypothesis,
     p_value: f64,
-}
-
-/// Result for a candidate that most flights support. The candidate explains at least half of the excess χ² (misfit
-/// beyond noise) of these flights. Contents: explained fraction, p-value of the sign-flip test, and indices of the
-/// discordant flights, which contradict the candidate.
-struct ConcordantMajority {
-    explained: f64,
-    p_value: f64,
-    discordant: Vec<usize>,
 }
 
 /// Fits each single candidate on which the flights agree, and returns the hypotheses, best fit first. A hypothesis is
@@ -135,16 +125,16 @@ fn agreed_hypotheses(
 }
 
 /// Finds the hypothesis in `agreed` that explains most once the flights that contradict it are excluded: the largest
-/// fraction of the excess χ² (misfit beyond noise) of the remaining, concordant flights. Considers only hypotheses
-/// whose effect has one coefficient. `None` if no fraction reaches [`MIN_EXPLAINED`], or too
-/// few flights are concordant.
+/// fraction of the excess χ² (misfit beyond noise) of the remaining, concordant flights. The list of hypotheses in the
+/// result is empty. Considers only hypotheses whose effect has one coefficient. `None` if no fraction reaches
+/// [`MIN_EXPLAINED`], or too few flights are concordant.
 fn explained_without_discordant(
     model: &ScoreTestModel<'_>,
     test: &SignFlipTest,
     agreed: &[Agreed],
-) -> Option<ConcordantMajority> {
+) -> Option<Consensus> {
     let flights = test.flights();
-    let mut best: Option<ConcordantMajority> = None;
+    let mut best: Option<Consensus> = None;
     for Agreed {
         hypothesis,
         p_value,
@@ -161,7 +151,8 @@ fn explained_without_discordant(
         let are_enough = count >= MIN_FLIGHTS && count as f64 >= MIN_CONCORDANT * flights as f64;
         let is_best = best.as_ref().is_none_or(|best| explained > best.explained);
         if are_enough && explained >= MIN_EXPLAINED && is_best {
-            best = Some(ConcordantMajority {
+            best = Some(Consensus {
+                hypotheses: Vec::new(),
                 explained,
                 p_value: *p_value,
                 discordant,

@@ -1,6 +1,6 @@
 //! Separation of hypotheses by the information in the flights.
 
-use identify::{Iterate, NormalBlock, eliminate, pseudo_inverse};
+use identify::{NormalBlock, eliminate, pseudo_inverse};
 use nalgebra::{DMatrix, DVector};
 
 use crate::context::{ColumnId, ScoreTestModel, select};
@@ -41,19 +41,15 @@ impl Alternative {
             .flat_map(|&e| model.columns_of(e))
             .copied()
             .collect();
+        let departure = |column: &ColumnId| {
+            let null_value = model.problem.globals[column.index()].model_value;
+            hypothesis.iterate.global[column.index()] - null_value
+        };
         Self {
-            departures: departures(model, &columns, &hypothesis.iterate),
+            departures: columns.iter().map(departure).collect(),
             columns,
         }
     }
-}
-
-fn departures(model: &ScoreTestModel<'_>, columns: &[ColumnId], at: &Iterate) -> Vec<f64> {
-    let departure = |column: &ColumnId| {
-        let global = &model.problem.globals[column.index()];
-        at.global[column.index()] - global.model_value
-    };
-    columns.iter().map(departure).collect()
 }
 
 /// Smallest separation among all ordered pairs of hypotheses, in standard deviations. The first hypothesis of a pair is

@@ -5,9 +5,8 @@
 
 use identify::{Fit, fit};
 
-use super::cross_validation::cross_validate;
-use super::discordant_beginning::ApplyTo;
-use super::predictive_gain::{PredictiveGain, held_out_gain};
+use super::cross_validation::out_of_sample_gain;
+use super::predictive_gain::PredictiveGain;
 use crate::context::{ScoreTestModel, identifier};
 use crate::error::DiagnosisError;
 use crate::extension::ExtendedModel;
@@ -36,15 +35,9 @@ impl Validated {
     ) -> Result<Self, DiagnosisError> {
         let context = model.context;
         let extension = hypothesis.extension(model)?;
-        let options = &context.options.fit;
-        let fit = fit(&extension.model, context.dataset, options)?;
-        let gain = if context.has_held_out() {
-            held_out_gain(&before.report, &fit.report, noise_floor_m)
-        } else {
-            let models = [context.model, &extension.model];
-            let all = ApplyTo::AllFlights;
-            cross_validate(models, context.dataset, options, all, noise_floor_m)?
-        };
+        let fit = fit(&extension.model, context.dataset, &context.options.fit)?;
+        let models = [(context.model, before), (&extension.model, &fit)];
+        let gain = out_of_sample_gain(context, models, noise_floor_m)?;
         Ok(Self {
             extension,
             fit,

@@ -4,7 +4,6 @@ use super::FitError;
 use super::output_error::OutputError;
 use super::residual_cache::ResidualCache;
 use super::state::State;
-use crate::error::FlightError;
 use crate::least_squares::{Solution, SolveError, StoppingCriteria, solve_after};
 use crate::predict::Loss;
 
@@ -18,7 +17,7 @@ pub fn solve_flights(
     state: &mut State<'_>,
     (loss, criteria): (Loss<'_>, StoppingCriteria),
     previous: Option<f64>,
-    configure: impl Fn(&State<'_>, &mut OutputError<'_>),
+    configure: &dyn Fn(&State<'_>, &mut OutputError<'_>),
 ) -> Result<Solution, FitError> {
     loop {
         let mut objective = OutputError::of_all(state.problem, &state.flights, loss, state.options);
@@ -28,9 +27,6 @@ pub fn solve_flights(
         match solved {
             Ok(solution) => return Ok(solution),
             Err(SolveError::Start(failures)) => state.exclude(failures)?,
-            Err(SolveError::Undetermined(flight)) => {
-                state.exclude(vec![(flight.0, FlightError::SingularInitialState)])?;
-            }
             Err(SolveError::Cancelled) => return Err(FitError::Interrupted),
         }
     }

@@ -118,7 +118,7 @@ fn rms_from(
     for (channel, series) in series.filter(|(channel, _)| problem.is_scored(*channel)) {
         for (sample, residual) in series.iter().enumerate().skip(first) {
             let Some(residual) = residual else { continue };
-            if !observations.outlier[sample * observations.channels + channel] {
+            if !observations.is_outlier(sample, channel) {
                 squares += residual.iter().map(|r| r * r).sum::<f64>();
                 count += 3;
             }

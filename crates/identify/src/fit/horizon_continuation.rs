@@ -72,7 +72,7 @@ pub fn continue_horizon(state: &mut State<'_>) -> Result<ResidualCache, FitError
     while horizon < longest / MIN_REMAINING_GROWTH && !options.is_past_deadline() {
         options.stage_started(&format!("first {horizon:.1} s"), state.flights.len());
         // From good initial guesses, one step is enough.
-        if step_to_noise(state, until(horizon, &constraints))?.is_none() {
+        if step_to_noise(state, &until(horizon, &constraints))?.is_none() {
             fit_undistorted(state, horizon)?;
         }
         horizon *= HORIZON_GROWTH;
@@ -80,7 +80,7 @@ pub fn continue_horizon(state: &mut State<'_>) -> Result<ResidualCache, FitError
     options.stage_started("whole flights", state.flights.len());
     if horizon > FIRST_HORIZON
         && !options.is_past_deadline()
-        && let Some(cache) = step_to_noise(state, |_, _| {})?
+        && let Some(cache) = step_to_noise(state, &|_, _| {})?
     {
         return Ok(cache);
     }
@@ -120,7 +120,7 @@ fn fit_undistorted(state: &mut State<'_>, horizon: f64) -> Result<(), FitError> 
 /// undoes the step and returns `None`. `configure` may change the objective, which includes all samples.
 fn step_to_noise(
     state: &mut State<'_>,
-    configure: impl Fn(&State<'_>, &mut OutputError<'_>),
+    configure: &dyn Fn(&State<'_>, &mut OutputError<'_>),
 ) -> Result<Option<ResidualCache>, FitError> {
     let start = state.iterate();
     let sigma0 = state.problem.sigma0;
@@ -155,7 +155,7 @@ pub struct UnevaluatedStep {
 fn single_step(
     state: &mut State<'_>,
     loss: Loss<'_>,
-    configure: impl Fn(&State<'_>, &mut OutputError<'_>),
+    configure: &dyn Fn(&State<'_>, &mut OutputError<'_>),
 ) -> Result<Option<UnevaluatedStep>, FitError> {
     let mut objective = OutputError::of_all(state.problem, &state.flights, loss, state.options);
     configure(state, &mut objective);
@@ -163,7 +163,7 @@ fn single_step(
     let solution = match solve(&objective, state.iterate(), StoppingCriteria::SINGLE_STEP) {
         Ok(solution) => solution,
         Err(SolveError::Cancelled) => return Err(FitError::Interrupted),
-        Err(SolveError::Start(_) | SolveError::Undetermined(_)) => return Ok(None),
+        Err(SolveError::Start(_)) => return Ok(None),
     };
     state.take(&solution);
     Ok(Some(UnevaluatedStep {
@@ -181,7 +181,7 @@ pub fn unevaluated_step(
     before: &ResidualCache,
 ) -> Result<Option<UnevaluatedStep>, FitError> {
     let start = state.iterate();
-    let step = single_step(state, loss, |_, _| {})?;
+    let step = single_step(state, loss, &|_, _| {})?;
     let accepted = step.filter(|step| {
         let is_predicted = step.residuals.scales().iter().all(Option::is_some);
         is_predicted && step.residuals.median_scale() <= MAX_GROWTH * before.median_scale()
@@ -234,7 +234,7 @@ pub fn fit_horizon(
         }
         scale = next;
         let by = (Loss::Huber(scale), StoppingCriteria::HORIZON);
-        let solution = solve_flights(state, by, None, until(horizon, &constraints))?;
+        let solution = solve_flights(state, by, None, &until(horizon, &constraints))?;
         state.take(&solution);
         if scale < HORIZON_SCALE * sigma0 {
             break;
@@ -259,7 +259,7 @@ pub fn anneal_scale(state: &mut State<'_>) -> Result<ResidualCache, FitError> {
         scale = next;
         state.limit_to_flyable(&cache.failures());
         let by = (Loss::Huber(scale), StoppingCriteria::COARSE);
-        let solution = solve_flights(state, by, None, |state, objective| {
+        let solution = solve_flights(state, by, None, &|state, objective| {
             objective.samples = state.samples_until(f64::INFINITY);
         })?;
         state.take(&solution);

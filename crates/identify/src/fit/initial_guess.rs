@@ -10,7 +10,7 @@ use crate::error::{ExcludedFlight, FlightError};
 use crate::ground_contact::{self, ContactSearch};
 use crate::ids::FlightId;
 use crate::initial_state::{self, InitialGuess};
-use crate::noise_floor::{median_noise_floor, noise_floor_by_poses};
+use crate::noise_floor::{median_noise_floor, noise_floor};
 use crate::observations::{Observations, median_interval};
 use crate::options::FitOptions;
 use crate::pose::Pose;
@@ -82,7 +82,7 @@ pub fn observe(
         let flight = &dataset.flights[flight];
         let (observations, poses) = observations_and_poses(problem, flight, search)?;
         let sigma0 = initial_state::sigma0(problem, &observations, &poses);
-        let floor = noise_floor_by_poses(problem, &observations, &poses);
+        let floor = noise_floor(problem, &observations, &poses);
         Ok((observations, sigma0, floor))
     });
     let (mut usable, mut excluded) = (Vec::with_capacity(flights.len()), Vec::new());

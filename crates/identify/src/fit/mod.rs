@@ -136,7 +136,10 @@ fn fit_within(
         faults: mut data_faults,
         contacts,
     } = match options.known_faults {
-        Some(known) => Screening::of_known_faults(known),
+        Some(known) => Screening {
+            faults: known.to_vec(),
+            ..Screening::default()
+        },
         None if problem.is_shown_by_markers() && !problem.markers.is_empty() => {
             screening::screen(&problem, dataset, options.threads())
         }
@@ -356,6 +359,12 @@ impl Fit {
         &self.noise
     }
 
+    /// The fitted flights, in the order of the dataset.
+    fn fitted(&self) -> impl Iterator<Item = &FittedFlight> {
+        let flights = self.flights.iter().flatten();
+        flights.filter(|flight| flight.observations.role == Role::Fit)
+    }
+
     /// Observations and estimated initial state of a flight; `None` if the flight is excluded.
     pub fn flight(&self, flight: FlightId) -> Option<(&Observations, &DVector<f64>)> {
         let fitted = self.flights.get(flight.index())?.as_ref()?;
@@ -373,18 +382,18 @@ impl Fit {
 
 /// Converts a least-squares error over the given flights to a fit error.
 fn solve_error(error: SolveError, flights: &[impl Borrow<Observations>]) -> FitError {
-    let (flight, reason) = match error {
+    match error {
         SolveError::Start(failures) => match failures.into_iter().next() {
-            Some(failure) => failure,
-            None => return FitError::NothingToFit,
+            Some((flight, reason)) => flight_error(flights[flight].borrow(), reason),
+            None => FitError::NothingToFit,
         },
-        SolveError::Undetermined(undetermined) => {
-            (undetermined.0, FlightError::SingularInitialState)
-        }
-        SolveError::Cancelled => return FitError::Interrupted,
-    };
+        SolveError::Cancelled => FitError::Interrupted,
+    }
+}
+
+fn flight_error(flight: &Observations, reason: FlightError) -> FitError {
     FitError::Flight {
-        file: flights[flight].borrow().file.clone(),
+        file: flight.file.clone(),
         reason,
     }
 }

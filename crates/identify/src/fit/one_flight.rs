@@ -94,7 +94,6 @@ impl FixedGlobal<'_> {
                 let first = failures.into_iter().next();
                 first.map_or(FlightError::NoMatchingState, |(_, reason)| reason)
             }
-            SolveError::Undetermined(_) => FlightError::SingularInitialState,
             SolveError::Cancelled => FlightError::Interrupted,
         })?;
         Ok((solution.iterate.local[0].clone(), solution))

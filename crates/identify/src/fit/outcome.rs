@@ -9,8 +9,9 @@ use super::output_error::OutputError;
 use super::post_fit::{ChannelSum, EMPTY_RANGE, PostFit, joined, post_fit};
 use super::reweighting::Reweighted;
 use super::state::State;
-use super::{FitError, solve_error};
+use super::{FitError, flight_error, solve_error};
 use crate::channel::ChannelKind;
+use crate::error::FlightError;
 use crate::ids::GlobalId;
 use crate::least_squares::{ReducedSystem, StoppingCriteria, eliminate, solve};
 use crate::noise::NoiseModel;
@@ -42,8 +43,10 @@ pub fn reports(
     fitted: &Reweighted,
 ) -> Result<(FitReport, Vec<FlightReport>), FitError> {
     let problem = state.problem;
-    let system = eliminate(&fitted.solution.blocks, 0.0)
-        .map_err(|error| solve_error(error.into(), &state.flights))?;
+    let system = eliminate(&fitted.solution.blocks, 0.0).map_err(|undetermined| {
+        let flight = &state.flights[undetermined.0];
+        flight_error(flight, FlightError::SingularInitialState)
+    })?;
     let covariance = Covariance::new(&system, state.flights.len(), &problem.globals);
     let profiles = profiles(state, fitted, &covariance)?;
     let evaluated = evaluate(state, fitted, &system, &covariance)?;

@@ -2,8 +2,8 @@
 
 use flight::batch;
 
-use super::FitError;
 use super::state::{State, retain};
+use super::{FitError, flight_error};
 use crate::error::FlightError;
 use crate::least_squares::FailedFlight;
 use crate::observations::Observations;
@@ -112,10 +112,7 @@ impl ResidualCache {
     /// [`FitError::Flight`] if the flight cannot be integrated.
     pub fn path(&self, flights: &[Observations], flight: usize) -> Result<&Path, FitError> {
         let path = self.0[flight].path.as_ref();
-        path.map_err(|reason| FitError::Flight {
-            file: flights[flight].file.clone(),
-            reason: reason.clone(),
-        })
+        path.map_err(|reason| flight_error(&flights[flight], reason.clone()))
     }
 }
 

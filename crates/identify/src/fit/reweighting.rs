@@ -22,6 +22,10 @@ const POINTS_PER_CHANGED_MARK: usize = 10_000;
 /// Maximum number of noise estimates in the alternation of noise estimates and least squares.
 const MAX_ROUNDS: usize = 8;
 
+/// Maximum difference at which two noise estimates count as equal: relative for standard deviations, absolute for
+/// autocorrelations.
+const SAME_NOISE: f64 = 0.005;
+
 /// Number of least-squares solutions that stop at the maximum number of steps, after which reweighting ends without
 /// convergence.
 const MAX_UNFINISHED: usize = 2;
@@ -85,7 +89,7 @@ fn agree(state: &mut State<'_>, mut cache: ResidualCache) -> Result<Option<Rewei
     let (mut unfinished, mut misfits) = (0, 0);
     for round in 0..MAX_ROUNDS {
         let (estimated, marks_changed) = estimate_noise(state, &cache)?;
-        let agrees = !marks_changed && estimated.is_close_to(&noise);
+        let agrees = !marks_changed && estimated.is_within(&noise, SAME_NOISE);
         if let Some(solution) = solution.take_if(|_| agrees) {
             return Ok(Some(Reweighted::new(noise, solution, cache, true)));
         }
@@ -107,7 +111,7 @@ fn agree(state: &mut State<'_>, mut cache: ResidualCache) -> Result<Option<Rewei
             false => StoppingCriteria::CONVERGED,
         };
         let previous = predicted_reduction.take();
-        let found = solve_flights(state, (loss, criteria), previous, |_, _| {})?;
+        let found = solve_flights(state, (loss, criteria), previous, &|_, _| {})?;
         state.take(&found);
         if state.flights.len() < flights {
             return Ok(None);

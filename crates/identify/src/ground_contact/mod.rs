@@ -15,7 +15,7 @@ mod wobble;
 use nalgebra::{UnitQuaternion, Vector3};
 
 use crate::observations::Observations;
-use crate::pose::{Pose, point_position, pose};
+use crate::pose::{Pose, point_position};
 use crate::problem::FitProblem;
 use crate::statistics::median_of;
 
@@ -86,15 +86,12 @@ pub fn truncate_at_contact(
     observations: &mut Observations,
     search: Option<ContactSearch>,
 ) -> Vec<Option<Pose>> {
-    let samples = 0..observations.times.len();
     let (sought, known) = match search {
         Some(ContactSearch { contact, poses }) => (Some(contact), poses),
         None => (None, Vec::new()),
     };
-    let mut poses: Vec<Option<Pose>> = match problem.has_attitude && known.is_empty() {
-        true => samples
-            .map(|sample| pose(&problem.markers, observations.points(sample)))
-            .collect(),
+    let mut poses = match known.is_empty() {
+        true => observations.poses(problem),
         false => known,
     };
     let found = sought.unwrap_or_else(|| contact_of(problem, observations, &poses));

@@ -49,16 +49,6 @@ pub(crate) struct Screening {
     pub contacts: Vec<Option<ContactSearch>>,
 }
 
-impl Screening {
-    /// Creates a result from the faults that an earlier screening found; `contacts` is empty.
-    pub fn of_known_faults(faults: &[DataFault]) -> Self {
-        Self {
-            faults: faults.to_vec(),
-            contacts: Vec::new(),
-        }
-    }
-}
-
 /// Screens the flights of a dataset, both fitted and held out, for recording mistakes from which a fit cannot recover.
 /// Uses `threads` threads.
 pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) -> Screening {
