@@ -14,7 +14,7 @@ use crate::error::{DiagnosisError, if_possible};
 use crate::extension::ExtendedModel;
 use crate::lack_of_fit::LackOfFit;
 use crate::noise::random_walk_loads;
-use crate::offer::{Chosen, measure};
+use crate::offer::{ChosenExtension, measure};
 use crate::optimal_design::next_throw;
 use crate::parallel::join;
 use crate::report::{self, Consensus, Report, Verdict};
@@ -376,10 +376,10 @@ impl<'a> Analysis<'a> {
         &mut self,
         validated: Option<Validated>,
         report: &mut Report,
-    ) -> Result<Option<Chosen>, DiagnosisError> {
+    ) -> Result<Option<ChosenExtension>, DiagnosisError> {
         let context = self.model.context;
         if let Some(validated) = validated {
-            return Ok(Some(Chosen {
+            return Ok(Some(ChosenExtension {
                 extension: validated.extension,
                 fit: Some(validated.fit),
                 gain: validated.gain,
@@ -390,7 +390,7 @@ impl<'a> Analysis<'a> {
             if context.is_out_of_time() {
                 return Ok(None);
             }
-            return Ok(Some(Chosen {
+            return Ok(Some(ChosenExtension {
                 extension: best.extension(&self.model)?,
                 fit: None,
                 gain: None,
@@ -410,7 +410,7 @@ impl<'a> Analysis<'a> {
         let found = report::unattributed_report(model, search, &stepwise, histories);
         report.unattributed = Some(found);
         let chi2_decrease = (search.at_base.squares - stepwise.squares).max(0.0);
-        Ok(stepwise.fitted.pop().map(|last| Chosen {
+        Ok(stepwise.fitted.pop().map(|last| ChosenExtension {
             extension: last.extension,
             fit: Some(last.fit),
             gain: None,

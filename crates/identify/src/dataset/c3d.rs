@@ -35,7 +35,7 @@ fn table(bytes: &[u8], markers: &[&str]) -> Result<Table, Wrong> {
         let expected = format!("at most {}", samples::most(markers.len()));
         return Err((format!("{} frames", recording.frames()), expected));
     }
-    let places = markers.iter().map(|marker| place(&recording, marker));
+    let places = markers.iter().map(|marker| point_index(&recording, marker));
     let places = places.collect::<Result<Vec<usize>, Wrong>>()?;
     let mut table = Table::default();
     for frame in 0..recording.frames() {
@@ -60,7 +60,7 @@ fn table(bytes: &[u8], markers: &[&str]) -> Result<Table, Wrong> {
 
 /// Index, among the points of a frame, of the point with the marker's label. An error if no point or several points
 /// have this label.
-fn place(recording: &Recording<'_>, marker: &str) -> Result<usize, Wrong> {
+fn point_index(recording: &Recording<'_>, marker: &str) -> Result<usize, Wrong> {
     let labels = recording.labels();
     let mut found =
         (0..recording.points().min(labels.len())).filter(|&place| labels[place] == marker);

@@ -37,7 +37,7 @@ const NEEDED: &str = "at least three markers with positions that are not on a li
 ///
 /// # Errors
 /// [`InputError`], located at the first marker concerned, if the flights do not determine the positions.
-pub(super) fn place(
+pub(super) fn estimate_positions(
     markers: &mut [Marker],
     (unplaced, vertical_is_known): (&[Unplaced], bool),
     sensors: &mut [Sensor],
@@ -50,18 +50,18 @@ pub(super) fn place(
                 let expected = "positions of the markers, or the direction up";
                 return Err(first.error("no position of a marker and up = \"unknown\"", expected));
             }
-            origin_error = Some(place_all(markers, first, flights)?);
+            origin_error = Some(estimate_all_markers(markers, first, flights)?);
         } else {
-            place_some(markers, unplaced, flights)?;
+            estimate_some_markers(markers, unplaced, flights)?;
         }
     }
-    place_poses(markers, sensors, flights);
+    estimate_pose_sensors(markers, sensors, flights);
     Ok(origin_error)
 }
 
 /// Estimates the positions of all markers from their motion in free flight. Returns the standard errors of the position
 /// of the mass centre along the body axes, m.
-fn place_all(
+fn estimate_all_markers(
     markers: &mut [Marker],
     first: &Unplaced,
     flights: &[Flight],
@@ -88,7 +88,7 @@ fn place_all(
 /// Estimates the unknown positions of some markers from the known positions of the remaining markers. An error if the
 /// known positions do not determine the attitude of the body, or if a marker of unknown position is never measured in
 /// the same sample as enough markers of known position.
-fn place_some(
+fn estimate_some_markers(
     markers: &mut [Marker],
     unplaced: &[Unplaced],
     flights: &[Flight],
@@ -130,7 +130,7 @@ fn place_some(
 
 /// Estimates the unknown positions of pose sensors if the markers determine an attitude; otherwise the positions remain
 /// unknown, and the fit estimates them.
-fn place_poses(markers: &[Marker], sensors: &mut [Sensor], flights: &[Flight]) {
+fn estimate_pose_sensors(markers: &[Marker], sensors: &mut [Sensor], flights: &[Flight]) {
     let known: Vec<[f64; 3]> = markers.iter().map(|marker| marker.position).collect();
     let mut channel = 0;
     for sensor in sensors {

@@ -62,10 +62,10 @@ pub fn write_commented(
     {
         return Err(invalid(format!("two files {name} in one dataset")));
     }
-    match holds(folder, &files)? {
-        Holds::Nothing => place(folder, &files),
-        Holds::This => Ok(()),
-        Holds::Other => Err(io::Error::new(
+    match folder_content(folder, &files)? {
+        FolderContent::Nothing => write_atomically(folder, &files),
+        FolderContent::This => Ok(()),
+        FolderContent::Other => Err(io::Error::new(
             io::ErrorKind::AlreadyExists,
             "the folder holds something else, expected an empty or a new one",
         )),
@@ -77,18 +77,20 @@ fn invalid(why: String) -> io::Error {
 }
 
 /// Content of the target folder before writing: nothing, exactly the files to be written, or other files.
-enum Holds {
+enum FolderContent {
     Nothing,
     This,
     Other,
 }
 
-fn holds(folder: &Path, files: &[(String, String)]) -> io::Result<Holds> {
+fn folder_content(folder: &Path, files: &[(String, String)]) -> io::Result<FolderContent> {
     let mut found = Vec::new();
     let mut left = vec![folder.to_path_buf()];
     while let Some(next) = left.pop() {
         let entries = match std::fs::read_dir(&next) {
-            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Holds::Nothing),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+                return Ok(FolderContent::Nothing);
+            }
             entries => entries?,
         };
         for entry in entries {
@@ -99,7 +101,7 @@ fn holds(folder: &Path, files: &[(String, String)]) -> io::Result<Holds> {
                 found.push(entry.path());
             }
             if found.len() + left.len() > files.len() * 2 + 1 {
-                return Ok(Holds::Other);
+                return Ok(FolderContent::Other);
             }
         }
     }
@@ -107,15 +109,15 @@ fn holds(folder: &Path, files: &[(String, String)]) -> io::Result<Holds> {
         std::fs::read(folder.join(name)).is_ok_and(|bytes| bytes == text.as_bytes())
     };
     Ok(match found.len() {
-        0 => Holds::Nothing,
-        count if count == files.len() && files.iter().all(same) => Holds::This,
-        _ => Holds::Other,
+        0 => FolderContent::Nothing,
+        count if count == files.len() && files.iter().all(same) => FolderContent::This,
+        _ => FolderContent::Other,
     })
 }
 
 /// Writes `files` (pairs of name and text) into a temporary folder next to `folder`, then renames the temporary folder
 /// to `folder`.
-fn place(folder: &Path, files: &[(String, String)]) -> io::Result<()> {
+fn write_atomically(folder: &Path, files: &[(String, String)]) -> io::Result<()> {
     let name = folder
         .file_name()
         .ok_or_else(|| invalid(format!("{} is no folder's name", folder.display())))?;
@@ -130,7 +132,7 @@ fn place(folder: &Path, files: &[(String, String)]) -> io::Result<()> {
         std::process::id()
     ));
     std::fs::create_dir(&part)?;
-    let written = fill(&part, files).and_then(|()| {
+    let written = write_files(&part, files).and_then(|()| {
         // An empty folder is removed; a folder that has been filled in the meantime is an error.
         match std::fs::remove_dir(folder) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
@@ -145,7 +147,7 @@ fn place(folder: &Path, files: &[(String, String)]) -> io::Result<()> {
     written
 }
 
-fn fill(folder: &Path, files: &[(String, String)]) -> io::Result<()> {
+fn write_files(folder: &Path, files: &[(String, String)]) -> io::Result<()> {
     for (name, text) in files {
         let path = folder.join(name);
         if let Some(parent) = path.parent() {

@@ -52,7 +52,7 @@ pub fn shoot_again(state: &mut State<'_>, cache: ResidualCache) -> Result<Residu
     }
     options.stage_started("multiple shooting", state.flights.len());
     let mut cache = shoot_from(state, cache, &[])?;
-    for start in hidden(state) {
+    for start in without_effect(state) {
         if options.is_past_deadline() || !is_suspect(state, &cache) {
             break;
         }
@@ -85,7 +85,7 @@ fn shoot_from(
 /// Finds global parameters without an effect at the present values of the other parameters, such as an angle that
 /// appears only multiplied by a coefficient equal to 0. Returns two entries (index, initial value) for each of them,
 /// with initial values between its bounds; empty if every parameter has an effect.
-fn hidden(state: &State<'_>) -> Vec<(usize, f64)> {
+fn without_effect(state: &State<'_>) -> Vec<(usize, f64)> {
     let problem = state.problem;
     let loss = Loss::Huber(problem.sigma0);
     let mut effect = vec![0.0; problem.globals.len()];
@@ -253,7 +253,7 @@ mod tests {
                     guesses[0].state.clone(),
                 );
             }
-            hidden(&state)
+            without_effect(&state)
         };
         let (low, high) = problem.globals[place("alpha_0")].constraint.bounds;
         let quarter = 0.25 * (high - low);

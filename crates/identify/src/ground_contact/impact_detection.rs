@@ -14,7 +14,7 @@ use crate::statistics::median_of;
 /// points that is tested for an impact.
 const SIDE: usize = 7;
 /// Minimum numbers of points (measured positions) before and after an interval that is tested for an impact.
-const LEAST_SIDES: (usize, usize) = (6, 3);
+const MIN_SIDES: (usize, usize) = (6, 3);
 /// Minimum number of points on one side of an interval, which is tested for an impact, for a parabola to be fitted to
 /// them. With fewer points after the interval, only position and velocity are fitted there, and the acceleration before
 /// the interval is used.
@@ -39,10 +39,10 @@ const MIN_VERTICAL_PART: (f64, f64) = (0.3, 0.3);
 /// (motion before and after an impact).
 const MIN_SQUARES_RATIO: f64 = 1.5;
 /// Maximum number of points (measured positions) around an interval tested for an impact that are excluded as outliers.
-const MOST_OUTLIERS: usize = 2;
+const MAX_OUTLIERS: usize = 2;
 /// Maximum number of intervals, distributed over the flight, at which velocity jumps are fitted; the jump of an impact
 /// is compared with their median (see `MIN_RATIO`).
-const USUAL: usize = 24;
+const REFERENCE_INTERVALS: usize = 24;
 
 /// An impact on a path: a velocity jump between two of its points.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,11 +55,11 @@ pub struct Impact {
 
 /// Finds the first impact on a path; `None` if there is none or the path is too short.
 pub fn impact(path: &[PathPoint]) -> Option<Impact> {
-    if path.len() < LEAST_SIDES.0 + LEAST_SIDES.1 {
+    if path.len() < MIN_SIDES.0 + MIN_SIDES.1 {
         return None;
     }
     let noise = path_noise(path.iter().map(|point| (point.time, point.position))).max(1e-9);
-    let candidates = LEAST_SIDES.0..=path.len() - LEAST_SIDES.1;
+    let candidates = MIN_SIDES.0..=path.len() - MIN_SIDES.1;
     let mut usual = None;
     let mut found: Option<(usize, Kink)> = None;
     for index in candidates.clone() {
@@ -92,7 +92,7 @@ pub fn impact(path: &[PathPoint]) -> Option<Impact> {
 /// intervals contain no impact. The intervals precede evenly spaced points with indices in `candidates`. `noise` is the
 /// standard deviation of one coordinate, m.
 fn usual_jump(path: &[PathPoint], candidates: std::ops::RangeInclusive<usize>, noise: f64) -> f64 {
-    let step = candidates.clone().count().div_ceil(USUAL);
+    let step = candidates.clone().count().div_ceil(REFERENCE_INTERVALS);
     let kinks = candidates
         .step_by(step)
         .filter_map(|index| kink(path, index, noise));
@@ -158,7 +158,7 @@ fn kink(path: &[PathPoint], index: usize, noise: f64) -> Option<Kink> {
     }
     leave_out_outliers(&mut sides, noise);
     let [before, after] = &sides;
-    if before.len() < PARABOLA || after.len() < LEAST_SIDES.1 {
+    if before.len() < PARABOLA || after.len() < MIN_SIDES.1 {
         return None;
     }
     let all: Vec<_> = before.iter().chain(after).copied().collect();
@@ -191,12 +191,12 @@ fn kink(path: &[PathPoint], index: usize, noise: f64) -> Option<Kink> {
     })
 }
 
-/// Removes up to `MOST_OUTLIERS` outliers from the points on the two sides of an interval that is tested for an impact.
+/// Removes up to `MAX_OUTLIERS` outliers from the points on the two sides of an interval that is tested for an impact.
 /// A point is an outlier if a single polynomial fits the points of both sides far better without it. After an impact,
 /// the removal of a single point does not improve the fit in this way. `noise` is the standard deviation of one
 /// coordinate, m.
 fn leave_out_outliers(sides: &mut [Vec<(f64, Vector3<f64>)>; 2], noise: f64) {
-    for _ in 0..MOST_OUTLIERS {
+    for _ in 0..MAX_OUTLIERS {
         let all: Vec<_> = sides.iter().flatten().copied().collect();
         if all.len() <= SMOOTH + 2 {
             return;

@@ -28,7 +28,7 @@ const MIN_OUTLIER_VARIANCE: f64 = 1e-8;
 
 /// Maximum difference, in samples, between a contact detected from the path and one detected from the attitude, for
 /// both to be the same contact.
-const SAME: usize = 4;
+const MAX_SAMPLE_DIFFERENCE: usize = 4;
 
 /// Measured pose or position of the body's origin in one sample.
 #[derive(Clone, Copy, Debug)]
@@ -157,7 +157,7 @@ pub fn contact(path: &[PathPoint]) -> Option<Contact> {
         // For a hard impact, the detection on the path is late, because the rest of the rim hits later, and that by the
         // attitude is early.
         (Some(path), Some(touch))
-            if (touch.sample..=touch.sample + SAME).contains(&path.sample) =>
+            if (touch.sample..=touch.sample + MAX_SAMPLE_DIFFERENCE).contains(&path.sample) =>
         {
             Some(Contact {
                 sample: touch.sample.midpoint(path.sample),

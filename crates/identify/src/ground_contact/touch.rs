@@ -15,18 +15,18 @@ use crate::statistics::{median, median_of};
 
 /// Minimum number of points (samples with a pose) before an interval that is tested for a contact. With fewer points,
 /// the model of free motion could follow any curve.
-const LEAST_BEFORE: usize = 32;
+const MIN_BEFORE: usize = 32;
 /// Minimum number of points (samples with a pose) after an interval that is tested for a contact; the motion after a
 /// contact is fitted to them. Intervals nearer to the end of the flight are not tested.
-const LEAST_AFTER: usize = 4;
+const MIN_AFTER: usize = 4;
 /// Lower limits to which smaller usual gains of position and axis are raised. A gain is the decrease of the sum of
 /// squared residuals if a contact is assumed in an interval; the usual gain is typical of intervals of the flight
 /// without a contact. The limits differ because a contact adds different numbers of coefficients to position and axis.
-const LEAST_USUAL: [f64; 2] = [8.0, 12.0];
-/// Minimum number of earlier intervals for the usual gain (see `LEAST_USUAL`) to be the median of the gains of these
+const MIN_USUAL: [f64; 2] = [8.0, 12.0];
+/// Minimum number of earlier intervals for the usual gain (see `MIN_USUAL`) to be the median of the gains of these
 /// intervals. With fewer, the usual gain is the lower quartile over the whole flight.
 const EARLIER: usize = 8;
-/// Minimum gains of a contact, in units of the usual gain (see `LEAST_USUAL`): the first value applies to the gain of
+/// Minimum gains of a contact, in units of the usual gain (see `MIN_USUAL`): the first value applies to the gain of
 /// the position and to that of the axis, the second value to the geometric mean of the two.
 const MIN_GAINS: (f64, f64) = (3.5, 5.5);
 /// Minimum upward velocity jump, m/s, of a contact detected because the position and the most steady body axis
@@ -36,7 +36,7 @@ const MIN_JUMP: f64 = 0.15;
 /// horizontal component.
 const MIN_UPWARD_PART: f64 = 0.3;
 /// Thresholds for a contact that is evident from the position alone: minimum gain of the position, in units of the
-/// usual gain (see `LEAST_USUAL`); minimum upward velocity jump, m/s; and minimum ratio of this jump to the descent
+/// usual gain (see `MIN_USUAL`); minimum upward velocity jump, m/s; and minimum ratio of this jump to the descent
 /// speed before it.
 const MIN_OF_PATH: (f64, f64, f64) = (7.0, 0.8, 0.3);
 
@@ -64,7 +64,7 @@ pub fn touch(path: &[PathPoint]) -> Option<Touch> {
         .iter()
         .filter_map(|point| Some((point, point.attitude?)));
     let posed: Vec<Posed<'_>> = posed.collect();
-    if posed.len() < LEAST_BEFORE + LEAST_AFTER {
+    if posed.len() < MIN_BEFORE + MIN_AFTER {
         return None;
     }
     let points = points_with_axis(&posed)?;
@@ -78,7 +78,7 @@ pub fn touch(path: &[PathPoint]) -> Option<Touch> {
             path_noise(points.iter().map(|point| (point.time, point.axis))).max(1e-9),
         ],
     };
-    let indices = LEAST_BEFORE..=points.len() - LEAST_AFTER;
+    let indices = MIN_BEFORE..=points.len() - MIN_AFTER;
     let compare = |fits: &mut MotionFits, step: usize| -> Vec<Comparison> {
         let each = indices.clone().step_by(step);
         each.filter_map(|index| fits.compare(&points, index, None))
@@ -105,7 +105,7 @@ pub fn touch(path: &[PathPoint]) -> Option<Touch> {
                 true => quartiles[part],
                 false => median(&mut earlier),
             };
-            usual.max(LEAST_USUAL[part])
+            usual.max(MIN_USUAL[part])
         });
         is_touch(comparison, usual) && !is_stopped(&points, comparison.index, &comparison.velocity)
     });
@@ -119,7 +119,7 @@ pub fn touch(path: &[PathPoint]) -> Option<Touch> {
 /// Whether `comparison`, a test in the first, cheap pass, exceeds the lower thresholds (see `ROUGH`), so that the
 /// flight may have a contact. `gains` are the gains of `comparison`, converted to a better noise estimate.
 fn may_be_touch(comparison: &Comparison, gains: [f64; 2]) -> bool {
-    let [position, axis] = [0, 1].map(|part| gains[part] / LEAST_USUAL[part]);
+    let [position, axis] = [0, 1].map(|part| gains[part] / MIN_USUAL[part]);
     let jump = comparison.jump.z;
     let of_both = position.min(axis) > ROUGH * MIN_GAINS.0 && jump > ROUGH * MIN_JUMP;
     let of_path = position > ROUGH * MIN_OF_PATH.0 && jump > ROUGH * MIN_OF_PATH.1;

@@ -43,7 +43,7 @@ pub fn initial_guesses(
     if !problem.sees_positions() {
         return instrument_guesses(problem, observations);
     }
-    let motion = rigid_motion::of(problem, observations)?;
+    let motion = rigid_motion::first_motion(problem, observations)?;
     let whole = observations
         .interval()
         .map_or(f64::INFINITY, |dt| std::f64::consts::TAU / dt);

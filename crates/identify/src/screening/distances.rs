@@ -7,7 +7,7 @@ use crate::statistics::{median, median_of, robust_sigma};
 
 /// Maximum number of markers whose mutual distances are compared; more would add little information and much
 /// computation.
-pub const MOST_MARKERS: usize = 8;
+pub const MAX_MARKERS: usize = 8;
 /// Limit for a scale error common to all pairs of markers. The ratio of measured to declared distance of each pair may
 /// deviate from the median ratio of all pairs by less than this fraction.
 const RATIO_SPREAD: f64 = 0.1;
@@ -40,9 +40,9 @@ pub fn unit(ratio: f64) -> Option<(f64, &'static str)> {
     UNITS.iter().copied().find(|(length, _)| near(*length))
 }
 
-/// All pairs of the first [`MOST_MARKERS`] of `markers` markers, by index.
+/// All pairs of the first [`MAX_MARKERS`] of `markers` markers, by index.
 pub fn marker_pairs(markers: usize) -> Vec<(usize, usize)> {
-    let count = markers.min(MOST_MARKERS);
+    let count = markers.min(MAX_MARKERS);
     (0..count)
         .flat_map(|i| (i + 1..count).map(move |j| (i, j)))
         .collect()

@@ -14,15 +14,15 @@ use crate::problem::FitProblem;
 use crate::statistics::{median, median_of, median_vector};
 
 /// Minimum deviation of the fitted constant acceleration from gravity at which a fault of all flights is reported, in
-/// units of gravity. [`LEAST_SIGNIFICANCE`] and [`LEAST_RATIO`] must be reached too.
-const LEAST_DEVIATION: f64 = 0.5;
+/// units of gravity. [`MIN_SIGNIFICANCE`] and [`MIN_RATIO`] must be reached too.
+const MIN_DEVIATION: f64 = 0.5;
 /// Minimum deviation of the fitted constant acceleration from gravity at which a fault of all flights is reported, in
 /// units of the standard error of the deviation.
-const LEAST_SIGNIFICANCE: f64 = 8.0;
+const MIN_SIGNIFICANCE: f64 = 8.0;
 /// Minimum improvement by fitting the constant acceleration at which a fault of all flights is reported: the median
 /// residual acceleration of the regression with the constant fixed at gravity, divided by that of the regression with a
 /// fitted constant.
-const LEAST_RATIO: f64 = 1.7;
+const MIN_RATIO: f64 = 1.7;
 /// Minimum cosine of the angle between a measured acceleration and gravity at which the acceleration counts as directed
 /// downwards: cos 30°.
 const ALONG: f64 = 0.866;
@@ -39,7 +39,7 @@ const SINGLE_MISFIT: (f64, f64) = (0.25, 4.0);
 const MENDED_MISFIT: (f64, f64, f64) = (0.3, 2.5, 0.15);
 /// Maximum misfit (unexplained acceleration) of a single flight after any accepted correction, in units of gravity. It
 /// rejects a correction that merely shrinks all lengths: the accelerations then tend to 0 and the misfit to gravity.
-const MOST_MENDED: f64 = 0.4;
+const MAX_MENDED: f64 = 0.4;
 /// Minimum magnitude of the vertical component of the unit normal of the markers' plane at which it is clear which side
 /// of the body is up.
 const UPRIGHT: f64 = 0.3;
@@ -53,7 +53,7 @@ const NOISE: f64 = 2.5;
 /// median; the deviation of the median from gravity has the weight 1.
 const SCATTER_PART: f64 = 0.25;
 /// Minimum number of flights for which a single flight can be compared with the others.
-const LEAST_FLIGHTS: usize = 4;
+const MIN_FLIGHTS: usize = 4;
 
 /// Axes of the table that may point up, each with the columns to be written for x, y and z, and the rotation from the
 /// table's coordinates to coordinates with z up.
@@ -126,7 +126,7 @@ impl<'a> FreeFall<'a> {
         let is_noise = error.is_some_and(|error| fixed.remaining < NOISE * error);
         if !is_noise
             && let Some(free) = regress(&all, None)
-            && let Some((fault, detail, mend)) = self.of_all(&fixed, &free)
+            && let Some((fault, detail, mend)) = self.common_fault(&fixed, &free)
         {
             let flights = self.dataset.flights.iter().zip(&self.rows);
             let seen = flights.filter(|(_, rows)| !rows.is_empty());
@@ -134,21 +134,25 @@ impl<'a> FreeFall<'a> {
                 |flight: &Flight| DataFault::new(flight, fault, detail.clone(), mend.clone());
             return seen.map(|(flight, _)| fault(flight)).collect();
         }
-        self.single(&fixed)
+        self.single_faults(&fixed)
     }
 
     /// Fault that all flights have in common: kind, description and instruction for correcting it. `None` if the fitted
     /// constant acceleration is not clear evidence of a fault. In the regression `fixed` the constant acceleration is
     /// fixed at gravity, in `free` it is fitted.
-    fn of_all(&self, fixed: &Regression, free: &Regression) -> Option<(FaultKind, String, String)> {
+    fn common_fault(
+        &self,
+        fixed: &Regression,
+        free: &Regression,
+    ) -> Option<(FaultKind, String, String)> {
         let g = self.gravity.norm();
         let deviation = free.gravity - self.gravity;
         let size = deviation.norm();
         let error = (deviation / size)
             .dot(&(free.covariance * deviation / size))
             .sqrt();
-        let is_clear = size > LEAST_DEVIATION * g && size > LEAST_SIGNIFICANCE * error;
-        if !is_clear || fixed.remaining < LEAST_RATIO * free.remaining {
+        let is_clear = size > MIN_DEVIATION * g && size > MIN_SIGNIFICANCE * error;
+        if !is_clear || fixed.remaining < MIN_RATIO * free.remaining {
             return None;
         }
         let ratio = free.gravity.norm() / g;
@@ -229,12 +233,12 @@ impl<'a> FreeFall<'a> {
 
     /// Faults of single flights. The accelerations of such a flight, minus the aerodynamic loads fitted to all flights,
     /// deviate from gravity, and a correction of units, times or axes removes the deviation.
-    fn single(&self, fixed: &Regression) -> Vec<DataFault> {
+    fn single_faults(&self, fixed: &Regression) -> Vec<DataFault> {
         let g = self.gravity.norm();
         let misfit = |rows: &[Row]| self.misfit(fixed, rows);
         let misfits: Vec<Option<f64>> = self.rows.iter().map(|rows| misfit(rows)).collect();
         let mut known: Vec<f64> = misfits.iter().flatten().copied().collect();
-        if known.len() < LEAST_FLIGHTS {
+        if known.len() < MIN_FLIGHTS {
             return Vec::new();
         }
         let usual = median(&mut known);
@@ -249,8 +253,8 @@ impl<'a> FreeFall<'a> {
                 continue;
             }
             let most = (MENDED_MISFIT.1 * usual).max(MENDED_MISFIT.2 * g);
-            let enough = (MENDED_MISFIT.0 * before).min(most).min(MOST_MENDED * g);
-            let mended = self.mended(fixed, flight, &self.rows[index], enough);
+            let enough = (MENDED_MISFIT.0 * before).min(most).min(MAX_MENDED * g);
+            let mended = self.correctable_fault(fixed, flight, &self.rows[index], enough);
             faults.extend(mended.or_else(|| self.turned_over(fixed, index, before)));
         }
         faults
@@ -273,7 +277,7 @@ impl<'a> FreeFall<'a> {
         }
         let flight = &self.dataset.flights[index];
         let mirror = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, 1.0));
-        let track = changed(self.problem, flight, &mirror);
+        let track = transformed_track(self.problem, flight, &mirror);
         let rows = rows(&track, omega(self.problem, flight));
         let after = self.misfit(fixed, &rows)?;
         (after < TURNED_MISFIT * before).then(|| DataFault::new(flight, FaultKind::Mirrored, "unlike in the other flights, the markers show the body turned over, and it flies as its mirror image: the axes seem left-handed, or labels are exchanged", super::mirror::MEND))
@@ -289,7 +293,7 @@ impl<'a> FreeFall<'a> {
 
     /// Fault of a flight for which a correction of its units, times or axes reduces the misfit below `enough`, m/s²;
     /// `None` if no correction does.
-    fn mended(
+    fn correctable_fault(
         &self,
         fixed: &Regression,
         flight: &Flight,
@@ -308,7 +312,7 @@ impl<'a> FreeFall<'a> {
         let of_time = misfit(&scaled, self.gravity).unwrap_or(f64::INFINITY);
         let omega = omega(self.problem, flight);
         let after = |matrix: &Matrix3<f64>| {
-            let track = changed(self.problem, flight, matrix);
+            let track = transformed_track(self.problem, flight, matrix);
             self.misfit(fixed, &super::loads::rows(&track, omega))
         };
         let fits = |matrix: &Matrix3<f64>| after(matrix).is_some_and(|misfit| misfit < enough);
@@ -372,7 +376,7 @@ impl<'a> FreeFall<'a> {
 
 /// Track of a flight up to the first ground contact, computed after multiplication of all measured marker positions by
 /// `matrix`.
-pub fn changed(problem: &FitProblem, flight: &Flight, matrix: &Matrix3<f64>) -> Track {
+pub fn transformed_track(problem: &FitProblem, flight: &Flight, matrix: &Matrix3<f64>) -> Track {
     let change = |point: [f64; 3]| <[f64; 3]>::from(matrix * Vector3::from(point));
     let rows: Vec<Vec<Option<[f64; 3]>>> = flight
         .positions

@@ -73,20 +73,20 @@ pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) ->
     });
     let (of_flights, contacts): (Vec<_>, Vec<Option<ContactSearch>>) = each.into_iter().unzip();
     let (faults, tracks) = of_flights.into_iter().unzip();
-    let faults = of_all((problem, dataset), is_rigid, (faults, tracks), threads);
+    let faults = compare_flights((problem, dataset), is_rigid, (faults, tracks), threads);
     Screening { faults, contacts }
 }
 
 /// Adds the faults that a comparison of the flights with each other and with gravity reveals to `faults`, which were
 /// found in single flights, and returns all faults. `faults` and `tracks` have one entry per flight. Uses `threads`
 /// threads.
-fn of_all(
+fn compare_flights(
     (problem, dataset): (&FitProblem, &Dataset),
     is_rigid: bool,
     (mut faults, mut tracks): (Vec<Option<DataFault>>, Vec<Option<Track>>),
     threads: usize,
 ) -> Vec<DataFault> {
-    no_flights(dataset, &mut faults, &mut tracks);
+    reject_noisy_tracks(dataset, &mut faults, &mut tracks);
     let Some(gravity) = gravity::gravity(problem) else {
         return faults.into_iter().flatten().collect();
     };
@@ -109,7 +109,11 @@ fn of_all(
 
 /// Adds a fault for each flight whose track is far noisier than the tracks of the other flights and than any measured
 /// flight can be, and removes this track.
-fn no_flights(dataset: &Dataset, faults: &mut [Option<DataFault>], tracks: &mut [Option<Track>]) {
+fn reject_noisy_tracks(
+    dataset: &Dataset,
+    faults: &mut [Option<DataFault>],
+    tracks: &mut [Option<Track>],
+) {
     let all = tracks.iter().flatten().map(|track| track.noise);
     let usual = median_of(all).unwrap_or(0.0);
     let is_rough =

@@ -5,7 +5,7 @@
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 use super::fault::{DataFault, FaultKind};
-use super::free_fall::{changed, upright};
+use super::free_fall::{transformed_track, upright};
 use super::gravity::acceleration;
 use super::mirror;
 use super::track::Track;
@@ -21,7 +21,7 @@ use crate::statistics::{median, median_vector};
 /// of the body is up.
 const UPRIGHT: f64 = 0.3;
 /// Minimum number of flights at which mirrored axes are reported; the body must appear upside down in all flights.
-const LEAST_FLIGHTS: usize = 3;
+const MIN_FLIGHTS: usize = 3;
 /// Maximum number of flights in which measured and modelled accelerations are compared, and maximum number of time
 /// windows per flight.
 const COMPARED: (usize, usize) = (6, 3);
@@ -43,7 +43,7 @@ pub fn check(problem: &FitProblem, dataset: &Dataset, tracks: &[Option<Track>]) 
         return Vec::new();
     };
     let is_turned = |side: &f64| side * usual < 0.0 && side.abs() > UPRIGHT;
-    if seen.len() < LEAST_FLIGHTS || !seen.iter().all(is_turned) {
+    if seen.len() < MIN_FLIGHTS || !seen.iter().all(is_turned) {
         return Vec::new();
     }
     let reflection = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, 1.0));
@@ -61,10 +61,10 @@ pub fn check(problem: &FitProblem, dataset: &Dataset, tracks: &[Option<Track>]) 
         mirrored.extend(misfits(
             problem,
             &observations,
-            &changed(problem, flight, &reflection),
+            &transformed_track(problem, flight, &reflection),
         ));
     }
-    if plain.len() < LEAST_FLIGHTS
+    if plain.len() < MIN_FLIGHTS
         || median(&mut mirrored) > MISFIT * median(&mut plain)
         || mirrored.is_empty()
     {
