@@ -4,6 +4,7 @@ use nalgebra::DVector;
 
 use super::output_error::OutputError;
 use super::residual_cache::robust_scale;
+use super::state::State;
 use crate::error::FlightError;
 use crate::least_squares::{Iterate, Solution, SolveError, StoppingCriteria, solve};
 use crate::observations::Observations;
@@ -27,6 +28,17 @@ pub struct FixedGlobal<'a> {
     pub global: &'a DVector<f64>,
     /// Options of the fit.
     pub options: &'a FitOptions<'a>,
+}
+
+impl State<'_> {
+    /// The present values of the global parameters, as fixed values for fits of single flights.
+    pub fn fixed_global(&self) -> FixedGlobal<'_> {
+        FixedGlobal {
+            problem: self.problem,
+            global: &self.global,
+            options: self.options,
+        }
+    }
 }
 
 impl FixedGlobal<'_> {

@@ -29,11 +29,6 @@ pub struct OutputError<'a> {
     pub options: &'a FitOptions<'a>,
 }
 
-/// Total number of samples of each flight.
-pub fn all_samples(flights: &[Observations]) -> Vec<usize> {
-    flights.iter().map(|flight| flight.times.len()).collect()
-}
-
 impl<'a> OutputError<'a> {
     /// Creates the sum of squared residuals (or of their `loss`) over all samples of the given flights, as a function
     /// of the global parameters and the local parameters of each flight.

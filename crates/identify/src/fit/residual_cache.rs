@@ -30,6 +30,14 @@ pub struct Path {
     pub residuals: Residuals,
 }
 
+impl State<'_> {
+    /// Residuals of whole flights at the present values of the unknowns.
+    pub fn residuals(&self) -> ResidualCache {
+        let samples = self.flights.iter().map(|flight| flight.times.len());
+        ResidualCache::new(self, &samples.collect::<Vec<usize>>())
+    }
+}
+
 impl ResidualCache {
     /// Integrates each flight up to its number of samples in `samples`, and computes the residuals.
     pub fn new(state: &State<'_>, samples: &[usize]) -> Self {

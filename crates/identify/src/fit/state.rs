@@ -2,9 +2,6 @@
 
 use nalgebra::DVector;
 
-use super::one_flight::FixedGlobal;
-use super::output_error::all_samples;
-use super::residual_cache::ResidualCache;
 use crate::error::{ExcludedFlight, FitError, FlightError};
 use crate::ids::FlightId;
 use crate::least_squares::{FailedFlight, Iterate, Solution};
@@ -74,20 +71,6 @@ impl<'a> State<'a> {
             self.global.clone(),
             self.interval,
         )
-    }
-
-    /// The fixed global parameters of fits of single flights: their present values.
-    pub fn fixed_global(&self) -> FixedGlobal<'_> {
-        FixedGlobal {
-            problem: self.problem,
-            global: &self.global,
-            options: self.options,
-        }
-    }
-
-    /// Residuals of whole flights at the present values of the unknowns.
-    pub fn residuals(&self) -> ResidualCache {
-        ResidualCache::new(self, &all_samples(&self.flights))
     }
 
     /// Values of all unknowns as an iterate of the least squares.
