@@ -4,7 +4,7 @@
 use flight::batch;
 use nalgebra::{DMatrix, DVector};
 
-use super::initial_guess::{observations, refined_guesses};
+use super::initial_guess::{observations_and_poses, refined_guesses};
 use super::one_flight::FixedGlobal;
 use super::outcome::initial_state_report;
 use super::{FitError, FittedFlight, FlightResult};
@@ -62,7 +62,7 @@ fn predict(
     noise: &NoiseModel,
 ) -> Result<FlightResult, FlightError> {
     let (problem, global) = (at.problem, at.global);
-    let mut observations = observations(problem, flight, search)?;
+    let (mut observations, _) = observations_and_poses(problem, flight, search)?;
     let all = observations.times.len();
     let samples = ((all as f64 * CONDITIONING_FRACTION).ceil() as usize).clamp(1, all);
     if samples == all {

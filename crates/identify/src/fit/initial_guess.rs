@@ -178,26 +178,13 @@ pub fn spin_note(turns: i32) -> String {
     )
 }
 
-/// Observations of a flight, truncated at its first contact, which is searched for unless `search` is given.
-///
-/// # Errors
-/// The errors of [`Observations::new`]; [`FlightError::TooFewCoordinates`] if the samples do not determine the initial
-/// state.
-pub fn observations(
-    problem: &FitProblem,
-    flight: &Flight,
-    search: Option<&ContactSearch>,
-) -> Result<Observations, FlightError> {
-    Ok(observations_and_poses(problem, flight, search)?.0)
-}
-
 /// Observations of a flight, truncated at its first contact, with the pose in each sample if the body has an attitude.
 /// The contact is searched for unless `search` is given.
 ///
 /// # Errors
 /// The errors of [`Observations::new`]; [`FlightError::TooFewCoordinates`] if the samples do not determine the initial
 /// state.
-fn observations_and_poses(
+pub fn observations_and_poses(
     problem: &FitProblem,
     flight: &Flight,
     search: Option<&ContactSearch>,

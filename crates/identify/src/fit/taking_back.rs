@@ -107,7 +107,8 @@ fn like_the_others(
     flight: &Flight,
     usual: f64,
 ) -> Option<(Observations, DVector<f64>)> {
-    let observations = initial_guess::observations(at.problem, flight, None).ok()?;
+    let found = initial_guess::observations_and_poses(at.problem, flight, None);
+    let (observations, _) = found.ok()?;
     let (scale, local, _) = fly_to_the_end(at, &observations)?;
     (scale <= LIKE_RATIO * usual).then_some((observations, local))
 }

@@ -112,27 +112,39 @@ fn contact_of(
     observations: &Observations,
     poses: &[Option<Pose>],
 ) -> Option<Contact> {
+    let points = |sample: usize| observations.points(sample);
+    let of_point_mass = (!problem.has_attitude).then_some(&problem.markers[..]);
+    contact(&path(&observations.times, poses, of_point_mass, &points))
+}
+
+/// Path of the body's origin: from the pose in each sample, or, if `of_point_mass` gives the markers of a point mass, from
+/// the measured positions of these markers, which `points` returns for each sample.
+pub fn path<'p>(
+    times: &[f64],
+    poses: &[Option<Pose>],
+    of_point_mass: Option<&[[f64; 3]]>,
+    points: &dyn Fn(usize) -> &'p [Option<[f64; 3]>],
+) -> Vec<PathPoint> {
     let limit = variance_limit(poses.iter().flatten().map(Pose::variance));
-    let samples = observations.times.iter().enumerate();
-    let path = samples.filter_map(|(sample, &time)| {
+    let each = times.iter().enumerate().filter_map(|(sample, &time)| {
         let pose = poses.get(sample).copied().flatten();
         let rigid = pose.filter(|pose| pose.variance() <= limit);
         Some(PathPoint {
             sample,
             time,
-            position: match problem.has_attitude {
-                true => pose?.position,
-                false => point_position(&problem.markers, observations.points(sample))?,
+            position: match of_point_mass {
+                Some(markers) => point_position(markers, points(sample))?,
+                None => pose?.position,
             },
             attitude: rigid.map(|pose| pose.attitude),
         })
     });
-    contact(&path.collect::<Vec<PathPoint>>())
+    each.collect()
 }
 
 /// Threshold of the residual variance of a pose, m², above which the sample of the pose is considered to contain an
 /// outlier. `variances` are the residual variances of all poses of the flight, m².
-pub fn variance_limit(variances: impl Iterator<Item = f64>) -> f64 {
+fn variance_limit(variances: impl Iterator<Item = f64>) -> f64 {
     let usual = median_of(variances).unwrap_or(0.0);
     (MAX_VARIANCE_RATIO * usual).max(MIN_OUTLIER_VARIANCE)
 }

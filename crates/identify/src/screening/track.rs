@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::ground_contact::{self, ContactSearch, PathPoint};
 use crate::path_noise::path_noise;
-use crate::pose::{Pose, point_position, pose};
+use crate::pose::{Pose, pose};
 use crate::problem::FitProblem;
 use crate::statistics::robust_sigma;
 
@@ -54,46 +54,16 @@ impl Track {
         times: &[f64],
         rows: &[Vec<Option<[f64; 3]>>],
     ) -> (Self, Vec<Option<Pose>>) {
-        if !has_attitude {
-            return (Self::of_point_mass(markers, times, rows), Vec::new());
-        }
-        let poses = rows.iter().map(|row| pose(markers, row));
-        let poses: Vec<Option<Pose>> = poses.collect();
-        (Self::of_poses(times, &poses), poses)
-    }
-
-    fn of_point_mass(markers: &[[f64; 3]], times: &[f64], rows: &[Vec<Option<[f64; 3]>>]) -> Self {
-        let each = times.iter().zip(rows).enumerate();
-        let points = each.filter_map(|(sample, (&time, row))| {
-            Some(PathPoint {
-                sample,
-                time,
-                position: point_position(markers, row)?,
-                attitude: None,
-            })
-        });
-        Self::new(points.collect())
-    }
-
-    /// Path of the body's origin from the pose in each sample, without the samples whose poses contain outliers.
-    fn of_poses(times: &[f64], poses: &[Option<Pose>]) -> Self {
-        let limit = ground_contact::variance_limit(poses.iter().flatten().map(Pose::variance));
-        let each = times.iter().zip(poses).enumerate();
-        let points = each.filter_map(|(sample, (&time, pose))| {
-            let pose = pose.filter(|pose| pose.variance() <= limit)?;
-            Some(PathPoint {
-                sample,
-                time,
-                position: pose.position,
-                attitude: Some(pose.attitude),
-            })
-        });
-        Self::new(points.collect())
-    }
-
-    fn new(points: Vec<PathPoint>) -> Self {
+        let poses: Vec<Option<Pose>> = match has_attitude {
+            true => rows.iter().map(|row| pose(markers, row)).collect(),
+            false => Vec::new(),
+        };
+        let of_point_mass = (!has_attitude).then_some(markers);
+        let mut points = ground_contact::path(times, &poses, of_point_mass, &|k| &rows[k]);
+        // Poses that contain outliers are not on the path.
+        points.retain(|point| point.attitude.is_some() == has_attitude);
         let noise = path_noise(points.iter().map(|point| (point.time, point.position)));
-        Self { points, noise }
+        (Self { points, noise }, poses)
     }
 
     /// Computes the path of the body's origin, without the points from the first contact with the ground on. Also
