@@ -14,11 +14,13 @@ use crate::error::{DiagnosisError, if_possible};
 use crate::extension::ExtendedModel;
 use crate::lack_of_fit::LackOfFit;
 use crate::noise::random_walk_loads;
-use crate::offer::{Chosen, measure};
+use crate::offer::{ChosenExtension, measure};
 use crate::optimal_design::next_throw;
 use crate::parallel::join;
 use crate::report::{self, Consensus, Report, Verdict};
-use crate::selection::{FittedTerms, Search, StepwiseModel, are_alternative, select_by_bic};
+use crate::selection::{
+    FittedTerms, Search, StepwiseModel, Weights, are_alternative, select_by_bic,
+};
 use crate::validation::{Validated, predictive_terms};
 
 /// Maximum number of unknowns with which a hypothesis of a single effect is accepted without comparison by BIC.
@@ -144,16 +146,15 @@ fn without_discordant<R: Send>(
 
 /// State of a diagnosis whose explanations are found but not yet validated.
 struct Analysis<'a> {
-    context: Context<'a>,
     clock: Clock,
     before: Fit,
     /// Lack-of-fit test of the residuals of the model under test; `None` if the residuals are too few to separate noise
     /// from smooth motion.
     residuals: Option<LackOfFit>,
-    model: ScoreTestModel,
+    model: ScoreTestModel<'a>,
     /// Parameter values and initial states of the fit of the model under test, as unknowns of the score-test model.
     base: Iterate,
-    search: Search<'a>,
+    search: Search,
     stepwise: Option<StepwiseModel>,
     consensus: Option<Consensus>,
     discordant: Option<Discordant>,
@@ -164,15 +165,14 @@ struct Analysis<'a> {
 /// Searches for missing effects with the flights that can be tested. If the samples of a flight do not determine its
 /// initial state, or its trajectory cannot be integrated, the flight is removed from the score-test model, its file name
 /// is added to `set_aside`, and the search starts again with the other flights.
-fn search_testable<'a>(
-    model: &mut ScoreTestModel,
+fn search_testable(
+    model: &mut ScoreTestModel<'_>,
     base: &mut Iterate,
     before: &Fit,
-    context: Context<'a>,
     set_aside: &mut Vec<String>,
-) -> Result<Search<'a>, DiagnosisError> {
+) -> Result<Search, DiagnosisError> {
     loop {
-        let found = Search::new(model, base, before.noise(), context);
+        let found = Search::new(model, base, Weights::EstimatedFrom(before.noise()));
         let file = match &found {
             Err(error) if model.flights.len() > 1 => error.flight().map(str::to_owned),
             _ => None,
@@ -200,7 +200,7 @@ impl<'a> Analysis<'a> {
         let mut set_aside = Vec::new();
         let (search, residuals) = join(
             threads,
-            || search_testable(&mut model, &mut base, &before, context, &mut set_aside),
+            || search_testable(&mut model, &mut base, &before, &mut set_aside),
             || LackOfFit::of_fit(&before, threads),
         );
         let (mut search, residuals) = (search?, if_possible(residuals)?.flatten());
@@ -212,10 +212,9 @@ impl<'a> Analysis<'a> {
         {
             // The residual noise of the misfitting model is too large for the tests; they are repeated with the noise
             // floor.
-            search = Search::with_noise(&mut model, &base, residuals.noise.clone(), context)?;
+            search = Search::new(&mut model, &base, Weights::Known(&residuals.noise))?;
         }
         let mut analysis = Self {
-            context,
             clock,
             before,
             residuals,
@@ -277,10 +276,10 @@ impl<'a> Analysis<'a> {
         let (mut validated, refused) = self.validate_overflexible()?;
         self.notes.extend(refused);
         self.clock.record("search");
-        let context = self.context;
+        let context = self.model.context;
         let (mut report, measured) = loop {
             let fitted = (&self.before, self.residuals.as_ref());
-            let mut report = report::build_report(context, fitted, &self.model, &self.search);
+            let mut report = report::build_report(fitted, &self.model, &self.search);
             report.consensus.clone_from(&self.consensus);
             if let Some(terms) = self.alternative_terms() {
                 report::add_alternative(&mut report, terms, &self.search);
@@ -326,8 +325,7 @@ impl<'a> Analysis<'a> {
             report::note_incomplete(&mut report, is_out_of_time);
         }
         if !is_out_of_time {
-            let throws = &context.options.throws;
-            let found = next_throw(&self.model, &self.search, throws);
+            let found = next_throw(&self.model, &self.search);
             report.next_throw = if_possible(found)?.flatten();
         }
         report.summary = report::summary(&report);
@@ -348,16 +346,16 @@ impl<'a> Analysis<'a> {
     fn validate_overflexible(
         &mut self,
     ) -> Result<(Option<Validated>, Option<String>), DiagnosisError> {
-        let (context, model) = (self.context, &self.model);
+        let model = &self.model;
         let best = self.search.accepted.first();
         let Some(best) = best.filter(|best| best.is_overflexible(model)) else {
             return Ok((None, None));
         };
         let noise = self.search.noise.overall();
-        if context.is_out_of_time() {
+        if model.context.is_out_of_time() {
             return Ok((None, None));
         }
-        let validated = Validated::new(context, model, best, &self.before, noise);
+        let validated = Validated::new(model, best, &self.before, noise);
         let validated = if_possible(validated)?;
         let refused = match validated {
             Some(validated) if validated.is_accepted() => return Ok((Some(validated), None)),
@@ -366,8 +364,7 @@ impl<'a> Analysis<'a> {
         };
         self.search.accepted.retain(|h| !h.is_overflexible(model));
         if self.search.accepted.is_empty() && self.stepwise.is_none() {
-            self.stepwise =
-                StepwiseModel::select(context, model, &self.search, &self.before, None)?;
+            self.stepwise = StepwiseModel::select(model, &self.search, &self.before, None)?;
         }
         Ok((None, refused))
     }
@@ -379,10 +376,10 @@ impl<'a> Analysis<'a> {
         &mut self,
         validated: Option<Validated>,
         report: &mut Report,
-    ) -> Result<Option<Chosen>, DiagnosisError> {
-        let context = self.context;
+    ) -> Result<Option<ChosenExtension>, DiagnosisError> {
+        let context = self.model.context;
         if let Some(validated) = validated {
-            return Ok(Some(Chosen {
+            return Ok(Some(ChosenExtension {
                 extension: validated.extension,
                 fit: Some(validated.fit),
                 gain: validated.gain,
@@ -393,8 +390,8 @@ impl<'a> Analysis<'a> {
             if context.is_out_of_time() {
                 return Ok(None);
             }
-            return Ok(Some(Chosen {
-                extension: best.extension(context, &self.model)?,
+            return Ok(Some(ChosenExtension {
+                extension: best.extension(&self.model)?,
                 fit: None,
                 gain: None,
                 chi2_decrease: 0.0,
@@ -412,8 +409,8 @@ impl<'a> Analysis<'a> {
         };
         let found = report::unattributed_report(model, search, &stepwise, histories);
         report.unattributed = Some(found);
-        let chi2_decrease = (search.squares - stepwise.squares).max(0.0);
-        Ok(stepwise.fitted.pop().map(|last| Chosen {
+        let chi2_decrease = (search.at_base.squares - stepwise.squares).max(0.0);
+        Ok(stepwise.fitted.pop().map(|last| ChosenExtension {
             extension: last.extension,
             fit: Some(last.fit),
             gain: None,
@@ -438,7 +435,7 @@ mod tests {
         let mut effects = ["stall", "gravity"].map(named);
         effects.sort_unstable();
         let pair = model.fit_hypothesis(&effects, &analysis.base, &search.noise);
-        let terms = StepwiseModel::select(context, model, search, &analysis.before, None);
+        let terms = StepwiseModel::select(model, search, &analysis.before, None);
         let mut terms = terms.unwrap().unwrap();
         terms.keep_first(2, model.terms.as_ref().unwrap());
         analysis.search.accepted = Vec::from_iter(pair);

@@ -14,7 +14,7 @@ use crate::report::{self, Report};
 use crate::validation::{ApplyTo, PredictiveGain, cross_validate, gain_of_fits};
 
 /// Extended model that was chosen as the extension, before its fit and out-of-sample gain are completed.
-pub(crate) struct Chosen {
+pub(crate) struct ChosenExtension {
     /// The extended model.
     pub extension: ExtendedModel,
     /// Fit of the extended model; `None` if not yet fitted.
@@ -26,7 +26,7 @@ pub(crate) struct Chosen {
 }
 
 /// An extended model with its fit and its out-of-sample gain.
-pub(crate) struct Measured<R> {
+pub(crate) struct MeasuredExtension<R> {
     extension: ExtendedModel,
     fit: Fit,
     gain: Option<PredictiveGain>,
@@ -34,11 +34,11 @@ pub(crate) struct Measured<R> {
     /// Indices of the held-out flights to which the extension is not applied.
     not_applied: Vec<usize>,
     /// Result of the caller's function `on_extension` for the extended model.
-    made: R,
+    callback_result: R,
 }
 
 /// An extended model and its fit, with the result of the caller's function `on_extension` for the extended model.
-pub(crate) type Offered<R> = ((ExtendedModel, Fit), R);
+pub(crate) type OfferedExtension<R> = ((ExtendedModel, Fit), R);
 
 /// Fits the extended model if it is not yet fitted, measures its out-of-sample gain, and calls `on_extension`. If
 /// `is_consensus` (the effects were found by the agreement of most flights), flights that contradict the extension are
@@ -49,10 +49,10 @@ pub(crate) type Offered<R> = ((ExtendedModel, Fit), R);
 pub(crate) fn measure<R: Send>(
     context: Context<'_>,
     before: &Fit,
-    chosen: Chosen,
+    chosen: ChosenExtension,
     (is_consensus, noise_floor): (bool, f64),
     on_extension: &(impl Fn(&ExtendedModel) -> R + Sync),
-) -> Result<Measured<R>, DiagnosisError> {
+) -> Result<MeasuredExtension<R>, DiagnosisError> {
     let Context {
         model,
         dataset,
@@ -64,14 +64,14 @@ pub(crate) fn measure<R: Send>(
         false => ApplyTo::AllFlights,
     };
     let has_held_out = context.has_held_out();
-    let Chosen {
+    let ChosenExtension {
         extension,
         fit: known_fit,
         gain: known_gain,
         chi2_decrease,
     } = chosen;
     // The gain, the caller's result and the fit are independent of one another.
-    let (cross_validated, (made, after)) = join(
+    let (cross_validated, (callback_result, after)) = join(
         threads,
         || match has_held_out || known_gain.is_some() || context.is_out_of_time() {
             true => Ok(known_gain.clone()),
@@ -97,17 +97,17 @@ pub(crate) fn measure<R: Send>(
         }
         false => (Vec::new(), cross_validated?),
     };
-    Ok(Measured {
+    Ok(MeasuredExtension {
         extension,
         fit,
         gain,
         chi2_decrease,
         not_applied,
-        made,
+        callback_result,
     })
 }
 
-impl<R> Measured<R> {
+impl<R> MeasuredExtension<R> {
     /// Whether the extended model makes practically the same predictions as the model under test.
     pub fn changes_nothing(&self) -> bool {
         let gain = self.gain.as_ref();
@@ -124,7 +124,7 @@ impl<R> Measured<R> {
         report: &mut Report,
         before: &Fit,
         context: Context<'_>,
-    ) -> Result<Option<Offered<R>>, DiagnosisError> {
+    ) -> Result<Option<OfferedExtension<R>>, DiagnosisError> {
         let is_worse = self.gain.as_ref().is_some_and(PredictiveGain::is_worse);
         report.gain = self.gain;
         if is_worse {
@@ -141,7 +141,7 @@ impl<R> Measured<R> {
         report.curves = report::curves(context.model, &was, &is);
         let residuals = LackOfFit::of_fit(&fit, context.options.fit.threads());
         report::add_residuals(report, if_possible(residuals)?.flatten());
-        Ok(Some(((extension, fit), self.made)))
+        Ok(Some(((extension, fit), self.callback_result)))
     }
 }
 

@@ -10,7 +10,7 @@ pub(crate) struct Fixture {
     /// Fit of the model under test.
     pub fit: Fit,
     /// Score-test model built from the model under test and the flights of `fit`.
-    pub model: ScoreTestModel,
+    pub model: ScoreTestModel<'static>,
     /// Fitted parameter values and initial states, as unknowns of the score-test model `model`.
     pub iterate: Iterate,
 }
@@ -34,16 +34,14 @@ pub(crate) fn mystery(flights: usize) -> Dataset {
 
 /// Loads three flights of `examples/mystery`, fits the model `disc` to them, and creates its score-test model.
 pub(crate) fn fixture() -> Fixture {
-    let dataset = mystery(3);
-    let model = model_spec::load::load("disc", &[]).unwrap();
-    let options = DiagnosisOptions::default();
-    let fit = fit(&model, &dataset, &FitOptions::default()).unwrap();
+    // The inputs of the score-test model are never freed.
     let context = Context {
-        model: &model,
-        dataset: &dataset,
-        options: &options,
+        model: Box::leak(Box::new(model_spec::load::load("disc", &[]).unwrap())),
+        dataset: Box::leak(Box::new(mystery(3))),
+        options: Box::leak(Box::new(DiagnosisOptions::default())),
     };
-    let encompassing = EncompassingModel::new(&model, &[]).unwrap();
+    let fit = fit(context.model, context.dataset, &FitOptions::default()).unwrap();
+    let encompassing = EncompassingModel::new(context.model, &[]).unwrap();
     let (model, iterate) = ScoreTestModel::new(encompassing, context, &fit).unwrap();
     Fixture {
         fit,

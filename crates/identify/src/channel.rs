@@ -41,9 +41,14 @@ pub struct Channel {
 }
 
 impl Channel {
+    /// Whether the channel measures the position of a marker.
+    pub(crate) fn is_marker(&self) -> bool {
+        matches!(self.kind, ChannelKind::Marker(_))
+    }
+
     /// Whether the channel measures the position of a point, m.
     pub fn is_position(&self) -> bool {
-        matches!(self.kind, ChannelKind::Marker(_) | ChannelKind::Position)
+        self.is_marker() || self.kind == ChannelKind::Position
     }
 }
 

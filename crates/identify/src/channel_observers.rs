@@ -18,9 +18,7 @@ impl<'a> ChannelConditions<'a> {
     /// Binds the parameters of a flight, given in the order of the compiled model's parameter vector.
     pub fn new(problem: &'a FitProblem, parameters: &[f64]) -> Self {
         let channels = problem.channels.iter();
-        let markers = channels
-            .filter(|own| matches!(own.kind, ChannelKind::Marker(_)))
-            .count();
+        let markers = channels.filter(|own| own.is_marker()).count();
         let instruments = problem.instruments.iter();
         Self {
             problem,

@@ -52,7 +52,7 @@ pub use report::{
     FlightOutcome, FlightReport, Iterations, MarkerDistance, NoiseReport, NonIdentifiable, Profile,
     SensorEvidence, SensorReport, Truncation,
 };
-pub use statistics::{median, robust_sigma};
+pub use statistics::{median, median_of};
 pub use uncertainty::interval;
 
 pub use unknowns::{Resolved, fit, resolve};
@@ -62,7 +62,6 @@ pub use vertical::{ANGLES as VERTICAL_ANGLES, upward};
 pub use channel::{Channel, ChannelKind};
 pub use initial_state::{InitialGuess, RigidMotion, initial_guesses, state_for_motion};
 pub use noise::{AxesNoise, Moments, NoiseModel, group_count};
-pub use noise_floor::{median_noise_floor, noise_floor};
 pub use observations::Observations;
 pub use predict::{Loss, PointResidual, Residuals, each_residual, linearise, linearise_with};
 pub use problem::{FitProblem, GlobalParameter};

@@ -74,11 +74,6 @@ impl NoiseModel {
         }
     }
 
-    /// Whether all standard deviations agree with those of `other` within 0.5 %, and all autocorrelations within 0.005.
-    pub fn is_close_to(&self, other: &NoiseModel) -> bool {
-        self.is_within(other, 0.005)
-    }
-
     /// Whether all standard deviations agree with those of `other` within the relative difference `tolerance`, and all
     /// autocorrelations within the absolute difference `tolerance`.
     pub fn is_within(&self, other: &NoiseModel, tolerance: f64) -> bool {

@@ -15,7 +15,7 @@ use nalgebra::{Matrix4, Vector3, Vector4};
 use crate::observations::Observations;
 use crate::pose::{Pose, point_position};
 use crate::problem::FitProblem;
-use crate::statistics::{median, robust_sigma};
+use crate::statistics::{median_of, median_vector, robust_sigma};
 
 /// Number of neighbours on each side of a sample to which a cubic in time is fitted; the noise floor is estimated from
 /// the deviation of the sample from this cubic.
@@ -46,20 +46,9 @@ struct TrackPoint {
 }
 
 /// Standard deviation of the noise of one marker coordinate along each axis, m, estimated without a model from the
-/// scatter of one flight's samples about smooth curves; `None` if the flight has too few samples.
-pub fn noise_floor(problem: &FitProblem, observations: &Observations) -> Option<[f64; 3]> {
-    let samples = 0..observations.times.len();
-    let poses: Vec<Option<Pose>> = match problem.has_attitude {
-        true => samples
-            .map(|sample| crate::pose::pose(&problem.markers, observations.points(sample)))
-            .collect(),
-        false => Vec::new(),
-    };
-    noise_floor_by_poses(problem, observations, &poses)
-}
-
-/// Noise floor as [`noise_floor`] computes it, given the pose in each sample if the body has an attitude.
-pub(crate) fn noise_floor_by_poses(
+/// scatter of one flight's samples about smooth curves; `None` if the flight has too few samples. `poses` are those of
+/// [`Observations::poses`].
+pub fn noise_floor(
     problem: &FitProblem,
     observations: &Observations,
     poses: &[Option<Pose>],
@@ -87,12 +76,8 @@ pub(crate) fn noise_floor_by_poses(
 
 /// Median over flights of their noise floors, along each axis, m; `None` if `flights` is empty.
 pub fn median_noise_floor(flights: &[[f64; 3]]) -> Option<[f64; 3]> {
-    (!flights.is_empty()).then(|| {
-        [0, 1, 2].map(|axis| {
-            let mut values: Vec<f64> = flights.iter().map(|sigma| sigma[axis]).collect();
-            median(&mut values)
-        })
-    })
+    let sigmas: Vec<Vector3<f64>> = flights.iter().map(|sigma| (*sigma).into()).collect();
+    median_vector(&sigmas).map(Into::into)
 }
 
 fn track(
@@ -101,8 +86,8 @@ fn track(
     poses: &[Option<Pose>],
 ) -> Vec<TrackPoint> {
     // A sample whose marker distances differ much from the rigid body contains an outlier.
-    let mut variances: Vec<f64> = poses.iter().flatten().map(Pose::variance).collect();
-    let limit = MAX_VARIANCE_RATIO * median(&mut variances);
+    let usual = median_of(poses.iter().flatten().map(Pose::variance));
+    let limit = MAX_VARIANCE_RATIO * usual.unwrap_or(0.0);
     let samples = observations.times.iter().enumerate();
     samples
         .filter_map(|(sample, &time)| match problem.has_attitude {
@@ -208,7 +193,7 @@ mod tests {
         let problem = FitProblem::new(&model, &dataset, &FitOptions::default()).unwrap();
         let each = dataset.flights.iter().map(|flight| {
             let observations = Observations::new(&problem, flight).unwrap();
-            noise_floor(&problem, &observations).unwrap()
+            noise_floor(&problem, &observations, &observations.poses(&problem)).unwrap()
         });
         median_noise_floor(&each.collect::<Vec<_>>()).unwrap()
     }

@@ -8,10 +8,11 @@ use nalgebra::DVector;
 use crate::channel::ChannelKind;
 use crate::dataset::{Flight, Role, attitude, points_seen};
 use crate::error::FlightError;
+use crate::pose::{Pose, pose};
 use crate::problem::FitProblem;
 use crate::report::Truncation;
 use crate::state_manifold::StateManifold;
-use crate::statistics::median;
+use crate::statistics::median_of;
 
 /// Samples of one flight from the first to the last measured value, with the parameters and initial states that are
 /// known for the flight.
@@ -138,6 +139,18 @@ impl Observations {
         }
     }
 
+    /// Pose in each sample, `None` where the measured markers do not determine it; empty for a point mass.
+    pub(crate) fn poses(&self, problem: &FitProblem) -> Vec<Option<Pose>> {
+        let samples = 0..self.times.len() * usize::from(problem.has_attitude);
+        let each = samples.map(|sample| pose(&problem.markers, self.points(sample)));
+        each.collect()
+    }
+
+    /// Whether the value of a channel in a sample is excluded as an outlier.
+    pub(crate) fn is_outlier(&self, sample: usize, channel: usize) -> bool {
+        self.outlier[sample * self.channels + channel]
+    }
+
     /// Measured value of a channel in a sample; `None` if it is missing.
     pub fn value(&self, sample: usize, channel: usize) -> Option<[f64; 3]> {
         self.measured[sample * self.channels + channel]
@@ -145,8 +158,8 @@ impl Observations {
 
     /// Measured value of a channel in a sample; `None` if it is missing or an outlier.
     pub fn inlier(&self, sample: usize, channel: usize) -> Option<[f64; 3]> {
-        let index = sample * self.channels + channel;
-        self.measured[index].filter(|_| !self.outlier[index])
+        let value = self.value(sample, channel);
+        value.filter(|_| !self.is_outlier(sample, channel))
     }
 
     /// Number of measured values that are excluded as outliers.
@@ -162,8 +175,7 @@ impl Observations {
     /// Median time between consecutive samples, s; `None` for a single sample.
     pub fn interval(&self) -> Option<f64> {
         let pairs = self.times.windows(2);
-        let mut intervals: Vec<f64> = pairs.map(|pair| pair[1] - pair[0]).collect();
-        (!intervals.is_empty()).then(|| median(&mut intervals))
+        median_of(pairs.map(|pair| pair[1] - pair[0]))
     }
 
     /// Drops all but the first `samples` samples, and records the time and the reason `why` of the truncation.
@@ -285,9 +297,5 @@ fn stand_ins(
 /// Median over flights of their sampling intervals, s; 1 if no flight has two samples.
 pub fn median_interval<'o>(flights: impl IntoIterator<Item = &'o Observations>) -> f64 {
     let intervals = flights.into_iter().filter_map(Observations::interval);
-    let mut intervals: Vec<f64> = intervals.collect();
-    match intervals.is_empty() {
-        true => 1.0,
-        false => median(&mut intervals),
-    }
+    median_of(intervals).unwrap_or(1.0)
 }

@@ -3,7 +3,7 @@
 //! Model error is smooth in time: the line through the neighbours removes it, so that it is not mistaken for outliers.
 
 use crate::noise::{OUTLIER_LIMIT, group_count};
-use crate::statistics::{median, robust_sigma};
+use crate::statistics::{median, median_of, robust_sigma};
 
 /// Number of neighbours on each side of a value through which a line is fitted to detect whether the value is an
 /// outlier. Two of the neighbours may be outliers.
@@ -199,13 +199,10 @@ pub fn robust_scale(local_residuals: &Residuals) -> [f64; 3] {
 /// greater. A local residual is the difference of a residual from the line through the neighbouring residuals.
 pub fn judged_scales(own: &[Vec<[f64; 3]>]) -> Vec<Vec<[f64; 3]>> {
     let groups = own.first().map_or(0, Vec::len);
-    let median_of = |group: usize| {
-        [0, 1, 2].map(|axis| {
-            let mut values: Vec<f64> = own.iter().map(|scales| scales[group][axis]).collect();
-            median(&mut values)
-        })
+    let usual = |group: usize| {
+        [0, 1, 2].map(|axis| median_of(own.iter().map(|scales| scales[group][axis])).unwrap_or(0.0))
     };
-    let usual: Vec<[f64; 3]> = (0..groups).map(median_of).collect();
+    let usual: Vec<[f64; 3]> = (0..groups).map(usual).collect();
     let of_flight = |scales: &Vec<[f64; 3]>| {
         let pairs = scales.iter().zip(&usual);
         let greater = pairs.map(|(own, usual)| [0, 1, 2].map(|axis| usual[axis].max(own[axis])));

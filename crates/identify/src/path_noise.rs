@@ -2,11 +2,11 @@
 
 use nalgebra::Vector3;
 
-use crate::statistics::{median, robust_sigma};
+use crate::statistics::{median_of, robust_sigma};
 
 /// Maximum time span of four successive points of a path, in units of the median span of such groups. Groups with a
 /// longer span are skipped because the path may curve in the gap.
-const LONGEST_SPAN: f64 = 1.6;
+const MAX_SPAN_RATIO: f64 = 1.6;
 
 /// Robust standard deviation of one coordinate about a smooth path of points (time in s, position in m), in m. It is
 /// computed from the third divided differences of four successive points, whose spacing may be uneven. 0 for fewer than
@@ -14,8 +14,7 @@ const LONGEST_SPAN: f64 = 1.6;
 pub fn path_noise(path: impl Iterator<Item = (f64, Vector3<f64>)>) -> f64 {
     let path: Vec<(f64, Vector3<f64>)> = path.collect();
     let span = |four: &[(f64, Vector3<f64>)]| four[3].0 - four[0].0;
-    let mut spans: Vec<f64> = path.windows(4).map(span).collect();
-    let longest = LONGEST_SPAN * median(&mut spans);
+    let longest = MAX_SPAN_RATIO * median_of(path.windows(4).map(span)).unwrap_or(0.0);
     let fours = path.windows(4).filter(|four| span(four) <= longest);
     let mut rough: Vec<f64> = fours
         .flat_map(|four| {

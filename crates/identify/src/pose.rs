@@ -81,6 +81,12 @@ pub fn pose(markers: &[[f64; 3]], seen: &[Option<[f64; 3]>]) -> Option<Pose> {
     })
 }
 
+/// Distance between two points.
+pub fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    let squares = a.iter().zip(b).map(|(a, b)| (a - b).powi(2));
+    squares.sum::<f64>().sqrt()
+}
+
 /// Position of a point mass in the inertial frame, m: mean of (measured position − marker offset). `None` if no marker
 /// is measured.
 pub fn point_position(markers: &[[f64; 3]], measured: &[Option<[f64; 3]>]) -> Option<Vector3<f64>> {

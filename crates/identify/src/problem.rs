@@ -9,6 +9,7 @@ use flight::CompiledModel;
 use model_spec::compose::Instrument;
 use model_spec::layout::{Layout, ParamId, StateId};
 use model_spec::model::Model;
+use nalgebra::DVector;
 
 use crate::channel::{self, Channel, ChannelKind};
 use crate::dataset::{Dataset, KnownValue, SensorKind, points_on_body};
@@ -163,16 +164,20 @@ impl FitProblem {
 
     /// Whether all channels are markers.
     pub(crate) fn sees_markers_alone(&self) -> bool {
-        let mut channels = self.channels.iter();
-        channels.all(|channel| matches!(channel.kind, ChannelKind::Marker(_)))
+        self.channels.iter().all(Channel::is_marker)
     }
 
     /// Whether the pose is determined from markers only. Otherwise, it is also determined from body-fixed points, whose
     /// positions are computed from the pose that a sensor measures.
     pub(crate) fn is_shown_by_markers(&self) -> bool {
-        let markers = self.channels.iter();
-        let markers = markers.filter(|channel| matches!(channel.kind, ChannelKind::Marker(_)));
+        let markers = self.channels.iter().filter(|channel| channel.is_marker());
         markers.count() == self.markers.len()
+    }
+
+    /// Initial values of the global parameters, SI.
+    pub(crate) fn model_values(&self) -> DVector<f64> {
+        let values = self.globals.iter().map(|global| global.model_value);
+        DVector::from_iterator(self.globals.len(), values)
     }
 
     /// For each channel, the index of its noise group. The channels of a group have the same standard deviations and
@@ -209,11 +214,10 @@ impl FitProblem {
     /// Whether the residuals of a channel count in the root mean square residual of a flight. Markers count; without
     /// markers, positions of pose sensors; without measured positions, all channels.
     pub fn is_scored(&self, channel: usize) -> bool {
-        let is_marker = |channel: &Channel| matches!(channel.kind, ChannelKind::Marker(_));
-        match (self.channels.iter().any(is_marker), self.sees_positions()) {
-            (true, _) => is_marker(&self.channels[channel]),
-            (false, true) => self.channels[channel].is_position(),
-            (false, false) => true,
+        let own = &self.channels[channel];
+        match self.channels.iter().any(Channel::is_marker) {
+            true => own.is_marker(),
+            false => own.is_position() || !self.sees_positions(),
         }
     }
 

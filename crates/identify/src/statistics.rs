@@ -1,4 +1,6 @@
-//! Median, and a robust standard deviation computed from it.
+//! Medians, and a robust standard deviation computed from one.
+
+use nalgebra::Vector3;
 
 /// Ratio of the standard deviation of normal values with mean 0 to their median absolute value.
 const SIGMA_PER_MEDIAN: f64 = 1.4826;
@@ -20,9 +22,21 @@ pub fn median(values: &mut [f64]) -> f64 {
     }
 }
 
+/// Median of the values of an iterator; `None` for no values.
+pub fn median_of(values: impl IntoIterator<Item = f64>) -> Option<f64> {
+    let mut values: Vec<f64> = values.into_iter().collect();
+    (!values.is_empty()).then(|| median(&mut values))
+}
+
+/// Component-wise median of vectors; `None` for no vectors.
+pub(crate) fn median_vector(vectors: &[Vector3<f64>]) -> Option<Vector3<f64>> {
+    let component = |axis: usize| median_of(vectors.iter().map(|vector| vector[axis]));
+    Some(Vector3::new(component(0)?, component(1)?, component(2)?))
+}
+
 /// Robust estimate of the standard deviation of normal values with mean 0: 1.4826 times the median of their absolute
 /// values; 0 for no values. Reorders the values.
-pub fn robust_sigma(absolute_values: &mut [f64]) -> f64 {
+pub(crate) fn robust_sigma(absolute_values: &mut [f64]) -> f64 {
     SIGMA_PER_MEDIAN * median(absolute_values)
 }
 

@@ -8,7 +8,7 @@
 use identify::Iterate;
 
 use super::sign_flip_test::SignFlipTest;
-use crate::context::{CandidateId, ColumnId, Context, ScoreTestModel, TermId};
+use crate::context::{CandidateId, ColumnId, ScoreTestModel, TermId};
 use crate::error::{DiagnosisError, if_possible};
 use crate::selection::{Hypothesis, Search};
 
@@ -51,9 +51,8 @@ pub(crate) struct Consensus {
 /// # Errors
 /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated, or the caller cancelled.
 pub(crate) fn consensus(
-    context: Context<'_>,
-    model: &ScoreTestModel,
-    search: &Search<'_>,
+    model: &ScoreTestModel<'_>,
+    search: &Search,
     base: &Iterate,
 ) -> Result<Option<Consensus>, DiagnosisError> {
     let flights = model.flights.len();
@@ -66,19 +65,18 @@ pub(crate) fn consensus(
     let Some(test) = if_possible(sign_flip_test(model, &null, search))? else {
         return Ok(None);
     };
-    let mut agreed = agreed_hypotheses(context, model, search, (&null, &test))?;
+    let mut agreed = agreed_hypotheses(model, search, (&null, &test))?;
     let of_most = explained_without_discordant(model, &test, &agreed);
     let excess = test.excess_chi2(0..flights);
     let explained = |hypothesis: &Hypothesis| (null.squares - hypothesis.squares) / excess;
     agreed.retain(|agreed| explained(&agreed.hypothesis) >= MIN_EXPLAINED);
-    let of_all = agreed
-        .first()
-        .map(|best| (explained(&best.hypothesis), best.p_value));
-    let shares = of_all.or(of_most.as_ref().map(|most| (most.explained, most.p_value)));
-    Ok(shares.map(|(explained, p_value)| Consensus {
+    let Some(best) = agreed.first() else {
+        return Ok(of_most);
+    };
+    Ok(Some(Consensus {
+        explained: explained(&best.hypothesis),
+        p_value: best.p_value,
         hypotheses: agreed.into_iter().map(|agreed| agreed.hypothesis).collect(),
-        explained,
-        p_value,
         discordant: of_most.map(|most| most.discordant).unwrap_or_default(),
     }))
 }
@@ -89,21 +87,11 @@ struct Agreed {
     p_value: f64,
 }
 
-/// Result for a candidate that most flights support. The candidate explains at least half of the excess χ² (misfit
-/// beyond noise) of these flights. Contents: explained fraction, p-value of the sign-flip test, and indices of the
-/// discordant flights, which contradict the candidate.
-struct ConcordantMajority {
-    explained: f64,
-    p_value: f64,
-    discordant: Vec<usize>,
-}
-
 /// Fits each single candidate on which the flights agree, and returns the hypotheses, best fit first. A hypothesis is
 /// omitted if, once it is included, the flights still agree on a further candidate or library term.
 fn agreed_hypotheses(
-    context: Context<'_>,
-    model: &ScoreTestModel,
-    search: &Search<'_>,
+    model: &ScoreTestModel<'_>,
+    search: &Search,
     (null, test): (&Hypothesis, &SignFlipTest),
 ) -> Result<Vec<Agreed>, DiagnosisError> {
     let p_values = test.p_values(&groups(model, &[]));
@@ -113,8 +101,8 @@ fn agreed_hypotheses(
         if !is_common || p_value >= ALPHA_AGREE {
             continue;
         }
-        context.check_cancelled()?;
-        if context.is_out_of_time() {
+        model.context.check_cancelled()?;
+        if model.context.is_out_of_time() {
             break;
         }
         let from = &null.iterate;
@@ -137,16 +125,16 @@ fn agreed_hypotheses(
 }
 
 /// Finds the hypothesis in `agreed` that explains most once the flights that contradict it are excluded: the largest
-/// fraction of the excess χ² (misfit beyond noise) of the remaining, concordant flights. Considers only hypotheses
-/// whose effect has one coefficient. `None` if no fraction reaches [`MIN_EXPLAINED`], or too
-/// few flights are concordant.
+/// fraction of the excess χ² (misfit beyond noise) of the remaining, concordant flights. The list of hypotheses in the
+/// result is empty. Considers only hypotheses whose effect has one coefficient. `None` if no fraction reaches
+/// [`MIN_EXPLAINED`], or too few flights are concordant.
 fn explained_without_discordant(
-    model: &ScoreTestModel,
+    model: &ScoreTestModel<'_>,
     test: &SignFlipTest,
     agreed: &[Agreed],
-) -> Option<ConcordantMajority> {
+) -> Option<Consensus> {
     let flights = test.flights();
-    let mut best: Option<ConcordantMajority> = None;
+    let mut best: Option<Consensus> = None;
     for Agreed {
         hypothesis,
         p_value,
@@ -163,7 +151,8 @@ fn explained_without_discordant(
         let are_enough = count >= MIN_FLIGHTS && count as f64 >= MIN_CONCORDANT * flights as f64;
         let is_best = best.as_ref().is_none_or(|best| explained > best.explained);
         if are_enough && explained >= MIN_EXPLAINED && is_best {
-            best = Some(ConcordantMajority {
+            best = Some(Consensus {
+                hypotheses: Vec::new(),
                 explained,
                 p_value: *p_value,
                 discordant,
@@ -175,9 +164,9 @@ fn explained_without_discordant(
 
 /// Sign-flip test of the flights' scores at the fit of the hypothesis `given`, whose effects are nuisance parameters.
 fn sign_flip_test(
-    model: &ScoreTestModel,
+    model: &ScoreTestModel<'_>,
     given: &Hypothesis,
-    search: &Search<'_>,
+    search: &Search,
 ) -> Result<SignFlipTest, DiagnosisError> {
     let at = given.linearization_point();
     let blocks = model.normal_equations_with_terms(at, &search.noise)?;
@@ -187,7 +176,7 @@ fn sign_flip_test(
 /// Groups of columns of the normal equations, to be tested by [`SignFlipTest::p_values`]: first the columns of each
 /// candidate's coefficients (an empty group for the candidates in `conditioned_on`), then the column of each library
 /// term.
-fn groups(model: &ScoreTestModel, conditioned_on: &[CandidateId]) -> Vec<Vec<ColumnId>> {
+fn groups(model: &ScoreTestModel<'_>, conditioned_on: &[CandidateId]) -> Vec<Vec<ColumnId>> {
     let of_candidates = model
         .candidates()
         .map(|(id, _)| match conditioned_on.contains(&id) {

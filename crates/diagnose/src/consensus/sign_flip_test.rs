@@ -49,7 +49,7 @@ impl SignFlipTest {
     /// [`DiagnosisError::SingularInformation`] if the information matrix of the nuisance parameters cannot be
     /// inverted.
     pub fn new(
-        model: &ScoreTestModel,
+        model: &ScoreTestModel<'_>,
         blocks: &[NormalBlock],
         conditioned_on: &[CandidateId],
     ) -> Result<Self, DiagnosisError> {

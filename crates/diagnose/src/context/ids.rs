@@ -17,9 +17,3 @@ index_type!(
     /// parameters, then one column for the coefficient of each library term.
     pub(crate) struct ColumnId;
 );
-
-index_type!(
-    /// Index of a local column of one flight's normal equations: a tangent direction of the manifold of its initial
-    /// state.
-    pub(crate) struct DirectionId;
-);

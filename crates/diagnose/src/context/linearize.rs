@@ -3,8 +3,8 @@
 use flight::BoundModel;
 use flight::batch;
 use identify::{
-    FitError, FitProblem, FlightError, Iterate, Loss, NoiseModel, NormalBlock, Observations,
-    PointResidual, Unknowns, each_residual, linearise, linearise_with,
+    FitError, FitProblem, FlightError, GlobalId, Iterate, LocalId, Loss, NoiseModel, NormalBlock,
+    Observations, PointResidual, Unknowns, each_residual, linearise, linearise_with,
 };
 use model_spec::layout::ParamId;
 use nalgebra::DVector;
@@ -14,7 +14,7 @@ use super::library_terms::LibraryTerms;
 use super::score_test_model::ScoreTestModel;
 use super::trajectory_cache::LinearizationPoint;
 
-impl ScoreTestModel {
+impl ScoreTestModel<'_> {
     /// Normal equations of every flight for its local parameters and the global parameters, with residuals whitened by
     /// the noise model `noise`.
     ///
@@ -115,17 +115,11 @@ impl ScoreTestModel {
         done.map_err(|reason| self.flight_error(flight, reason))
     }
 
-    /// Copy of the normal equations of one flight without the columns of library terms: of the global columns, only the
-    /// first `globals`, those of the global parameters, remain.
-    pub fn without_terms(block: &NormalBlock, globals: usize) -> NormalBlock {
-        NormalBlock {
-            cross: block.cross.columns(0, globals).into_owned(),
-            global: block.global.view((0, 0), (globals, globals)).into_owned(),
-            global_gradient: block.global_gradient.rows(0, globals).into_owned(),
-            local: block.local.clone(),
-            local_gradient: block.local_gradient.clone(),
-            ..*block
-        }
+    /// Copy of the normal equations of one flight without the columns of library terms.
+    pub fn without_terms(&self, block: &NormalBlock) -> NormalBlock {
+        let locals = (0..block.local.nrows()).map(LocalId::new);
+        let globals = (0..self.global_columns()).map(GlobalId::new);
+        block.select(&locals.collect::<Vec<_>>(), &globals.collect::<Vec<_>>())
     }
 
     /// Removes the flight of `file` from the model and from `iterate`, so that no test uses it; returns whether the
@@ -151,10 +145,8 @@ impl ScoreTestModel {
         &self,
         work: impl Fn(usize) -> Result<R, FlightError> + Sync,
     ) -> Result<Vec<R>, FitError> {
-        let done = batch::each_on(self.threads, self.flights.len(), |flight| {
-            if self.limits.is_cancelled() {
-                return Err(FitError::Interrupted);
-            }
+        let done = batch::each_on(self.threads(), self.flights.len(), |flight| {
+            self.context.check_cancelled()?;
             work(flight).map_err(|reason| self.flight_error(flight, reason))
         });
         done.into_iter().collect()

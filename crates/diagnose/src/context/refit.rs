@@ -1,15 +1,14 @@
 //! Refits of the model under test with some candidates estimated as well.
 
 use identify::{
-    Constraint, FitProblem, FlightError, Iterate, LeastSquaresProblem, Loss, NoiseModel,
-    NormalBlock, Observations, Solution, SolveError, StateManifold, StopReason, StoppingCriteria,
-    Unknowns, linearise, solve_with_watchdog,
+    Constraint, FitOptions, FitProblem, FlightError, Iterate, LeastSquaresProblem, Loss,
+    NoiseModel, NormalBlock, Observations, Solution, SolveError, StateManifold, StopReason,
+    StoppingCriteria, Unknowns, linearise, solve_with_watchdog,
 };
 use model_spec::layout::StateId;
 use nalgebra::DVector;
 
 use super::ids::{CandidateId, ColumnId};
-use super::limits::Limits;
 use super::partition::select_vector;
 use super::score_test_model::ScoreTestModel;
 
@@ -36,7 +35,7 @@ pub(crate) struct Refitted {
     pub is_finished: bool,
 }
 
-impl ScoreTestModel {
+impl ScoreTestModel<'_> {
     /// Fits the unknowns of the model under test and of the candidates `effects`, starting from an iterate in which
     /// all other candidates are at their null value.
     ///
@@ -66,7 +65,7 @@ impl ScoreTestModel {
             stop_reason,
             ..
         } = found;
-        self.limits.count(iterations);
+        self.count_steps(iterations);
         let mut global = from.global.clone();
         for (column, value) in columns.iter().zip(iterate.global.iter()) {
             global[column.index()] = *value;
@@ -89,13 +88,12 @@ struct Refit<'a> {
     flights: Vec<Observations>,
     noise: &'a NoiseModel,
     constraints: Vec<Constraint>,
-    threads: usize,
-    limits: &'a Limits,
+    options: &'a FitOptions<'a>,
 }
 
 impl<'a> Refit<'a> {
     fn new(
-        model: &'a ScoreTestModel,
+        model: &'a ScoreTestModel<'_>,
         effects: &[CandidateId],
         columns: &[ColumnId],
         from: &Iterate,
@@ -121,8 +119,7 @@ impl<'a> Refit<'a> {
             constraints: problem.globals.iter().map(|g| g.constraint).collect(),
             problem,
             noise,
-            threads: model.threads,
-            limits: &model.limits,
+            options: &model.context.options.fit,
         }
     }
 }
@@ -153,14 +150,14 @@ impl LeastSquaresProblem for Refit<'_> {
     }
 
     fn threads(&self) -> usize {
-        self.threads
+        self.options.threads()
     }
 
     fn is_cancelled(&self) -> bool {
-        self.limits.is_cancelled()
+        self.options.is_cancelled()
     }
 
     fn is_past_deadline(&self) -> bool {
-        self.limits.is_past_deadline()
+        self.options.is_past_deadline()
     }
 }

@@ -2,10 +2,11 @@
 //! fitted flights.
 
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use codegen::Layout;
 use flight::CompiledModel;
-use identify::dataset::Role;
+use identify::dataset::{Dataset, Role};
 use identify::{Fit, FitError, FitOptions, FitProblem, FlightId, Iterate, LocalId, Observations};
 use model_spec::index::IndexVec;
 use model_spec::layout::{ParamId, StateId};
@@ -13,14 +14,15 @@ use nalgebra::DVector;
 
 use super::candidates::{Candidate, CandidateParameter};
 use super::encompassing::EncompassingModel;
-use super::ids::{CandidateId, ColumnId, DirectionId, TermId};
+use super::ids::{CandidateId, ColumnId, TermId};
 use super::library_terms::LibraryTerms;
-use super::limits::Limits;
 use super::{Context, Partition};
 
 /// Model with all candidate effects (encompassing model), its estimation problem, and the observations of the fitted
 /// flights.
-pub(crate) struct ScoreTestModel {
+pub(crate) struct ScoreTestModel<'a> {
+    /// Inputs of the diagnosis.
+    pub context: Context<'a>,
     encompassing: EncompassingModel,
     /// The estimation problem with every candidate at its null value. Its global parameters are those of the model
     /// under test and the candidates' coefficients.
@@ -36,13 +38,14 @@ pub(crate) struct ScoreTestModel {
     /// Observations of the fitted flights. Every state without a known initial value, including the states of
     /// candidates, is an unknown of the flight's initial state.
     pub flights: Vec<Observations>,
-    /// Number of threads for computations over flights.
-    pub threads: usize,
-    /// Deadline, cancellation and step limit of the refits.
-    pub(super) limits: Limits,
+    /// Number of least-squares steps taken so far, over all refits.
+    steps: AtomicUsize,
 }
 
-impl ScoreTestModel {
+/// Maximum number of least-squares steps, summed over all refits of one search.
+const MAX_STEPS: usize = 250;
+
+impl<'a> ScoreTestModel<'a> {
     /// Creates the model from the encompassing model and the flights that `fit` fitted. Also returns the iterate of
     /// `fit` in the unknowns of this model, with candidates at their null values.
     ///
@@ -50,10 +53,9 @@ impl ScoreTestModel {
     /// [`FitError`] if the flights cannot be used with the encompassing model.
     pub fn new(
         encompassing: EncompassingModel,
-        context: Context<'_>,
+        context: Context<'a>,
         fit: &Fit,
     ) -> Result<(Self, Iterate), FitError> {
-        let options = &context.options.fit;
         let problem = encompassing_problem(&encompassing, context, fit)?;
         let layout = problem.body.layout();
         let column = |parameter: &CandidateParameter<ParamId>| {
@@ -70,20 +72,20 @@ impl ScoreTestModel {
         let base = Partition::new(of_candidates, problem.globals.len()).tested;
         let library = encompassing.library.clone();
         let terms = library.and_then(|library| LibraryTerms::new(library, layout));
-        let (flights, local) = fitted_flights(&problem, context, fit)?;
+        let (flights, local) = fitted_flights(&problem, context.dataset, fit)?;
         let iterate = Iterate {
             global: fitted_globals(&problem, fit),
             local,
         };
         let model = Self {
+            context,
             encompassing,
             problem,
             columns,
             base,
             terms,
             flights,
-            threads: options.threads(),
-            limits: Limits::new(options),
+            steps: AtomicUsize::new(0),
         };
         Ok((model, iterate))
     }
@@ -112,7 +114,17 @@ impl ScoreTestModel {
     /// Whether the search for missing effects must end, because its deadline has passed or its refits have taken the
     /// maximum number of least-squares steps.
     pub fn is_exhausted(&self) -> bool {
-        self.limits.is_past_deadline() || self.limits.are_steps_used_up()
+        self.context.is_out_of_time() || self.steps.load(Ordering::Relaxed) >= MAX_STEPS
+    }
+
+    /// Adds the number of steps of one refit to the total.
+    pub fn count_steps(&self, steps: usize) {
+        self.steps.fetch_add(steps, Ordering::Relaxed);
+    }
+
+    /// Number of threads for computations over flights.
+    pub fn threads(&self) -> usize {
+        self.context.options.fit.threads()
     }
 
     /// Columns of the normal equations that belong to the coefficients of a candidate effect, in the order of these
@@ -162,15 +174,15 @@ impl ScoreTestModel {
         &self,
         flight: usize,
         conditioned_on: &[CandidateId],
-    ) -> (Vec<DirectionId>, Vec<DirectionId>) {
+    ) -> (Vec<LocalId>, Vec<LocalId>) {
         let null = self.null_states(conditioned_on);
         let manifold = &self.flights[flight].manifold;
-        let is_null = |direction: &DirectionId| {
-            let state = manifold.direct_state(LocalId::new(direction.index()));
+        let is_null = |direction: &LocalId| {
+            let state = manifold.direct_state(*direction);
             state.is_some_and(|state| null.contains(&state))
         };
         (0..manifold.dimension())
-            .map(DirectionId::new)
+            .map(LocalId::new)
             .partition(is_null)
     }
 
@@ -218,8 +230,8 @@ impl ScoreTestModel {
 
     /// Converts the result of `fit`, a fit of the model under test with some candidates, to an iterate in the unknowns
     /// of this model. `None` if `fit` used other flights than this model.
-    pub fn iterate_of(&self, context: Context<'_>, fit: &Fit) -> Option<Iterate> {
-        let (flights, local) = fitted_flights(&self.problem, context, fit).ok()?;
+    pub fn iterate_of(&self, fit: &Fit) -> Option<Iterate> {
+        let (flights, local) = fitted_flights(&self.problem, self.context.dataset, fit).ok()?;
         let global = fitted_globals(&self.problem, fit);
         self.has_same_flights(&flights)
             .then_some(Iterate { global, local })
@@ -296,14 +308,14 @@ fn fitted_globals(problem: &FitProblem, fit: &Fit) -> DVector<f64> {
 /// their null values.
 fn fitted_flights(
     problem: &FitProblem,
-    context: Context<'_>,
+    dataset: &Dataset,
     fit: &Fit,
 ) -> Result<(Vec<Observations>, Vec<DVector<f64>>), FitError> {
     let layout = problem.body.layout();
     let before = fit.problem().body.layout();
     let sources: Vec<Option<StateId>> = layout.states.iter().map(|s| before.state(s)).collect();
     let (mut flights, mut locals) = (Vec::new(), Vec::new());
-    for (index, flight) in context.dataset.flights.iter().enumerate() {
+    for (index, flight) in dataset.flights.iter().enumerate() {
         let fitted = fit
             .flight(FlightId::new(index))
             .filter(|_| flight.role == Role::Fit);

@@ -14,11 +14,9 @@ pub(crate) type CachedTrajectory = Option<Vec<f64>>;
 /// Cache of the trajectories of all flights at one linearization point. Sensitivities to the coefficients of library
 /// terms are included.
 #[derive(Debug)]
-pub(crate) enum TrajectoryCache {
-    /// No trajectory is stored.
-    Disabled,
-    /// One cache slot for each flight, by its index.
-    PerFlight(Vec<Mutex<CachedTrajectory>>),
+pub(crate) struct TrajectoryCache {
+    /// One cache slot for each flight, by its index; empty if no trajectory is stored.
+    slots: Vec<Mutex<CachedTrajectory>>,
 }
 
 /// Linearization point of the normal equations: an estimation problem, values of all its unknowns, and a trajectory
@@ -34,14 +32,19 @@ pub(crate) struct LinearizationPoint<'p> {
 }
 
 impl TrajectoryCache {
+    /// A cache that stores no trajectory.
+    pub const DISABLED: Self = Self { slots: Vec::new() };
+
     /// Creates an empty cache with slots for `flights` flights.
     pub fn for_flights(flights: usize) -> Self {
-        Self::PerFlight((0..flights).map(|_| Mutex::new(None)).collect())
+        Self {
+            slots: (0..flights).map(|_| Mutex::new(None)).collect(),
+        }
     }
 
     /// Whether the cache is disabled, that is, stores no trajectories.
     pub fn is_disabled(&self) -> bool {
-        matches!(self, Self::Disabled)
+        self.slots.is_empty()
     }
 
     /// Calls `work` with the cached trajectory of a flight, and returns the result of `work`. A trajectory that `work`
@@ -51,10 +54,7 @@ impl TrajectoryCache {
         flight: usize,
         work: impl FnOnce(&mut CachedTrajectory) -> R,
     ) -> R {
-        let Self::PerFlight(slots) = self else {
-            return work(&mut None);
-        };
-        let Some(slot) = slots.get(flight) else {
+        let Some(slot) = self.slots.get(flight) else {
             return work(&mut None);
         };
         let mut slot = slot
@@ -75,14 +75,13 @@ impl TrajectoryCache {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::context::ScoreTestModel;
     use crate::test_support::fixture;
     use identify::{NoiseModel, NormalBlock};
 
     #[test]
     fn a_cached_trajectory_gives_the_same_equations_as_a_new_integration() {
         let fixture = fixture();
-        let model: &ScoreTestModel = &fixture.model;
+        let model = &fixture.model;
         let evaluate = |cache: &TrajectoryCache, noise: &NoiseModel| {
             let at = LinearizationPoint {
                 problem: &model.problem,
@@ -93,12 +92,10 @@ mod tests {
         };
         let (one, other) = (fixture.fit.noise(), NoiseModel::white(0.01, 0.01));
         let cache = TrajectoryCache::for_flights(model.flights.len());
-        let none = TrajectoryCache::Disabled;
+        let none = TrajectoryCache::DISABLED;
         assert_eq!(evaluate(&cache, one), evaluate(&none, one));
-        let TrajectoryCache::PerFlight(slots) = &cache else {
-            panic!("a cache for flights");
-        };
-        assert!(slots.iter().all(|slot| slot.lock().unwrap().is_some()));
+        let is_stored = |slot: &Mutex<CachedTrajectory>| slot.lock().unwrap().is_some();
+        assert!(cache.slots.iter().all(is_stored));
         assert_eq!(evaluate(&cache, &other), evaluate(&none, &other));
         // Columns of the terms follow those of the global parameters.
         let with_terms = evaluate(&cache, one);
@@ -106,7 +103,7 @@ mod tests {
         assert!(with_terms[0].global.nrows() > globals);
         let without: Vec<NormalBlock> = with_terms
             .iter()
-            .map(|block| ScoreTestModel::without_terms(block, globals))
+            .map(|block| model.without_terms(block))
             .collect();
         let direct = model.normal_equations(&model.problem, &fixture.iterate, one);
         assert_eq!(without, direct.unwrap());

@@ -29,8 +29,7 @@ impl Analysis<'_> {
         }
         if self.search.accepted.is_empty() {
             if let Some(stepwise) = &mut self.stepwise {
-                let (model, before) = (&self.model, &self.before);
-                stepwise.extend(self.context, model, &self.search, before, MAX_SELECTED)?;
+                stepwise.extend(&self.model, &self.search, &self.before, MAX_SELECTED)?;
             }
             // A candidate that is not adequate alone may be adequate together with library terms.
             if let (Some(single), false) = (single, self.has_adequate_terms()) {
@@ -69,17 +68,17 @@ impl Analysis<'_> {
             }
             (None, None) => most,
         };
-        stepwise.extend(self.context, &self.model, search, &self.before, most)
+        stepwise.extend(&self.model, search, &self.before, most)
     }
 
     /// Selects library terms with the candidates `effects` included in the model. Of this selection and the earlier one
     /// without these candidates, the better is stored, as determined by [`StepwiseModel::better`].
     fn search_terms_beside(&mut self, effects: &[CandidateId]) -> Result<(), DiagnosisError> {
-        let (context, model, search) = (self.context, &self.model, &self.search);
+        let (model, search) = (&self.model, &self.search);
         let Some(single) = model.fit_hypothesis(effects, &self.base, &search.noise) else {
             return Ok(());
         };
-        let beside = StepwiseModel::select(context, model, search, &self.before, Some(&single))?;
+        let beside = StepwiseModel::select(model, search, &self.before, Some(&single))?;
         self.stepwise = StepwiseModel::better(self.stepwise.take(), beside);
         Ok(())
     }
@@ -87,7 +86,7 @@ impl Analysis<'_> {
     /// Searches for hypotheses whose effect has the same sign in most flights, and stores them as accepted. Also stores
     /// the discordant flights, which contradict such an effect.
     fn search_consensus(&mut self) -> Result<(), DiagnosisError> {
-        let found = consensus(self.context, &self.model, &self.search, &self.base)?;
+        let found = consensus(&self.model, &self.search, &self.base)?;
         let Some(found) = found else {
             return Ok(());
         };

@@ -16,7 +16,9 @@ use std::collections::BTreeMap;
 
 use flight::batch;
 use identify::dataset::Role;
-use identify::{Channel, Fit, FitError, FlightId, NoiseModel, Observations, each_residual};
+use identify::{
+    Channel, Fit, FitError, FlightId, NoiseModel, Observations, each_residual, median_of,
+};
 use serde::{Deserialize, Serialize};
 
 use self::f_test::ScaledStatistic;
@@ -89,12 +91,8 @@ impl LackOfFit {
     /// [`FitError::Flight`] if a trajectory cannot be integrated.
     pub(crate) fn of_fit(fit: &Fit, threads: usize) -> Result<Option<Self>, FitError> {
         let flights = fitted_flights(fit);
-        let intervals: Vec<f64> = flights
-            .iter()
-            .filter_map(|f| f.observed.interval())
-            .collect();
-        let Some(interval) = (!intervals.is_empty()).then(|| identify::median(&mut { intervals }))
-        else {
+        let intervals = flights.iter().filter_map(|f| f.observed.interval());
+        let Some(interval) = median_of(intervals) else {
             return Ok(None);
         };
         let residuals = batch::each_on(threads, flights.len(), |index| {

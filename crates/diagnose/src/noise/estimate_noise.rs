@@ -23,7 +23,7 @@ const MAX_LN_P_OF_STATES: f64 = -14.0;
 /// are eliminated; relative to the diagonal of JᵀJ.
 const DAMPING: f64 = 1e-12;
 
-impl ScoreTestModel {
+impl ScoreTestModel<'_> {
     /// Estimates the noise of the residuals and marks outliers. The candidates in `conditioned_on` are estimated at
     /// the linearization point; significant contributions of other candidates are removed from the residuals to first
     /// order. `noise` is the noise model that weights the residuals.
@@ -50,7 +50,7 @@ impl ScoreTestModel {
             .enumerate()
             .map(|(flight, block)| self.local_step(flight, block, &with, &global_step))
             .collect::<Result<_, _>>()?;
-        let remaining = batch::each_on(self.threads, self.flights.len(), |flight| {
+        let remaining = batch::each_on(self.threads(), self.flights.len(), |flight| {
             self.residuals_after_step(at, flight, (&global_step, &local_steps[flight]))
         });
         let remaining: Vec<Residuals> = remaining.into_iter().collect::<Result<_, FitError>>()?;

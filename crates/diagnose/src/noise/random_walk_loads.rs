@@ -50,7 +50,7 @@ pub struct LoadHistory {
 /// library, in the order of the library, with one history for each of the first [`MAX_FLIGHTS`] flights. Empty if no
 /// library is compatible with the model.
 pub(crate) fn random_walk_loads(
-    model: &ScoreTestModel,
+    model: &ScoreTestModel<'_>,
     at: &Iterate,
     noise: &NoiseModel,
 ) -> Vec<Vec<LoadHistory>> {
@@ -58,7 +58,7 @@ pub(crate) fn random_walk_loads(
         return Vec::new();
     };
     let count = model.flights.len().min(MAX_FLIGHTS);
-    let flights = batch::each_on(model.threads, count, |flight| {
+    let flights = batch::each_on(model.threads(), count, |flight| {
         FlightLoads::new(model, terms, flight, at, noise)
     });
     let flights: Vec<FlightLoads> = flights.into_iter().flatten().collect();
@@ -146,7 +146,7 @@ struct FlightLoads {
 
 impl FlightLoads {
     fn new(
-        model: &ScoreTestModel,
+        model: &ScoreTestModel<'_>,
         terms: &LibraryTerms,
         flight: usize,
         at: &Iterate,

@@ -1,6 +1,6 @@
 //! Separation of hypotheses by the information in the flights.
 
-use identify::{Iterate, NormalBlock, eliminate, pseudo_inverse};
+use identify::{NormalBlock, eliminate, pseudo_inverse};
 use nalgebra::{DMatrix, DVector};
 
 use crate::context::{ColumnId, ScoreTestModel, select};
@@ -12,7 +12,10 @@ const DAMPING: f64 = 1e-12;
 
 /// Information matrix of the global columns from the given normal equations, with the local parameters (initial states)
 /// eliminated; `None` if a flight does not determine its local parameters.
-pub(super) fn information(model: &ScoreTestModel, blocks: &[NormalBlock]) -> Option<DMatrix<f64>> {
+pub(super) fn information(
+    model: &ScoreTestModel<'_>,
+    blocks: &[NormalBlock],
+) -> Option<DMatrix<f64>> {
     let size = model.global_columns();
     let mut sum = DMatrix::zeros(size, size);
     for block in blocks {
@@ -32,25 +35,21 @@ pub(super) struct Alternative {
 
 impl Alternative {
     /// Computes the fitted minus the null value of every coefficient of the hypothesis.
-    pub fn new(model: &ScoreTestModel, hypothesis: &Hypothesis) -> Self {
+    pub fn new(model: &ScoreTestModel<'_>, hypothesis: &Hypothesis) -> Self {
         let effects = hypothesis.effects.iter();
         let columns: Vec<ColumnId> = effects
             .flat_map(|&e| model.columns_of(e))
             .copied()
             .collect();
+        let departure = |column: &ColumnId| {
+            let null_value = model.problem.globals[column.index()].model_value;
+            hypothesis.iterate.global[column.index()] - null_value
+        };
         Self {
-            departures: departures(model, &columns, &hypothesis.iterate),
+            departures: columns.iter().map(departure).collect(),
             columns,
         }
     }
-}
-
-fn departures(model: &ScoreTestModel, columns: &[ColumnId], at: &Iterate) -> Vec<f64> {
-    let departure = |column: &ColumnId| {
-        let global = &model.problem.globals[column.index()];
-        at.global[column.index()] - global.model_value
-    };
-    columns.iter().map(departure).collect()
 }
 
 /// Smallest separation among all ordered pairs of hypotheses, in standard deviations. The first hypothesis of a pair is

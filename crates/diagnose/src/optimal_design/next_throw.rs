@@ -63,10 +63,10 @@ pub struct NextThrow {
 /// # Errors
 /// [`DiagnosisError::Fit`] if a measured flight cannot be integrated.
 pub(crate) fn next_throw(
-    model: &ScoreTestModel,
-    search: &Search<'_>,
-    ranges: &ThrowRanges,
+    model: &ScoreTestModel<'_>,
+    search: &Search,
 ) -> Result<Option<NextThrow>, DiagnosisError> {
+    let ranges = &model.context.options.throws;
     let hypotheses = search.accepted.as_slice();
     let [best, _, ..] = hypotheses else {
         return Ok(None);
@@ -84,7 +84,7 @@ pub(crate) fn next_throw(
     let releases: Vec<Release> = (0..THROWS)
         .map(|_| Release::draw(ranges, &mut random))
         .collect();
-    let after = batch::each_on(model.threads, releases.len(), |index| {
+    let after = batch::each_on(model.threads(), releases.len(), |index| {
         let flight = (&model.flights[0], &releases[index]);
         let block = simulated(problem, flight, ranges, iterate, noise)?;
         let more = information(model, &[block])?;

@@ -61,16 +61,14 @@ pub(crate) fn curves(
     coefficients
         .filter_map(|coefficient| {
             let points = |flights| points(&coefficient.name, over, flights);
-            let (x, values) = medians(points(before), points(after))?;
-            let [before, after] = [|v: &Interval| v.before, |v: &Interval| v.after]
-                .map(|of| values.iter().map(of).collect());
+            let values = medians(points(before), points(after))?;
             Some(CoefficientCurve {
                 quantity: coefficient.name.clone(),
                 over: over.to_owned(),
                 unit: unit.clone(),
-                x,
-                before,
-                after,
+                x: values.iter().map(|v| v.centre).collect(),
+                before: values.iter().map(|v| v.before).collect(),
+                after: values.iter().map(|v| v.after).collect(),
                 support: values.iter().map(|v| v.support).collect(),
             })
         })
@@ -80,18 +78,16 @@ pub(crate) fn curves(
 /// Medians of a coefficient in one interval of the abscissa in the models without and with the extension, and number of
 /// samples of the model without the extension in this interval.
 struct Interval {
+    /// Abscissa of the centre of the interval.
+    centre: f64,
     before: f64,
     after: f64,
     support: usize,
 }
 
-/// Centres of the intervals of the abscissa that contain enough samples, and the medians in each interval; `None` if
-/// all abscissae are equal or there are no samples. The arguments are samples (abscissa, value) of the models without
+/// The intervals of the abscissa that contain enough samples, with the medians in each interval; `None` if all abscissae are equal or there are no samples. The arguments are samples (abscissa, value) of the models without
 /// and with the extension.
-fn medians(
-    mut before: Vec<(f64, f64)>,
-    mut after: Vec<(f64, f64)>,
-) -> Option<(Vec<f64>, Vec<Interval>)> {
+fn medians(mut before: Vec<(f64, f64)>, mut after: Vec<(f64, f64)>) -> Option<Vec<Interval>> {
     if before.is_empty() || after.is_empty() {
         return None;
     }
@@ -107,16 +103,14 @@ fn medians(
         let from = low + step * k as f64;
         let (mut was, mut is) = (within(&before, from, step), within(&after, from, step));
         let are_enough = was.len() >= MIN_SAMPLES && is.len() >= MIN_SAMPLES;
-        are_enough.then(|| {
-            let interval = Interval {
-                support: was.len(),
-                before: median(&mut was),
-                after: median(&mut is),
-            };
-            (from + step / 2.0, interval)
+        are_enough.then(|| Interval {
+            centre: from + step / 2.0,
+            support: was.len(),
+            before: median(&mut was),
+            after: median(&mut is),
         })
     });
-    Some(intervals.unzip())
+    Some(intervals.collect())
 }
 
 /// Values of the points with abscissa in [`from`, `from + width`); points are pairs (abscissa, value), sorted by
@@ -154,9 +148,10 @@ mod tests {
         };
         let mut before = line(1.0);
         before[1200].1 = 1e6;
-        let (x, values) = medians(before, line(2.0)).unwrap();
-        assert_eq!(x.len(), INTERVALS);
-        for (x, value) in x.iter().zip(&values) {
+        let values = medians(before, line(2.0)).unwrap();
+        assert_eq!(values.len(), INTERVALS);
+        for value in &values {
+            let x = value.centre;
             assert!((value.before - x).abs() < 1e-3 && (value.after - 2.0 * x).abs() < 2e-3);
             assert!(value.support > 90);
         }

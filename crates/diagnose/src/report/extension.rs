@@ -9,8 +9,8 @@ use crate::extension::ExtendedModel;
 use crate::selection::{FittedTerms, Search};
 
 /// Adds the library terms `terms` as a further explanation, which the data do not distinguish from the others.
-pub(crate) fn add_alternative(report: &mut Report, terms: &FittedTerms, search: &Search<'_>) {
-    let chi2_decrease = (search.squares - terms.squares).max(0.0);
+pub(crate) fn add_alternative(report: &mut Report, terms: &FittedTerms, search: &Search) {
+    let chi2_decrease = (search.at_base.squares - terms.squares).max(0.0);
     let mut cause = cause(&terms.extension, &terms.fit, chi2_decrease);
     if let Some(residuals) = &report.lack_of_fit {
         add_share(&mut cause, residuals);

@@ -10,9 +10,7 @@ use super::types::{
     CandidateTest, Cause, CauseEffect, Coefficient, Estimate, FlightGain, LoadChannel,
     NoiseSummary, RemainingEffect, Report, ScoreCorrelations, Threshold, Unattributed, Verdict,
 };
-use crate::context::{
-    Candidate, CandidateParameter, ColumnId, Context, ScoreTestModel, display_name,
-};
+use crate::context::{Candidate, CandidateParameter, ColumnId, ScoreTestModel, display_name};
 use crate::lack_of_fit::LackOfFit;
 use crate::noise::LoadHistory;
 use crate::power::detectable;
@@ -22,11 +20,11 @@ use crate::selection::{Hypothesis, Search, StepwiseModel};
 /// Builds the report of a diagnosis from the result of the search for missing effects. The fields on the extended model
 /// and its fit remain empty; they are set later.
 pub(crate) fn build_report(
-    context: Context<'_>,
     (before, residuals): (&Fit, Option<&LackOfFit>),
-    model: &ScoreTestModel,
-    search: &Search<'_>,
+    model: &ScoreTestModel<'_>,
+    search: &Search,
 ) -> Report {
+    let context = model.context;
     let causes = search.accepted.iter();
     let mut causes: Vec<Cause> = causes.map(|h| cause(model, search, h)).collect();
     if let Some(residuals) = residuals {
@@ -36,8 +34,8 @@ pub(crate) fn build_report(
     }
     let alpha = context.options.alpha_detect;
     let is_noise = residuals.is_none_or(|residuals| residuals.p >= alpha);
-    let detect = search.thresholds.detect;
-    let (undetectable, smallest_detectable) = detectable(model, &search.tests, detect);
+    let detect = search.at_base.thresholds.detect;
+    let (undetectable, smallest_detectable) = detectable(model, &search.at_base.tests, detect);
     let mut report = Report {
         schema: "hyzer.diagnosis/1".into(),
         dataset: context.options.dataset.to_owned(),
@@ -103,7 +101,7 @@ pub(super) fn add_share(cause: &mut Cause, residuals: &LackOfFit) {
     cause.remaining_m = residuals.beyond_noise_m * (1.0 - cause.explained).sqrt();
 }
 
-fn noise(model: &ScoreTestModel, search: &Search<'_>) -> NoiseSummary {
+fn noise(model: &ScoreTestModel<'_>, search: &Search) -> NoiseSummary {
     let flights = model.flights.iter();
     let points: usize = flights
         .clone()
@@ -152,9 +150,9 @@ pub(super) fn coefficients(fit: &Fit, before: Option<&Fit>) -> BTreeMap<String, 
     each.collect()
 }
 
-fn candidate_tests(model: &ScoreTestModel, search: &Search<'_>) -> Vec<CandidateTest> {
+fn candidate_tests(model: &ScoreTestModel<'_>, search: &Search) -> Vec<CandidateTest> {
     let each = model.candidates().filter_map(|(id, candidate)| {
-        let test = search.tests.candidates[id].as_ref()?;
+        let test = search.at_base.tests.candidates[id].as_ref()?;
         Some(CandidateTest {
             name: candidate.name.clone(),
             doc: candidate.doc.clone(),
@@ -163,7 +161,7 @@ fn candidate_tests(model: &ScoreTestModel, search: &Search<'_>) -> Vec<Candidate
             dof: test.dof,
             ln_p: test.ln_p,
             z: ln_p_to_z(test.ln_p),
-            significant: test.dof > 0 && test.ln_p < search.thresholds.detect,
+            significant: test.dof > 0 && test.ln_p < search.at_base.thresholds.detect,
             tolerance: test.tolerance,
             one_step: one_step(candidate, model.columns_of(id), test),
         })
@@ -198,8 +196,8 @@ fn estimate<Id>(parameter: &CandidateParameter<Id>, value: f64, std_error: f64) 
     }
 }
 
-fn score_correlations(model: &ScoreTestModel, search: &Search<'_>) -> ScoreCorrelations {
-    let tests = &search.tests;
+fn score_correlations(model: &ScoreTestModel<'_>, search: &Search) -> ScoreCorrelations {
+    let tests = &search.at_base.tests;
     let tested = tests.partition.tested.iter().enumerate();
     let shown: Vec<(usize, &str)> = tested
         .filter(|(i, _)| tests.information[(*i, *i)] > MIN_TOLERANCE)
@@ -213,7 +211,7 @@ fn score_correlations(model: &ScoreTestModel, search: &Search<'_>) -> ScoreCorre
     }
 }
 
-fn cause(model: &ScoreTestModel, search: &Search<'_>, hypothesis: &Hypothesis) -> Cause {
+fn cause(model: &ScoreTestModel<'_>, search: &Search, hypothesis: &Hypothesis) -> Cause {
     let std_error = hypothesis.tests.nuisance_std_errors();
     let effects = hypothesis.effects.iter().map(|&id| {
         let candidate = model.candidate(id);
@@ -244,7 +242,7 @@ fn cause(model: &ScoreTestModel, search: &Search<'_>, hypothesis: &Hypothesis) -
                 estimate(state, rms, rms / (2.0 * count).sqrt()),
             );
         }
-        let test = search.tests.candidates[id].as_ref();
+        let test = search.at_base.tests.candidates[id].as_ref();
         let first = candidate
             .coefficients
             .first()
@@ -267,7 +265,7 @@ fn cause(model: &ScoreTestModel, search: &Search<'_>, hypothesis: &Hypothesis) -
     let remaining = hypothesis.strongest_remaining();
     Cause {
         effects,
-        chi2_decrease: (search.squares - hypothesis.squares).max(0.0),
+        chi2_decrease: (search.at_base.squares - hypothesis.squares).max(0.0),
         explained: 0.0,
         remaining_m: 0.0,
         strongest_remaining: remaining.map(|(id, ln_p)| RemainingEffect {
@@ -280,8 +278,8 @@ fn cause(model: &ScoreTestModel, search: &Search<'_>, hypothesis: &Hypothesis) -
 /// Section of the report on a lack of fit that no candidate explains. `histories` are the estimated additional forces
 /// and moments over time: one list for each component that the term library distinguishes, with one entry per flight.
 pub(crate) fn unattributed_report(
-    model: &ScoreTestModel,
-    search: &Search<'_>,
+    model: &ScoreTestModel<'_>,
+    search: &Search,
     stepwise: &StepwiseModel,
     histories: Vec<Vec<LoadHistory>>,
 ) -> Unattributed {
@@ -294,15 +292,19 @@ pub(crate) fn unattributed_report(
 }
 
 fn load_channels(
-    model: &ScoreTestModel,
-    search: &Search<'_>,
+    model: &ScoreTestModel<'_>,
+    search: &Search,
     histories: Vec<Vec<LoadHistory>>,
 ) -> Vec<LoadChannel> {
     let Some(terms) = &model.terms else {
         return Vec::new();
     };
     let is_term = |column: ColumnId| column.index() >= model.global_columns();
-    let all = search.tests.joint_statistic(is_term).max(f64::MIN_POSITIVE);
+    let all = search
+        .at_base
+        .tests
+        .joint_statistic(is_term)
+        .max(f64::MIN_POSITIVE);
     let loads = terms.sites().zip(histories);
     let channels = loads.map(|((load, site), histories)| {
         let columns = terms
@@ -311,6 +313,7 @@ fn load_channels(
             .filter(|(_, term)| term.channel == load);
         let columns: Vec<ColumnId> = columns.map(|(id, _)| model.term_column(id)).collect();
         let own = search
+            .at_base
             .tests
             .joint_statistic(|column| columns.contains(&column));
         LoadChannel {
@@ -337,8 +340,8 @@ pub(crate) fn note_convergence(report: &mut Report, fit: &Fit, what: &str) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::context::{DiagnosisOptions, EncompassingModel};
-    use crate::selection::Search;
+    use crate::context::{Context, DiagnosisOptions, EncompassingModel};
+    use crate::selection::Weights;
     use crate::test_support::mystery;
 
     /// Report of a fit that did not converge and in which the first flight has no samples. The two values of the array
@@ -360,14 +363,12 @@ mod tests {
         fit.report.iterations.converged = false;
         let encompassing = EncompassingModel::new(&model, &[]).unwrap();
         let (mut tests, base) = ScoreTestModel::new(encompassing, context, &fit).unwrap();
-        let mut search = Search::new(&mut tests, &base, fit.noise(), context).unwrap();
+        let mut search =
+            Search::new(&mut tests, &base, Weights::EstimatedFrom(fit.noise())).unwrap();
         let before = search.is_significant();
-        search.thresholds.detect = f64::NEG_INFINITY;
+        search.at_base.thresholds.detect = f64::NEG_INFINITY;
         let after = search.is_significant();
-        (
-            build_report(context, (&fit, None), &tests, &search),
-            [before, after],
-        )
+        (build_report((&fit, None), &tests, &search), [before, after])
     }
 
     #[test]

@@ -4,7 +4,7 @@ use identify::{LocalId, NormalBlock, eliminate};
 use model_spec::index::IndexVec;
 use nalgebra::{DMatrix, DVector};
 
-use crate::context::{CandidateId, DirectionId, ScoreTestModel, select, select_vector};
+use crate::context::{CandidateId, ScoreTestModel, select, select_vector};
 use crate::error::DiagnosisError;
 
 /// Normal equations of the global parameters (common to all flights), with the local parameters (initial states)
@@ -48,7 +48,7 @@ impl GlobalEquations {
 
     /// Returns the sum of these normal equations and the contributions of the Gaussian priors of the global parameters,
     /// linearized at the parameter values `values`.
-    pub fn with_priors(&self, model: &ScoreTestModel, values: &DVector<f64>) -> Self {
+    pub fn with_priors(&self, model: &ScoreTestModel<'_>, values: &DVector<f64>) -> Self {
         let mut sum = self.clone();
         for (i, global) in model.problem.globals.iter().enumerate() {
             if let Some((centre, sigma)) = global.constraint.prior {
@@ -66,7 +66,7 @@ impl LocalElimination {
     /// # Errors
     /// [`DiagnosisError::UndeterminedInitialState`] if the samples of a flight do not determine its initial state.
     pub fn new(
-        model: &ScoreTestModel,
+        model: &ScoreTestModel<'_>,
         blocks: &[NormalBlock],
         conditioned_on: &[CandidateId],
     ) -> Result<Self, DiagnosisError> {
@@ -91,7 +91,7 @@ impl LocalElimination {
 
     fn add(
         &mut self,
-        model: &ScoreTestModel,
+        model: &ScoreTestModel<'_>,
         flight: usize,
         block: &NormalBlock,
         conditioned_on: &[CandidateId],
@@ -107,13 +107,13 @@ impl LocalElimination {
         let manifold = &model.flights[flight].manifold;
         for (total, (_, candidate)) in self.candidates.iter_mut().zip(model.candidates()) {
             let Some(total) = total else { continue };
-            let is_its_state = |direction: DirectionId| {
-                let state = manifold.direct_state(LocalId::new(direction.index()));
+            let is_its_state = |direction: LocalId| {
+                let state = manifold.direct_state(direction);
                 let mut states = candidate.states.iter();
                 state.is_some_and(|state| states.any(|own| own.id == state))
             };
             let rows = (0..first).filter(|&row| is_its_state(null[row]));
-            let rows: Vec<DirectionId> = rows.map(DirectionId::new).collect();
+            let rows: Vec<LocalId> = rows.map(LocalId::new).collect();
             total.add(&reduced, &rows, first);
         }
         Ok(())
@@ -123,9 +123,9 @@ impl LocalElimination {
 impl PerFlightCandidate {
     /// Adds the normal equations `reduced` of one flight, after eliminating the candidate's states. `states` are the
     /// rows of these states in `reduced`; `first` is the index of the first global column of `reduced`.
-    fn add(&mut self, reduced: &GlobalEquations, states: &[DirectionId], first: usize) {
+    fn add(&mut self, reduced: &GlobalEquations, states: &[LocalId], first: usize) {
         let size = self.equations.gradient.len();
-        let globals: Vec<DirectionId> = (first..first + size).map(DirectionId::new).collect();
+        let globals: Vec<LocalId> = (first..first + size).map(LocalId::new).collect();
         let blocks = [NormalBlock {
             local: select(&reduced.matrix, states, states),
             cross: select(&reduced.matrix, states, &globals),
@@ -158,7 +158,7 @@ impl PerFlightCandidate {
 /// # Errors
 /// [`DiagnosisError::UndeterminedInitialState`] if the samples of the flight do not determine its initial state.
 pub(crate) fn eliminate_locals(
-    model: &ScoreTestModel,
+    model: &ScoreTestModel<'_>,
     flight: usize,
     block: &NormalBlock,
 ) -> Result<GlobalEquations, DiagnosisError> {
@@ -175,19 +175,15 @@ pub(crate) fn eliminate_locals(
 
 /// Restricts the normal equations of one flight to the tangent directions of its initial state that are listed in
 /// `local`; the unknowns of all other directions remain fixed.
-pub(crate) fn keep_directions(block: &NormalBlock, local: &[DirectionId]) -> NormalBlock {
+pub(crate) fn keep_directions(block: &NormalBlock, local: &[LocalId]) -> NormalBlock {
     promote_directions(block, local, &[])
 }
 
 /// Restricts the normal equations of one flight to the tangent directions of its initial state that are listed in
 /// `local` and `promoted`. The directions in `promoted` become global columns, in front of all other global columns.
-fn promote_directions(
-    block: &NormalBlock,
-    local: &[DirectionId],
-    promoted: &[DirectionId],
-) -> NormalBlock {
+fn promote_directions(block: &NormalBlock, local: &[LocalId], promoted: &[LocalId]) -> NormalBlock {
     let (first, size) = (promoted.len(), block.global.nrows());
-    let at = |id: DirectionId| id.index();
+    let at = |id: LocalId| id.index();
     let cross = DMatrix::from_fn(local.len(), first + size, |i, j| {
         match j.checked_sub(first) {
             None => block.local[(at(local[i]), at(promoted[j]))],
@@ -232,8 +228,8 @@ mod tests {
             squares: 7.0,
             count: 9,
         };
-        let [local, promoted] = [vec![2, 0], vec![1]]
-            .map(|ids| ids.into_iter().map(DirectionId::new).collect::<Vec<_>>());
+        let [local, promoted] =
+            [vec![2, 0], vec![1]].map(|ids| ids.into_iter().map(LocalId::new).collect::<Vec<_>>());
         let moved = promote_directions(&block, &local, &promoted);
         let order = [1, 3, 4];
         for (i, &a) in order.iter().enumerate() {

@@ -109,7 +109,7 @@ impl ScoreTests {
     /// [`DiagnosisError::UndeterminedInitialState`] if the samples of a flight do not determine its initial state;
     /// [`DiagnosisError::SingularInformation`] if the information of the nuisance parameters cannot be inverted.
     pub fn new(
-        model: &ScoreTestModel,
+        model: &ScoreTestModel<'_>,
         blocks: &[NormalBlock],
         conditioned_on: &[CandidateId],
         global: &DVector<f64>,

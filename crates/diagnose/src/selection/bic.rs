@@ -16,7 +16,7 @@ const TERM_BIC_MARGIN: f64 = 1.0;
 /// BIC is smaller by more than [`TERM_BIC_MARGIN`]. Unknowns are penalized because several effects together, or an
 /// effect with a separate value for each flight, can fit almost any data.
 pub(crate) fn select_by_bic(
-    model: &ScoreTestModel,
+    model: &ScoreTestModel<'_>,
     hypotheses: Vec<Hypothesis>,
     terms: Option<&StepwiseModel>,
     free: usize,
@@ -35,7 +35,7 @@ pub(crate) fn select_by_bic(
 /// Whether the library terms `terms` are an alternative to `hypotheses`, none of which is a single effect: they are
 /// adequate, and their BIC is near the smallest of the hypotheses.
 pub(crate) fn are_alternative(
-    model: &ScoreTestModel,
+    model: &ScoreTestModel<'_>,
     hypotheses: &[Hypothesis],
     terms: &StepwiseModel,
 ) -> bool {
@@ -48,16 +48,16 @@ pub(crate) fn are_alternative(
         && bic_of_terms(model, terms) < least + MAX_BIC_DIFFERENCE
 }
 
-fn bic(model: &ScoreTestModel, squares: f64, unknowns: usize) -> f64 {
+fn bic(model: &ScoreTestModel<'_>, squares: f64, unknowns: usize) -> f64 {
     squares + (model.coordinates() as f64).ln() * unknowns as f64
 }
 
-fn bic_of_hypothesis(model: &ScoreTestModel, hypothesis: &Hypothesis) -> f64 {
+fn bic_of_hypothesis(model: &ScoreTestModel<'_>, hypothesis: &Hypothesis) -> f64 {
     let unknowns = model.unknowns_of(&hypothesis.effects);
     bic(model, hypothesis.squares, unknowns)
 }
 
-fn bic_of_terms(model: &ScoreTestModel, terms: &StepwiseModel) -> f64 {
+fn bic_of_terms(model: &ScoreTestModel<'_>, terms: &StepwiseModel) -> f64 {
     bic(model, terms.squares, terms.unknowns())
 }
 

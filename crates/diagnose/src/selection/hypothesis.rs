@@ -47,7 +47,7 @@ impl Hypothesis {
     }
 
     /// Whether there are several effects, and all of them act at the same site, such as lift.
-    pub fn combines_one_site(&self, model: &ScoreTestModel) -> bool {
+    pub fn combines_one_site(&self, model: &ScoreTestModel<'_>) -> bool {
         let mut sites = self.effects.iter().map(|&id| &model.candidate(id).site);
         let first = sites.next();
         self.effects.len() > 1 && sites.all(|site| Some(site) == first)
@@ -56,14 +56,14 @@ impl Hypothesis {
     /// Whether the hypothesis can fit almost any data: an effect has one value for each flight, or there are more than
     /// [`MAX_EFFECTS_UNVALIDATED`] effects. Such a hypothesis is accepted only if it improves out-of-sample
     /// predictions.
-    pub fn is_overflexible(&self, model: &ScoreTestModel) -> bool {
+    pub fn is_overflexible(&self, model: &ScoreTestModel<'_>) -> bool {
         let mut effects = self.effects.iter();
         self.effects.len() > MAX_EFFECTS_UNVALIDATED
             || effects.any(|&id| model.candidate(id).is_per_flight())
     }
 }
 
-impl ScoreTestModel {
+impl ScoreTestModel<'_> {
     /// Fits the candidates `effects` together with the model under test, starting at `from`; `None` if the fit or the
     /// score tests fail.
     pub fn fit_hypothesis(
@@ -72,7 +72,7 @@ impl ScoreTestModel {
         from: &Iterate,
         noise: &NoiseModel,
     ) -> Option<Hypothesis> {
-        self.fit_hypothesis_cached(effects, from, noise, TrajectoryCache::Disabled)
+        self.fit_hypothesis_cached(effects, from, noise, TrajectoryCache::DISABLED)
     }
 
     /// Like [`fit_hypothesis`](Self::fit_hypothesis), but stores the trajectories at the fitted values in `cache`.
@@ -98,11 +98,8 @@ impl ScoreTestModel {
                     cache: &cache,
                 };
                 let blocks = self.normal_equations_with_terms(at, noise).ok()?;
-                let globals = self.global_columns();
-                let each = blocks
-                    .iter()
-                    .map(|block| Self::without_terms(block, globals));
-                each.collect()
+                let each = blocks.iter();
+                each.map(|block| self.without_terms(block)).collect()
             }
         };
         let tests = ScoreTests::new(self, &blocks, effects, &iterate.global).ok()?;

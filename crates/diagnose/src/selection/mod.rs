@@ -9,7 +9,7 @@ mod thresholds;
 
 pub(crate) use bic::{are_alternative, select_by_bic};
 pub(crate) use hypothesis::Hypothesis;
-pub(crate) use search::{MAX_EFFECTS, Search};
+pub(crate) use search::{MAX_EFFECTS, Search, Weights};
 pub(crate) use stepwise_terms::{FittedTerms, MAX_SELECTED, StepwiseModel};
 
 pub use stepwise_terms::StepwiseTerm;

@@ -4,7 +4,7 @@ use identify::{Iterate, NoiseModel, fit};
 
 use super::hypothesis::Hypothesis;
 use super::thresholds::Thresholds;
-use crate::context::{CandidateId, Context, LinearizationPoint, ScoreTestModel, TrajectoryCache};
+use crate::context::{CandidateId, LinearizationPoint, ScoreTestModel, TrajectoryCache};
 use crate::error::{DiagnosisError, if_possible};
 use crate::score_test::{ScoreTest, ScoreTests};
 
@@ -34,31 +34,36 @@ const MAX_PARENTS: usize = 3;
 const ALPHA_UNDECIDED: f64 = 0.05;
 
 /// State of the search for hypotheses, each a combination of candidate effects that the model under test may lack.
-pub(crate) struct Search<'a> {
-    context: Context<'a>,
+pub(crate) struct Search {
     /// Noise model with which residuals are weighted.
     pub noise: NoiseModel,
     /// Score tests of all candidates and terms at the fit of the model under test.
-    pub tests: ScoreTests,
-    /// Weighted sum of squares of the residuals at the fit of the model under test.
-    pub squares: f64,
-    /// Familywise thresholds of log p-values, for detection and rejection.
-    pub thresholds: Thresholds,
+    pub at_base: TestsAtPoint,
     /// Model confidence set: hypotheses that are not rejected, best fit first.
     pub accepted: Vec<Hypothesis>,
     /// Hypotheses fitted in the last search round in which none was adequate, best fit first.
     pub rejected: Vec<Hypothesis>,
 }
 
-/// Score tests at a linearization point, familywise thresholds of the tests' p-values, and weighted sum of squares of
-/// the residuals at this point.
+/// Score tests at a linearization point.
 pub(crate) struct TestsAtPoint {
     pub tests: ScoreTests,
+    /// Familywise thresholds of log p-values, for detection and rejection.
     pub thresholds: Thresholds,
+    /// Weighted sum of squares of the residuals at the linearization point.
     pub squares: f64,
 }
 
-impl ScoreTestModel {
+/// Noise model with which a search weights the residuals.
+#[derive(Clone, Copy)]
+pub(crate) enum Weights<'n> {
+    /// The noise is estimated from residuals that are weighted with this noise model.
+    EstimatedFrom(&'n NoiseModel),
+    /// The noise is known.
+    Known(&'n NoiseModel),
+}
+
+impl ScoreTestModel<'_> {
     /// Score tests of all candidates and library terms at the linearization point `at`. Only the parameters of the
     /// model under test are nuisance parameters.
     ///
@@ -68,12 +73,11 @@ impl ScoreTestModel {
         &self,
         at: LinearizationPoint<'_>,
         noise: &NoiseModel,
-        context: Context<'_>,
     ) -> Result<TestsAtPoint, DiagnosisError> {
         let blocks = self.normal_equations_with_terms(at, noise)?;
         let tests = ScoreTests::new(self, &blocks, &[], &at.iterate.global)?;
-        let levels = [context.options.alpha_detect, context.options.alpha_reject];
-        let [detect, reject] = tests.thresholds(levels);
+        let options = self.context.options;
+        let [detect, reject] = tests.thresholds([options.alpha_detect, options.alpha_reject]);
         Ok(TestsAtPoint {
             tests,
             thresholds: Thresholds { detect, reject },
@@ -82,44 +86,16 @@ impl ScoreTestModel {
     }
 }
 
-impl<'a> Search<'a> {
-    /// Estimates the noise and tests all candidate effects at the fit of the model under test. Then fits each of the
-    /// strongest candidates separately, as a hypothesis of one effect.
+impl Search {
+    /// Tests all candidate effects at the fit of the model under test. Then fits each of the strongest candidates
+    /// separately, as a hypothesis of one effect.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated, or the caller cancelled.
     pub fn new(
-        model: &mut ScoreTestModel,
+        model: &mut ScoreTestModel<'_>,
         base: &Iterate,
-        first_noise: &NoiseModel,
-        context: Context<'a>,
-    ) -> Result<Self, DiagnosisError> {
-        Self::at_base(model, base, context, |model, base| {
-            model.estimate_noise(base, &[], first_noise)
-        })
-    }
-
-    /// Like [`Search::new`], but weights the residuals with the given noise model instead of estimating it.
-    ///
-    /// # Errors
-    /// The errors of [`Search::new`].
-    pub fn with_noise(
-        model: &mut ScoreTestModel,
-        base: &Iterate,
-        noise: NoiseModel,
-        context: Context<'a>,
-    ) -> Result<Self, DiagnosisError> {
-        Self::at_base(model, base, context, |_, _| Ok(noise))
-    }
-
-    fn at_base(
-        model: &mut ScoreTestModel,
-        base: &Iterate,
-        context: Context<'a>,
-        noise: impl FnOnce(
-            &mut ScoreTestModel,
-            LinearizationPoint<'_>,
-        ) -> Result<NoiseModel, DiagnosisError>,
+        weights: Weights<'_>,
     ) -> Result<Self, DiagnosisError> {
         let problem = model.problem.clone();
         let cache = TrajectoryCache::for_flights(model.flights.len());
@@ -128,14 +104,13 @@ impl<'a> Search<'a> {
             iterate: base,
             cache: &cache,
         };
-        let noise = noise(model, base)?;
-        let at_base = model.tests_at(base, &noise, context)?;
+        let noise = match weights {
+            Weights::EstimatedFrom(noise) => model.estimate_noise(base, &[], noise)?,
+            Weights::Known(noise) => noise.clone(),
+        };
         let mut search = Self {
-            context,
+            at_base: model.tests_at(base, &noise)?,
             noise,
-            tests: at_base.tests,
-            squares: at_base.squares,
-            thresholds: at_base.thresholds,
             accepted: Vec::new(),
             rejected: Vec::new(),
         };
@@ -149,15 +124,19 @@ impl<'a> Search<'a> {
     /// Whether a candidate or a library term is significant at the fit of the model under test.
     pub fn is_significant(&self) -> bool {
         let ln_p = |test: Option<&ScoreTest>| test.map_or(0.0, |test| test.ln_p);
-        let candidate = self.tests.strongest_candidate().map(|(_, test)| test);
-        let term = self.tests.strongest_term().map(|(_, test)| test);
-        ln_p(candidate).min(ln_p(term)) < self.thresholds.detect
+        let candidate = self
+            .at_base
+            .tests
+            .strongest_candidate()
+            .map(|(_, test)| test);
+        let term = self.at_base.tests.strongest_term().map(|(_, test)| test);
+        ln_p(candidate).min(ln_p(term)) < self.at_base.thresholds.detect
     }
 
     /// Whether the sum of squares `expected` from linearization is below the sum of squares `fitted`, or exceeds it by
     /// less than the margins [`CHI2_MARGIN`] and [`CHI2_MARGIN_RELATIVE`].
     pub fn is_near(&self, expected: f64, fitted: f64) -> bool {
-        expected < fitted + CHI2_MARGIN + CHI2_MARGIN_RELATIVE * (self.squares - fitted)
+        expected < fitted + CHI2_MARGIN + CHI2_MARGIN_RELATIVE * (self.at_base.squares - fitted)
     }
 
     /// Fits the model under test with each of the strongest candidate effects separately. The noise is estimated again
@@ -165,19 +144,22 @@ impl<'a> Search<'a> {
     /// no hypothesis if no candidate or library term is significant in the repeated tests.
     fn fit_single_effects(
         &mut self,
-        model: &mut ScoreTestModel,
+        model: &mut ScoreTestModel<'_>,
         base: LinearizationPoint<'_>,
     ) -> Result<Vec<Hypothesis>, DiagnosisError> {
         let mut fitted: Vec<Hypothesis> = Vec::new();
-        for (index, effects) in strongest_singles(&self.tests).into_iter().enumerate() {
-            self.context.check_cancelled()?;
-            if index > 0 && self.context.is_out_of_time() {
+        for (index, effects) in strongest_singles(&self.at_base.tests)
+            .into_iter()
+            .enumerate()
+        {
+            model.context.check_cancelled()?;
+            if index > 0 && model.context.is_out_of_time() {
                 break;
             }
             // The first hypothesis is linearized several times.
             let cache = match index {
                 0 => TrajectoryCache::for_flights(model.flights.len()),
-                _ => TrajectoryCache::Disabled,
+                _ => TrajectoryCache::DISABLED,
             };
             let from = base.iterate;
             let hypothesis = model.fit_hypothesis_cached(&effects, from, &self.noise, cache);
@@ -205,16 +187,15 @@ impl<'a> Search<'a> {
     /// model under test did not converge. Returns the fit with the smaller sum of squares.
     fn fitted_from_scratch(
         &self,
-        model: &ScoreTestModel,
+        model: &ScoreTestModel<'_>,
         hypothesis: Hypothesis,
     ) -> Result<Hypothesis, DiagnosisError> {
-        let context = self.context;
-        let Some(extension) = if_possible(hypothesis.extension(context, model))? else {
+        let context = model.context;
+        let Some(extension) = if_possible(hypothesis.extension(model))? else {
             return Ok(hypothesis);
         };
         let found = fit(&extension.model, context.dataset, &context.options.fit);
-        let Some(iterate) = if_possible(found)?.and_then(|fit| model.iterate_of(context, &fit))
-        else {
+        let Some(iterate) = if_possible(found)?.and_then(|fit| model.iterate_of(&fit)) else {
             return Ok(hypothesis);
         };
         let cache = TrajectoryCache::for_flights(model.flights.len());
@@ -228,7 +209,7 @@ impl<'a> Search<'a> {
     /// stores the estimate, repeats all tests with it, and returns true; otherwise returns false.
     fn refine_noise(
         &mut self,
-        model: &mut ScoreTestModel,
+        model: &mut ScoreTestModel<'_>,
         given: &Hypothesis,
         base: LinearizationPoint<'_>,
     ) -> Result<bool, DiagnosisError> {
@@ -238,10 +219,7 @@ impl<'a> Search<'a> {
             return Ok(false);
         }
         self.noise = noise;
-        let at_base = model.tests_at(base, &self.noise, self.context)?;
-        self.tests = at_base.tests;
-        self.thresholds = at_base.thresholds;
-        self.squares = at_base.squares;
+        self.at_base = model.tests_at(base, &self.noise)?;
         Ok(true)
     }
 
@@ -249,14 +227,14 @@ impl<'a> Search<'a> {
     /// them in `self.rejected`. The stored hypotheses are sorted by the sum of squares, in ascending order.
     fn classify(
         &mut self,
-        model: &ScoreTestModel,
+        model: &ScoreTestModel<'_>,
         mut fitted: Vec<Hypothesis>,
     ) -> Result<(), DiagnosisError> {
         fitted.sort_by(|a, b| a.squares.total_cmp(&b.squares));
         let mut is_adequate = Vec::with_capacity(fitted.len());
         for hypothesis in &fitted {
-            self.context.check_cancelled()?;
-            let found = model.is_adequate(hypothesis, &self.noise, self.thresholds);
+            model.context.check_cancelled()?;
+            let found = model.is_adequate(hypothesis, &self.noise, self.at_base.thresholds);
             let ok = if_possible(found)?.unwrap_or(false);
             is_adequate.push(ok);
         }
@@ -275,7 +253,7 @@ impl<'a> Search<'a> {
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated, or the caller cancelled.
-    pub fn add_effect(&mut self, model: &ScoreTestModel) -> Result<(), DiagnosisError> {
+    pub fn add_effect(&mut self, model: &ScoreTestModel<'_>) -> Result<(), DiagnosisError> {
         let Some(count) = self.rejected.first().map(|h| h.effects.len() + 1) else {
             return Ok(());
         };
@@ -284,7 +262,7 @@ impl<'a> Search<'a> {
         }
         let mut fitted = Vec::new();
         for (effects, parent) in strongest_additions(&self.rejected, count) {
-            self.context.check_cancelled()?;
+            model.context.check_cancelled()?;
             if model.is_exhausted() {
                 break;
             }
@@ -309,7 +287,7 @@ impl<'a> Search<'a> {
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if the caller cancelled.
-    pub fn add_undecided(&mut self, model: &ScoreTestModel) -> Result<(), DiagnosisError> {
+    pub fn add_undecided(&mut self, model: &ScoreTestModel<'_>) -> Result<(), DiagnosisError> {
         let [best] = &self.accepted[..] else {
             return Ok(());
         };
@@ -318,7 +296,7 @@ impl<'a> Search<'a> {
         let Some((candidate, _)) = remaining.filter(|(_, ln_p)| *ln_p < limit) else {
             return Ok(());
         };
-        self.context.check_cancelled()?;
+        model.context.check_cancelled()?;
         if best.effects.len() >= MAX_EFFECTS || model.is_exhausted() {
             return Ok(());
         }
@@ -332,11 +310,11 @@ impl<'a> Search<'a> {
 
     /// Backward elimination: adequate hypotheses with one effect fewer than the accepted ones, best fit first; `None`
     /// if every effect is needed.
-    fn prune(&self, model: &ScoreTestModel) -> Result<Option<Vec<Hypothesis>>, DiagnosisError> {
+    fn prune(&self, model: &ScoreTestModel<'_>) -> Result<Option<Vec<Hypothesis>>, DiagnosisError> {
         let mut fewer: Vec<Hypothesis> = Vec::new();
         for hypothesis in self.accepted.iter().filter(|h| h.effects.len() > 1) {
             for dropped in &hypothesis.effects {
-                self.context.check_cancelled()?;
+                model.context.check_cancelled()?;
                 if model.is_exhausted() {
                     break;
                 }
@@ -349,7 +327,7 @@ impl<'a> Search<'a> {
                 let Some(hypothesis) = model.fit_hypothesis(&rest, &from, &self.noise) else {
                     continue;
                 };
-                let found = model.is_adequate(&hypothesis, &self.noise, self.thresholds);
+                let found = model.is_adequate(&hypothesis, &self.noise, self.at_base.thresholds);
                 if if_possible(found)?.unwrap_or(false) {
                     fewer.push(hypothesis);
                 }
@@ -419,26 +397,23 @@ fn strongest_additions(rejected: &[Hypothesis], count: usize) -> Vec<(Vec<Candid
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::context::DiagnosisOptions;
-    use crate::test_support::{Fixture, fixture, mystery};
+    use crate::test_support::{Fixture, fixture};
 
     /// Calls `with` with the fixture and with a search at its fit, from which the accepted hypotheses are removed.
-    fn searched(with: impl FnOnce(&Fixture, Search<'_>)) {
+    fn searched(with: impl FnOnce(&Fixture, Search)) {
         let mut fixture = fixture();
-        let (dataset, model) = (mystery(3), model_spec::load::load("disc", &[]).unwrap());
-        let context = Context {
-            model: &model,
-            dataset: &dataset,
-            options: &DiagnosisOptions::default(),
-        };
         let noise = fixture.fit.noise().clone();
-        let mut search =
-            Search::new(&mut fixture.model, &fixture.iterate, &noise, context).unwrap();
+        let mut search = Search::new(
+            &mut fixture.model,
+            &fixture.iterate,
+            Weights::EstimatedFrom(&noise),
+        )
+        .unwrap();
         search.accepted.clear();
         with(&fixture, search);
     }
 
-    fn hypothesis(fixture: &Fixture, search: &Search<'_>, names: &[&str]) -> Hypothesis {
+    fn hypothesis(fixture: &Fixture, search: &Search, names: &[&str]) -> Hypothesis {
         let mut effects: Vec<CandidateId> = names.iter().map(|n| fixture.candidate(n)).collect();
         effects.sort_unstable();
         let found = fixture

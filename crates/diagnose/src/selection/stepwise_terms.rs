@@ -8,8 +8,8 @@ use serde::{Deserialize, Serialize};
 use super::hypothesis::Hypothesis;
 use super::search::Search;
 use crate::context::{
-    Context, EncompassingModel, LibraryTerms, LinearizationPoint, ScoreTestModel, TermId,
-    TrajectoryCache, identifier,
+    EncompassingModel, LibraryTerms, LinearizationPoint, ScoreTestModel, TermId, TrajectoryCache,
+    identifier,
 };
 use crate::error::{DiagnosisError, if_possible};
 use crate::extension::ExtendedModel;
@@ -114,10 +114,8 @@ impl StepwiseModel {
 
 /// An extended model with its fit, and the score tests at this fit.
 struct Step {
-    extension: ExtendedModel,
-    fit: Fit,
+    fitted: FittedTerms,
     tests: ScoreTests,
-    squares: f64,
 }
 
 impl StepwiseModel {
@@ -127,8 +125,8 @@ impl StepwiseModel {
     /// # Errors
     /// [`DiagnosisError::Fit`] if the caller cancelled.
     pub fn start(
-        model: &ScoreTestModel,
-        search: &Search<'_>,
+        model: &ScoreTestModel<'_>,
+        search: &Search,
         beside: Option<&Hypothesis>,
     ) -> Result<Option<Self>, DiagnosisError> {
         let Some(terms) = &model.terms else {
@@ -142,12 +140,12 @@ impl StepwiseModel {
             },
             None => None,
         };
-        let first = given.as_ref().unwrap_or(&search.tests);
+        let first = given.as_ref().unwrap_or(&search.at_base.tests);
         let effects = beside.map_or(&[][..], |given| given.effects.as_slice());
         let names = effects
             .iter()
             .map(|&id| identifier(&model.candidate(id).name));
-        let next = next_term(first, search.thresholds.reject, &[]);
+        let next = next_term(first, search.at_base.thresholds.reject, &[]);
         Ok(Some(Self {
             effects: names.collect(),
             effect_unknowns: model.unknowns_of(effects),
@@ -155,7 +153,7 @@ impl StepwiseModel {
             terms: strongest_terms(terms, first),
             first: reported(terms, first),
             fitted: Vec::new(),
-            squares: beside.map_or(search.squares, |given| given.squares),
+            squares: beside.map_or(search.at_base.squares, |given| given.squares),
             is_adequate: false,
             has_significant_term: next.is_some(),
             next,
@@ -167,15 +165,14 @@ impl StepwiseModel {
     /// # Errors
     /// [`DiagnosisError::Fit`] if the caller cancelled.
     pub fn select(
-        context: Context<'_>,
-        model: &ScoreTestModel,
-        search: &Search<'_>,
+        model: &ScoreTestModel<'_>,
+        search: &Search,
         before: &Fit,
         beside: Option<&Hypothesis>,
     ) -> Result<Option<Self>, DiagnosisError> {
         let mut found = Self::start(model, search, beside)?;
         if let Some(stepwise) = &mut found {
-            stepwise.extend(context, model, search, before, MAX_SELECTED)?;
+            stepwise.extend(model, search, before, MAX_SELECTED)?;
         }
         Ok(found)
     }
@@ -188,15 +185,14 @@ impl StepwiseModel {
     /// [`DiagnosisError::Fit`] if the caller cancelled.
     pub fn extend(
         &mut self,
-        context: Context<'_>,
-        model: &ScoreTestModel,
-        search: &Search<'_>,
+        model: &ScoreTestModel<'_>,
+        search: &Search,
         before: &Fit,
         most: usize,
     ) -> Result<(), DiagnosisError> {
-        let reject = search.thresholds.reject;
+        let reject = search.at_base.thresholds.reject;
         while let Some((term, statistic)) = self.next.filter(|_| self.selected.len() < most) {
-            context.check_cancelled()?;
+            model.context.check_cancelled()?;
             // The remaining terms, each assumed as strong as the next, must be able to explain as much as the
             // accepted hypothesis.
             let following = (most - self.selected.len()) as f64;
@@ -205,30 +201,27 @@ impl StepwiseModel {
             if accepted.is_some_and(|accepted| !search.is_near(promised, accepted.squares)) {
                 return Ok(());
             }
-            if context.is_out_of_time() {
+            if model.context.is_out_of_time() {
                 return Ok(());
             }
             let mut selected = self.selected.clone();
             selected.push(term);
             let before = self.fitted.last().map_or(before, |last| &last.fit);
-            let step = fit_terms(context, model, search, before, (self, &selected));
+            let step = fit_terms(model, search, before, (self, &selected));
             // A term that does not decrease the sum of squares is not selected.
             let step = if_possible(step)?.flatten();
-            let Some(step) = step.filter(|step| step.squares <= self.squares) else {
+            let Some(Step { fitted, tests }) = step.filter(|s| s.fitted.squares <= self.squares)
+            else {
                 self.next = None;
                 return Ok(());
             };
-            let remaining = step.tests.strongest_candidate();
+            let remaining = tests.strongest_candidate();
             let is_rejected = remaining.is_some_and(|(_, test)| test.ln_p < reject);
-            let next = next_term(&step.tests, reject, &selected);
+            let next = next_term(&tests, reject, &selected);
             self.is_adequate = !is_rejected && next.is_none();
             self.next = next.filter(|_| !self.is_adequate);
-            self.squares = step.squares;
-            self.fitted.push(FittedTerms {
-                extension: step.extension,
-                fit: step.fit,
-                squares: step.squares,
-            });
+            self.squares = fitted.squares;
+            self.fitted.push(fitted);
             self.selected = selected;
             self.report_selected(term);
         }
@@ -258,15 +251,15 @@ impl StepwiseModel {
 /// fit. `None` if the model cannot be composed, or the fit used other flights than `model`. The fit starts at `before`;
 /// if it does not converge, the model is also fitted from initial values estimated from the samples.
 fn fit_terms(
-    context: Context<'_>,
-    model: &ScoreTestModel,
-    search: &Search<'_>,
+    model: &ScoreTestModel<'_>,
+    search: &Search,
     before: &Fit,
     (stepwise, selected): (&StepwiseModel, &[TermId]),
 ) -> Result<Option<Step>, DiagnosisError> {
     let Some(terms) = &model.terms else {
         return Ok(None);
     };
+    let context = model.context;
     let options = context.options;
     let effect = |&term: &TermId| {
         let name = terms.name(term);
@@ -280,27 +273,27 @@ fn fit_terms(
     };
     let from_before = refit(&extension.model, context.dataset, &options.fit, before)?;
     let status = from_before.report.iterations.status;
-    let arrived = step(context, model, search, extension.clone(), from_before)?;
+    let arrived = step(model, search, extension.clone(), from_before)?;
     let is_minimum = matches!(status, FitStatus::Converged | FitStatus::NoiseNotConverged);
-    let has_arrived = |step: &Step| is_minimum && step.squares <= stepwise.squares;
+    let has_arrived = |step: &Step| is_minimum && step.fitted.squares <= stepwise.squares;
     if arrived.as_ref().is_some_and(has_arrived) {
         return Ok(arrived);
     }
     let from_samples = fit(&extension.model, context.dataset, &options.fit)?;
-    let again = step(context, model, search, extension, from_samples)?;
+    let again = step(model, search, extension, from_samples)?;
     let both = arrived.into_iter().chain(again);
-    Ok(both.min_by(|a, b| a.squares.total_cmp(&b.squares)))
+    Ok(both.min_by(|a, b| a.fitted.squares.total_cmp(&b.fitted.squares)))
 }
 
 /// Computes the score tests at `fit`, the fit of `extension`, and returns them with both arguments. `None` if the fit
 /// used other flights than `model`.
 fn step(
-    context: Context<'_>,
-    model: &ScoreTestModel,
-    search: &Search<'_>,
+    model: &ScoreTestModel<'_>,
+    search: &Search,
     extension: ExtendedModel,
     fit: Fit,
 ) -> Result<Option<Step>, DiagnosisError> {
+    let context = model.context;
     let encompassing = EncompassingModel::new(&extension.model, context.options.without)?;
     let (mut there, iterate) = ScoreTestModel::new(encompassing, context, &fit)?;
     if !model.has_same_flights(&there.flights) {
@@ -314,14 +307,17 @@ fn step(
     let at = LinearizationPoint {
         problem: &there.problem,
         iterate: &iterate,
-        cache: &TrajectoryCache::Disabled,
+        cache: &TrajectoryCache::DISABLED,
     };
-    let found = there.tests_at(at, &search.noise, context)?;
-    Ok(Some(Step {
+    let found = there.tests_at(at, &search.noise)?;
+    let fitted = FittedTerms {
         extension,
         fit,
-        tests: found.tests,
         squares: found.squares,
+    };
+    Ok(Some(Step {
+        fitted,
+        tests: found.tests,
     }))
 }
 
@@ -411,7 +407,7 @@ mod tests {
         let at = LinearizationPoint {
             problem: &model.problem,
             iterate: &fixture.iterate,
-            cache: &TrajectoryCache::Disabled,
+            cache: &TrajectoryCache::DISABLED,
         };
         let blocks = model
             .normal_equations_with_terms(at, fixture.fit.noise())

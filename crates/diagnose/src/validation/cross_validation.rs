@@ -2,11 +2,12 @@
 
 use flight::batch;
 use identify::dataset::{Dataset, Role};
-use identify::{FitError, FitOptions, fit};
+use identify::{Fit, FitError, FitOptions, fit};
 use model_spec::model::Model;
 
 use super::discordant_beginning::ApplyTo;
-use super::predictive_gain::{PredictiveGain, errors, summarize};
+use super::predictive_gain::{PredictiveGain, errors, held_out_gain, summarize};
+use crate::context::Context;
 
 /// Number of folds of the cross-validation: each half of the flights is predicted by a fit of the other half.
 const FOLDS: usize = 2;
@@ -53,6 +54,26 @@ pub(crate) fn cross_validate(
         }
     }
     Ok(summarize(all, noise_floor_m, false))
+}
+
+/// Out-of-sample gain of the second model over the first, each given with its fit to the flights of the diagnosis: on
+/// the held-out flights if the dataset declares some, otherwise by cross-validation. `noise_floor_m` is the noise of one
+/// coordinate, m.
+///
+/// # Errors
+/// [`FitError::Interrupted`] if the caller cancelled.
+pub(super) fn out_of_sample_gain(
+    context: Context<'_>,
+    [before, after]: [(&Model, &Fit); 2],
+    noise_floor_m: f64,
+) -> Result<Option<PredictiveGain>, FitError> {
+    if context.has_held_out() {
+        let (before, after) = (&before.1.report, &after.1.report);
+        return Ok(held_out_gain(before, after, noise_floor_m));
+    }
+    let (models, options) = ([before.0, after.0], &context.options.fit);
+    let all = ApplyTo::AllFlights;
+    cross_validate(models, context.dataset, options, all, noise_floor_m)
 }
 
 /// Copy of the dataset in which every [`FOLDS`]th flight, from index `fold` on, is held out and all others are

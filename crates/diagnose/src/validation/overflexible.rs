@@ -5,10 +5,9 @@
 
 use identify::{Fit, fit};
 
-use super::cross_validation::cross_validate;
-use super::discordant_beginning::ApplyTo;
-use super::predictive_gain::{PredictiveGain, held_out_gain};
-use crate::context::{Context, ScoreTestModel, identifier};
+use super::cross_validation::out_of_sample_gain;
+use super::predictive_gain::PredictiveGain;
+use crate::context::{ScoreTestModel, identifier};
 use crate::error::DiagnosisError;
 use crate::extension::ExtendedModel;
 use crate::selection::Hypothesis;
@@ -29,22 +28,16 @@ impl Validated {
     /// # Errors
     /// [`DiagnosisError`] if the effects cannot be combined, the flights cannot be fitted, or the caller cancelled.
     pub fn new(
-        context: Context<'_>,
-        model: &ScoreTestModel,
+        model: &ScoreTestModel<'_>,
         hypothesis: &Hypothesis,
         before: &Fit,
         noise_floor_m: f64,
     ) -> Result<Self, DiagnosisError> {
-        let extension = hypothesis.extension(context, model)?;
-        let options = &context.options.fit;
-        let fit = fit(&extension.model, context.dataset, options)?;
-        let gain = if context.has_held_out() {
-            held_out_gain(&before.report, &fit.report, noise_floor_m)
-        } else {
-            let models = [context.model, &extension.model];
-            let all = ApplyTo::AllFlights;
-            cross_validate(models, context.dataset, options, all, noise_floor_m)?
-        };
+        let context = model.context;
+        let extension = hypothesis.extension(model)?;
+        let fit = fit(&extension.model, context.dataset, &context.options.fit)?;
+        let models = [(context.model, before), (&extension.model, &fit)];
+        let gain = out_of_sample_gain(context, models, noise_floor_m)?;
         Ok(Self {
             extension,
             fit,
@@ -66,14 +59,10 @@ impl Hypothesis {
     ///
     /// # Errors
     /// [`DiagnosisError::Load`] if the effects cannot be combined.
-    pub fn extension(
-        &self,
-        context: Context<'_>,
-        model: &ScoreTestModel,
-    ) -> Result<ExtendedModel, DiagnosisError> {
+    pub fn extension(&self, model: &ScoreTestModel<'_>) -> Result<ExtendedModel, DiagnosisError> {
         let effects = self.effects.iter();
         let names = effects.map(|&id| identifier(&model.candidate(id).name));
         let names: Vec<String> = names.collect();
-        Ok(ExtendedModel::new(context.model, &names, &[])?)
+        Ok(ExtendedModel::new(model.context.model, &names, &[])?)
     }
 }

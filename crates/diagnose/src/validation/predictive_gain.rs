@@ -1,7 +1,7 @@
 //! Out-of-sample error reduction by an extension.
 
 use identify::dataset::Role;
-use identify::{Fit, FitReport, median};
+use identify::{Fit, FitReport, median_of};
 use serde::{Deserialize, Serialize};
 
 /// Prediction errors on held-out flights without and with an extension. The initial state of a held-out flight is
@@ -167,8 +167,8 @@ pub(super) fn summarize(
     let leave_one_out: Vec<f64> = flights.iter().map(without).collect();
     let mean = leave_one_out.iter().sum::<f64>() / count;
     let spread: f64 = leave_one_out.iter().map(|d| (d - mean).powi(2)).sum();
-    let median_of = |error: fn(&FlightErrors) -> f64| {
-        median(&mut flights.iter().map(|f| error(f).sqrt()).collect::<Vec<_>>())
+    let median = |error: fn(&FlightErrors) -> f64| {
+        median_of(flights.iter().map(|f| error(f).sqrt())).unwrap_or(0.0)
     };
     let improved = flights.iter().filter(|f| f.after < f.before).count();
     let worsened = flights.iter().filter(|f| f.after > f.before).count();
@@ -185,8 +185,8 @@ pub(super) fn summarize(
         held_out_by_dataset,
         improved,
         worsened,
-        median_before_m: median_of(|f| f.before),
-        median_after_m: median_of(|f| f.after),
+        median_before_m: median(|f| f.before),
+        median_after_m: median(|f| f.after),
         p_sign: sign_test(improved, improved + worsened),
         set_apart: apart.into_iter().map(|flight| flight.file).collect(),
     })
@@ -203,7 +203,7 @@ fn without_set_apart(
         return (Vec::new(), flights);
     }
     let least = |flight: &FlightErrors| flight.before.min(flight.after).sqrt();
-    let typical = median(&mut flights.iter().map(least).collect::<Vec<_>>());
+    let typical = median_of(flights.iter().map(least)).unwrap_or(0.0);
     let limit = SET_APART * typical.max(noise_floor_m);
     let is_apart = |flight: &FlightErrors| least(flight) > limit || least(flight).is_nan();
     if flights.iter().filter(|flight| is_apart(flight)).count() > flights.len() / 4 {

@@ -12,10 +12,10 @@ use super::trajectory::{Trajectory, over_noise};
 use crate::noise::NoiseModel;
 
 /// Maximum number of samples after a tried contact that are used to test for it.
-const AFTER: usize = 40;
+const MAX_SAMPLES_AFTER: usize = 40;
 /// Prior standard deviation of the displacement of a marker by the contact itself, in units of the noise of a marker
 /// coordinate. It is small, because a contact changes velocities and not positions.
-const SLACK: f64 = 0.3;
+const DISPLACEMENT_SIGMA: f64 = 0.3;
 
 /// Decrease of the whitened sum of squares by a jump, tested with all samples in reach, below which no jump is tested
 /// with fewer samples. It is far below that of a contact, and samples after a contact increase it further.
@@ -73,25 +73,25 @@ impl Jumps {
         }
         let count = samples.len();
         // Tests a jump with each number of samples after it from `least` on.
-        let compare = |first: usize, least: usize| -> Option<Vec<Comparison>> {
-            let held = trajectory.contacts[first].iter().map(|at| {
-                let displacement = over_noise(at, noise.sigma) / SLACK;
-                displacement.tr_mul(&displacement)
-            });
-            let held: Vec<DMatrix<f64>> = held.collect();
-            let mut change = JumpSum::zeros(dimension);
-            let after = samples[first..].iter().zip(&free[first + 1..]);
-            let each = after
-                .take(AFTER)
-                .enumerate()
-                .filter_map(|(index, (sample, free))| {
-                    change.add(sample, tried + first);
-                    (index + 1 >= least).then(|| change.compare(free, &held))
+        let compare =
+            |first: usize, least: usize| -> Option<Vec<Comparison>> {
+                let held = trajectory.contacts[first].iter().map(|at| {
+                    let displacement = over_noise(at, noise.sigma) / DISPLACEMENT_SIGMA;
+                    displacement.tr_mul(&displacement)
                 });
-            each.collect()
-        };
+                let held: Vec<DMatrix<f64>> = held.collect();
+                let mut change = JumpSum::zeros(dimension);
+                let after = samples[first..].iter().zip(&free[first + 1..]);
+                let each = after.take(MAX_SAMPLES_AFTER).enumerate().filter_map(
+                    |(index, (sample, free))| {
+                        change.add(sample, tried + first);
+                        (index + 1 >= least).then(|| change.compare(free, &held))
+                    },
+                );
+                each.collect()
+            };
         let rough = batch::each_on(threads, count, |first| {
-            compare(first, AFTER.min(count - first))
+            compare(first, MAX_SAMPLES_AFTER.min(count - first))
         });
         let rough = rough.into_iter().collect::<Option<Vec<_>>>()?;
         let may_jump = rough.iter().flatten().any(|by| by.gain > MIN_ROUGH_GAIN);

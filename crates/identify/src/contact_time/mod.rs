@@ -27,13 +27,13 @@ use crate::observations::Observations;
 use crate::problem::FitProblem;
 
 /// Number of samples before the first sample at which a velocity jump is tried; the free flight is fitted to them.
-const BEFORE: usize = 24;
+const FREE_SAMPLES: usize = 24;
 /// Number of samples before the range searched for a contact at which velocity jumps are also tried. The decrease of
 /// the sum of squares by a jump there is the reference for free flight.
-const USUAL: usize = 8;
+const REFERENCE_SAMPLES: usize = 8;
 /// Maximum number of samples by which a detected contact may precede the range searched for a contact. An earlier
 /// deviation is attributed to an inaccurate model, not to a contact.
-const LATE: usize = 2;
+const MAX_LEAD: usize = 2;
 /// Minimum decrease of the whitened sum of squares by a velocity jump for the jump to be a contact. Noise exceeds it at
 /// one sample in 10⁹.
 const MIN_GAIN: f64 = 60.0;
@@ -43,18 +43,18 @@ const MIN_GROWTH: f64 = 4.0;
 /// An earlier jump is preferred to the best jump if its decrease of the sum of squares is smaller by at most this
 /// value, the 90 % quantile of χ² with one degree of freedom. A contact time that is too late leaves disturbed samples
 /// in the data; this is worse than the loss of undisturbed samples due to a contact time that is too early.
-const UNDECIDED: f64 = 2.71;
+const UNDECIDED_GAIN: f64 = 2.71;
 /// Confirmation of a contact by later samples. The jump is tested again with this number of additional samples (first
-/// value). If its gain (decrease of the sum of squares) increased abruptly before (see `OUTLIER`), the additional
+/// value). If its gain (decrease of the sum of squares) increased abruptly before (see `OUTLIER_GAIN`), the additional
 /// samples must increase the gain by this factor (second value). They do not increase a gain that an outlier causes.
 const CONFIRMING: (usize, f64) = (2, 1.2);
 /// Gain: decrease of the sum of squares by a velocity jump. If one additional sample increases the gain by more than
 /// this value, that sample is considered to contain an outlier, unless the following samples confirm a contact (see
 /// `CONFIRMING`).
-const OUTLIER: f64 = 26.0;
+const OUTLIER_GAIN: f64 = 26.0;
 /// Maximum number of marker positions before the first tried jump that are excluded as outliers. Also the maximum
 /// number of passes of the search for a contact; a pass that finds an outlier instead of a contact excludes it.
-const MOST_OUTLIERS: usize = 12;
+const MAX_OUTLIERS: usize = 12;
 
 /// A contact with the ground or another object.
 #[derive(Clone, Debug, PartialEq)]
@@ -77,16 +77,17 @@ pub fn contact_time(
     threads: usize,
 ) -> Option<Onset> {
     let sought = tried.start;
-    let tried = sought.saturating_sub(USUAL).max(1)..tried.end.min(observations.times.len());
+    let tried =
+        sought.saturating_sub(REFERENCE_SAMPLES).max(1)..tried.end.min(observations.times.len());
     if tried.is_empty() {
         return None;
     }
-    let seen = tried.start.saturating_sub(BEFORE)..tried.end;
+    let seen = tried.start.saturating_sub(FREE_SAMPLES)..tried.end;
     let trajectory = Trajectory::new(problem, observations, unknowns, seen, tried.start).ok()?;
     let mut observations = observations.clone();
     leave_out_displaced(&mut observations, &trajectory, noise);
-    leave_out_before(&mut observations, &trajectory, noise, MOST_OUTLIERS);
-    for _ in 0..MOST_OUTLIERS {
+    leave_out_before(&mut observations, &trajectory, noise, MAX_OUTLIERS);
+    for _ in 0..MAX_OUTLIERS {
         let rows = rows::whitened(&observations, &trajectory, noise);
         let jumps = Jumps::new(&trajectory, &rows, noise, threads)?;
         let is_seen = |sample: &usize| !rows[sample - trajectory.first].is_empty();
@@ -94,7 +95,7 @@ pub fn contact_time(
             Departure::Contact(sample, found) => {
                 let jump = jump_of_velocity(&trajectory, &observations, sample, found);
                 // A deviation that grows earlier was part of the fit: it is the misfit of a wrong model.
-                return (sample + LATE >= sought).then_some(Onset { sample, jump });
+                return (sample + MAX_LEAD >= sought).then_some(Onset { sample, jump });
             }
             Departure::Outlier(sample) => {
                 let before = jumps.before(sample);
@@ -131,15 +132,15 @@ fn departure(
         let further = (last + 1..tried.end).filter(&is_seen).take(CONFIRMING.0);
         let until = further.last()?;
         let later = jumps.best(until)?.1.gain;
-        let is_steady = later > found.gain && found.gain <= previous + OUTLIER;
+        let is_steady = later > found.gain && found.gain <= previous + OUTLIER_GAIN;
         let is_confirmed = is_steady || later > CONFIRMING.1 * found.gain;
         let before = contact.checked_sub(tried.start + 1);
         let usual = before.map_or(0.0, |index| greatest[index]);
         if is_confirmed && found.gain > MIN_GAIN.max(MIN_GROWTH * usual) {
-            let (contact, found) = jumps.earliest(last, found.gain - UNDECIDED)?;
+            let (contact, found) = jumps.earliest(last, found.gain - UNDECIDED_GAIN)?;
             return Some(Departure::Contact(contact, found));
         }
-        if !is_confirmed && found.gain > previous + OUTLIER {
+        if !is_confirmed && found.gain > previous + OUTLIER_GAIN {
             return Some(Departure::Outlier(last));
         }
         previous = found.gain;

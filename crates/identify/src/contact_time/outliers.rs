@@ -5,6 +5,7 @@ use super::rows::whitened;
 use super::trajectory::Trajectory;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
+use crate::pose::distance;
 
 /// Squared whitened residual of a marker position above which it is an outlier; noise exceeds it with probability 10⁻⁵.
 const LIMIT: f64 = 26.0;
@@ -20,10 +21,6 @@ pub fn leave_out_displaced(
     noise: &NoiseModel,
 ) {
     let limit = DISTANCE * noise.overall();
-    let distance = |a: [f64; 3], b: [f64; 3]| {
-        let squares = [0, 1, 2].map(|axis| (a[axis] - b[axis]).powi(2));
-        squares.iter().sum::<f64>().sqrt()
-    };
     for (sample, predicted) in (trajectory.first..).zip(&trajectory.samples) {
         let seen: Vec<(usize, [f64; 3])> = observations
             .points(sample)

@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 
 use super::{Onset, contact_time};
 use crate::dataset::Flight;
+use crate::fit::FixedGlobal;
 use crate::fit::contact_refinement::tests::pushed;
 use crate::noise::{AxesNoise, NoiseModel};
 use crate::observations::Observations;
@@ -34,8 +35,12 @@ fn contacts(
     };
     let made = flights(&model, &[release.unwrap()], &plan).unwrap();
     let problem = FitProblem::new(&model, &made.dataset, &FitOptions::default()).unwrap();
-    let values = problem.globals.iter().map(|global| global.model_value);
-    let global = nalgebra::DVector::from_iterator(problem.globals.len(), values);
+    let global = problem.model_values();
+    let at = FixedGlobal {
+        problem: &problem,
+        global: &global,
+        options: &FitOptions::default(),
+    };
     let mut axes = AxesNoise::white(noise.sigma, 1.0 / plan.rate);
     axes.ar1 = [noise.ar1; 3];
     let noise = NoiseModel::from(axes);
@@ -47,10 +52,8 @@ fn contacts(
         .map(|(index, flight)| {
             let changed = Observations::new(&problem, &change(index, flight)).unwrap();
             let guesses = crate::initial_state::initial_guesses(&problem, &changed).unwrap();
-            let options = FitOptions::default();
             let start = guesses[0].state.clone();
-            let fitted =
-                crate::fit::fit_initial_state(&problem, &changed, SHOWN, &global, start, &options);
+            let fitted = at.fit_initial_state(&changed, SHOWN, start);
             let (_, local) = fitted.unwrap();
             let end = changed.times.len();
             contact_time(&problem, &changed, (&global, &local), &noise, SHOWN..end, 1)

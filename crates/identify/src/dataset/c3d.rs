@@ -5,10 +5,10 @@
 
 use std::path::Path;
 
-use takes::c3d::{Recording, Wrong};
+use takes::c3d::{self, Recording};
 use takes::words::{listed, shown};
 
-use super::samples;
+use super::samples::{self, Wrong};
 use super::table::Table;
 use crate::input_error::InputError;
 
@@ -16,14 +16,11 @@ pub(super) fn parse(file: &Path, bytes: &[u8], markers: &[&str]) -> Result<Table
     table(bytes, markers).map_err(|(found, expected)| InputError::of_file(file, found, expected))
 }
 
-/// Texts of an error: what was found, and what was expected.
-type Words = (String, String);
-
-fn words(wrong: Wrong) -> Words {
+fn words(wrong: c3d::Wrong) -> Wrong {
     (wrong.found, wrong.expected)
 }
 
-fn table(bytes: &[u8], markers: &[&str]) -> Result<Table, Words> {
+fn table(bytes: &[u8], markers: &[&str]) -> Result<Table, Wrong> {
     let recording = Recording::open(bytes).map_err(words)?;
     if let Some(deviation) = recording.deviations().first() {
         return Err(words(deviation.wrong.clone()));
@@ -38,8 +35,8 @@ fn table(bytes: &[u8], markers: &[&str]) -> Result<Table, Words> {
         let expected = format!("at most {}", samples::most(markers.len()));
         return Err((format!("{} frames", recording.frames()), expected));
     }
-    let places = markers.iter().map(|marker| place(&recording, marker));
-    let places = places.collect::<Result<Vec<usize>, Words>>()?;
+    let places = markers.iter().map(|marker| point_index(&recording, marker));
+    let places = places.collect::<Result<Vec<usize>, Wrong>>()?;
     let mut table = Table::default();
     for frame in 0..recording.frames() {
         let time = (f64::from(recording.first_frame()) + frame as f64) / rate;
@@ -63,7 +60,7 @@ fn table(bytes: &[u8], markers: &[&str]) -> Result<Table, Words> {
 
 /// Index, among the points of a frame, of the point with the marker's label. An error if no point or several points
 /// have this label.
-fn place(recording: &Recording<'_>, marker: &str) -> Result<usize, Words> {
+fn point_index(recording: &Recording<'_>, marker: &str) -> Result<usize, Wrong> {
     let labels = recording.labels();
     let mut found =
         (0..recording.points().min(labels.len())).filter(|&place| labels[place] == marker);

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use csv::StringRecord;
 
 use super::lines::Lines;
-use super::sensor::Sensor;
+use super::sensor::{Sensor, channels};
 use super::words::{listed, meant, shown};
 use crate::input_error::InputError;
 
@@ -19,6 +19,9 @@ pub(super) struct Header {
     /// of all sensors follow one another.
     pub channels: Vec<Vec<usize>>,
 }
+
+/// Index of a column that the header does not have.
+const ABSENT: usize = usize::MAX;
 
 /// Cell separator of a table: a semicolon or a tab if the header contains one, otherwise a comma.
 pub(super) fn separator(text: &str) -> char {
@@ -45,19 +48,17 @@ impl Header {
         markers: &[&str],
         sensors: &[Sensor],
     ) -> Result<Self, InputError> {
-        let mut channels = empty_channels(sensors);
+        let endings = channels(sensors).map(|(_, endings)| endings.len());
+        let mut channels: Vec<_> = endings.map(|count| vec![ABSENT; count]).collect();
         let of_sensor = names_of_sensors(sensors);
         let places: BTreeMap<&str, usize> = markers.iter().copied().zip(0..).collect();
-        let mut time = None;
-        let mut columns = vec![[usize::MAX; 3]; markers.len()];
+        let mut time = ABSENT;
+        let mut columns = vec![[ABSENT; 3]; markers.len()];
         for (index, name) in record.iter().map(str::trim).enumerate() {
-            let before = if name == "t" {
-                time.replace(index)
+            let slot: &mut usize = if name == "t" {
+                &mut time
             } else if let Some(&(channel, part)) = of_sensor.get(name) {
-                let slot: &mut usize = &mut channels[channel][part];
-                let before = (*slot != usize::MAX).then_some(*slot);
-                *slot = index;
-                before
+                &mut channels[channel][part]
             } else {
                 let Some((marker, axis)) = split(name, &places) else {
                     let expected = expected_instead_of(name, markers, &of_sensor);
@@ -67,28 +68,25 @@ impl Header {
                         expected,
                     ));
                 };
-                let slot = &mut columns[marker][axis];
-                let before = (*slot != usize::MAX).then_some(*slot);
-                *slot = index;
-                before
+                &mut columns[marker][axis]
             };
-            if before.is_some() {
+            if std::mem::replace(slot, index) != ABSENT {
                 let found = format!("a second column {}", shown(name));
                 return Err(lines.fault(index, found, "each column once"));
             }
         }
-        let Some(time) = time else {
+        if time == ABSENT {
             let expected = "the time of each row, s, in a column t";
             return Err(lines.fault(0, "no column t", expected));
-        };
+        }
         for (marker, axes) in markers.iter().zip(&columns) {
-            if let Some(axis) = axes.iter().position(|&index| index == usize::MAX) {
+            if let Some(axis) = axes.iter().position(|&index| index == ABSENT) {
                 let found = format!("no column {marker}_{}", ["x", "y", "z"][axis]);
                 return Err(lines.fault(0, found, "x, y and z of every marker"));
             }
         }
         let mut places = of_sensor.iter();
-        if let Some((name, _)) = places.find(|(_, (c, part))| channels[*c][*part] == usize::MAX) {
+        if let Some((name, _)) = places.find(|(_, (c, part))| channels[*c][*part] == ABSENT) {
             let found = format!("no column {name}");
             return Err(lines.fault(0, found, "every column of every sensor"));
         }
@@ -101,21 +99,13 @@ impl Header {
     }
 }
 
-fn empty_channels(sensors: &[Sensor]) -> Vec<Vec<usize>> {
-    let all = sensors.iter().flat_map(|sensor| sensor.kind.channels());
-    all.map(|endings| vec![usize::MAX; endings.len()]).collect()
-}
-
 /// Maps the name of each sensor column to the index of its channel (measured quantity) among the channels of all
 /// sensors, and the position of the column within the channel.
 fn names_of_sensors(sensors: &[Sensor]) -> BTreeMap<String, (usize, usize)> {
-    let all = sensors.iter().flat_map(|sensor| {
-        let channels = sensor.kind.channels().iter();
-        channels.map(move |endings| (sensor.name.as_str(), *endings))
-    });
-    let each = all.enumerate().flat_map(|(channel, (name, endings))| {
+    let all = channels(sensors).enumerate();
+    let each = all.flat_map(|(channel, (sensor, endings))| {
         let parts = endings.iter().enumerate();
-        parts.map(move |(part, ending)| (format!("{name}{ending}"), (channel, part)))
+        parts.map(move |(part, ending)| (format!("{}{ending}", sensor.name), (channel, part)))
     });
     each.collect()
 }

@@ -4,13 +4,13 @@ use std::path::Path;
 
 use csv::StringRecord;
 
-use super::place::Places;
+use super::place::CellLocations;
 use crate::input_error::InputError;
 
 /// Reader of a table's records, which keeps the byte offset of the current record.
 pub(super) struct Lines<'a> {
     pub(super) file: &'a Path,
-    pub(super) places: Places<'a>,
+    pub(super) places: CellLocations<'a>,
     pub(super) quotes: bool,
     pub(super) start: usize,
 }

@@ -13,17 +13,18 @@ use super::unplaced::Unplaced;
 use super::words::{meant, shown};
 use super::{KnownValue, Marker, Role, Sensor, file, names};
 use crate::input_error::InputError;
+use crate::pose::distance;
 
 /// Maximum size of `dataset.toml`, bytes.
-const LARGEST: u64 = 4 << 20;
+const MAX_BYTES: u64 = 4 << 20;
 /// Maximum number of markers, and of sensors, of a dataset.
-pub(super) const MOST_MARKERS: usize = 1000;
+pub(super) const MAX_MARKERS: usize = 1000;
 /// Maximum absolute coordinate of a marker in the body frame, m; larger values suggest millimetres.
-const FARTHEST: f64 = 10.0;
+const MAX_COORDINATE: f64 = 10.0;
 /// Distance below which two markers count as identical, m.
-const NEAREST: f64 = 1e-6;
+const MIN_DISTANCE: f64 = 1e-6;
 /// Maximum standard deviation of a measured coordinate, m; larger values suggest millimetres.
-const NOISIEST: f64 = 1.0;
+const MAX_SIGMA: f64 = 1.0;
 
 /// The checked contents of `dataset.toml`.
 #[derive(Debug, PartialEq)]
@@ -49,7 +50,7 @@ pub(super) struct Entry {
 }
 
 pub(super) fn read(path: &Path) -> Result<Manifest, InputError> {
-    let bytes = file::bytes(path, LARGEST, "a dataset.toml")?;
+    let bytes = file::bytes(path, MAX_BYTES, "a dataset.toml")?;
     parse(path, file::text(path, &bytes)?)
 }
 
@@ -168,10 +169,10 @@ impl Checker<'_> {
             let expected = "at least one marker: what was tracked";
             return Err(fields.fault(0..0, "no [[markers]]", expected));
         }
-        if tables.len() > MOST_MARKERS {
+        if tables.len() > MAX_MARKERS {
             let found = format!("{} markers", tables.len());
-            let expected = format!("at most {MOST_MARKERS}");
-            return Err(fields.fault(tables[MOST_MARKERS].0.clone(), found, expected));
+            let expected = format!("at most {MAX_MARKERS}");
+            return Err(fields.fault(tables[MAX_MARKERS].0.clone(), found, expected));
         }
         let mut markers: Vec<Marker> = Vec::with_capacity(tables.len());
         let mut seen = BTreeSet::new();
@@ -194,13 +195,7 @@ impl Checker<'_> {
                 markers.push(Marker { name, position });
                 continue;
             };
-            let near = |other: &Marker| {
-                let apart = position
-                    .iter()
-                    .zip(other.position)
-                    .map(|(a, b)| (a - b).powi(2));
-                apart.sum::<f64>().sqrt() < NEAREST
-            };
+            let near = |other: &Marker| distance(position, other.position) < MIN_DISTANCE;
             let mut others = markers.iter().enumerate();
             let is_placed = |index: usize| unplaced.iter().all(|own| own.marker != index);
             if let Some((_, other)) = others.find(|(index, other)| is_placed(*index) && near(other))
@@ -224,10 +219,10 @@ impl Checker<'_> {
             return Ok(None);
         };
         let errors = self.0.vector(value, "origin_error")?;
-        if errors.iter().all(|error| (0.0..=NOISIEST).contains(error)) {
+        if errors.iter().all(|error| (0.0..=MAX_SIGMA).contains(error)) {
             return Ok(Some(errors));
         }
-        let expected = format!("standard errors from 0 to {NOISIEST} m");
+        let expected = format!("standard errors from 0 to {MAX_SIGMA} m");
         let found = format!("origin_error = {errors:?}");
         Err(self.0.fault(value.span(), found, expected))
     }
@@ -258,11 +253,11 @@ impl Checker<'_> {
             return Err(self.0.fault(value.span(), found, expected));
         }
         let position = self.0.vector(value, "position")?;
-        match position.iter().find(|axis| axis.abs() > FARTHEST) {
+        match position.iter().find(|axis| axis.abs() > MAX_COORDINATE) {
             None => Ok(Some(position)),
             Some(far) => {
                 let expected = format!(
-                    "at most {FARTHEST} m from the body's origin (millimetres given for metres?)"
+                    "at most {MAX_COORDINATE} m from the body's origin (millimetres given for metres?)"
                 );
                 let found = format!("a {what} at {far} m");
                 Err(self.0.fault(value.span(), found, expected))
@@ -279,15 +274,15 @@ impl Checker<'_> {
             return Ok(None);
         };
         let sigma = self.0.number(value, "sigma")?;
-        if sigma > 0.0 && sigma <= NOISIEST {
+        if sigma > 0.0 && sigma <= MAX_SIGMA {
             return Ok(Some(sigma));
         }
-        let hint = if sigma > NOISIEST {
+        let hint = if sigma > MAX_SIGMA {
             " (millimetres given for metres?)"
         } else {
             ""
         };
-        let expected = format!("a standard deviation above 0 and up to {NOISIEST} m{hint}");
+        let expected = format!("a standard deviation above 0 and up to {MAX_SIGMA} m{hint}");
         Err(self
             .0
             .fault(value.span(), format!("sigma = {sigma}"), expected))

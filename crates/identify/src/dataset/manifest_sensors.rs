@@ -2,7 +2,7 @@
 
 use toml::de::DeTable;
 
-use super::manifest::{Checker, MOST_MARKERS};
+use super::manifest::{Checker, MAX_MARKERS};
 use super::unplaced::Unplaced;
 use super::words::{listed, meant, shown};
 use super::{Marker, Sensor, SensorKind, names};
@@ -24,10 +24,10 @@ impl Checker<'_> {
     ) -> Result<Vec<Sensor>, InputError> {
         let fields = &self.0;
         let tables = fields.tables(document, "sensors")?;
-        if tables.len() > MOST_MARKERS {
+        if tables.len() > MAX_MARKERS {
             let found = format!("{} sensors", tables.len());
-            let expected = format!("at most {MOST_MARKERS}");
-            return Err(fields.fault(tables[MOST_MARKERS].0.clone(), found, expected));
+            let expected = format!("at most {MAX_MARKERS}");
+            return Err(fields.fault(tables[MAX_MARKERS].0.clone(), found, expected));
         }
         if tables.is_empty() && markers.is_empty() {
             let expected = "at least one marker or sensor: what was measured";

@@ -28,12 +28,13 @@ use std::path::Path;
 use flight::batch;
 pub use sensor::{Reading, Sensor, SensorKind};
 pub(crate) use sensor::{attitude, points_on_body, points_seen};
+pub(crate) use write::quoted;
 pub use write::{manifest_text, table_text, write, write_commented, write_with};
 
 use crate::input_error::InputError;
 
 /// Maximum size of a table or C3D file, bytes.
-const LARGEST: u64 = 1 << 30;
+const MAX_BYTES: u64 = 1 << 30;
 
 /// Measured flights of one body. The default has no flights, no sensors and no known values.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -146,8 +147,8 @@ pub fn load_on(folder: &Path, threads: Option<usize>) -> Result<Dataset, InputEr
     assemble(manifest, threads, |_, entry, markers, sensors| {
         let path = folder.join(&entry.file);
         let names: Vec<&str> = markers.iter().map(|marker| marker.name.as_str()).collect();
-        if names::is_c3d(&entry.file) {
-            let bytes = file::bytes(&path, LARGEST, "a C3D file")?;
+        if names::is_c3d(&path) {
+            let bytes = file::bytes(&path, MAX_BYTES, "a C3D file")?;
             if let Some(sensor) = sensors.first() {
                 let found = format!("the sensor {} with a C3D file", sensor.name);
                 return Err(InputError::of_file(
@@ -158,7 +159,7 @@ pub fn load_on(folder: &Path, threads: Option<usize>) -> Result<Dataset, InputEr
             }
             c3d::parse(&path, &bytes, &names)
         } else {
-            let bytes = file::bytes(&path, LARGEST, "a table")?;
+            let bytes = file::bytes(&path, MAX_BYTES, "a table")?;
             table::parse(
                 &path,
                 file::text(&path, &bytes)?,
@@ -203,7 +204,8 @@ fn assemble(
     let (mut markers, mut sensors) = (manifest.markers, manifest.sensors);
     let unknown_vertical = manifest.recording.up == recording::Up::Unknown;
     let unplaced = (&manifest.unplaced[..], !unknown_vertical);
-    let origin_error = unplaced::place(&mut markers, unplaced, &mut sensors, &flights)?;
+    let origin_error =
+        unplaced::estimate_positions(&mut markers, unplaced, &mut sensors, &flights)?;
     for (path, flight) in paths.iter().zip(&flights) {
         samples::whole(path, flight, &markers)?;
     }

@@ -3,13 +3,13 @@
 use std::path::{Component, Path};
 
 /// Maximum length of a marker name, bytes; file paths may be eight times as long.
-const LONGEST: usize = 255;
+const MAX_BYTES: usize = 255;
 
 /// Checks a marker's name. Returns a text of what is expected if the name is invalid, otherwise `None`.
 pub(super) fn wrong_with_marker(name: &str) -> Option<&'static str> {
     let separates =
         |c: char| c.is_whitespace() || c.is_control() || [',', ';', '"', '#'].contains(&c);
-    if name.is_empty() || name.len() > LONGEST || name.chars().any(separates) {
+    if name.is_empty() || name.len() > MAX_BYTES || name.chars().any(separates) {
         Some("a name without spaces, separators, quotes and #")
     } else if ["_x", "_y", "_z"].iter().any(|axis| name.ends_with(axis)) {
         Some("a marker, not one of its columns: the columns of m1 are m1_x, m1_y and m1_z")
@@ -30,7 +30,7 @@ pub(super) fn wrong_with_file(file: &str) -> Option<&'static str> {
     let odd = |c: char| c.is_control() || c == '\\';
     if file.is_empty() || !inside {
         Some("a file inside the dataset's folder")
-    } else if !plain || file.chars().any(odd) || file.len() > 8 * LONGEST {
+    } else if !plain || file.chars().any(odd) || file.len() > 8 * MAX_BYTES {
         Some("a file name, with / between folders")
     } else {
         None
@@ -38,8 +38,7 @@ pub(super) fn wrong_with_file(file: &str) -> Option<&'static str> {
 }
 
 /// Whether a file is read as C3D, judged by the extension of its name.
-pub(super) fn is_c3d(file: &str) -> bool {
-    Path::new(file)
-        .extension()
+pub(super) fn is_c3d(file: &Path) -> bool {
+    file.extension()
         .is_some_and(|extension| extension.eq_ignore_ascii_case("c3d"))
 }

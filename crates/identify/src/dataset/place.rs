@@ -1,12 +1,12 @@
 //! Source locations (line and column) of table cells, computed only when an error is reported.
 
 /// Text of a table and its cell separator, from which source locations are computed.
-pub(super) struct Places<'a> {
+pub(super) struct CellLocations<'a> {
     pub text: &'a str,
     pub separator: char,
 }
 
-impl Places<'_> {
+impl CellLocations<'_> {
     /// Byte offset of the next record, at or after `from`; skips empty lines and comments, as the table reader does.
     pub fn record(&self, from: usize) -> usize {
         let mut start = from.min(self.text.len());
@@ -26,7 +26,7 @@ impl Places<'_> {
     /// `from`.
     pub fn cell(&self, from: usize, index: usize) -> (usize, usize) {
         let start = self.record(from);
-        let (mut line, mut column) = place(&self.text[..start]);
+        let (mut line, mut column) = end_location(&self.text[..start]);
         let mut left = index;
         let (mut at_start, mut quoted) = (true, false);
         let mut before = '\0';
@@ -61,7 +61,7 @@ impl Places<'_> {
 }
 
 /// Line and column, from 1, of the end of the text `before`, whose lines end with LF, CR LF or CR.
-fn place(before: &str) -> (usize, usize) {
+fn end_location(before: &str) -> (usize, usize) {
     let bytes = before.as_bytes();
     let ends = |i: &usize| match bytes[*i] {
         b'\n' => true,
@@ -79,7 +79,7 @@ mod tests {
 
     fn cell(text: &str, from: usize, index: usize) -> (usize, usize) {
         let separator = ',';
-        Places { text, separator }.cell(from, index)
+        CellLocations { text, separator }.cell(from, index)
     }
 
     #[test]

@@ -5,32 +5,33 @@ use std::path::Path;
 
 use super::{Flight, Marker};
 use crate::input_error::InputError;
-use crate::statistics::median;
+use crate::pose::distance;
+use crate::statistics::median_of;
 
 /// Maximum absolute coordinate of a measured marker position, m.
-const FARTHEST: f64 = 1e4;
+const MAX_COORDINATE: f64 = 1e4;
 /// Maximum duration of a measured flight, s; equal to the limit for simulated flights.
-const LONGEST: f64 = flight::release::Release::MAX_DURATION;
+const MAX_SECONDS: f64 = flight::release::Release::MAX_DURATION;
 /// Maximum median speed of a marker over half of a flight, m/s; larger values suggest millimetres.
-const FASTEST: f64 = 1e3;
+const MAX_SPEED: f64 = 1e3;
 /// Maximum plausible ratio of the measured to the declared distance of two markers. If the ratio exceeds this value and
-/// the measured distance exceeds `WIDEST`, m, the coordinates are rejected as not being in metres.
-const STRETCHED: f64 = 30.0;
-const WIDEST: f64 = 1.0;
+/// the measured distance exceeds `MIN_REJECTED`, m, the coordinates are rejected as not being in metres.
+const MAX_STRETCH: f64 = 30.0;
+const MIN_REJECTED: f64 = 1.0;
 /// Maximum product of the number of samples of a flight and the number of its markers and sensor channels; it bounds
 /// the memory used.
-const MOST: usize = 1 << 23;
+const MAX_VALUES: usize = 1 << 23;
 
 /// Texts of an error: what was found, and what was expected.
-type Wrong = (String, String);
+pub(super) type Wrong = (String, String);
 
 /// Maximum number of samples of a flight; `markers` is the total number of its markers and sensor channels.
 pub(super) fn most(markers: usize) -> usize {
-    MOST / markers.max(1)
+    MAX_VALUES / markers.max(1)
 }
 
 /// Returns an error if `time`, the time of a sample, s, is not after that of the previous sample, `before`, or is more
-/// than [`LONGEST`] after that of the first sample, `first`. Both are `None` for the first sample.
+/// than [`MAX_SECONDS`] after that of the first sample, `first`. Both are `None` for the first sample.
 pub(super) fn time(first: Option<&f64>, before: Option<&f64>, time: f64) -> Result<(), Wrong> {
     let (Some(&first), Some(&before)) = (first, before) else {
         return Ok(());
@@ -38,21 +39,23 @@ pub(super) fn time(first: Option<&f64>, before: Option<&f64>, time: f64) -> Resu
     if time <= before {
         return Err((format!("t = {time}"), format!("a time after {before} s")));
     }
-    if time - first > LONGEST {
-        let expected =
-            format!("at most {LONGEST} s after the first sample (milliseconds given for seconds?)");
+    if time - first > MAX_SECONDS {
+        let expected = format!(
+            "at most {MAX_SECONDS} s after the first sample (milliseconds given for seconds?)"
+        );
         return Err((format!("t = {time}"), expected));
     }
     Ok(())
 }
 
-/// Returns an error if `value`, a coordinate of a marker position, m, exceeds [`FARTHEST`] in magnitude; `name` is the
+/// Returns an error if `value`, a coordinate of a marker position, m, exceeds [`MAX_COORDINATE`] in magnitude; `name` is the
 /// column's name in the error.
 pub(super) fn coordinate(name: &dyn Display, value: f64) -> Result<(), Wrong> {
-    if value.abs() <= FARTHEST {
+    if value.abs() <= MAX_COORDINATE {
         return Ok(());
     }
-    let expected = format!("at most {FARTHEST} m from the origin (millimetres given for metres?)");
+    let expected =
+        format!("at most {MAX_COORDINATE} m from the origin (millimetres given for metres?)");
     Err((format!("{name} = {value}"), expected))
 }
 
@@ -66,9 +69,9 @@ pub(super) fn whole(file: &Path, flight: &Flight, markers: &[Marker]) -> Result<
             "a marker that is seen at least once",
         );
     }
-    if let Some((apart, declared)) = apart(flight, markers)
-        && apart > STRETCHED * declared
-        && apart > WIDEST
+    if let Some((apart, declared)) = first_distance(flight, markers)
+        && apart > MAX_STRETCH * declared
+        && apart > MIN_REJECTED
     {
         return wrong(
             format!(
@@ -79,7 +82,7 @@ pub(super) fn whole(file: &Path, flight: &Flight, markers: &[Marker]) -> Result<
         );
     }
     if let Some(speed) = speed(flight)
-        && speed > FASTEST
+        && speed > MAX_SPEED
     {
         return wrong(
             format!("a speed of {speed:.0} m/s"),
@@ -91,15 +94,13 @@ pub(super) fn whole(file: &Path, flight: &Flight, markers: &[Marker]) -> Result<
 
 /// Median measured distance and declared distance of the first two markers, m; `None` for fewer than two markers or if
 /// no sample shows both.
-fn apart(flight: &Flight, markers: &[Marker]) -> Option<(f64, f64)> {
+fn first_distance(flight: &Flight, markers: &[Marker]) -> Option<(f64, f64)> {
     let [first, second, ..] = markers else {
         return None;
     };
     let seen = flight.positions.iter();
-    let measured = seen.filter_map(|row| Some(distance(row[0]?, row[1]?)));
-    let mut measured: Vec<f64> = measured.collect();
-    let declared = distance(first.position, second.position);
-    (!measured.is_empty()).then(|| (median(&mut measured), declared))
+    let measured = median_of(seen.filter_map(|row| Some(distance(row[0]?, row[1]?))))?;
+    Some((measured, distance(first.position, second.position)))
 }
 
 /// Median speed of the first marker, m/s, over pairs of samples half a flight apart, which is robust to outliers;
@@ -117,11 +118,5 @@ fn speed(flight: &Flight) -> Option<f64> {
         );
         Some(moved / (flight.times[i] - flight.times[i - half]))
     });
-    let mut speeds: Vec<f64> = speeds.collect();
-    (!speeds.is_empty()).then(|| median(&mut speeds))
-}
-
-fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    let squares = a.iter().zip(b).map(|(a, b)| (a - b).powi(2));
-    squares.sum::<f64>().sqrt()
+    median_of(speeds)
 }

@@ -94,6 +94,16 @@ impl SensorKind {
     }
 }
 
+/// Channels of all sensors, one after another: the sensor, and the suffixes of the column names of the channel.
+pub(super) fn channels(
+    sensors: &[Sensor],
+) -> impl Iterator<Item = (&Sensor, &'static [&'static str])> {
+    sensors.iter().flat_map(|sensor| {
+        let channels = sensor.kind.channels().iter();
+        channels.map(move |endings| (sensor, *endings))
+    })
+}
+
 /// Rotation from body to inertial components given by a quaternion reading.
 pub(crate) fn attitude([w, x, y, z]: Reading) -> UnitQuaternion<f64> {
     UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z))

@@ -7,7 +7,7 @@ use takes::number::number;
 
 use super::header::{Header, separator};
 use super::lines::Lines;
-use super::place::Places;
+use super::place::CellLocations;
 use super::recording::Recording;
 use super::samples;
 use super::sensor::{Reading, Sensor};
@@ -36,7 +36,7 @@ pub(super) fn parse(
         .from_reader(text.as_bytes());
     let mut lines = Lines {
         file,
-        places: Places { text, separator },
+        places: CellLocations { text, separator },
         quotes: text.contains('"'),
         start: 0,
     };

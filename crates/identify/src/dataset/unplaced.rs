@@ -7,7 +7,7 @@ use super::sensor::attitude;
 use super::{Flight, Marker, Sensor, SensorKind};
 use crate::input_error::InputError;
 use crate::pose::{fix_attitude, pose};
-use crate::statistics::median;
+use crate::statistics::median_vector;
 
 /// A marker with the position `"unknown"` in `dataset.toml`.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,7 +37,7 @@ const NEEDED: &str = "at least three markers with positions that are not on a li
 ///
 /// # Errors
 /// [`InputError`], located at the first marker concerned, if the flights do not determine the positions.
-pub(super) fn place(
+pub(super) fn estimate_positions(
     markers: &mut [Marker],
     (unplaced, vertical_is_known): (&[Unplaced], bool),
     sensors: &mut [Sensor],
@@ -50,18 +50,18 @@ pub(super) fn place(
                 let expected = "positions of the markers, or the direction up";
                 return Err(first.error("no position of a marker and up = \"unknown\"", expected));
             }
-            origin_error = Some(place_all(markers, first, flights)?);
+            origin_error = Some(estimate_all_markers(markers, first, flights)?);
         } else {
-            place_some(markers, unplaced, flights)?;
+            estimate_some_markers(markers, unplaced, flights)?;
         }
     }
-    place_poses(markers, sensors, flights);
+    estimate_pose_sensors(markers, sensors, flights);
     Ok(origin_error)
 }
 
 /// Estimates the positions of all markers from their motion in free flight. Returns the standard errors of the position
 /// of the mass centre along the body axes, m.
-fn place_all(
+fn estimate_all_markers(
     markers: &mut [Marker],
     first: &Unplaced,
     flights: &[Flight],
@@ -88,7 +88,7 @@ fn place_all(
 /// Estimates the unknown positions of some markers from the known positions of the remaining markers. An error if the
 /// known positions do not determine the attitude of the body, or if a marker of unknown position is never measured in
 /// the same sample as enough markers of known position.
-fn place_some(
+fn estimate_some_markers(
     markers: &mut [Marker],
     unplaced: &[Unplaced],
     flights: &[Flight],
@@ -116,20 +116,21 @@ fn place_some(
             Some(body.attitude.inverse() * (Vector3::from(own) - body.position))
         });
         let marker = &mut markers[own.marker];
-        marker.position = middle(on_body.collect()).ok_or_else(|| {
+        let position = median_vector(&on_body.collect::<Vec<_>>()).ok_or_else(|| {
             let found = format!("{} never seen together with the others", marker.name);
             own.error(
                 found,
                 "samples that show it with three others, or its position",
             )
         })?;
+        marker.position = position.into();
     }
     Ok(())
 }
 
 /// Estimates the unknown positions of pose sensors if the markers determine an attitude; otherwise the positions remain
 /// unknown, and the fit estimates them.
-fn place_poses(markers: &[Marker], sensors: &mut [Sensor], flights: &[Flight]) {
+fn estimate_pose_sensors(markers: &[Marker], sensors: &mut [Sensor], flights: &[Flight]) {
     let known: Vec<[f64; 3]> = markers.iter().map(|marker| marker.position).collect();
     let mut channel = 0;
     for sensor in sensors {
@@ -147,16 +148,9 @@ fn place_poses(markers: &[Marker], sensors: &mut [Sensor], flights: &[Flight]) {
             let place = Vector3::new(place[0], place[1], place[2]);
             Some(attitude(turn).inverse() * (place - body.position))
         });
-        if let Some(position) = middle(on_body.collect()) {
-            sensor.position = position;
+        if let Some(position) = median_vector(&on_body.collect::<Vec<_>>()) {
+            sensor.position = position.into();
             sensor.position_is_unknown = false;
         }
     }
-}
-
-/// Component-wise median of the positions `places`; `None` if there are none.
-fn middle(places: Vec<Vector3<f64>>) -> Option<[f64; 3]> {
-    (!places.is_empty()).then(|| {
-        [0, 1, 2].map(|axis| median(&mut places.iter().map(|at| at[axis]).collect::<Vec<f64>>()))
-    })
 }

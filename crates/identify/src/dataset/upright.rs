@@ -1,7 +1,7 @@
 //! Conversion of a table to right-handed axes with z up, if the vertical is known.
 
 use super::recording::Recording;
-use super::sensor::{Reading, Sensor, SensorKind};
+use super::sensor::{Reading, Sensor, SensorKind, channels};
 use super::table::Table;
 
 /// Converts a table to right-handed axes with z up. Times and marker positions must already be in s and m; positions
@@ -12,14 +12,8 @@ pub(super) fn upright(recording: &Recording, mut table: Table, sensors: &[Sensor
     for position in table.positions.iter_mut().flatten() {
         *position = position.map(turned);
     }
-    let poses = sensors.iter().flat_map(|sensor| {
-        let is_pose = sensor.kind == SensorKind::Pose;
-        sensor
-            .kind
-            .channels()
-            .iter()
-            .map(move |channel| (is_pose, channel.len()))
-    });
+    let poses = channels(sensors);
+    let poses = poses.map(|(sensor, parts)| (sensor.kind == SensorKind::Pose, parts.len()));
     let poses: Vec<(bool, usize)> = poses.collect();
     for row in &mut table.readings {
         for (reading, &(is_pose, parts)) in row.iter_mut().zip(&poses) {

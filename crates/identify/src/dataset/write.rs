@@ -1,11 +1,14 @@
 //! Writes a dataset as a folder: atomically, and only if reading the folder gives an equal dataset.
 
+use std::borrow::Cow;
 use std::fmt::Write as _;
 use std::io;
 use std::path::{Path, PathBuf};
 
 use super::recording::Recording;
+use super::sensor::channels;
 use super::{Dataset, Flight, KnownValue, Marker, Role, Sensor, assemble, manifest, names, table};
+use crate::input_error::InputError;
 
 /// Writes a dataset as a folder with `dataset.toml` and one table per flight.
 ///
@@ -59,10 +62,10 @@ pub fn write_commented(
     {
         return Err(invalid(format!("two files {name} in one dataset")));
     }
-    match holds(folder, &files)? {
-        Holds::Nothing => place(folder, &files),
-        Holds::This => Ok(()),
-        Holds::Other => Err(io::Error::new(
+    match folder_content(folder, &files)? {
+        FolderContent::Nothing => write_atomically(folder, &files),
+        FolderContent::This => Ok(()),
+        FolderContent::Other => Err(io::Error::new(
             io::ErrorKind::AlreadyExists,
             "the folder holds something else, expected an empty or a new one",
         )),
@@ -74,18 +77,20 @@ fn invalid(why: String) -> io::Error {
 }
 
 /// Content of the target folder before writing: nothing, exactly the files to be written, or other files.
-enum Holds {
+enum FolderContent {
     Nothing,
     This,
     Other,
 }
 
-fn holds(folder: &Path, files: &[(String, String)]) -> io::Result<Holds> {
+fn folder_content(folder: &Path, files: &[(String, String)]) -> io::Result<FolderContent> {
     let mut found = Vec::new();
     let mut left = vec![folder.to_path_buf()];
     while let Some(next) = left.pop() {
         let entries = match std::fs::read_dir(&next) {
-            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Holds::Nothing),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+                return Ok(FolderContent::Nothing);
+            }
             entries => entries?,
         };
         for entry in entries {
@@ -96,7 +101,7 @@ fn holds(folder: &Path, files: &[(String, String)]) -> io::Result<Holds> {
                 found.push(entry.path());
             }
             if found.len() + left.len() > files.len() * 2 + 1 {
-                return Ok(Holds::Other);
+                return Ok(FolderContent::Other);
             }
         }
     }
@@ -104,15 +109,15 @@ fn holds(folder: &Path, files: &[(String, String)]) -> io::Result<Holds> {
         std::fs::read(folder.join(name)).is_ok_and(|bytes| bytes == text.as_bytes())
     };
     Ok(match found.len() {
-        0 => Holds::Nothing,
-        count if count == files.len() && files.iter().all(same) => Holds::This,
-        _ => Holds::Other,
+        0 => FolderContent::Nothing,
+        count if count == files.len() && files.iter().all(same) => FolderContent::This,
+        _ => FolderContent::Other,
     })
 }
 
 /// Writes `files` (pairs of name and text) into a temporary folder next to `folder`, then renames the temporary folder
 /// to `folder`.
-fn place(folder: &Path, files: &[(String, String)]) -> io::Result<()> {
+fn write_atomically(folder: &Path, files: &[(String, String)]) -> io::Result<()> {
     let name = folder
         .file_name()
         .ok_or_else(|| invalid(format!("{} is no folder's name", folder.display())))?;
@@ -127,7 +132,7 @@ fn place(folder: &Path, files: &[(String, String)]) -> io::Result<()> {
         std::process::id()
     ));
     std::fs::create_dir(&part)?;
-    let written = fill(&part, files).and_then(|()| {
+    let written = write_files(&part, files).and_then(|()| {
         // An empty folder is removed; a folder that has been filled in the meantime is an error.
         match std::fs::remove_dir(folder) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
@@ -142,7 +147,7 @@ fn place(folder: &Path, files: &[(String, String)]) -> io::Result<()> {
     written
 }
 
-fn fill(folder: &Path, files: &[(String, String)]) -> io::Result<()> {
+fn write_files(folder: &Path, files: &[(String, String)]) -> io::Result<()> {
     for (name, text) in files {
         let path = folder.join(name);
         if let Some(parent) = path.parent() {
@@ -155,30 +160,37 @@ fn fill(folder: &Path, files: &[(String, String)]) -> io::Result<()> {
 
 /// Returns an error if reading the files would fail or give a different dataset.
 fn is_read_back(dataset: &Dataset, files: &[(String, String)]) -> io::Result<()> {
-    let refused = |error: crate::input_error::InputError| invalid(error.to_string());
-    let manifest = manifest::parse(Path::new(&files[0].0), &files[0].1).map_err(refused)?;
-    let read = assemble(manifest, 1, |index, entry, markers, sensors| {
-        let path = PathBuf::from(&entry.file);
-        let names: Vec<&str> = markers.iter().map(|marker| marker.name.as_str()).collect();
-        let text = files.get(index + 1).map_or("", |(_, text)| text);
-        if names::is_c3d(&entry.file) {
+    let text = |index: usize, path: &Path| match names::is_c3d(path) {
+        true => {
             let expected = "a table: C3D is read and not written";
-            return Err(crate::input_error::InputError::of_file(
-                &path,
-                "a C3D file",
-                expected,
-            ));
+            Err(InputError::of_file(path, "a C3D file", expected))
         }
-        table::parse(&path, text, (&names, sensors), &Recording::default())
-            .map(|table| (path, table))
-    });
-    if read.map_err(refused)? == *dataset {
+        false => Ok(files.get(index + 1).map_or("", |(_, text)| text).into()),
+    };
+    let read = read_back(&files[0].1, text).map_err(|error| invalid(error.to_string()))?;
+    if read == *dataset {
         Ok(())
     } else {
         Err(invalid(
             "the dataset holds values that no file does: a position or a time that is not finite, or too few of them".into(),
         ))
     }
+}
+
+/// Reads the dataset of the text of `dataset.toml`, without files: `table` returns the text of a flight's table, given
+/// the flight's index and file name.
+pub(super) fn read_back<'t>(
+    manifest: &str,
+    table: impl Fn(usize, &Path) -> Result<Cow<'t, str>, InputError> + Sync,
+) -> Result<Dataset, InputError> {
+    let manifest = manifest::parse(Path::new("dataset.toml"), manifest)?;
+    assemble(manifest, 1, |index, entry, markers, sensors| {
+        let path = PathBuf::from(&entry.file);
+        let names: Vec<&str> = markers.iter().map(|marker| marker.name.as_str()).collect();
+        let text = table(index, &path)?;
+        table::parse(&path, &text, (&names, sensors), &Recording::default())
+            .map(|table| (path, table))
+    })
 }
 
 /// Text of `dataset.toml` for a dataset.
@@ -250,10 +262,10 @@ pub fn table_text(flight: &Flight, markers: &[Marker], sensors: &[Sensor]) -> St
         let name = &marker.name;
         let _ = write!(text, ",{name}_x,{name}_y,{name}_z");
     }
-    let channels = |sensor: &Sensor| sensor.kind.channels().iter();
-    let widths: Vec<usize> = sensors.iter().flat_map(channels).map(|c| c.len()).collect();
-    for sensor in sensors {
-        for ending in sensor.kind.channels().iter().copied().flatten() {
+    let mut widths = Vec::new();
+    for (sensor, endings) in channels(sensors) {
+        widths.push(endings.len());
+        for ending in endings {
             let _ = write!(text, ",{}{ending}", sensor.name);
         }
     }
@@ -297,7 +309,8 @@ fn commented(text: &str, comments: &[String]) -> String {
     made
 }
 
-fn quoted(text: &str) -> String {
+/// Quotes and escapes a text as a TOML string.
+pub(crate) fn quoted(text: &str) -> String {
     toml::Value::from(text).to_string()
 }
 

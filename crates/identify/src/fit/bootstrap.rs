@@ -6,7 +6,6 @@ use rand_chacha::ChaCha12Rng;
 
 use super::output_error::OutputError;
 use super::{Fit, FitError, solve_error};
-use crate::dataset::Role;
 use crate::least_squares::{Iterate, StoppingCriteria, solve};
 use crate::options::FitOptions;
 use crate::predict::Loss;
@@ -31,9 +30,7 @@ impl Fit {
         number: u64,
         options: &FitOptions<'_>,
     ) -> Result<Option<DVector<f64>>, FitError> {
-        let fitted = self.flights.iter().flatten();
-        let fitted = fitted.filter(|flight| flight.observations.role == Role::Fit);
-        let fitted: Vec<_> = fitted.collect();
+        let fitted: Vec<_> = self.fitted().collect();
         let mut random = ChaCha12Rng::seed_from_u64(seed);
         random.set_stream(number);
         let drawn = (0..fitted.len()).map(|_| fitted[random.random_range(0..fitted.len())]);

@@ -6,7 +6,7 @@ use crate::channel::ChannelKind;
 use crate::observations::Observations;
 use crate::path_noise::path_noise;
 use crate::problem::FitProblem;
-use crate::statistics::{median, robust_sigma};
+use crate::statistics::{median_of, robust_sigma};
 
 /// Minimum noise of a channel relative to the median magnitude of its values; smaller estimates of the noise are raised
 /// to it. It prevents values that are rounded in tables from appearing noiseless.
@@ -27,11 +27,8 @@ pub fn set_scales<'o>(
         }
         let is_attitude = own.kind == ChannelKind::Attitude;
         let noise = own.sigma.or_else(|| {
-            let each = flights
-                .clone()
-                .filter_map(|flight| noise(flight, channel, is_attitude));
-            let mut each: Vec<f64> = each.collect();
-            (!each.is_empty()).then(|| median(&mut each))
+            let each = flights.clone();
+            median_of(each.filter_map(|flight| noise(flight, channel, is_attitude)))
         });
         if let Some(noise) = noise.filter(|noise| *noise > 0.0) {
             problem.channels[channel].scale = problem.sigma0 / noise;
@@ -51,8 +48,7 @@ fn noise(flight: &Observations, channel: usize, is_attitude: bool) -> Option<f64
     if values.len() < 4 {
         return None;
     }
-    let mut sizes: Vec<f64> = values.iter().map(|(_, value)| value.norm()).collect();
-    let least = MIN_RELATIVE_NOISE * median(&mut sizes);
+    let least = MIN_RELATIVE_NOISE * median_of(values.iter().map(|(_, value)| value.norm()))?;
     let noise = match is_attitude {
         true => attitude_noise(&values),
         false => path_noise(values.into_iter()),

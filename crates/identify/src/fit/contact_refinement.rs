@@ -13,9 +13,8 @@ use super::FitError;
 use super::exclusion::exclude_failed;
 use super::horizon_continuation::anneal_scale;
 use super::initial_guess::{first_segment, refined_guesses};
-use super::one_flight::fit_initial_state;
-use super::output_error::all_samples;
-use super::residual_cache::{ResidualCache, residual_scale};
+use super::one_flight::FixedGlobal;
+use super::residual_cache::ResidualCache;
 use super::reweighting::estimate_noise;
 use super::state::State;
 use super::taking_back::LIKE_RATIO;
@@ -25,12 +24,10 @@ use crate::error::{ExcludedFlight, FlightError};
 use crate::ids::FlightId;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
-use crate::options::FitOptions;
-use crate::problem::FitProblem;
 
 /// Range in which the contact of a truncated flight is searched again: numbers of samples before and after its present
 /// end, which was found from the samples alone, without the fitted model.
-const NEAR: (usize, usize) = (12, 14);
+const SEARCH_RANGE: (usize, usize) = (12, 14);
 /// Number of samples by which the ranges of two successive searches for a contact in one flight overlap.
 const OVERLAP: usize = 8;
 /// Minimum ratio of the vertical component to the magnitude of the velocity jump at a contact with the ground.
@@ -38,21 +35,21 @@ const MIN_UPWARD_PART: f64 = 0.3;
 /// Ratio of a flight's residual scale (robust standard deviation of its residuals) to the median over the flights,
 /// above which the flight is left out of the reference fit, because it may contain a contact. The whole length of a
 /// truncated flight is restored if the ratio for the whole length is at most this value.
-const STANDS_OUT: f64 = 1.2;
-/// Second condition for a flight to be left out of the reference fit, besides `STANDS_OUT`: minimum number of standard
+const LEFT_OUT_RATIO: f64 = 1.2;
+/// Second condition for a flight to be left out of the reference fit, besides `LEFT_OUT_RATIO`: minimum number of standard
 /// errors by which its residual scale must exceed the median scale.
-const SURELY: f64 = 4.0;
+const LEFT_OUT_SIGNIFICANCE: f64 = 4.0;
 /// Limits for the residual scale of a flight in the reference fit, which leaves out flights that may contain contacts:
 /// its ratio to the median scale (first value), and its excess over the median scale in standard errors (second value).
 /// A flight that exceeds both limits is searched for a contact.
-const SUSPICIOUS: (f64, f64) = (1.05, 3.0);
+const SUSPECT_LIMITS: (f64, f64) = (1.05, 3.0);
 /// Maximum median over the flights of their residual scales (robust standard deviations of the residuals), in units of
 /// the initial noise estimate `sigma0`, at which the model is considered accurate. Only an accurate model reveals
 /// contacts that were not found from the poses.
-const FLYING_RATIO: f64 = 1.3;
+const ACCURATE_RATIO: f64 = 1.3;
 
 /// Observations of a flight whose last used sample was changed, with the initial state fitted to them.
-struct Moved {
+struct Retruncated {
     observations: Observations,
     local: DVector<f64>,
 }
@@ -64,28 +61,29 @@ struct Moved {
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
 pub fn refine_contacts(
-    problem: &FitProblem,
     dataset: &Dataset,
-    state: &mut State,
+    state: &mut State<'_>,
     cache: ResidualCache,
-    options: &FitOptions<'_>,
 ) -> Result<ResidualCache, FitError> {
+    let (problem, options) = (state.problem, state.options);
     if !problem.sees_markers_alone() {
         return Ok(cache);
     }
     let usual = |cache: &ResidualCache| cache.median_scale().max(problem.sigma0);
     // Flights with contacts bias the global parameters and inflate the noise estimate.
-    let others = fitted_without(problem, state, &cache, usual(&cache), options)?;
+    let others = fitted_without(state, &cache, usual(&cache))?;
     let (others, of_others) = match &others {
         Some((others, cache)) => (others, cache),
         None => (&*state, &cache),
     };
     let usual = usual(of_others);
     // The residuals of a wrong model resemble contacts in places.
-    let flies = of_others.median_scale() <= FLYING_RATIO * problem.sigma0;
+    let flies = of_others.median_scale() <= ACCURATE_RATIO * problem.sigma0;
     let stands_out = |id: FlightId| {
         let place = others.ids.iter().position(|other| *other == id);
-        place.is_none_or(|place| of_others.stands_out(place, usual, SUSPICIOUS.0, SUSPICIOUS.1))
+        place.is_none_or(|place| {
+            of_others.stands_out(place, usual, SUSPECT_LIMITS.0, SUSPECT_LIMITS.1)
+        })
     };
     let is_suspect = |index: &usize| {
         state.flights[*index].truncation.is_some() || flies && stands_out(state.ids[*index])
@@ -102,24 +100,22 @@ pub fn refine_contacts(
         return Ok(cache);
     }
     options.stage_started("contacts", suspects.len() + unlike.len());
-    let (noise, _) = estimate_noise(problem, &mut others.clone(), of_others, options)?;
+    let (noise, _) = estimate_noise(&mut others.clone(), of_others)?;
     let search = Search {
-        problem,
-        global: &others.global,
+        at: others.fixed_global(),
         noise: &noise,
         usual,
-        options,
     };
     let of_fitted = batch::each_on(options.threads(), suspects.len(), |index| {
         let index = suspects[index];
         let flight = &dataset.flights[state.ids[index].index()];
-        let found = search.moved(flight, &state.flights[index], &state.local[index]);
+        let found = search.retruncated(flight, &state.flights[index], &state.local[index]);
         options.flight_done();
         found
     });
     let of_unlike = batch::each_on(options.threads(), unlike.len(), |index| {
         let flight = &dataset.flights[unlike[index].flight.index()];
-        let found = search.like_the_others(flight);
+        let found = search.excluded_until_contact(flight);
         options.flight_done();
         found
     });
@@ -150,43 +146,39 @@ pub fn refine_contacts(
             state.push(excluded.flight, moved.observations, moved.local);
         }
     }
-    let residuals = ResidualCache::new(problem, state, &all_samples(&state.flights), options);
-    exclude_failed(state, residuals, options)
+    let residuals = state.residuals();
+    exclude_failed(state, residuals)
 }
 
 /// Reference fit: fits only the flights whose residual scale is not far above `usual`, m. Returns these flights with
 /// their residuals; `None` if no flight or more than half of the flights would be left out.
-fn fitted_without(
-    problem: &FitProblem,
-    state: &State,
+fn fitted_without<'a>(
+    state: &State<'a>,
     cache: &ResidualCache,
     usual: f64,
-    options: &FitOptions<'_>,
-) -> Result<Option<(State, ResidualCache)>, FitError> {
-    let mut others = State::new(state.global.clone(), state.interval);
+) -> Result<Option<(State<'a>, ResidualCache)>, FitError> {
+    let mut others = state.without_flights();
     let flights = state.ids.iter().zip(&state.flights).zip(&state.local);
     for (place, ((id, flight), local)) in flights.enumerate() {
-        if !cache.stands_out(place, usual, STANDS_OUT, SURELY) {
+        if !cache.stands_out(place, usual, LEFT_OUT_RATIO, LEFT_OUT_SIGNIFICANCE) {
             others.push(*id, flight.clone(), local.clone());
         }
     }
     if others.ids.len() == state.ids.len() || 2 * others.ids.len() < state.ids.len() {
         return Ok(None);
     }
-    let residuals = anneal_scale(problem, &mut others, options)?;
-    let residuals = exclude_failed(&mut others, residuals, options)?;
+    let residuals = anneal_scale(&mut others)?;
+    let residuals = exclude_failed(&mut others, residuals)?;
     Ok(Some((others, residuals)))
 }
 
-/// Data for the search for contacts: problem, global parameters and noise of the reference fit, and options.
+/// Data for the search for contacts: global parameters and noise of the reference fit.
 struct Search<'a> {
-    problem: &'a FitProblem,
-    global: &'a DVector<f64>,
+    at: FixedGlobal<'a>,
     noise: &'a NoiseModel,
     /// Usual residual scale (robust standard deviation of residuals) of a flight, m: the median over the flights of the
     /// reference fit, or `sigma0` if that is greater.
     usual: f64,
-    options: &'a FitOptions<'a>,
 }
 
 impl Search<'_> {
@@ -194,68 +186,69 @@ impl Search<'_> {
     /// used so far and `local` the initial state fitted to them. If the search does not confirm the contact at which
     /// `present` is truncated, the flight is returned with its whole length. `None` if the last used sample of the
     /// flight does not change.
-    fn moved(
+    fn retruncated(
         &self,
         flight: &Flight,
         present: &Observations,
         local: &DVector<f64>,
-    ) -> Option<Moved> {
-        let mut whole = Observations::new(self.problem, flight).ok()?;
+    ) -> Option<Retruncated> {
+        let mut whole = Observations::new(self.at.problem, flight).ok()?;
         whole.notes.clone_from(&present.notes);
         let least = first_segment(&whole);
         let end = present.times.len();
         let within = match present.truncation {
-            Some(_) => (end.saturating_sub(NEAR.0).max(least), end + NEAR.1),
+            Some(_) => (
+                end.saturating_sub(SEARCH_RANGE.0).max(least),
+                end + SEARCH_RANGE.1,
+            ),
             None => (least, end),
         };
         let was_found = present.truncation.is_some();
         let Some((onset, local)) = self.contact(&whole, local.clone(), within) else {
-            return was_found.then(|| self.whole(whole, local)).flatten();
+            return was_found.then(|| self.restored(whole, local)).flatten();
         };
         if onset.sample == end {
             return None;
         }
-        let moved = self.ended(whole, &onset, local)?;
-        let is_contact = was_found || is_upward(&onset) && self.is_like_the_others(&moved);
+        let moved = self.truncated(whole, &onset, local)?;
+        let is_contact = was_found || is_upward(&onset) && self.is_within(LIKE_RATIO, &moved);
         is_contact.then_some(moved)
     }
 
     /// Restores the whole length of a flight that was truncated at a supposed contact. `whole` are the observations
     /// without the truncation; their initial state is fitted from the initial guess `local`. `None` if the fitted model
     /// does not predict all samples.
-    fn whole(&self, whole: Observations, local: &DVector<f64>) -> Option<Moved> {
-        let samples = whole.times.len();
-        let local = self.fitted(&whole, samples, local)?;
-        let scale = residual_scale(self.problem, &whole, (self.global, &local), samples)?;
-        let is_predicted = scale <= STANDS_OUT * self.usual;
-        is_predicted.then_some(Moved {
+    fn restored(&self, whole: Observations, local: &DVector<f64>) -> Option<Retruncated> {
+        let local = self.fitted(&whole, whole.times.len(), local)?;
+        let moved = Retruncated {
             observations: whole,
             local,
-        })
+        };
+        self.is_within(LEFT_OUT_RATIO, &moved).then_some(moved)
     }
 
     /// Truncates an excluded flight at its contact. The flight was excluded because no fit predicts its whole length.
     /// `None` if no contact is found or if the residuals before the contact are larger than those of the fitted
     /// flights.
-    fn like_the_others(&self, flight: &Flight) -> Option<Moved> {
-        let whole = Observations::new(self.problem, flight).ok()?;
-        let guesses = refined_guesses(self.problem, &whole, self.global, self.options).ok()?;
+    fn excluded_until_contact(&self, flight: &Flight) -> Option<Retruncated> {
+        let whole = Observations::new(self.at.problem, flight).ok()?;
+        let guesses = refined_guesses(self.at, &whole).ok()?;
         let best = guesses.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
         let within = (first_segment(&whole), whole.times.len());
         let (onset, local) = self.contact(&whole, best.1.state, within)?;
         let moved = self
-            .ended(whole, &onset, local)
+            .truncated(whole, &onset, local)
             .filter(|_| is_upward(&onset))?;
-        self.is_like_the_others(&moved).then_some(moved)
+        self.is_within(LIKE_RATIO, &moved).then_some(moved)
     }
 
     /// Whether the residual scale (robust standard deviation of the residuals) of a flight up to its new last sample is
-    /// at most `LIKE_RATIO` times the usual one.
-    fn is_like_the_others(&self, moved: &Moved) -> bool {
-        let (observations, unknowns) = (&moved.observations, (self.global, &moved.local));
+    /// at most `ratio` times the usual one.
+    fn is_within(&self, ratio: f64, moved: &Retruncated) -> bool {
+        let (observations, local) = (&moved.observations, &moved.local);
         let samples = observations.times.len();
-        let scale = residual_scale(self.problem, observations, unknowns, samples);
-        scale.is_some_and(|scale| scale <= LIKE_RATIO * self.usual)
+        let scale = self.at.residual_scale(observations, local, samples);
+        scale.is_some_and(|scale| scale <= ratio * self.usual)
     }
 
     /// Searches the samples `from..to` of the flight `whole` for the first contact, in successive ranges. Returns the
@@ -269,19 +262,19 @@ impl Search<'_> {
     ) -> Option<(Onset, DVector<f64>)> {
         let to = to.min(whole.times.len());
         let mut samples = from;
-        while samples < to && !self.options.is_past_deadline() {
+        while samples < to && !self.at.options.is_past_deadline() {
             // Few samples may not determine all components of the initial state.
             local = self.fitted(whole, samples, &local).unwrap_or(local);
             // A prediction far beyond the fitted samples is not linear in the initial state.
             let until = to.min(2 * samples);
-            let unknowns = (self.global, &local);
+            let unknowns = (self.at.global, &local);
             let found = contact_time(
-                self.problem,
+                self.at.problem,
                 whole,
                 unknowns,
                 self.noise,
                 samples..until,
-                self.options.threads(),
+                self.at.options.threads(),
             );
             if let Some(onset) = found {
                 return Some((onset, local));
@@ -298,7 +291,12 @@ impl Search<'_> {
 
     /// Truncates the flight `whole` at a contact and fits its initial state to the remaining samples, starting from
     /// `local`; `None` if these samples do not determine it.
-    fn ended(&self, mut whole: Observations, onset: &Onset, local: DVector<f64>) -> Option<Moved> {
+    fn truncated(
+        &self,
+        mut whole: Observations,
+        onset: &Onset,
+        local: DVector<f64>,
+    ) -> Option<Retruncated> {
         let (sample, jump) = (onset.sample, onset.jump);
         let time = whole.origin + whole.times[sample];
         whole.truncate(
@@ -309,7 +307,7 @@ impl Search<'_> {
             ),
         );
         let local = self.fitted(&whole, sample, &local)?;
-        Some(Moved {
+        Some(Retruncated {
             observations: whole,
             local,
         })
@@ -323,9 +321,7 @@ impl Search<'_> {
         samples: usize,
         start: &DVector<f64>,
     ) -> Option<DVector<f64>> {
-        let (problem, global) = (self.problem, self.global);
-        let start = start.clone();
-        let found = fit_initial_state(problem, whole, samples, global, start, self.options);
+        let found = self.at.fit_initial_state(whole, samples, start.clone());
         Some(found.ok()?.1)
     }
 }

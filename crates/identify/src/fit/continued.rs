@@ -3,7 +3,6 @@
 use nalgebra::DVector;
 
 use super::Fit;
-use super::output_error::all_samples;
 use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::dataset::Dataset;
@@ -12,16 +11,15 @@ use crate::observations::{Observations, median_interval};
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 
-/// State and residuals at the estimates of an earlier fit, with its flights, truncations, outliers and initial noise
-/// estimate. `None` if the earlier fit lacks a flight, if its states differ, or if a flight cannot be integrated from
-/// its estimates.
-pub fn continued(
-    problem: &mut FitProblem,
+/// State and residuals at the estimates of an earlier fit, with its flights, truncations and outliers. `None` if the
+/// earlier fit lacks a flight, if its states differ, or if a flight cannot be integrated from its estimates.
+pub fn continued<'a>(
+    problem: &'a FitProblem,
     dataset: &Dataset,
     fitted: &[FlightId],
     earlier: &Fit,
-    options: &FitOptions<'_>,
-) -> Option<(State, ResidualCache)> {
+    options: &'a FitOptions<'a>,
+) -> Option<(State<'a>, ResidualCache)> {
     let values = problem.globals.iter().map(|global| {
         let mut estimates = earlier.problem.globals.iter().zip(earlier.global.iter());
         let estimate = estimates.find(|(estimated, _)| estimated.name == global.name);
@@ -29,8 +27,7 @@ pub fn continued(
         estimate.map_or(global.model_value, |(_, value)| value.clamp(low, high))
     });
     let global = DVector::from_iterator(problem.globals.len(), values);
-    problem.take_scales(&earlier.problem);
-    let mut state = State::new(global, 1.0);
+    let mut state = State::new(problem, options, global, 1.0);
     for &flight in fitted {
         let mut left_out = earlier.excluded.iter();
         if let Some(excluded) = left_out.find(|excluded| excluded.flight == flight) {
@@ -45,7 +42,7 @@ pub fn continued(
         state.push(flight, observations, local.clone());
     }
     state.interval = median_interval(&state.flights);
-    let cache = ResidualCache::new(problem, &state, &all_samples(&state.flights), options);
+    let cache = state.residuals();
     let is_flown = !state.flights.is_empty() && cache.failures().is_empty();
     is_flown.then_some((state, cache))
 }

@@ -4,11 +4,10 @@
 use flight::batch;
 use nalgebra::{DMatrix, DVector};
 
-use super::initial_guess::{observations, refined_guesses};
-use super::one_flight::{fit_initial_state, solve_local};
-use super::outcome::{excluded_report, initial_state_report};
-use super::state::State;
-use super::{FitError, FittedFlight};
+use super::initial_guess::{observations_and_poses, refined_guesses};
+use super::one_flight::FixedGlobal;
+use super::outcome::initial_state_report;
+use super::{FitError, FittedFlight, FlightResult};
 use crate::dataset::{Dataset, Flight};
 use crate::error::FlightError;
 use crate::ground_contact::ContactSearch;
@@ -16,7 +15,6 @@ use crate::ids::FlightId;
 use crate::least_squares::{StoppingCriteria, eliminate};
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
-use crate::options::FitOptions;
 use crate::outliers;
 use crate::predict::{Loss, Residuals, residuals};
 use crate::problem::FitProblem;
@@ -25,14 +23,6 @@ use crate::report::{FlightOutcome, FlightReport};
 /// Fraction of the samples of a held-out flight to which its initial state is fitted; the rest is predicted.
 pub const CONDITIONING_FRACTION: f64 = 0.3;
 
-/// Report of a held-out flight, with its observations and initial state if it was predicted.
-pub struct HeldOut {
-    /// Report of the held-out flight.
-    pub report: FlightReport,
-    /// Observations and estimated initial state; `None` if the flight is excluded.
-    pub fitted: Option<FittedFlight>,
-}
-
 /// Fits the initial states of held-out flights to their conditioning segments (the first samples of each flight), and
 /// predicts the later samples. `contacts` are the results of the search for contacts in the flights of the dataset;
 /// empty if there was none.
@@ -40,13 +30,12 @@ pub struct HeldOut {
 /// # Errors
 /// [`FitError::Interrupted`] if the work is cancelled.
 pub fn held_out(
-    problem: &FitProblem,
+    at: FixedGlobal<'_>,
     (dataset, contacts): (&Dataset, &[Option<ContactSearch>]),
     flights: &[FlightId],
-    state: &State,
     noise: &NoiseModel,
-    options: &FitOptions<'_>,
-) -> Result<Vec<HeldOut>, FitError> {
+) -> Result<Vec<FlightResult>, FitError> {
+    let options = at.options;
     if !flights.is_empty() {
         options.stage_started("held-out flights", flights.len());
     }
@@ -56,13 +45,10 @@ pub fn held_out(
         let flight = &dataset.flights[flight];
         let found = match options.is_past_deadline() {
             true => Err(FlightError::Deadline),
-            false => predict(problem, (flight, search), state, noise, options),
+            false => predict(at, (flight, search), noise),
         };
         options.flight_done();
-        found.unwrap_or_else(|reason| HeldOut {
-            report: excluded_report(flight, &reason),
-            fitted: None,
-        })
+        found.unwrap_or_else(|reason| FlightResult::excluded(flight, &reason))
     });
     match options.is_cancelled() {
         true => Err(FitError::Interrupted),
@@ -71,30 +57,27 @@ pub fn held_out(
 }
 
 fn predict(
-    problem: &FitProblem,
+    at: FixedGlobal<'_>,
     (flight, search): (&Flight, Option<&ContactSearch>),
-    state: &State,
     noise: &NoiseModel,
-    options: &FitOptions<'_>,
-) -> Result<HeldOut, FlightError> {
-    let mut observations = observations(problem, flight, search)?;
+) -> Result<FlightResult, FlightError> {
+    let (problem, global) = (at.problem, at.global);
+    let (mut observations, _) = observations_and_poses(problem, flight, search)?;
     let all = observations.times.len();
     let samples = ((all as f64 * CONDITIONING_FRACTION).ceil() as usize).clamp(1, all);
     if samples == all {
         return Err(FlightError::NothingToPredict { samples });
     }
     let segment = observations.first_samples(samples);
-    let global = &state.global;
-    let guesses = refined_guesses(problem, &segment, global, options)?;
+    let guesses = refined_guesses(at, &segment)?;
     let best = guesses.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
     let (_, guess) = best.ok_or(FlightError::NoMatchingState)?;
-    let (_, local) = fit_initial_state(problem, &segment, samples, global, guess.state, options)?;
+    let (_, local) = at.fit_initial_state(&segment, samples, guess.state)?;
     mark_outliers(problem, &mut observations, global, &local)?;
     // Autocorrelation of few residuals may be model error; white noise is the safest assumption.
     let white = noise.uncorrelated();
-    let by = (Loss::Whitened(&white), StoppingCriteria::COARSE);
-    let (local, solution) =
-        solve_local(problem, &observations, samples, global, local, by, options)?;
+    let (loss, criteria) = (Loss::Whitened(&white), StoppingCriteria::COARSE);
+    let (local, solution) = at.solve(&observations, samples, local, loss, criteria)?;
     let system = eliminate(&solution.blocks, 0.0);
     let system = system.map_err(|_| FlightError::SingularInitialState)?;
     let covariance = system.local_covariance(0, &DMatrix::zeros(0, 0));
@@ -116,7 +99,10 @@ fn predict(
         observations,
         state: local,
     });
-    Ok(HeldOut { report, fitted })
+    Ok(FlightResult {
+        report: Some(report),
+        fitted,
+    })
 }
 
 /// Root mean square residual of one coordinate over the samples from `first` to the end of the flight, outliers
@@ -132,7 +118,7 @@ fn rms_from(
     for (channel, series) in series.filter(|(channel, _)| problem.is_scored(*channel)) {
         for (sample, residual) in series.iter().enumerate().skip(first) {
             let Some(residual) = residual else { continue };
-            if !observations.outlier[sample * observations.channels + channel] {
+            if !observations.is_outlier(sample, channel) {
                 squares += residual.iter().map(|r| r * r).sum::<f64>();
                 count += 3;
             }

@@ -4,12 +4,11 @@
 use super::FitError;
 use super::exclusion::solve_flights;
 use super::one_flight::{MAX_SCALES, MAX_SHRINKAGE};
-use super::output_error::{OutputError, all_samples};
+use super::output_error::OutputError;
 use super::residual_cache::ResidualCache;
 use super::state::State;
 use super::undistorted;
 use crate::least_squares::{Constraint, SolveError, StoppingCriteria, solve};
-use crate::options::FitOptions;
 use crate::predict::Loss;
 use crate::problem::FitProblem;
 
@@ -61,65 +60,50 @@ const MAX_GROWTH: f64 = 1.1;
 ///
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
-pub fn continue_horizon(
-    problem: &FitProblem,
-    state: &mut State,
-    options: &FitOptions<'_>,
-) -> Result<ResidualCache, FitError> {
+pub fn continue_horizon(state: &mut State<'_>) -> Result<ResidualCache, FitError> {
+    let options = state.options;
     let lengths = state
         .flights
         .iter()
         .filter_map(|flight| flight.times.last());
     let longest = lengths.copied().fold(0.0, f64::max);
     let mut horizon = FIRST_HORIZON;
-    let constraints = weak_constraints(problem);
+    let constraints = weak_constraints(state.problem);
     while horizon < longest / MIN_REMAINING_GROWTH && !options.is_past_deadline() {
         options.stage_started(&format!("first {horizon:.1} s"), state.flights.len());
         // From good initial guesses, one step is enough.
-        if step_to_noise(problem, state, options, until(horizon, &constraints))?.is_none() {
-            fit_undistorted(problem, state, horizon, options)?;
+        if step_to_noise(state, &until(horizon, &constraints))?.is_none() {
+            fit_undistorted(state, horizon)?;
         }
         horizon *= HORIZON_GROWTH;
     }
     options.stage_started("whole flights", state.flights.len());
     if horizon > FIRST_HORIZON
         && !options.is_past_deadline()
-        && let Some(cache) = step_to_noise(problem, state, options, |_, _| {})?
+        && let Some(cache) = step_to_noise(state, &|_, _| {})?
     {
         return Ok(cache);
     }
-    anneal_scale(problem, state, options)
+    anneal_scale(state)
 }
 
 /// Fits the samples of all flights up to the time `horizon`, s. If the fit takes many steps, the measurement probably
 /// distorts the samples, for example by late recording: the fit is then repeated from initial states estimated from
 /// corrected samples, and the better one of the two fits is used.
-fn fit_undistorted(
-    problem: &FitProblem,
-    state: &mut State,
-    horizon: f64,
-    options: &FitOptions<'_>,
-) -> Result<(), FitError> {
-    let fit = |state: &mut State| {
+fn fit_undistorted(state: &mut State<'_>, horizon: f64) -> Result<(), FitError> {
+    let fit = |state: &mut State<'_>| {
         let steps = state.steps;
-        fit_horizon(
-            problem,
-            state,
-            horizon,
-            ResidualCache::median_scale,
-            options,
-        )?;
+        fit_horizon(state, horizon, ResidualCache::median_scale)?;
         Ok::<bool, FitError>(state.steps - steps > MANY_STEPS)
     };
-    let spread = |state: &State| {
-        ResidualCache::new(problem, state, &state.samples_until(horizon), options).rms_scale()
-    };
+    let spread =
+        |state: &State<'_>| ResidualCache::new(state, &state.samples_until(horizon)).rms_scale();
     let mut has_laboured = fit(state)?;
     for _ in 0..MAX_STARTS {
-        if !has_laboured || options.is_past_deadline() {
+        if !has_laboured || state.options.is_past_deadline() {
             break;
         }
-        let Some(mut started) = undistorted::start(problem, state, options) else {
+        let Some(mut started) = undistorted::start(state) else {
             break;
         };
         has_laboured = fit(&mut started)?;
@@ -135,27 +119,25 @@ fn fit_undistorted(
 /// Tries one step of all unknowns. Returns the residuals after the step if they are at noise level. Otherwise
 /// undoes the step and returns `None`. `configure` may change the objective, which includes all samples.
 fn step_to_noise(
-    problem: &FitProblem,
-    state: &mut State,
-    options: &FitOptions<'_>,
-    configure: impl Fn(&State, &mut OutputError<'_>),
+    state: &mut State<'_>,
+    configure: &dyn Fn(&State<'_>, &mut OutputError<'_>),
 ) -> Result<Option<ResidualCache>, FitError> {
     let start = state.iterate();
-    let loss = Loss::Huber(STEP_SCALE * problem.sigma0);
-    let step = single_step(problem, state, loss, options, configure)?;
+    let sigma0 = state.problem.sigma0;
+    let step = single_step(state, Loss::Huber(STEP_SCALE * sigma0), configure)?;
     let residuals = step.map(|step| step.residuals);
-    let noise = residuals.filter(|residuals| are_noise(problem, residuals));
+    let noise = residuals.filter(|residuals| are_noise(residuals, sigma0));
     if noise.is_none() {
         state.set(start);
     }
     Ok(noise)
 }
 
-/// Whether the residuals of all flights are at noise level.
-fn are_noise(problem: &FitProblem, residuals: &ResidualCache) -> bool {
-    let limit = MAX_FLIGHT_NOISE * problem.sigma0;
+/// Whether the residuals of all flights are at noise level, given the initial noise estimate `sigma0`, m.
+fn are_noise(residuals: &ResidualCache, sigma0: f64) -> bool {
+    let limit = MAX_FLIGHT_NOISE * sigma0;
     let mut scales = residuals.scales().into_iter();
-    residuals.median_scale() <= MAX_MEDIAN_NOISE * problem.sigma0
+    residuals.median_scale() <= MAX_MEDIAN_NOISE * sigma0
         && scales.all(|scale| scale.is_some_and(|scale| scale <= limit))
 }
 
@@ -171,23 +153,21 @@ pub struct UnevaluatedStep {
 /// Performs one step of all unknowns. `configure` may change the objective, which includes all samples. `None` if a
 /// flight cannot be predicted before the step.
 fn single_step(
-    problem: &FitProblem,
-    state: &mut State,
+    state: &mut State<'_>,
     loss: Loss<'_>,
-    options: &FitOptions<'_>,
-    configure: impl Fn(&State, &mut OutputError<'_>),
+    configure: &dyn Fn(&State<'_>, &mut OutputError<'_>),
 ) -> Result<Option<UnevaluatedStep>, FitError> {
-    let mut objective = OutputError::of_all(problem, &state.flights, loss, options);
+    let mut objective = OutputError::of_all(state.problem, &state.flights, loss, state.options);
     configure(state, &mut objective);
     let samples = objective.samples.clone();
     let solution = match solve(&objective, state.iterate(), StoppingCriteria::SINGLE_STEP) {
         Ok(solution) => solution,
         Err(SolveError::Cancelled) => return Err(FitError::Interrupted),
-        Err(SolveError::Start(_) | SolveError::Undetermined(_)) => return Ok(None),
+        Err(SolveError::Start(_)) => return Ok(None),
     };
     state.take(&solution);
     Ok(Some(UnevaluatedStep {
-        residuals: ResidualCache::new(problem, state, &samples, options),
+        residuals: ResidualCache::new(state, &samples),
         predicted_reduction: solution.predicted_reduction,
     }))
 }
@@ -196,14 +176,12 @@ fn single_step(
 /// the residuals before the step. `None` if the residuals grew or a flight cannot be predicted; the state is then
 /// unchanged.
 pub fn unevaluated_step(
-    problem: &FitProblem,
-    state: &mut State,
+    state: &mut State<'_>,
     loss: Loss<'_>,
     before: &ResidualCache,
-    options: &FitOptions<'_>,
 ) -> Result<Option<UnevaluatedStep>, FitError> {
     let start = state.iterate();
-    let step = single_step(problem, state, loss, options, |_, _| {})?;
+    let step = single_step(state, loss, &|_, _| {})?;
     let accepted = step.filter(|step| {
         let is_predicted = step.residuals.scales().iter().all(Option::is_some);
         is_predicted && step.residuals.median_scale() <= MAX_GROWTH * before.median_scale()
@@ -229,7 +207,7 @@ fn weak_constraints(problem: &FitProblem) -> Vec<Constraint> {
 }
 
 /// Restricts an objective to the samples up to `horizon`, s, with the given constraints of the global parameters.
-fn until(horizon: f64, constraints: &[Constraint]) -> impl Fn(&State, &mut OutputError<'_>) {
+fn until(horizon: f64, constraints: &[Constraint]) -> impl Fn(&State<'_>, &mut OutputError<'_>) {
     move |state, objective| {
         objective.samples = state.samples_until(horizon);
         objective.constraints = constraints.to_vec();
@@ -240,27 +218,25 @@ fn until(horizon: f64, constraints: &[Constraint]) -> impl Fn(&State, &mut Outpu
 /// loss until the residuals are small enough for a longer horizon, or no longer decrease. `spread` computes the scale of
 /// the loss, m, from the residuals of all flights.
 pub fn fit_horizon(
-    problem: &FitProblem,
-    state: &mut State,
+    state: &mut State<'_>,
     horizon: f64,
     spread: fn(&ResidualCache) -> f64,
-    options: &FitOptions<'_>,
 ) -> Result<(), FitError> {
-    let constraints = weak_constraints(problem);
+    let constraints = weak_constraints(state.problem);
+    let sigma0 = state.problem.sigma0;
     let mut scale = f64::INFINITY;
     for _ in 0..MAX_SCALES {
-        let cache = ResidualCache::new(problem, state, &state.samples_until(horizon), options);
+        let cache = ResidualCache::new(state, &state.samples_until(horizon));
         state.limit_to_flyable(&cache.failures());
-        let next = spread(&cache).max(problem.sigma0);
+        let next = spread(&cache).max(sigma0);
         if next > MAX_SHRINKAGE * scale {
             break;
         }
         scale = next;
         let by = (Loss::Huber(scale), StoppingCriteria::HORIZON);
-        let configure = until(horizon, &constraints);
-        let solution = solve_flights(problem, state, by, None, options, configure)?;
+        let solution = solve_flights(state, by, None, &until(horizon, &constraints))?;
         state.take(&solution);
-        if scale < HORIZON_SCALE * problem.sigma0 {
+        if scale < HORIZON_SCALE * sigma0 {
             break;
         }
     }
@@ -272,28 +248,22 @@ pub fn fit_horizon(
 ///
 /// # Errors
 /// The errors of [`continue_horizon`].
-pub fn anneal_scale(
-    problem: &FitProblem,
-    state: &mut State,
-    options: &FitOptions<'_>,
-) -> Result<ResidualCache, FitError> {
+pub fn anneal_scale(state: &mut State<'_>) -> Result<ResidualCache, FitError> {
     let mut scale = f64::INFINITY;
-    let residuals =
-        |state: &State| ResidualCache::new(problem, state, &all_samples(&state.flights), options);
-    let mut cache = residuals(state);
+    let mut cache = state.residuals();
     for _ in 0..MAX_SCALES {
-        let next = cache.median_scale().max(problem.sigma0);
+        let next = cache.median_scale().max(state.problem.sigma0);
         if next > MAX_SHRINKAGE * scale {
             break;
         }
         scale = next;
         state.limit_to_flyable(&cache.failures());
         let by = (Loss::Huber(scale), StoppingCriteria::COARSE);
-        let solution = solve_flights(problem, state, by, None, options, |state, objective| {
+        let solution = solve_flights(state, by, None, &|state, objective| {
             objective.samples = state.samples_until(f64::INFINITY);
         })?;
         state.take(&solution);
-        cache = residuals(state);
+        cache = state.residuals();
     }
     Ok(cache)
 }

@@ -1,22 +1,21 @@
 //! Observations and initial guesses of single flights, and exclusion of unusable flights.
 
 use flight::batch;
-use nalgebra::DVector;
 
 use super::FitError;
-use super::one_flight::fit_initial_state;
+use super::one_flight::FixedGlobal;
 use super::state::State;
 use crate::dataset::{Dataset, Flight};
 use crate::error::{ExcludedFlight, FlightError};
 use crate::ground_contact::{self, ContactSearch};
 use crate::ids::FlightId;
 use crate::initial_state::{self, InitialGuess};
-use crate::noise_floor::{median_noise_floor, noise_floor_by_poses};
+use crate::noise_floor::{median_noise_floor, noise_floor};
 use crate::observations::{Observations, median_interval};
 use crate::options::FitOptions;
 use crate::pose::Pose;
 use crate::problem::FitProblem;
-use crate::statistics::median;
+use crate::statistics::median_of;
 use crate::vertical;
 
 /// Length of the first segment of a flight, to which its initial guess is fitted, s.
@@ -40,9 +39,9 @@ pub fn overall(sigma: [f64; 3]) -> f64 {
 }
 
 /// Flights that can be fitted, with their initial guesses.
-pub struct InitialGuesses {
+pub struct InitialGuesses<'a> {
     /// Usable flights, each with its best initial guess, and excluded flights.
-    pub state: State,
+    pub state: State<'a>,
     /// All initial guesses of each flight. There are several if the sampling interval is too long to determine the
     /// spin.
     pub alternatives: Vec<Vec<InitialGuess>>,
@@ -83,7 +82,7 @@ pub fn observe(
         let flight = &dataset.flights[flight];
         let (observations, poses) = observations_and_poses(problem, flight, search)?;
         let sigma0 = initial_state::sigma0(problem, &observations, &poses);
-        let floor = noise_floor_by_poses(problem, &observations, &poses);
+        let floor = noise_floor(problem, &observations, &poses);
         Ok((observations, sigma0, floor))
     });
     let (mut usable, mut excluded) = (Vec::with_capacity(flights.len()), Vec::new());
@@ -98,7 +97,7 @@ pub fn observe(
             Err(reason) => excluded.push(exclude(dataset, flight, reason)),
         }
     }
-    let mut sigma0 = (!estimates.is_empty()).then(|| median(&mut estimates).max(MIN_SIGMA0));
+    let mut sigma0 = median_of(estimates).map(|sigma0| sigma0.max(MIN_SIGMA0));
     let noise_floor = median_noise_floor(&floors);
     if let (Some(sigma0), Some(floor)) = (&mut sigma0, noise_floor) {
         let floor = overall(floor);
@@ -126,12 +125,12 @@ fn exclude(dataset: &Dataset, flight: FlightId, reason: FlightError) -> Excluded
 ///
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight has an initial guess; [`FitError::Interrupted`] if the work is cancelled.
-pub fn initial_guesses(
-    problem: &FitProblem,
+pub fn initial_guesses<'a>(
+    problem: &'a FitProblem,
     dataset: &Dataset,
     observed: ObservedFlights,
-    options: &FitOptions<'_>,
-) -> Result<InitialGuesses, FitError> {
+    options: &'a FitOptions<'a>,
+) -> Result<InitialGuesses<'a>, FitError> {
     let ObservedFlights {
         usable,
         mut excluded,
@@ -139,20 +138,19 @@ pub fn initial_guesses(
     } = observed;
     options.stage_started("starts", usable.len());
     let interval = median_interval(usable.iter().map(|(_, observations)| observations));
-    let values = problem.globals.iter().map(|global| global.model_value);
-    let global = DVector::from_iterator(problem.globals.len(), values);
+    let mut state = State::new(problem, options, problem.model_values(), interval);
+    let at = state.fixed_global();
     let found = batch::each_on(options.threads(), usable.len(), |index| {
         if options.is_cancelled() {
             return Err(FlightError::Interrupted);
         }
-        let found = refined_guesses(problem, &usable[index].1, &global, options);
+        let found = refined_guesses(at, &usable[index].1);
         options.flight_done();
         found
     });
     if options.is_cancelled() {
         return Err(FitError::Interrupted);
     }
-    let mut state = State::new(global, interval);
     let mut alternatives = Vec::new();
     for ((flight, observations), found) in usable.into_iter().zip(found) {
         match found {
@@ -180,26 +178,13 @@ pub fn spin_note(turns: i32) -> String {
     )
 }
 
-/// Observations of a flight, truncated at its first contact, which is searched for unless `search` is given.
-///
-/// # Errors
-/// The errors of [`Observations::new`]; [`FlightError::TooFewCoordinates`] if the samples do not determine the initial
-/// state.
-pub fn observations(
-    problem: &FitProblem,
-    flight: &Flight,
-    search: Option<&ContactSearch>,
-) -> Result<Observations, FlightError> {
-    Ok(observations_and_poses(problem, flight, search)?.0)
-}
-
 /// Observations of a flight, truncated at its first contact, with the pose in each sample if the body has an attitude.
 /// The contact is searched for unless `search` is given.
 ///
 /// # Errors
 /// The errors of [`Observations::new`]; [`FlightError::TooFewCoordinates`] if the samples do not determine the initial
 /// state.
-fn observations_and_poses(
+pub fn observations_and_poses(
     problem: &FitProblem,
     flight: &Flight,
     search: Option<&ContactSearch>,
@@ -222,27 +207,26 @@ fn observations_and_poses(
     Ok((observations, poses))
 }
 
-/// Returns initial guesses refined by a fit to the first segment of the flight with fixed global parameters, each with
+/// Returns initial guesses refined by a fit to the first segment of the flight, each with
 /// its sum of squares; the guess with the slowest spin is first. After the deadline, guesses are returned without
 /// refinement.
 ///
 /// # Errors
 /// [`FlightError`] if no guess can be found or refined.
 pub fn refined_guesses(
-    problem: &FitProblem,
+    at: FixedGlobal<'_>,
     observations: &Observations,
-    global: &DVector<f64>,
-    options: &FitOptions<'_>,
 ) -> Result<Vec<(f64, InitialGuess)>, FlightError> {
+    let problem = at.problem;
     let samples = first_segment(observations);
     let mut refined = Vec::new();
     let mut failure = FlightError::NoMatchingState;
     for InitialGuess { state, turns } in initial_state::initial_guesses(problem, observations)? {
-        if options.is_past_deadline() {
+        if at.options.is_past_deadline() {
             refined.push((f64::INFINITY, InitialGuess { state, turns }));
             continue;
         }
-        match fit_initial_state(problem, observations, samples, global, state, options) {
+        match at.fit_initial_state(observations, samples, state) {
             Ok((squares, state)) => refined.push((squares, InitialGuess { state, turns })),
             Err(reason) => failure = reason,
         }

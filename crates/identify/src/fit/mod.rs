@@ -31,6 +31,7 @@ mod warm_start;
 mod wrong_minimum;
 
 use std::borrow::Borrow;
+use std::collections::BTreeMap;
 use std::time::Instant;
 
 use flight::batch;
@@ -38,11 +39,11 @@ use model_spec::model::Model;
 use nalgebra::DVector;
 
 use self::initial_guess::InitialGuesses;
-use self::outcome::Outcome;
 use self::residual_cache::ResidualCache;
 use self::state::State;
-use crate::dataset::{Dataset, Role};
+use crate::dataset::{Dataset, Flight, Role};
 use crate::error::{ExcludedFlight, FitError, FlightError};
+use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;
 use crate::least_squares::SolveError;
 use crate::noise::NoiseModel;
@@ -55,7 +56,7 @@ use crate::tolerance;
 use crate::vertical;
 pub use held_out::CONDITIONING_FRACTION;
 #[cfg(test)]
-pub(crate) use one_flight::fit_initial_state;
+pub(crate) use one_flight::FixedGlobal;
 
 /// Result of a fit: report, estimates, noise model, and the flights with their initial states.
 pub struct Fit {
@@ -135,11 +136,14 @@ fn fit_within(
         faults: mut data_faults,
         contacts,
     } = match options.known_faults {
-        Some(known) => Screening::of_known_faults(known),
+        Some(known) => Screening {
+            faults: known.to_vec(),
+            ..Screening::default()
+        },
         None if problem.is_shown_by_markers() && !problem.markers.is_empty() => {
             screening::screen(&problem, dataset, options.threads())
         }
-        None => Screening::of_known_faults(&[]),
+        None => Screening::default(),
     };
     if vertical::is_in(model) {
         data_faults.retain(|fault| fault.fault != FaultKind::Axes);
@@ -157,128 +161,150 @@ fn fit_within(
         taking_back::may_come_back(excluded)
             && dataset.flights[excluded.flight.index()].role == Role::Fit
     });
-    let continued = earlier
-        .and_then(|earlier| continued::continued(&mut problem, dataset, &fitted, earlier, options));
-    let (mut state, cache, noise_floor, floor_m, started) = match continued {
-        Some((mut state, cache)) => {
-            state.excluded.extend(doubtful);
-            let floor = earlier.and_then(|earlier| earlier.noise_floor);
-            let floor_m = earlier.and_then(|earlier| earlier.report.noise.floor_m);
-            (state, cache, floor, floor_m, clock.elapsed().as_secs_f64())
-        }
-        None => {
-            let observed = initial_guess::observe(&problem, dataset, &fitted, &contacts, options);
-            problem.sigma0 = observed.sigma0.unwrap_or(problem.sigma0);
-            let flights = observed.usable.iter().map(|(_, observations)| observations);
-            channel_scales::set_scales(&mut problem, flights);
-            let floor = observed.noise_floor;
-            let floor_m = floor.map(initial_guess::overall).or(observed.sigma0);
-            let guesses = initial_guess::initial_guesses(&problem, dataset, observed, options)?;
-            let started = clock.elapsed().as_secs_f64();
-            let (state, cache) = from_guesses(&problem, dataset, guesses, doubtful, options)?;
-            (state, cache, floor, floor_m, started)
-        }
+    let screened = Screened {
+        dataset,
+        data_faults,
+        contacts,
+        held_out,
+        faulty,
+        clock,
     };
-    let reweighted = reweighting::reweight(&problem, &mut state, cache, options)?;
-    let reweighted = taking_back::take_back(&problem, dataset, &mut state, reweighted, options)?;
-    let solved = clock.elapsed().as_secs_f64();
-
-    let names: Vec<String> = dataset.markers.iter().map(|m| m.name.clone()).collect();
-    let marker_distances = marker_distances::wrong_distances(
-        &problem,
-        &state.flights,
-        &reweighted.cache,
-        &names,
-        floor_m.unwrap_or(reweighted.noise.overall()),
-    );
-    let outcome = Outcome::new(&problem, &state, &reweighted, options)?;
-    let mut report = outcome.report();
-    let reports: Vec<_> = (0..state.flights.len())
-        .map(|i| outcome.flight(i))
-        .collect();
-    drop(outcome);
-    let reweighting::Reweighted {
-        noise, solution, ..
-    } = reweighted;
-    let predicted = held_out::held_out(
-        &problem,
-        (dataset, &contacts),
-        &held_out,
-        &state,
-        &noise,
-        options,
-    )?;
-    let mut flights = FlightTable::new(dataset.flights.len());
-    for excluded in state.excluded.iter().chain(&faulty) {
-        flights.exclude(dataset, excluded);
+    if let Some(earlier) = earlier {
+        problem.take_scales(&earlier.problem);
+        if let Some((mut state, cache)) =
+            continued::continued(&problem, dataset, &fitted, earlier, options)
+        {
+            state.excluded.extend(doubtful);
+            let floors = (earlier.noise_floor, earlier.report.noise.floor_m);
+            return screened.finish(state, cache, floors, clock.elapsed().as_secs_f64());
+        }
     }
-    let excluded = std::mem::take(&mut state.excluded);
-    let states = state.flights.into_iter().zip(solution.iterate.local);
-    for ((flight, report), (observations, state)) in state.ids.into_iter().zip(reports).zip(states)
-    {
-        flights.set(
-            flight,
-            report,
-            Some(FittedFlight {
+    let observed = initial_guess::observe(&problem, dataset, &fitted, &screened.contacts, options);
+    problem.sigma0 = observed.sigma0.unwrap_or(problem.sigma0);
+    let flights = observed.usable.iter().map(|(_, observations)| observations);
+    channel_scales::set_scales(&mut problem, flights);
+    let noise_floor = observed.noise_floor;
+    let floor_m = noise_floor.map(initial_guess::overall).or(observed.sigma0);
+    let guesses = initial_guess::initial_guesses(&problem, dataset, observed, options)?;
+    let started = clock.elapsed().as_secs_f64();
+    let (state, cache) = from_guesses(dataset, guesses, doubtful)?;
+    screened.finish(state, cache, (noise_floor, floor_m), started)
+}
+
+/// Flights and faults of a dataset after the screening of its data.
+struct Screened<'a> {
+    dataset: &'a Dataset,
+    data_faults: Vec<DataFault>,
+    /// Results of the search for contacts, by index of the flight in the dataset; may be empty.
+    contacts: Vec<Option<ContactSearch>>,
+    /// Held-out flights without faults.
+    held_out: Vec<FlightId>,
+    /// Flights excluded because of their faults.
+    faulty: Vec<ExcludedFlight>,
+    /// Time at which the fit started.
+    clock: Instant,
+}
+
+impl Screened<'_> {
+    /// Last stages of a fit: estimates the noise, predicts the held-out flights, and creates the report. `cache`
+    /// contains the residuals at `state`. `noise_floor` is the noise floor along each axis, and `floor_m` that in the
+    /// report, m. `started` is the time, s after the start of the fit, at which the initial guesses were known.
+    fn finish(
+        mut self,
+        mut state: State<'_>,
+        cache: ResidualCache,
+        (noise_floor, floor_m): (Option<[f64; 3]>, Option<f64>),
+        started: f64,
+    ) -> Result<Fit, FitError> {
+        let (dataset, problem, options) = (self.dataset, state.problem, state.options);
+        let reweighted = reweighting::reweight(&mut state, cache)?;
+        let reweighted = taking_back::take_back(dataset, &mut state, reweighted)?;
+        let solved = self.clock.elapsed().as_secs_f64();
+        let names: Vec<String> = dataset.markers.iter().map(|m| m.name.clone()).collect();
+        let marker_distances = marker_distances::wrong_distances(
+            problem,
+            &state.flights,
+            &reweighted.cache,
+            &names,
+            floor_m.unwrap_or(reweighted.noise.overall()),
+        );
+        let (mut report, reports) = outcome::reports(&state, &reweighted)?;
+        let reweighting::Reweighted {
+            noise, solution, ..
+        } = reweighted;
+        let flights = (dataset, &self.contacts[..]);
+        let predicted = held_out::held_out(state.fixed_global(), flights, &self.held_out, &noise)?;
+        let mut results: Vec<FlightResult> = Vec::with_capacity(dataset.flights.len());
+        results.resize_with(dataset.flights.len(), FlightResult::default);
+        for excluded in state.excluded.iter().chain(&self.faulty) {
+            let index = excluded.flight.index();
+            results[index] = FlightResult::excluded(&dataset.flights[index], &excluded.reason);
+        }
+        let states = state.flights.into_iter().zip(solution.iterate.local);
+        for ((flight, report), (observations, state)) in
+            state.ids.into_iter().zip(reports).zip(states)
+        {
+            let fitted = FittedFlight {
                 observations,
                 state,
-            }),
-        );
+            };
+            results[flight.index()] = FlightResult {
+                report: Some(report),
+                fitted: Some(fitted),
+            };
+        }
+        for (flight, predicted) in self.held_out.into_iter().zip(predicted) {
+            results[flight.index()] = predicted;
+        }
+        let (reports, flights): (Vec<_>, Vec<_>) = results
+            .into_iter()
+            .map(|result| (result.report, result.fitted))
+            .unzip();
+        report.flights = reports.into_iter().flatten().collect();
+        let is_excluded =
+            |fault: &DataFault| report.excluded().any(|flight| flight.file == fault.file);
+        self.data_faults
+            .retain(|fault| options.trust_data || is_excluded(fault));
+        report.data_faults = self.data_faults;
+        report.noise.floor_m = floor_m;
+        report.marker_distances = marker_distances;
+        report.why = reasons_against(&report);
+        report.reliable = report.why.is_empty();
+        let total = self.clock.elapsed().as_secs_f64();
+        let seconds = [
+            ("start", started),
+            ("fit", solved - started),
+            ("total", total),
+        ];
+        report.seconds = seconds.map(|(name, value)| (name.to_owned(), value)).into();
+        Ok(Fit {
+            report,
+            global: solution.iterate.global,
+            problem: problem.clone(),
+            noise,
+            noise_floor,
+            excluded: state.excluded,
+            flights,
+        })
     }
-    for (&flight, predicted) in held_out.iter().zip(predicted) {
-        flights.set(flight, predicted.report, predicted.fitted);
-    }
-    report.flights = flights.reports.into_iter().flatten().collect();
-    let is_excluded = |fault: &DataFault| {
-        let mut of_flight = report
-            .flights
-            .iter()
-            .filter(|flight| flight.file == fault.file);
-        of_flight.any(|flight| matches!(flight.outcome, FlightOutcome::Excluded { .. }))
-    };
-    data_faults.retain(|fault| options.trust_data || is_excluded(fault));
-    report.data_faults = data_faults;
-    report.noise.floor_m = floor_m;
-    report.marker_distances = marker_distances;
-    report.why = reasons_against(&report);
-    report.reliable = report.why.is_empty();
-    let total = clock.elapsed().as_secs_f64();
-    let seconds = [
-        ("start", started),
-        ("fit", solved - started),
-        ("total", total),
-    ];
-    report.seconds = seconds.map(|(name, value)| (name.to_owned(), value)).into();
-    Ok(Fit {
-        report,
-        global: solution.iterate.global,
-        problem,
-        noise,
-        noise_floor,
-        excluded,
-        flights: flights.fitted,
-    })
 }
 
 /// Performs the stages of a fit from the initial guesses up to the estimation of the noise. `doubtful` contains flights
 /// excluded for a suspected fault, which later stages may include again. Returns the state and its residuals, at the
 /// minimum or near it.
-fn from_guesses(
-    problem: &FitProblem,
+fn from_guesses<'a>(
     dataset: &Dataset,
-    guesses: InitialGuesses,
+    guesses: InitialGuesses<'a>,
     doubtful: Vec<ExcludedFlight>,
-    options: &FitOptions<'_>,
-) -> Result<(State, ResidualCache), FitError> {
+) -> Result<(State<'a>, ResidualCache), FitError> {
     let (mut state, alternatives) = (guesses.state, &guesses.alternatives);
     state.excluded.extend(doubtful);
-    let (mut state, cache) =
-        spin_aliases::resolve_spin_aliases(problem, state, alternatives, options)?;
-    let cache = wrong_minimum::start_undistorted(problem, &mut state, cache, options)?;
-    let cache = multiple_shooting::shoot_again(problem, &mut state, cache, options)?;
-    let cache = multistart::multistart(problem, &mut state, cache, options)?;
-    let cache = unlike_flights::exclude_unlike_flights(problem, &mut state, cache, options)?;
-    let cache = contact_refinement::refine_contacts(problem, dataset, &mut state, cache, options)?;
+    let (mut state, cache) = spin_aliases::resolve_spin_aliases(state, alternatives)?;
+    let cache = wrong_minimum::start_undistorted(&mut state, cache)?;
+    let cache = multiple_shooting::shoot_again(&mut state, cache)?;
+    let cache = multistart::multistart(&mut state, cache)?;
+    let cache = unlike_flights::exclude_unlike_flights(&mut state, cache)?;
+    let cache = contact_refinement::refine_contacts(dataset, &mut state, cache)?;
     Ok((state, cache))
 }
 
@@ -288,29 +314,32 @@ fn flights_of(dataset: &Dataset, role: Role) -> Vec<FlightId> {
     of_role.map(|(index, _)| FlightId::new(index)).collect()
 }
 
-/// Reports and fitted flights, both by index of the flight in the dataset.
-struct FlightTable {
-    reports: Vec<Option<FlightReport>>,
-    fitted: Vec<Option<FittedFlight>>,
+/// Result of a fit for one flight of the dataset.
+#[derive(Default)]
+struct FlightResult {
+    report: Option<FlightReport>,
+    /// Observations and initial state; `None` if the flight is excluded.
+    fitted: Option<FittedFlight>,
 }
 
-impl FlightTable {
-    fn new(flights: usize) -> Self {
+impl FlightResult {
+    fn excluded(flight: &Flight, reason: &FlightError) -> Self {
+        let reason = reason.to_string();
+        let report = FlightReport {
+            file: flight.file.clone(),
+            role: flight.role,
+            samples: flight.times.len(),
+            rms_m: None,
+            outliers: 0,
+            initial: BTreeMap::new(),
+            cut: None,
+            notes: vec![format!("left out: {reason}")],
+            outcome: FlightOutcome::Excluded { reason },
+        };
         Self {
-            reports: vec![None; flights],
-            fitted: vec![None; flights],
+            report: Some(report),
+            fitted: None,
         }
-    }
-
-    fn set(&mut self, flight: FlightId, report: FlightReport, fitted: Option<FittedFlight>) {
-        self.reports[flight.index()] = Some(report);
-        self.fitted[flight.index()] = fitted;
-    }
-
-    fn exclude(&mut self, dataset: &Dataset, excluded: &ExcludedFlight) {
-        let flight = &dataset.flights[excluded.flight.index()];
-        let report = outcome::excluded_report(flight, &excluded.reason);
-        self.set(excluded.flight, report, None);
     }
 }
 
@@ -330,6 +359,12 @@ impl Fit {
         &self.noise
     }
 
+    /// The fitted flights, in the order of the dataset.
+    fn fitted(&self) -> impl Iterator<Item = &FittedFlight> {
+        let flights = self.flights.iter().flatten();
+        flights.filter(|flight| flight.observations.role == Role::Fit)
+    }
+
     /// Observations and estimated initial state of a flight; `None` if the flight is excluded.
     pub fn flight(&self, flight: FlightId) -> Option<(&Observations, &DVector<f64>)> {
         let fitted = self.flights.get(flight.index())?.as_ref()?;
@@ -347,18 +382,18 @@ impl Fit {
 
 /// Converts a least-squares error over the given flights to a fit error.
 fn solve_error(error: SolveError, flights: &[impl Borrow<Observations>]) -> FitError {
-    let (flight, reason) = match error {
+    match error {
         SolveError::Start(failures) => match failures.into_iter().next() {
-            Some(failure) => failure,
-            None => return FitError::NothingToFit,
+            Some((flight, reason)) => flight_error(flights[flight].borrow(), reason),
+            None => FitError::NothingToFit,
         },
-        SolveError::Undetermined(undetermined) => {
-            (undetermined.0, FlightError::SingularInitialState)
-        }
-        SolveError::Cancelled => return FitError::Interrupted,
-    };
+        SolveError::Cancelled => FitError::Interrupted,
+    }
+}
+
+fn flight_error(flight: &Observations, reason: FlightError) -> FitError {
     FitError::Flight {
-        file: flights[flight].borrow().file.clone(),
+        file: flight.file.clone(),
         reason,
     }
 }

@@ -16,7 +16,6 @@ use super::wrong_minimum::{is_better, is_suspect};
 use crate::initial_state;
 use crate::least_squares::Unknowns;
 use crate::observations::Observations;
-use crate::options::FitOptions;
 use crate::predict::{Loss, linearise};
 use crate::problem::FitProblem;
 
@@ -46,22 +45,18 @@ const MAX_HIDDEN: usize = 2;
 ///
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
-pub fn shoot_again(
-    problem: &FitProblem,
-    state: &mut State,
-    cache: ResidualCache,
-    options: &FitOptions<'_>,
-) -> Result<ResidualCache, FitError> {
-    if options.is_past_deadline() || !is_suspect(problem, state, &cache) {
+pub fn shoot_again(state: &mut State<'_>, cache: ResidualCache) -> Result<ResidualCache, FitError> {
+    let options = state.options;
+    if options.is_past_deadline() || !is_suspect(state, &cache) {
         return Ok(cache);
     }
     options.stage_started("multiple shooting", state.flights.len());
-    let mut cache = shoot_from(problem, state, cache, &[], options)?;
-    for start in hidden(problem, state) {
-        if options.is_past_deadline() || !is_suspect(problem, state, &cache) {
+    let mut cache = shoot_from(state, cache, &[])?;
+    for start in without_effect(state) {
+        if options.is_past_deadline() || !is_suspect(state, &cache) {
             break;
         }
-        cache = shoot_from(problem, state, cache, &[start], options)?;
+        cache = shoot_from(state, cache, &[start])?;
     }
     Ok(cache)
 }
@@ -70,15 +65,13 @@ pub fn shoot_again(
 /// (index of the global parameter, value). Replaces the state if the new fit is better, and returns the residuals at
 /// the final state.
 fn shoot_from(
-    problem: &FitProblem,
-    state: &mut State,
+    state: &mut State<'_>,
     cache: ResidualCache,
     changed: &[(usize, f64)],
-    options: &FitOptions<'_>,
 ) -> Result<ResidualCache, FitError> {
     let mut tried = state.clone();
     tried.limits.fill(f64::INFINITY);
-    let Some(found) = shoot(problem, &mut tried, changed, options)? else {
+    let Some(found) = shoot(&mut tried, changed)? else {
         return Ok(cache);
     };
     if is_better(&found, &cache) {
@@ -92,7 +85,8 @@ fn shoot_from(
 /// Finds global parameters without an effect at the present values of the other parameters, such as an angle that
 /// appears only multiplied by a coefficient equal to 0. Returns two entries (index, initial value) for each of them,
 /// with initial values between its bounds; empty if every parameter has an effect.
-fn hidden(problem: &FitProblem, state: &State) -> Vec<(usize, f64)> {
+fn without_effect(state: &State<'_>) -> Vec<(usize, f64)> {
+    let problem = state.problem;
     let loss = Loss::Huber(problem.sigma0);
     let mut effect = vec![0.0; problem.globals.len()];
     for (flight, local) in state.flights.iter().zip(&state.local) {
@@ -117,11 +111,10 @@ fn hidden(problem: &FitProblem, state: &State) -> Vec<(usize, f64)> {
 /// Fits arcs of increasing length (parts of flights with separate initial states) and then whole flights; `None` if too
 /// few arcs can be fitted.
 fn shoot(
-    problem: &FitProblem,
-    state: &mut State,
+    state: &mut State<'_>,
     changed: &[(usize, f64)],
-    options: &FitOptions<'_>,
 ) -> Result<Option<ResidualCache>, FitError> {
+    let problem = state.problem;
     let starts = problem.globals.iter().map(|global| {
         let (low, high) = global.constraint.bounds;
         let inside = (OFF_BOUND * global.x_scale).min(0.5 * (high - low));
@@ -131,13 +124,13 @@ fn shoot(
     for &(parameter, value) in changed {
         state.global[parameter] = value;
     }
-    let Some(mut arcs) = arcs(problem, state, options)? else {
+    let Some(mut arcs) = arcs(state)? else {
         return Ok(None);
     };
     loop {
         // Only few arcs may cover a flow regime; a loss with the median scale would treat them as outliers.
         let spread = ResidualCache::rms_scale;
-        if let Err(error) = fit_horizon(problem, &mut arcs, f64::INFINITY, spread, options) {
+        if let Err(error) = fit_horizon(&mut arcs, f64::INFINITY, spread) {
             return match error {
                 FitError::NoUsableFlight(_) => Ok(None),
                 error => Err(error),
@@ -152,20 +145,17 @@ fn shoot(
                 local.clone_from(found);
             }
         }
-        if options.is_past_deadline() || !join(state, &mut arcs) {
+        if state.options.is_past_deadline() || !join(state, &mut arcs) {
             break;
         }
     }
-    anneal_scale(problem, state, options).map(Some)
+    anneal_scale(state).map(Some)
 }
 
 /// Divides all flights into arcs (parts with separate initial states), each with its initial guess; `None` if no arc
 /// has an initial guess.
-fn arcs(
-    problem: &FitProblem,
-    state: &State,
-    options: &FitOptions<'_>,
-) -> Result<Option<State>, FitError> {
+fn arcs<'a>(state: &State<'a>) -> Result<Option<State<'a>>, FitError> {
+    let (problem, options) = (state.problem, state.options);
     let mut cut = Vec::new();
     for (&id, flight) in state.ids.iter().zip(&state.flights) {
         let mut first = 0;
@@ -188,7 +178,7 @@ fn arcs(
     if options.is_cancelled() {
         return Err(FitError::Interrupted);
     }
-    let mut arcs = State::new(state.global.clone(), state.interval);
+    let mut arcs = state.without_flights();
     for ((id, arc), guess) in cut.into_iter().zip(guesses) {
         if let Some(guess) = guess {
             arcs.push(id, arc, guess);
@@ -204,8 +194,9 @@ fn guess(problem: &FitProblem, arc: &Observations) -> Option<DVector<f64>> {
 
 /// Joins each group of `JOINED` consecutive arcs of a flight into one arc, with the initial state of the first arc;
 /// returns `false` if all arcs are whole flights already.
-fn join(state: &State, arcs: &mut State) -> bool {
-    let before = std::mem::replace(arcs, State::new(arcs.global.clone(), arcs.interval));
+fn join<'a>(state: &State<'a>, arcs: &mut State<'a>) -> bool {
+    let joined = arcs.without_flights();
+    let before = std::mem::replace(arcs, joined);
     let mut has_joined = false;
     for (id, flight) in state.ids.iter().zip(&state.flights) {
         let of_flight = (0..before.ids.len()).filter(|&arc| before.ids[arc] == *id);
@@ -228,6 +219,7 @@ mod tests {
     use flight::release::{Vocabulary, built_in, read};
 
     use super::*;
+    use crate::options::FitOptions;
     use crate::synthesize::{Plan, flights};
 
     #[test]
@@ -242,16 +234,16 @@ mod tests {
             ..Plan::default()
         };
         let dataset = flights(&model, &[release.unwrap()], &plan).unwrap().dataset;
-        let problem = FitProblem::new(&model, &dataset, &FitOptions::default()).unwrap();
+        let options = FitOptions::default();
+        let problem = FitProblem::new(&model, &dataset, &options).unwrap();
         let place = |name: &str| {
             let mut globals = problem.globals.iter();
             globals.position(|global| global.name == name).expect(name)
         };
         let hidden_at = |drag: f64| {
-            let values = problem.globals.iter().map(|global| global.model_value);
-            let mut global = DVector::from_iterator(problem.globals.len(), values);
+            let mut global = problem.model_values();
             global[place("C_Da")] = drag;
-            let mut state = State::new(global, 1.0 / 120.0);
+            let mut state = State::new(&problem, &options, global, 1.0 / 120.0);
             for (index, flight) in dataset.flights.iter().enumerate() {
                 let observations = Observations::new(&problem, flight).unwrap();
                 let guesses = initial_state::initial_guesses(&problem, &observations).unwrap();
@@ -261,7 +253,7 @@ mod tests {
                     guesses[0].state.clone(),
                 );
             }
-            hidden(&problem, &state)
+            without_effect(&state)
         };
         let (low, high) = problem.globals[place("alpha_0")].constraint.bounds;
         let quarter = 0.25 * (high - low);

@@ -6,13 +6,11 @@ use nalgebra::DVector;
 use super::FitError;
 use super::horizon_continuation::anneal_scale;
 use super::initial_guess::{first_segment, spin_note};
-use super::one_flight::fit_initial_state;
-use super::residual_cache::{ResidualCache, residual_scale};
+use super::one_flight::FixedGlobal;
+use super::residual_cache::ResidualCache;
 use super::state::State;
 use super::undistorted;
 use crate::observations::Observations;
-use crate::options::FitOptions;
-use crate::problem::FitProblem;
 use crate::statistics::median;
 
 /// Ratio of a flight's residual scale (robust standard deviation of its residuals) to the reference scale of all
@@ -34,15 +32,11 @@ const MISFIT_RATIO: f64 = 10.0;
 ///
 /// # Errors
 /// The errors of [`anneal_scale`].
-pub fn multistart(
-    problem: &FitProblem,
-    state: &mut State,
-    cache: ResidualCache,
-    options: &FitOptions<'_>,
-) -> Result<ResidualCache, FitError> {
+pub fn multistart(state: &mut State<'_>, cache: ResidualCache) -> Result<ResidualCache, FitError> {
+    let options = state.options;
     let scales = cache.scales().into_iter();
     let scales: Vec<f64> = scales.map(|s| s.unwrap_or(f64::INFINITY)).collect();
-    let limit = SUSPECT_RATIO * reference_scale(&scales, problem.sigma0);
+    let limit = SUSPECT_RATIO * reference_scale(&scales, state.problem.sigma0);
     let suspects: Vec<usize> = (0..scales.len()).filter(|&f| scales[f] > limit).collect();
     if suspects.is_empty() || options.is_past_deadline() {
         return Ok(cache);
@@ -50,7 +44,7 @@ pub fn multistart(
     options.stage_started("flights that stand out", suspects.len());
     let found = batch::each_on(options.threads(), suspects.len(), |index| {
         let flight = suspects[index];
-        let found = restart(problem, state, flight, scales[flight], options);
+        let found = restart(state, flight, scales[flight]);
         options.flight_done();
         found
     });
@@ -66,7 +60,7 @@ pub fn multistart(
         }
     }
     match has_improved {
-        true => anneal_scale(problem, state, options),
+        true => anneal_scale(state),
         false => Ok(cache),
     }
 }
@@ -83,15 +77,8 @@ fn reference_scale(scales: &[f64], sigma0: f64) -> f64 {
 
 /// Better initial state of a flight at the present global parameters, with a note for the report; `None` if no initial
 /// guess leads to a residual scale (robust standard deviation of the residuals) clearly below `before`, m.
-fn restart(
-    problem: &FitProblem,
-    state: &State,
-    flight: usize,
-    before: f64,
-    options: &FitOptions<'_>,
-) -> Option<(DVector<f64>, String)> {
-    let observations = &state.flights[flight];
-    let best = fly_to_the_end(problem, &state.global, observations, options);
+fn restart(state: &State<'_>, flight: usize, before: f64) -> Option<(DVector<f64>, String)> {
+    let best = fly_to_the_end(state.fixed_global(), &state.flights[flight]);
     let (scale, local, turns) = best.filter(|(scale, ..)| *scale < ACCEPTED_RATIO * before)?;
     let mut note = format!(
         "its first fit had ended in a wrong minimum (residuals of {:.1} mm, now {:.1} mm); it was started anew",
@@ -104,24 +91,21 @@ fn restart(
     Some((local, note))
 }
 
-/// Fits the initial state of one flight at given global parameters, once from each of its initial guesses. Each fit
+/// Fits the initial state of one flight, once from each of its initial guesses. Each fit
 /// starts with a short initial segment of the flight, which is extended step by step to the whole flight. Returns the
 /// fit with the smallest residual scale (robust standard deviation of the residuals): this scale (m), the initial
 /// state, and the number of additional turns per sampling interval. `None` if every fit fails.
 pub fn fly_to_the_end(
-    problem: &FitProblem,
-    global: &DVector<f64>,
+    at: FixedGlobal<'_>,
     observations: &Observations,
-    options: &FitOptions<'_>,
 ) -> Option<(f64, DVector<f64>, i32)> {
     let samples = observations.times.len();
     let mut best: Option<(f64, DVector<f64>, i32)> = None;
-    for guess in undistorted::initial_guesses(problem, observations, global).ok()? {
-        let Some(local) = continue_horizon(problem, global, observations, guess.state, options)
-        else {
+    for guess in undistorted::initial_guesses(at, observations).ok()? {
+        let Some(local) = continue_horizon(at, observations, guess.state) else {
             continue;
         };
-        let Some(scale) = residual_scale(problem, observations, (global, &local), samples) else {
+        let Some(scale) = at.residual_scale(observations, &local, samples) else {
             continue;
         };
         if best.as_ref().is_none_or(|(least, ..)| scale < *least) {
@@ -134,18 +118,15 @@ pub fn fly_to_the_end(
 /// Fits the initial state of one flight to a short initial segment of the flight, whose number of samples is then
 /// doubled for each further fit, up to the whole flight; `None` if a fit fails.
 fn continue_horizon(
-    problem: &FitProblem,
-    global: &DVector<f64>,
+    at: FixedGlobal<'_>,
     observations: &Observations,
     start: DVector<f64>,
-    options: &FitOptions<'_>,
 ) -> Option<DVector<f64>> {
     let all = observations.times.len();
     let mut samples = first_segment(observations);
     let mut local = start;
     loop {
-        let fitted = fit_initial_state(problem, observations, samples, global, local, options);
-        local = fitted.ok()?.1;
+        local = at.fit_initial_state(observations, samples, local).ok()?.1;
         if samples == all {
             return Some(local);
         }

@@ -29,11 +29,6 @@ pub struct OutputError<'a> {
     pub options: &'a FitOptions<'a>,
 }
 
-/// Total number of samples of each flight.
-pub fn all_samples(flights: &[Observations]) -> Vec<usize> {
-    flights.iter().map(|flight| flight.times.len()).collect()
-}
-
 impl<'a> OutputError<'a> {
     /// Creates the sum of squared residuals (or of their `loss`) over all samples of the given flights, as a function
     /// of the global parameters and the local parameters of each flight.
@@ -53,28 +48,6 @@ impl<'a> OutputError<'a> {
             fixed_global: None,
             constraints: globals.map(|global| global.constraint).collect(),
             threads: options.threads(),
-            options,
-        }
-    }
-
-    /// Creates the sum of squares over the first `samples` samples of one flight, as a function of its local
-    /// parameters.
-    pub fn of_local(
-        problem: &'a FitProblem,
-        observations: &'a Observations,
-        samples: usize,
-        loss: Loss<'a>,
-        global: &'a DVector<f64>,
-        options: &'a FitOptions<'a>,
-    ) -> Self {
-        Self {
-            problem,
-            flights: vec![observations],
-            samples: vec![samples],
-            loss,
-            fixed_global: Some(global),
-            constraints: Vec::new(),
-            threads: 1,
             options,
         }
     }

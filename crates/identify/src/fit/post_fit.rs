@@ -13,10 +13,6 @@ use crate::report::{FlightEvidence, ResidualPool, SensorEvidence};
 
 /// Residual statistics of one flight, and the minimum and maximum of each state and auxiliary variable.
 pub struct PostFit {
-    /// Root mean square residual of one coordinate, m, outliers excluded.
-    pub rms: f64,
-    /// Number of values excluded as outliers.
-    pub outliers: usize,
     /// Sums over the residuals of the flight for the residual diagnostics.
     pub pool: ResidualPool,
     /// Sums over the residuals of each channel, in the order of the channels.
@@ -43,7 +39,7 @@ fn channel_sums(problem: &FitProblem, observations: &Observations, path: &Path) 
         let mut sum = ChannelSum::default();
         for (sample, residual) in series.iter().enumerate() {
             let Some(residual) = residual else { continue };
-            if observations.outlier[sample * observations.channels + channel] {
+            if observations.is_outlier(sample, channel) {
                 sum.outliers += 1;
                 continue;
             }
@@ -80,11 +76,11 @@ pub fn post_fit(
     let mut pool = ResidualPool::default();
     let series = path.residuals.iter().enumerate();
     for (channel, series) in series.filter(|(channel, _)| problem.is_scored(*channel)) {
-        let is_outlier =
-            |sample: usize| observations.outlier[sample * observations.channels + channel];
         let inliers = series.iter().enumerate();
         let inliers: Vec<_> = inliers
-            .map(|(sample, residual)| residual.filter(|_| !is_outlier(sample)))
+            .map(|(sample, residual)| {
+                residual.filter(|_| !observations.is_outlier(sample, channel))
+            })
             .collect();
         pool.add(&observations.times, &inliers, noise.of(channel));
     }
@@ -104,8 +100,6 @@ pub fn post_fit(
         }
     }
     PostFit {
-        rms: pool.rms(),
-        outliers: observations.outliers(),
         channels: channel_sums(problem, observations, path),
         pool,
         ranges,
@@ -134,9 +128,14 @@ pub fn evidence(
     let sensors = channels.filter(|(_, channel)| !channel.is_position());
     let sensors = sensors.map(|(index, channel)| SensorEvidence {
         name: channel.name.clone(),
+        channel: index,
         unit: channel.unit.to_owned(),
         components: channel.components,
-        ..sensor_evidence(observations, index)
+        measured: (0..samples).map(|k| observations.value(k, index)).collect(),
+        outlier: (0..samples)
+            .map(|k| observations.is_outlier(k, index))
+            .collect(),
+        residuals: Vec::new(),
     });
     let mut sensors: Vec<SensorEvidence> = sensors.collect();
     let mut evidence = FlightEvidence {
@@ -147,15 +146,21 @@ pub fn evidence(
             .map(|&channel| problem.channels[channel].name.clone())
             .collect(),
         times: observations.times.clone(),
-        measured: observations
-            .measured
-            .chunks(observations.channels)
-            .map(|row| positions.iter().map(|&channel| row[channel]).collect())
+        measured: (0..samples)
+            .map(|k| {
+                positions
+                    .iter()
+                    .map(|&c| observations.value(k, c))
+                    .collect()
+            })
             .collect(),
-        outlier: observations
-            .outlier
-            .chunks(observations.channels)
-            .map(|row| positions.iter().map(|&channel| row[channel]).collect())
+        outlier: (0..samples)
+            .map(|k| {
+                positions
+                    .iter()
+                    .map(|&c| observations.is_outlier(k, c))
+                    .collect()
+            })
             .collect(),
         sensors: Vec::new(),
         predicted: Vec::new(),
@@ -188,21 +193,4 @@ pub fn evidence(
     }
     evidence.sensors = sensors;
     Some(evidence)
-}
-
-/// Measured values and outlier flags of a channel, in a `SensorEvidence` whose other fields have default values.
-fn sensor_evidence(observations: &Observations, channel: usize) -> SensorEvidence {
-    let samples = 0..observations.times.len();
-    let place = |sample: usize| sample * observations.channels + channel;
-    SensorEvidence {
-        channel,
-        measured: samples
-            .clone()
-            .map(|sample| observations.measured[place(sample)])
-            .collect(),
-        outlier: samples
-            .map(|sample| observations.outlier[place(sample)])
-            .collect(),
-        ..SensorEvidence::default()
-    }
 }

@@ -1,17 +1,14 @@
 //! Cache of the trajectories and residuals of all flights at one iterate, computed once for all stages that use them.
 
 use flight::batch;
-use nalgebra::DVector;
 
-use super::FitError;
 use super::state::{State, retain};
+use super::{FitError, flight_error};
 use crate::error::FlightError;
 use crate::least_squares::FailedFlight;
 use crate::observations::Observations;
-use crate::options::FitOptions;
-use crate::predict::{Residuals, residuals, residuals_of, states};
-use crate::problem::FitProblem;
-use crate::statistics::{median, robust_sigma};
+use crate::predict::{Residuals, residuals_of, states};
+use crate::statistics::{median_of, robust_sigma};
 
 /// Trajectories and residuals of all flights at one iterate.
 pub struct ResidualCache(Vec<CachedFlight>);
@@ -33,14 +30,18 @@ pub struct Path {
     pub residuals: Residuals,
 }
 
+impl State<'_> {
+    /// Residuals of whole flights at the present values of the unknowns.
+    pub fn residuals(&self) -> ResidualCache {
+        let samples = self.flights.iter().map(|flight| flight.times.len());
+        ResidualCache::new(self, &samples.collect::<Vec<usize>>())
+    }
+}
+
 impl ResidualCache {
     /// Integrates each flight up to its number of samples in `samples`, and computes the residuals.
-    pub fn new(
-        problem: &FitProblem,
-        state: &State,
-        samples: &[usize],
-        options: &FitOptions<'_>,
-    ) -> Self {
+    pub fn new(state: &State<'_>, samples: &[usize]) -> Self {
+        let (problem, options) = (state.problem, state.options);
         let count = state.flights.len();
         Self(batch::each_on(options.threads(), count, |flight| {
             if options.is_cancelled() {
@@ -85,7 +86,7 @@ impl ResidualCache {
     /// flight has a residual scale.
     pub fn median_scale(&self) -> f64 {
         let scales = self.0.iter().filter_map(|flight| flight.scale);
-        median(&mut scales.collect::<Vec<f64>>())
+        median_of(scales).unwrap_or(0.0)
     }
 
     /// Root mean square over the flights of their residual scales (robust standard deviations of the residuals), m; 0
@@ -119,25 +120,12 @@ impl ResidualCache {
     /// [`FitError::Flight`] if the flight cannot be integrated.
     pub fn path(&self, flights: &[Observations], flight: usize) -> Result<&Path, FitError> {
         let path = self.0[flight].path.as_ref();
-        path.map_err(|reason| FitError::Flight {
-            file: flights[flight].file.clone(),
-            reason: reason.clone(),
-        })
+        path.map_err(|reason| flight_error(&flights[flight], reason.clone()))
     }
 }
 
-/// Robust standard deviation of one flight's residuals over its first `samples` samples, m; `None` if the flight cannot
-/// be integrated or has no residuals.
-pub fn residual_scale(
-    problem: &FitProblem,
-    observations: &Observations,
-    unknowns: (&DVector<f64>, &DVector<f64>),
-    samples: usize,
-) -> Option<f64> {
-    robust_scale(&residuals(problem, observations, unknowns, samples).ok()?)
-}
-
-fn robust_scale(residuals: &Residuals) -> Option<f64> {
+/// Robust standard deviation of one flight's residuals, m; `None` if it has none.
+pub fn robust_scale(residuals: &Residuals) -> Option<f64> {
     let all = residuals.iter().flatten().flatten().flatten();
     let mut sizes = Vec::with_capacity(3 * residuals.iter().map(Vec::len).sum::<usize>());
     sizes.extend(all.map(|residual| residual.abs()));

@@ -6,16 +6,13 @@ use flight::batch;
 use super::FitError;
 use super::exclusion::{exclude_failed, solve_flights};
 use super::horizon_continuation::unevaluated_step;
-use super::output_error::all_samples;
 use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::error::FlightError;
 use crate::least_squares::{FailedFlight, Solution, StopReason, StoppingCriteria};
 use crate::noise::NoiseModel;
-use crate::options::FitOptions;
 use crate::outliers;
 use crate::predict::Loss;
-use crate::problem::FitProblem;
 use crate::report::FitStatus;
 
 /// Number of values per changed outlier flag: at convergence, at most one in this number of values may still change its
@@ -24,6 +21,10 @@ const POINTS_PER_CHANGED_MARK: usize = 10_000;
 
 /// Maximum number of noise estimates in the alternation of noise estimates and least squares.
 const MAX_ROUNDS: usize = 8;
+
+/// Maximum difference at which two noise estimates count as equal: relative for standard deviations, absolute for
+/// autocorrelations.
+const SAME_NOISE: f64 = 0.005;
 
 /// Number of least-squares solutions that stop at the maximum number of steps, after which reweighting ends without
 /// convergence.
@@ -52,14 +53,9 @@ pub struct Reweighted {
 ///
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
-pub fn reweight(
-    problem: &FitProblem,
-    state: &mut State,
-    mut cache: ResidualCache,
-    options: &FitOptions<'_>,
-) -> Result<Reweighted, FitError> {
+pub fn reweight(state: &mut State<'_>, mut cache: ResidualCache) -> Result<Reweighted, FitError> {
     loop {
-        if let Some(found) = agree(problem, state, cache, options)? {
+        if let Some(found) = agree(state, cache)? {
             let undetermined = undetermined_flights(&found.solution);
             if undetermined.is_empty() {
                 return Ok(found);
@@ -67,9 +63,8 @@ pub fn reweight(
             state.exclude(undetermined)?;
         }
         // Every pass except the last one excludes a flight.
-        let samples = all_samples(&state.flights);
-        let residuals = ResidualCache::new(problem, state, &samples, options);
-        cache = exclude_failed(state, residuals, options)?;
+        let residuals = state.residuals();
+        cache = exclude_failed(state, residuals)?;
     }
 }
 
@@ -85,20 +80,16 @@ fn undetermined_flights(solution: &Solution) -> Vec<FailedFlight> {
 /// Alternates noise estimates and least squares until the noise estimated from the residuals equals the noise by which
 /// they were weighted, within a tolerance, or a limit of the number of rounds is reached. `None` if a flight was
 /// excluded in the process.
-fn agree(
-    problem: &FitProblem,
-    state: &mut State,
-    mut cache: ResidualCache,
-    options: &FitOptions<'_>,
-) -> Result<Option<Reweighted>, FitError> {
+fn agree(state: &mut State<'_>, mut cache: ResidualCache) -> Result<Option<Reweighted>, FitError> {
+    let (problem, options) = (state.problem, state.options);
     let flights = state.flights.len();
     let mut noise = NoiseModel::white(problem.sigma0, state.interval);
     let mut solution: Option<Solution> = None;
     let mut predicted_reduction = None;
     let (mut unfinished, mut misfits) = (0, 0);
     for round in 0..MAX_ROUNDS {
-        let (estimated, marks_changed) = estimate_noise(problem, state, &cache, options)?;
-        let agrees = !marks_changed && estimated.is_close_to(&noise);
+        let (estimated, marks_changed) = estimate_noise(state, &cache)?;
+        let agrees = !marks_changed && estimated.is_within(&noise, SAME_NOISE);
         if let Some(solution) = solution.take_if(|_| agrees) {
             return Ok(Some(Reweighted::new(noise, solution, cache, true)));
         }
@@ -109,7 +100,7 @@ fn agree(
         // One step improves the noise estimate, which needs only the residuals after the step.
         if round == 0
             && !options.is_past_deadline()
-            && let Some(step) = unevaluated_step(problem, state, loss, &cache, options)?
+            && let Some(step) = unevaluated_step(state, loss, &cache)?
         {
             (cache, predicted_reduction) = (step.residuals, step.predicted_reduction);
             continue;
@@ -119,26 +110,18 @@ fn agree(
             true => StoppingCriteria::MISFIT,
             false => StoppingCriteria::CONVERGED,
         };
-        let by = (loss, criteria);
-        let found = solve_flights(
-            problem,
-            state,
-            by,
-            predicted_reduction.take(),
-            options,
-            |_, _| {},
-        )?;
+        let previous = predicted_reduction.take();
+        let found = solve_flights(state, (loss, criteria), previous, &|_, _| {})?;
+        state.take(&found);
         if state.flights.len() < flights {
-            state.take(&found);
             return Ok(None);
         }
-        state.take(&found);
         // After a negligible step, the residuals and the noise estimate are unchanged.
         if found.iterations == 1 && found.last_step_is_negligible(criteria) {
             return Ok(Some(Reweighted::new(noise, found, cache, true)));
         }
-        let residuals = ResidualCache::new(problem, state, &all_samples(&state.flights), options);
-        cache = exclude_failed(state, residuals, options)?;
+        let residuals = state.residuals();
+        cache = exclude_failed(state, residuals)?;
         if state.flights.len() < flights {
             return Ok(None);
         }
@@ -170,12 +153,11 @@ impl Reweighted {
 /// Marks outliers, and estimates the noise of the other values. Returns the noise, and whether more outlier flags
 /// changed than is allowed at convergence.
 pub fn estimate_noise(
-    problem: &FitProblem,
-    state: &mut State,
+    state: &mut State<'_>,
     cache: &ResidualCache,
-    options: &FitOptions<'_>,
 ) -> Result<(NoiseModel, bool), FitError> {
-    let judged = outlier_candidates(problem, state, cache, options)?;
+    let (problem, options) = (state.problem, state.options);
+    let judged = outlier_candidates(state, cache)?;
     let group_of = problem.noise_groups();
     let own: Vec<Vec<[f64; 3]>> = judged.iter().map(|flight| flight.scales.clone()).collect();
     let scales = outliers::judged_scales(&own);
@@ -230,13 +212,11 @@ struct FlightOutliers {
 }
 
 fn outlier_candidates(
-    problem: &FitProblem,
-    state: &State,
+    state: &State<'_>,
     cache: &ResidualCache,
-    options: &FitOptions<'_>,
 ) -> Result<Vec<FlightOutliers>, FitError> {
-    let group_of = problem.noise_groups();
-    let each = batch::each_on(options.threads(), state.flights.len(), |flight| {
+    let group_of = state.problem.noise_groups();
+    let each = batch::each_on(state.options.threads(), state.flights.len(), |flight| {
         let residuals = &cache.path(&state.flights, flight)?.residuals;
         let local_residuals = outliers::local_residuals(&state.flights[flight].times, residuals);
         let scales = outliers::group_scales(&local_residuals, &group_of);

@@ -7,9 +7,7 @@ use super::initial_guess::spin_note;
 use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::initial_state::InitialGuess;
-use crate::options::FitOptions;
-use crate::problem::FitProblem;
-use crate::statistics::median;
+use crate::statistics::median_of;
 
 /// Numbers of turns per sampling interval that are added to the slowest spin compatible with the samples, in order of
 /// decreasing probability.
@@ -25,24 +23,22 @@ const ACCEPTED_RATIO: f64 = 0.9;
 ///
 /// # Errors
 /// The errors of [`continue_horizon`], if it fails for every alias.
-pub fn resolve_spin_aliases(
-    problem: &FitProblem,
-    mut state: State,
+pub fn resolve_spin_aliases<'a>(
+    mut state: State<'a>,
     alternatives: &[Vec<InitialGuess>],
-    options: &FitOptions<'_>,
-) -> Result<(State, ResidualCache), FitError> {
+) -> Result<(State<'a>, ResidualCache), FitError> {
     let guesses = || alternatives.iter().flatten();
     let exists = |alias: &i32| guesses().any(|guess| guess.turns == *alias);
     let aliases: Vec<i32> = ALIASES.into_iter().filter(exists).collect();
     if aliases.is_empty() || aliases == [0] {
-        let cache = continue_horizon(problem, &mut state, options)?;
+        let cache = continue_horizon(&mut state)?;
         return Ok((state, cache));
     }
-    let mut best: Option<(f64, State, ResidualCache)> = None;
+    let mut best: Option<(f64, State<'_>, ResidualCache)> = None;
     let mut failure = None;
     for alias in aliases {
         let mut tried = with_alias(&state, alternatives, alias);
-        let cache = match continue_horizon(problem, &mut tried, options) {
+        let cache = match continue_horizon(&mut tried) {
             Ok(cache) => cache,
             Err(FitError::Interrupted) => return Err(FitError::Interrupted),
             Err(error) => {
@@ -66,7 +62,7 @@ pub fn resolve_spin_aliases(
 
 /// Copy of the state in which the initial state of each flight is its initial guess with `alias` additional turns per
 /// sampling interval. Flights without such a guess retain their initial state, as do all flights if `alias` is 0.
-fn with_alias(state: &State, alternatives: &[Vec<InitialGuess>], alias: i32) -> State {
+fn with_alias<'a>(state: &State<'a>, alternatives: &[Vec<InitialGuess>], alias: i32) -> State<'a> {
     let mut state = state.clone();
     for (index, guesses) in alternatives.iter().enumerate() {
         let mut guesses = guesses.iter();
@@ -86,5 +82,5 @@ fn median_scale(cache: &ResidualCache, excluded: usize) -> f64 {
     let scales = cache.scales().into_iter();
     let flown = scales.map(|scale| scale.unwrap_or(f64::INFINITY));
     let without = std::iter::repeat_n(f64::INFINITY, excluded);
-    median(&mut flown.chain(without).collect::<Vec<f64>>())
+    median_of(flown.chain(without)).unwrap_or(0.0)
 }

@@ -6,14 +6,20 @@ use crate::error::{ExcludedFlight, FitError, FlightError};
 use crate::ids::FlightId;
 use crate::least_squares::{FailedFlight, Iterate, Solution};
 use crate::observations::Observations;
+use crate::options::FitOptions;
+use crate::problem::FitProblem;
 
 /// Fraction of the time between the first sample and the failure of the integration of a flight that is used for the
 /// fit.
 const FLYABLE_PART: f64 = 0.7;
 
-/// Flights that are fitted, with the values of all unknowns, and excluded flights.
+/// A fit in progress: the flights that are fitted, with the values of all unknowns, and excluded flights.
 #[derive(Clone)]
-pub(crate) struct State {
+pub(crate) struct State<'a> {
+    /// Estimation problem with the model, the channels and the parameters.
+    pub problem: &'a FitProblem,
+    /// Options of the fit.
+    pub options: &'a FitOptions<'a>,
     /// Index in the dataset of each fitted flight.
     pub ids: Vec<FlightId>,
     /// Observations of each fitted flight.
@@ -34,10 +40,17 @@ pub(crate) struct State {
     pub rounds: usize,
 }
 
-impl State {
+impl<'a> State<'a> {
     /// Creates a state without flights, for given global parameters and sampling interval (s).
-    pub fn new(global: DVector<f64>, interval: f64) -> Self {
+    pub fn new(
+        problem: &'a FitProblem,
+        options: &'a FitOptions<'a>,
+        global: DVector<f64>,
+        interval: f64,
+    ) -> Self {
         Self {
+            problem,
+            options,
             ids: Vec::new(),
             flights: Vec::new(),
             global,
@@ -48,6 +61,16 @@ impl State {
             steps: 0,
             rounds: 0,
         }
+    }
+
+    /// State with the present global parameters, but without flights.
+    pub fn without_flights(&self) -> Self {
+        Self::new(
+            self.problem,
+            self.options,
+            self.global.clone(),
+            self.interval,
+        )
     }
 
     /// Values of all unknowns as an iterate of the least squares.

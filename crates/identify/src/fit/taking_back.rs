@@ -9,14 +9,12 @@ use super::exclusion::exclude_failed;
 use super::horizon_continuation::anneal_scale;
 use super::initial_guess;
 use super::multistart::fly_to_the_end;
-use super::residual_cache::residual_scale;
+use super::one_flight::FixedGlobal;
 use super::reweighting::{Reweighted, reweight};
 use super::state::State;
-use crate::dataset::Dataset;
+use crate::dataset::{Dataset, Flight};
 use crate::error::{ExcludedFlight, FlightError};
 use crate::observations::Observations;
-use crate::options::FitOptions;
-use crate::problem::FitProblem;
 use crate::screening::FaultKind;
 
 /// Maximum ratio of a flight's residual scale (robust standard deviation of its residuals) to that of the other
@@ -33,12 +31,11 @@ const MAX_PASSES: usize = 2;
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
 pub fn take_back(
-    problem: &FitProblem,
     dataset: &Dataset,
-    state: &mut State,
+    state: &mut State<'_>,
     mut reweighted: Reweighted,
-    options: &FitOptions<'_>,
 ) -> Result<Reweighted, FitError> {
+    let options = state.options;
     for _ in 0..MAX_PASSES {
         let (tried, kept): (Vec<ExcludedFlight>, Vec<ExcludedFlight>) =
             state.excluded.iter().cloned().partition(may_come_back);
@@ -46,11 +43,14 @@ pub fn take_back(
             break;
         }
         options.stage_started("flights left out", tried.len());
-        let usual = reweighted.cache.median_scale().max(problem.sigma0);
-        let global = &reweighted.solution.iterate.global;
+        let usual = reweighted.cache.median_scale().max(state.problem.sigma0);
+        let at = FixedGlobal {
+            global: &reweighted.solution.iterate.global,
+            ..state.fixed_global()
+        };
         let found = batch::each_on(options.threads(), tried.len(), |index| {
             let flight = &dataset.flights[tried[index].flight.index()];
-            let found = like_the_others(problem, flight, global, usual, options);
+            let found = like_the_others(at, flight, usual);
             options.flight_done();
             found
         });
@@ -72,9 +72,9 @@ pub fn take_back(
         if !has_returned {
             break;
         }
-        let residuals = anneal_scale(problem, &mut with, options)?;
-        let residuals = exclude_failed(&mut with, residuals, options)?;
-        let again = reweight(problem, &mut with, residuals, options)?;
+        let residuals = anneal_scale(&mut with)?;
+        let residuals = exclude_failed(&mut with, residuals)?;
+        let again = reweight(&mut with, residuals)?;
         // A flight that changes the fit of all others remains excluded.
         if with.flights.len() <= state.flights.len()
             || again.noise.overall() > LIKE_RATIO * reweighted.noise.overall()
@@ -100,19 +100,16 @@ pub fn may_come_back(excluded: &ExcludedFlight) -> bool {
 }
 
 /// Observations and fitted initial state of an excluded flight, if its residual scale (robust standard deviation of its
-/// residuals) at the given global parameters is at most `LIKE_RATIO` × `usual`, the residual scale of the other
+/// residuals) is at most `LIKE_RATIO` × `usual`, the residual scale of the other
 /// flights, m; `None` otherwise.
 fn like_the_others(
-    problem: &FitProblem,
-    flight: &crate::dataset::Flight,
-    global: &DVector<f64>,
+    at: FixedGlobal<'_>,
+    flight: &Flight,
     usual: f64,
-    options: &FitOptions<'_>,
 ) -> Option<(Observations, DVector<f64>)> {
-    let observations = initial_guess::observations(problem, flight, None).ok()?;
-    let samples = observations.times.len();
-    let local = fly_to_the_end(problem, global, &observations, options)?.1;
-    let scale = residual_scale(problem, &observations, (global, &local), samples)?;
+    let found = initial_guess::observations_and_poses(at.problem, flight, None);
+    let (observations, _) = found.ok()?;
+    let (scale, local, _) = fly_to_the_end(at, &observations)?;
     (scale <= LIKE_RATIO * usual).then_some((observations, local))
 }
 
@@ -122,9 +119,9 @@ mod tests {
 
     use super::*;
     use crate::dataset::Role;
-    use crate::fit::output_error::all_samples;
-    use crate::fit::residual_cache::ResidualCache;
     use crate::fit::{flights_of, spin_aliases};
+    use crate::options::FitOptions;
+    use crate::problem::FitProblem;
     use crate::synthesize::{Plan, flights};
     use crate::tolerance;
 
@@ -151,13 +148,11 @@ mod tests {
         let guesses = guesses.unwrap();
         let alternatives = &guesses.alternatives;
         let (mut state, _) =
-            spin_aliases::resolve_spin_aliases(&problem, guesses.state, alternatives, &options)
-                .unwrap();
+            spin_aliases::resolve_spin_aliases(guesses.state, alternatives).unwrap();
         state.exclude(vec![(1, reason)]).unwrap();
-        let samples = all_samples(&state.flights);
-        let residuals = ResidualCache::new(&problem, &state, &samples, &options);
-        let found = reweight(&problem, &mut state, residuals, &options).unwrap();
-        let found = take_back(&problem, &dataset, &mut state, found, &options).unwrap();
+        let residuals = state.residuals();
+        let found = reweight(&mut state, residuals).unwrap();
+        let found = take_back(&dataset, &mut state, found).unwrap();
         assert_eq!(found.solution.iterate.local.len(), state.flights.len());
         assert_eq!(state.flights.len() + state.excluded.len(), fitted.len());
         state.excluded.len()

@@ -6,13 +6,12 @@ use flight::batch;
 use nalgebra::DVector;
 
 use super::initial_guess::first_segment;
-use super::one_flight::fit_initial_state;
+use super::one_flight::FixedGlobal;
 use super::state::State;
 use crate::error::FlightError;
 use crate::initial_state::{self, InitialGuess};
 use crate::marker_observers::MarkerConditions;
 use crate::observations::Observations;
-use crate::options::FitOptions;
 use crate::predict::states;
 use crate::problem::FitProblem;
 
@@ -24,18 +23,17 @@ const PASSES: usize = 4;
 /// recording, in units of the initial noise estimate `sigma0`.
 const NEGLIGIBLE: f64 = 3.0;
 
-/// Returns the initial guesses from the measured samples. If the parameters `global` predict that the measurement
+/// Returns the initial guesses from the measured samples. If the global parameters of `at` predict that the measurement
 /// distorts the samples noticeably, for example by late recording, a guess from corrected samples follows.
 ///
 /// # Errors
 /// The errors of [`initial_state::initial_guesses`].
 pub fn initial_guesses(
-    problem: &FitProblem,
+    at: FixedGlobal<'_>,
     observations: &Observations,
-    global: &DVector<f64>,
 ) -> Result<Vec<InitialGuess>, FlightError> {
-    let mut guesses = initial_state::initial_guesses(problem, observations)?;
-    let found = undistorted_guess(problem, observations, global, &guesses[0].state);
+    let mut guesses = initial_state::initial_guesses(at.problem, observations)?;
+    let found = undistorted_guess(at.problem, observations, at.global, &guesses[0].state);
     guesses.extend(found.map(|state| InitialGuess { state, turns: 0 }));
     Ok(guesses)
 }
@@ -66,9 +64,9 @@ fn undistorted_guess(
 /// Initial values of all unknowns for another fit. Parameters by which the measurement distorts the samples, such as a
 /// recording delay, have their present values; other parameters have the model's values; initial states are estimated
 /// from samples corrected for the distortion. `None` if no parameter distorts the samples noticeably.
-pub fn start(problem: &FitProblem, state: &State, options: &FitOptions<'_>) -> Option<State> {
-    let values = problem.globals.iter().map(|global| global.model_value);
-    let mut global = DVector::from_iterator(problem.globals.len(), values);
+pub fn start<'a>(state: &State<'a>) -> Option<State<'a>> {
+    let problem = state.problem;
+    let mut global = problem.model_values();
     let (observations, local) = (state.flights.first()?, state.local.first()?);
     let first = observations.first_samples(first_segment(observations));
     let of_measurement = (0..global.len()).filter(|&index| {
@@ -83,14 +81,17 @@ pub fn start(problem: &FitProblem, state: &State, options: &FitOptions<'_>) -> O
     for index in of_measurement {
         global[index] = state.global[index];
     }
-    let found = batch::each_on(options.threads(), state.flights.len(), |flight| {
+    let at = FixedGlobal {
+        global: &global,
+        ..state.fixed_global()
+    };
+    let found = batch::each_on(state.options.threads(), state.flights.len(), |flight| {
         let observations = &state.flights[flight];
         let guesses = initial_state::initial_guesses(problem, observations).ok()?;
         let as_seen = guesses.into_iter().next()?.state;
         let guess = undistorted_guess(problem, observations, &global, &as_seen)?;
         let first = first_segment(observations);
-        let fitted = fit_initial_state(problem, observations, first, &global, guess, options);
-        Some(fitted.ok()?.1)
+        Some(at.fit_initial_state(observations, first, guess).ok()?.1)
     });
     let mut started = state.clone();
     started.global = global;
@@ -117,9 +118,7 @@ fn without_distortion(
     }
     let samples = observations.times.len();
     let trajectory = states(problem, observations, (global, local), samples).ok()?;
-    let start = problem.globals.iter().map(|global| global.model_value);
-    let start = DVector::from_iterator(problem.globals.len(), start);
-    let bound = [global, &start].map(|global| {
+    let bound = [global, &problem.model_values()].map(|global| {
         let parameters = observations.parameters(problem, global);
         MarkerConditions::new(&problem.body, &parameters, observations.markers)
     });

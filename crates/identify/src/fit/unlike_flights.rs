@@ -5,14 +5,12 @@ use nalgebra::DVector;
 use super::FitError;
 use super::exclusion::exclude_failed;
 use super::horizon_continuation::anneal_scale;
-use super::one_flight::fit_initial_state;
-use super::residual_cache::{ResidualCache, residual_scale};
+use super::one_flight::FixedGlobal;
+use super::residual_cache::ResidualCache;
 use super::state::State;
 use crate::error::{ExcludedFlight, FlightError};
 use crate::least_squares::FailedFlight;
 use crate::observations::Observations;
-use crate::options::FitOptions;
-use crate::problem::FitProblem;
 
 /// A flight is a suspect if its residual scale (robust standard deviation of its residuals) exceeds this multiple of
 /// the median over all flights, or of the initial noise estimate `sigma0` if that is greater. The other flights are
@@ -33,20 +31,22 @@ const MAX_PASSES: usize = 4;
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
 pub fn exclude_unlike_flights(
-    problem: &FitProblem,
-    state: &mut State,
+    state: &mut State<'_>,
     cache: ResidualCache,
-    options: &FitOptions<'_>,
 ) -> Result<ResidualCache, FitError> {
-    let mut cache = exclude_failed(state, cache, options)?;
+    let options = state.options;
+    let mut cache = exclude_failed(state, cache)?;
     for _ in 0..MAX_PASSES {
-        let suspects = suspects(problem, &cache);
+        let limit = SUSPECT_RATIO * cache.median_scale().max(state.problem.sigma0);
+        let scales = cache.scales().into_iter().enumerate();
+        let above = scales.filter(|(_, scale)| scale.is_some_and(|scale| scale > limit));
+        let suspects: Vec<usize> = above.map(|(flight, _)| flight).collect();
         let is_minority = 2 * suspects.len() < state.flights.len();
         if suspects.is_empty() || !is_minority || options.is_past_deadline() {
             break;
         }
         options.stage_started("without the flights that stand out", state.flights.len());
-        match fit_without(problem, state, &suspects, options)? {
+        match fit_without(state, &suspects)? {
             Some((without, residuals)) => (*state, cache) = (without, residuals),
             None => break,
         }
@@ -54,24 +54,13 @@ pub fn exclude_unlike_flights(
     Ok(cache)
 }
 
-/// Indices of the flights whose residual scale (robust standard deviation of the residuals) is far above the median
-/// over all flights.
-fn suspects(problem: &FitProblem, cache: &ResidualCache) -> Vec<usize> {
-    let limit = SUSPECT_RATIO * cache.median_scale().max(problem.sigma0);
-    let scales = cache.scales().into_iter().enumerate();
-    let above = scales.filter(|(_, scale)| scale.is_some_and(|scale| scale > limit));
-    above.map(|(flight, _)| flight).collect()
-}
-
 /// Fits the flights that are not in `suspects`, and then the initial state of each suspect with the resulting global
 /// parameters. Suspects with far larger residuals than the other flights are excluded, and the remaining suspects are
 /// included again. `None` if no suspect is excluded.
-fn fit_without(
-    problem: &FitProblem,
-    state: &State,
+fn fit_without<'a>(
+    state: &State<'a>,
     suspects: &[usize],
-    options: &FitOptions<'_>,
-) -> Result<Option<(State, ResidualCache)>, FitError> {
+) -> Result<Option<(State<'a>, ResidualCache)>, FitError> {
     let removed: Vec<FailedFlight> = suspects
         .iter()
         .map(|&flight| (flight, FlightError::SingularInitialState))
@@ -79,13 +68,13 @@ fn fit_without(
     let mut without = state.clone();
     without.exclude(removed)?;
     without.excluded.clone_from(&state.excluded);
-    let annealed = anneal_scale(problem, &mut without, options)?;
-    let residuals = exclude_failed(&mut without, annealed, options)?;
-    let usual = residuals.median_scale().max(problem.sigma0);
+    let annealed = anneal_scale(&mut without)?;
+    let residuals = exclude_failed(&mut without, annealed)?;
+    let usual = residuals.median_scale().max(state.problem.sigma0);
     let (mut has_excluded, mut has_returned) = (false, false);
     for &flight in suspects {
         let (observations, local) = (&state.flights[flight], &state.local[flight]);
-        let (scale, local) = refitted(problem, observations, &without.global, local, options)?;
+        let (scale, local) = refitted(without.fixed_global(), observations, local)?;
         if scale > UNLIKE_RATIO * usual {
             has_excluded = true;
             without.excluded.push(ExcludedFlight {
@@ -103,8 +92,8 @@ fn fit_without(
     }
     let residuals = match has_returned {
         true => {
-            let annealed = anneal_scale(problem, &mut without, options)?;
-            exclude_failed(&mut without, annealed, options)?
+            let annealed = anneal_scale(&mut without)?;
+            exclude_failed(&mut without, annealed)?
         }
         false => residuals,
     };
@@ -114,26 +103,16 @@ fn fit_without(
 /// Fits the initial state of a flight at fixed global parameters. Returns the residual scale (m; infinite if the flight
 /// cannot be integrated) and the initial state.
 fn refitted(
-    problem: &FitProblem,
+    at: FixedGlobal<'_>,
     observations: &Observations,
-    global: &DVector<f64>,
     start: &DVector<f64>,
-    options: &FitOptions<'_>,
 ) -> Result<(f64, DVector<f64>), FitError> {
     let samples = observations.times.len();
-    let fitted = fit_initial_state(
-        problem,
-        observations,
-        samples,
-        global,
-        start.clone(),
-        options,
-    );
-    let local = match fitted {
+    let local = match at.fit_initial_state(observations, samples, start.clone()) {
         Ok((_, local)) => local,
         Err(FlightError::Interrupted) => return Err(FitError::Interrupted),
         Err(_) => start.clone(),
     };
-    let scale = residual_scale(problem, observations, (global, &local), samples);
+    let scale = at.residual_scale(observations, &local, samples);
     Ok((scale.unwrap_or(f64::INFINITY), local))
 }

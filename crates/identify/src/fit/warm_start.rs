@@ -5,7 +5,6 @@ use nalgebra::DVector;
 
 use super::output_error::OutputError;
 use super::{Fit, FitError, solve_error};
-use crate::dataset::Role;
 use crate::least_squares::{Iterate, Solution, StoppingCriteria, solve};
 use crate::noise::NoiseModel;
 use crate::options::FitOptions;
@@ -28,9 +27,7 @@ impl Fit {
         noise: &NoiseModel,
         options: &FitOptions<'_>,
     ) -> Result<Solution, FitError> {
-        let fitted = self.flights.iter().flatten();
-        let fitted = fitted.map(|flight| &flight.observations);
-        let fitted = fitted.filter(|observations| observations.role == Role::Fit);
+        let fitted = self.fitted().map(|flight| &flight.observations);
         let objective = OutputError::of_all(&self.problem, fitted, Loss::Whitened(noise), options);
         let flights = objective.flights.iter();
         let states: Vec<usize> = flights.map(|flight| flight.manifold.states()).collect();

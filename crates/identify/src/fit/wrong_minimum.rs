@@ -5,8 +5,6 @@ use super::horizon_continuation::continue_horizon;
 use super::residual_cache::ResidualCache;
 use super::state::State;
 use super::undistorted;
-use crate::options::FitOptions;
-use crate::problem::FitProblem;
 
 /// Maximum ratio of the residual scale of a new fit (root mean square over the flights) to that of the present fit, for
 /// the new fit to be accepted. The residual scale of a flight is the robust standard deviation of its residuals.
@@ -23,20 +21,20 @@ const MAX_STARTS: usize = 3;
 /// # Errors
 /// The errors of [`continue_horizon`].
 pub fn start_undistorted(
-    problem: &FitProblem,
-    state: &mut State,
+    state: &mut State<'_>,
     mut cache: ResidualCache,
-    options: &FitOptions<'_>,
 ) -> Result<ResidualCache, FitError> {
     for _ in 0..MAX_STARTS {
-        if options.is_past_deadline() || !is_suspect(problem, state, &cache) {
+        if state.options.is_past_deadline() || !is_suspect(state, &cache) {
             break;
         }
-        let Some(mut tried) = undistorted::start(problem, state, options) else {
+        let Some(mut tried) = undistorted::start(state) else {
             break;
         };
-        options.stage_started("undistorted samples", state.flights.len());
-        let found = continue_horizon(problem, &mut tried, options)?;
+        state
+            .options
+            .stage_started("undistorted samples", state.flights.len());
+        let found = continue_horizon(&mut tried)?;
         if !is_better(&found, &cache) {
             state.steps = tried.steps;
             break;
@@ -48,7 +46,8 @@ pub fn start_undistorted(
 
 /// Whether a fit may have ended in a wrong minimum: residuals are above the noise, a flight cannot be integrated, or a
 /// parameter has reached a bound.
-pub fn is_suspect(problem: &FitProblem, state: &State, cache: &ResidualCache) -> bool {
+pub fn is_suspect(state: &State<'_>, cache: &ResidualCache) -> bool {
+    let problem = state.problem;
     let mut globals = problem.globals.iter().zip(state.global.iter());
     let is_driven_to_bound = globals.any(|(global, &value)| {
         let (low, high) = global.constraint.bounds;

@@ -8,13 +8,13 @@ use nalgebra::{SMatrix, SVector, Vector3};
 
 use super::PathPoint;
 use crate::path_noise::path_noise;
-use crate::statistics::median;
+use crate::statistics::median_of;
 
 /// Maximum number of points (measured positions) that are used on each side of an interval between two successive
 /// points that is tested for an impact.
 const SIDE: usize = 7;
 /// Minimum numbers of points (measured positions) before and after an interval that is tested for an impact.
-const LEAST_SIDES: (usize, usize) = (6, 3);
+const MIN_SIDES: (usize, usize) = (6, 3);
 /// Minimum number of points on one side of an interval, which is tested for an impact, for a parabola to be fitted to
 /// them. With fewer points after the interval, only position and velocity are fitted there, and the acceleration before
 /// the interval is used.
@@ -39,10 +39,10 @@ const MIN_VERTICAL_PART: (f64, f64) = (0.3, 0.3);
 /// (motion before and after an impact).
 const MIN_SQUARES_RATIO: f64 = 1.5;
 /// Maximum number of points (measured positions) around an interval tested for an impact that are excluded as outliers.
-const MOST_OUTLIERS: usize = 2;
+const MAX_OUTLIERS: usize = 2;
 /// Maximum number of intervals, distributed over the flight, at which velocity jumps are fitted; the jump of an impact
 /// is compared with their median (see `MIN_RATIO`).
-const USUAL: usize = 24;
+const REFERENCE_INTERVALS: usize = 24;
 
 /// An impact on a path: a velocity jump between two of its points.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,11 +55,11 @@ pub struct Impact {
 
 /// Finds the first impact on a path; `None` if there is none or the path is too short.
 pub fn impact(path: &[PathPoint]) -> Option<Impact> {
-    if path.len() < LEAST_SIDES.0 + LEAST_SIDES.1 {
+    if path.len() < MIN_SIDES.0 + MIN_SIDES.1 {
         return None;
     }
-    let noise = path_noise(path.iter().map(|&(_, time, at)| (time, at))).max(1e-9);
-    let candidates = LEAST_SIDES.0..=path.len() - LEAST_SIDES.1;
+    let noise = path_noise(path.iter().map(|point| (point.time, point.position))).max(1e-9);
+    let candidates = MIN_SIDES.0..=path.len() - MIN_SIDES.1;
     let mut usual = None;
     let mut found: Option<(usize, Kink)> = None;
     for index in candidates.clone() {
@@ -92,19 +92,19 @@ pub fn impact(path: &[PathPoint]) -> Option<Impact> {
 /// intervals contain no impact. The intervals precede evenly spaced points with indices in `candidates`. `noise` is the
 /// standard deviation of one coordinate, m.
 fn usual_jump(path: &[PathPoint], candidates: std::ops::RangeInclusive<usize>, noise: f64) -> f64 {
-    let step = candidates.clone().count().div_ceil(USUAL);
+    let step = candidates.clone().count().div_ceil(REFERENCE_INTERVALS);
     let kinks = candidates
         .step_by(step)
         .filter_map(|index| kink(path, index, noise));
-    let mut jumps: Vec<f64> = kinks.map(|kink| kink.jump.norm()).collect();
-    median(&mut jumps)
+    median_of(kinks.map(|kink| kink.jump.norm())).unwrap_or(0.0)
 }
 
 /// Whether an impact before point `index` is possible, judged at low cost from velocities over a few points on each
 /// side.
 fn may_be_impact(path: &[PathPoint], index: usize) -> bool {
-    let velocity =
-        |from: usize, to: usize| (path[to].2 - path[from].2) / (path[to].1 - path[from].1);
+    let velocity = |from: usize, to: usize| {
+        (path[to].position - path[from].position) / (path[to].time - path[from].time)
+    };
     let (before, after) = (velocity(index - 4, index - 1), velocity(index, index + 2));
     before.z < 0.0 && after.z - before.z > 0.5 * MIN_JUMP
 }
@@ -148,17 +148,17 @@ impl Kink {
 /// of both parabolas. `noise` is the standard deviation of one coordinate, m. `None` if there are too few points.
 fn kink(path: &[PathPoint], index: usize, noise: f64) -> Option<Kink> {
     let (from, to) = (index.saturating_sub(SIDE), (index + SIDE).min(path.len()));
-    let time = 0.5 * (path[index - 1].1 + path[index].1);
-    let half = 0.5 * (path[to - 1].1 - path[from].1);
-    let origin = path[index].2;
+    let time = 0.5 * (path[index - 1].time + path[index].time);
+    let half = 0.5 * (path[to - 1].time - path[from].time);
+    let origin = path[index].position;
     let mut sides = [Vec::new(), Vec::new()];
-    for (offset, (_, at, position)) in path[from..to].iter().enumerate() {
+    for (offset, point) in path[from..to].iter().enumerate() {
         let side = usize::from(from + offset >= index);
-        sides[side].push(((at - time) / half, position - origin));
+        sides[side].push(((point.time - time) / half, point.position - origin));
     }
     leave_out_outliers(&mut sides, noise);
     let [before, after] = &sides;
-    if before.len() < PARABOLA || after.len() < LEAST_SIDES.1 {
+    if before.len() < PARABOLA || after.len() < MIN_SIDES.1 {
         return None;
     }
     let all: Vec<_> = before.iter().chain(after).copied().collect();
@@ -185,18 +185,18 @@ fn kink(path: &[PathPoint], index: usize, noise: f64) -> Option<Kink> {
         jump: velocity(&second) - velocity(&first),
         error: deviation * variance.sqrt() / half,
         impulse: acceleration(&first).max(acceleration(&second))
-            * (path[index].1 - path[index - 1].1),
+            * (path[index].time - path[index - 1].time),
         squares: squares.max(noise * noise),
         smooth: smooth.squares / freedom(all.len(), SMOOTH),
     })
 }
 
-/// Removes up to `MOST_OUTLIERS` outliers from the points on the two sides of an interval that is tested for an impact.
+/// Removes up to `MAX_OUTLIERS` outliers from the points on the two sides of an interval that is tested for an impact.
 /// A point is an outlier if a single polynomial fits the points of both sides far better without it. After an impact,
 /// the removal of a single point does not improve the fit in this way. `noise` is the standard deviation of one
 /// coordinate, m.
 fn leave_out_outliers(sides: &mut [Vec<(f64, Vector3<f64>)>; 2], noise: f64) {
-    for _ in 0..MOST_OUTLIERS {
+    for _ in 0..MAX_OUTLIERS {
         let all: Vec<_> = sides.iter().flatten().copied().collect();
         if all.len() <= SMOOTH + 2 {
             return;
@@ -290,7 +290,12 @@ mod tests {
         (0..90)
             .map(|i| {
                 let noise = [0, 1, 2].map(|axis| 0.002 * jitter(seed * 1000 + 3 * i + axis));
-                let now = (i, i as f64 * dt, position + Vector3::from(noise));
+                let now = PathPoint {
+                    sample: i,
+                    time: i as f64 * dt,
+                    position: position + Vector3::from(noise),
+                    attitude: None,
+                };
                 for step in 0..fine {
                     let time = (i as f64 + f64::from(step) / f64::from(fine)) * dt;
                     velocity.z += (lift * (-time / fading).exp() - 9.81) * dt / f64::from(fine);
@@ -336,8 +341,8 @@ mod tests {
             let mut path = path(6.0, (0.0, 1.0), None, seed);
             for (i, point) in path.iter_mut().enumerate() {
                 if jitter(seed * 7919 + i) > 0.97 {
-                    point.2.z += 0.1 * jitter(seed + 31 * i);
-                    point.2.x += 0.1 * jitter(seed + 37 * i);
+                    point.position.z += 0.1 * jitter(seed + 31 * i);
+                    point.position.x += 0.1 * jitter(seed + 37 * i);
                 }
             }
             assert_eq!(impact(&path), None, "seed {seed}");

@@ -15,9 +15,9 @@ mod wobble;
 use nalgebra::{UnitQuaternion, Vector3};
 
 use crate::observations::Observations;
-use crate::pose::{Pose, point_position, pose};
+use crate::pose::{Pose, point_position};
 use crate::problem::FitProblem;
-use crate::statistics::median;
+use crate::statistics::median_of;
 
 /// Ratio of the residual variance of a pose (of the marker positions about the fitted rigid body) to the median over
 /// the flight, above which the sample contains an outlier.
@@ -28,13 +28,20 @@ const MIN_OUTLIER_VARIANCE: f64 = 1e-8;
 
 /// Maximum difference, in samples, between a contact detected from the path and one detected from the attitude, for
 /// both to be the same contact.
-const SAME: usize = 4;
+const MAX_SAMPLE_DIFFERENCE: usize = 4;
 
-/// Sample index, time (s) and position (m) of the body's origin.
-pub type PathPoint = (usize, f64, Vector3<f64>);
-
-/// A point of a path, with the rotation from body components to inertial components.
-pub type Posed = (PathPoint, UnitQuaternion<f64>);
+/// Measured pose or position of the body's origin in one sample.
+#[derive(Clone, Copy, Debug)]
+pub struct PathPoint {
+    /// Index of the sample in the flight's table.
+    pub sample: usize,
+    /// Time of the sample, s.
+    pub time: f64,
+    /// Position of the body's origin, m, inertial frame.
+    pub position: Vector3<f64>,
+    /// Rotation from body to inertial components; `None` for a point mass, or if the pose contains an outlier.
+    pub attitude: Option<UnitQuaternion<f64>>,
+}
 
 /// The first contact of a flight.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,15 +86,12 @@ pub fn truncate_at_contact(
     observations: &mut Observations,
     search: Option<ContactSearch>,
 ) -> Vec<Option<Pose>> {
-    let samples = 0..observations.times.len();
     let (sought, known) = match search {
         Some(ContactSearch { contact, poses }) => (Some(contact), poses),
         None => (None, Vec::new()),
     };
-    let mut poses: Vec<Option<Pose>> = match problem.has_attitude && known.is_empty() {
-        true => samples
-            .map(|sample| pose(&problem.markers, observations.points(sample)))
-            .collect(),
+    let mut poses = match known.is_empty() {
+        true => observations.poses(problem),
         false => known,
     };
     let found = sought.unwrap_or_else(|| contact_of(problem, observations, &poses));
@@ -108,39 +112,53 @@ fn contact_of(
     observations: &Observations,
     poses: &[Option<Pose>],
 ) -> Option<Contact> {
-    let samples = 0..observations.times.len();
-    let position = |sample: usize| match problem.has_attitude {
-        true => poses[sample].map(|pose| pose.position),
-        false => point_position(&problem.markers, observations.points(sample)),
-    };
-    let point = |sample: usize| Some((sample, observations.times[sample], position(sample)?));
-    let path: Vec<PathPoint> = samples.clone().filter_map(point).collect();
+    let points = |sample: usize| observations.points(sample);
+    let of_point_mass = (!problem.has_attitude).then_some(&problem.markers[..]);
+    contact(&path(&observations.times, poses, of_point_mass, &points))
+}
+
+/// Path of the body's origin: from the pose in each sample, or, if `of_point_mass` gives the markers of a point mass, from
+/// the measured positions of these markers, which `points` returns for each sample.
+pub fn path<'p>(
+    times: &[f64],
+    poses: &[Option<Pose>],
+    of_point_mass: Option<&[[f64; 3]]>,
+    points: &dyn Fn(usize) -> &'p [Option<[f64; 3]>],
+) -> Vec<PathPoint> {
     let limit = variance_limit(poses.iter().flatten().map(Pose::variance));
-    let posed = samples.filter_map(|sample| {
-        let pose = (*poses.get(sample)?).filter(|pose| pose.variance() <= limit)?;
-        Some((point(sample)?, pose.attitude))
+    let each = times.iter().enumerate().filter_map(|(sample, &time)| {
+        let pose = poses.get(sample).copied().flatten();
+        let rigid = pose.filter(|pose| pose.variance() <= limit);
+        Some(PathPoint {
+            sample,
+            time,
+            position: match of_point_mass {
+                Some(markers) => point_position(markers, points(sample))?,
+                None => pose?.position,
+            },
+            attitude: rigid.map(|pose| pose.attitude),
+        })
     });
-    contact(&path, &posed.collect::<Vec<Posed>>())
+    each.collect()
 }
 
 /// Threshold of the residual variance of a pose, m², above which the sample of the pose is considered to contain an
 /// outlier. `variances` are the residual variances of all poses of the flight, m².
-pub fn variance_limit(variances: impl Iterator<Item = f64>) -> f64 {
-    let limit = MAX_VARIANCE_RATIO * median(&mut variances.collect::<Vec<f64>>());
-    limit.max(MIN_OUTLIER_VARIANCE)
+fn variance_limit(variances: impl Iterator<Item = f64>) -> f64 {
+    let usual = median_of(variances).unwrap_or(0.0);
+    (MAX_VARIANCE_RATIO * usual).max(MIN_OUTLIER_VARIANCE)
 }
 
 /// Finds the first contact of a body from the path of its origin and from its attitude; `None` if there is none.
-/// `posed` contains the points of the path that have an attitude; it is empty for a point mass.
-pub fn contact(path: &[PathPoint], posed: &[Posed]) -> Option<Contact> {
+pub fn contact(path: &[PathPoint]) -> Option<Contact> {
     let of_path = impact_detection::impact(path).map(|impact| Contact {
-        sample: path[impact.index].0,
+        sample: path[impact.index].sample,
         why: format!(
             "the velocity jumps by ({:.1}, {:.1}, {:.1}) m/s",
             impact.jump.x, impact.jump.y, impact.jump.z
         ),
     });
-    let of_attitude = touch::touch(posed).map(|touch| Contact {
+    let of_attitude = touch::touch(path).map(|touch| Contact {
         sample: touch.sample,
         why: format!(
             "the body is turned aside and its velocity jumps up by {:.1} m/s",
@@ -151,7 +169,7 @@ pub fn contact(path: &[PathPoint], posed: &[Posed]) -> Option<Contact> {
         // For a hard impact, the detection on the path is late, because the rest of the rim hits later, and that by the
         // attitude is early.
         (Some(path), Some(touch))
-            if (touch.sample..=touch.sample + SAME).contains(&path.sample) =>
+            if (touch.sample..=touch.sample + MAX_SAMPLE_DIFFERENCE).contains(&path.sample) =>
         {
             Some(Contact {
                 sample: touch.sample.midpoint(path.sample),

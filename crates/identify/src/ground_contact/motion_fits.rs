@@ -15,10 +15,10 @@ pub const SIDES: (usize, usize) = (20, 8);
 /// contact may span.
 const SPANS: (usize, usize) = (26, 16);
 /// Minimum numbers of points (samples with a pose) that are required before and after an interval tested for a contact.
-const LEAST_SIDES: (usize, usize) = (8, 4);
+const MIN_SIDES: (usize, usize) = (8, 4);
 /// Maximum number of points (samples with a pose) around an interval tested for a contact that are excluded as
 /// outliers.
-const MOST_OUTLIERS: usize = 2;
+const MAX_OUTLIERS: usize = 2;
 /// Sum of the squared residuals of a point's position and axis, each divided by its noise variance, above which the
 /// point is an outlier.
 const OUTLIER: f64 = 40.0;
@@ -125,7 +125,7 @@ impl MotionFits {
         ))
     }
 
-    /// Removes up to `MOST_OUTLIERS` points without which free motion fits far better. An outlier is such a point; a
+    /// Removes up to `MAX_OUTLIERS` points without which free motion fits far better. An outlier is such a point; a
     /// contact affects all later points, so that the removal of one point does not help. Returns the remaining points
     /// and the free motion through them; `None` if the points do not determine free motion.
     fn robust<'p>(
@@ -136,12 +136,12 @@ impl MotionFits {
     ) -> Option<(Vec<&'p Point>, FreeMotion)> {
         let mut kept: Vec<&Point> = points.get(range)?.iter().collect();
         let mut free = self.free(&kept, about)?;
-        for _ in 0..MOST_OUTLIERS {
+        for _ in 0..MAX_OUTLIERS {
             let noise = self.character.noise.map(|noise| noise * noise);
             let [position, axis] = &free.removals;
             let of = |index: usize| position[index] / noise[0] + axis[index] / noise[1];
             let worst = (0..kept.len()).max_by(|&a, &b| of(a).total_cmp(&of(b)))?;
-            if of(worst) <= OUTLIER || kept.len() <= LEAST_SIDES.0 {
+            if of(worst) <= OUTLIER || kept.len() <= MIN_SIDES.0 {
                 break;
             }
             kept.remove(worst);
@@ -179,7 +179,7 @@ impl MotionFits {
             .iter()
             .filter(|point| point.sample < first.sample)
             .count();
-        if before < LEAST_SIDES.0 || kept.len() - before < LEAST_SIDES.1 {
+        if before < MIN_SIDES.0 || kept.len() - before < MIN_SIDES.1 {
             return None;
         }
         let (position, axis) = self.disturbed(&kept, &free, about)?;

@@ -9,7 +9,7 @@ use super::motion_fits::{MotionFits, SIDES, range_before};
 const SOUGHT: (usize, usize) = (7, SIDES.1 + 2);
 /// Minimum number of points that precede the points searched for the first one after a contact (see `SOUGHT`); free
 /// motion is fitted to them.
-const LEAST_BEFORE: usize = 8;
+const MIN_BEFORE: usize = 8;
 /// Neutral squared innovation: three times the expected squared innovation in free motion. A point with a greater
 /// squared innovation is evidence of a contact; one with a smaller value is evidence of free motion. The squared
 /// innovations of position and axis are each divided by their noise variance and added.
@@ -20,7 +20,7 @@ const NEUTRAL: f64 = 18.0;
 const NEUTRAL_PART: f64 = 0.02;
 /// Maximum squared innovation that is counted for a sample, in units of the neutral squared innovation (see `NEUTRAL`),
 /// so that a single outlier is not mistaken for a contact.
-const MOST: f64 = 2.4;
+const MAX_RELATIVE_INNOVATION: f64 = 2.4;
 
 /// Index of the first sample after the contact that was detected by `comparison`; `None` if the points do not determine
 /// this sample.
@@ -40,7 +40,7 @@ pub fn onset(points: &[Point], comparison: &Comparison, fits: &mut MotionFits) -
 /// fitted to the preceding points, does not predict. `None` if the points do not determine the free motion.
 fn first_point(points: &[Point], found: &Comparison, fits: &mut MotionFits) -> Option<usize> {
     let character = fits.character;
-    let base = found.index.saturating_sub(SOUGHT.0).max(LEAST_BEFORE);
+    let base = found.index.saturating_sub(SOUGHT.0).max(MIN_BEFORE);
     let base = base.min(found.index);
     let about = points.get(base)?.time;
     let mut kept = fits.without_outliers(points, range_before(points, base), about)?;
@@ -55,7 +55,7 @@ fn first_point(points: &[Point], found: &Comparison, fits: &mut MotionFits) -> O
         let [of_position, of_axis] = character.noise.map(|noise| noise * noise);
         let innovation = free.position.innovation(&from, &to) / of_position
             + free.axis.innovation(&axis_from, &axis_to) / of_axis;
-        let most = MOST * neutral;
+        let most = MAX_RELATIVE_INNOVATION * neutral;
         if innovation < most {
             kept.push(point);
         }

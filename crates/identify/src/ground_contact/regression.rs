@@ -65,7 +65,7 @@ pub struct Regression<const N: usize> {
 }
 
 /// Minimum of 1 − leverage as a divisor: smaller values, which are rounding errors, are replaced by this one.
-const LEAST_PART: f64 = 0.05;
+const MIN_PART: f64 = 0.05;
 
 impl<const N: usize> Regression<N> {
     /// Squared innovation of the measured vector of `row`, to which the regression was not fitted. The innovation is
@@ -189,7 +189,7 @@ impl<const N: usize> Design<N> {
     /// Decrease of the sum of squares if a row is removed, for each row: the squared residual divided by 1 − leverage.
     pub fn removals(&self, residuals: &Residuals) -> impl Iterator<Item = f64> {
         let rows = residuals.0.iter().zip(&self.free_parts);
-        rows.map(|(residual, free_part)| square(residual) / free_part.max(LEAST_PART))
+        rows.map(|(residual, free_part)| square(residual) / free_part.max(MIN_PART))
     }
 
     /// Extends the design by functions without priors, given by their values for each row; `None` if the rows do not

@@ -2,7 +2,7 @@
 
 use nalgebra::{UnitQuaternion, Vector3};
 
-use super::{Posed, contact};
+use super::{PathPoint, contact};
 
 /// Interval between samples, s.
 const INTERVAL: f64 = 1.0 / 120.0;
@@ -18,7 +18,7 @@ pub fn jitter(seed: usize) -> f64 {
 
 /// Simulated flight of a spinning disc that wobbles. At the time `touch`, s, and again two samples later, the velocity
 /// jumps upward by `jump`, m/s, and the wobble grows by 0.06 rad per m/s.
-fn flight(touch: Option<f64>, jump: f64, seed: usize) -> Vec<Posed> {
+fn flight(touch: Option<f64>, jump: f64, seed: usize) -> Vec<PathPoint> {
     let each = (0..100).map(|i| {
         let noise = |k: usize, size: f64| size * jitter(seed * 10_007 + 6 * i + k);
         let time = i as f64 * INTERVAL;
@@ -41,14 +41,18 @@ fn flight(touch: Option<f64>, jump: f64, seed: usize) -> Vec<Posed> {
             0.0,
         );
         let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), spin * time);
-        ((i, time, position), UnitQuaternion::new(tilt) * turn)
+        PathPoint {
+            sample: i,
+            time,
+            position,
+            attitude: Some(UnitQuaternion::new(tilt) * turn),
+        }
     });
     each.collect()
 }
 
-fn found(posed: &[Posed]) -> Option<usize> {
-    let path: Vec<_> = posed.iter().map(|(point, _)| *point).collect();
-    contact(&path, posed).map(|contact| contact.sample)
+fn found(path: &[PathPoint]) -> Option<usize> {
+    contact(path).map(|contact| contact.sample)
 }
 
 #[test]
@@ -68,7 +72,7 @@ fn a_touch_where_markers_are_hidden_is_found_within_two_samples() {
         let (sample, jump) = (40 + seed, 1.0 + 0.02 * seed as f64);
         let touch = (sample as f64 - 0.5) * INTERVAL;
         let mut posed = flight(Some(touch), jump, seed);
-        posed.retain(|((i, ..), _)| !(sample - 1..sample + 6).contains(i));
+        posed.retain(|point| !(sample - 1..sample + 6).contains(&point.sample));
         let found = found(&posed).unwrap_or_else(|| panic!("touch {seed} is missed"));
         assert!(found.abs_diff(sample) <= 2, "{found} for {sample}");
     }
@@ -78,11 +82,11 @@ fn a_touch_where_markers_are_hidden_is_found_within_two_samples() {
 fn a_disc_that_wobbles_touches_nothing() {
     for seed in 0..100 {
         let mut posed = flight(None, 0.0, seed);
-        for (i, (point, attitude)) in posed.iter_mut().enumerate() {
+        for (i, point) in posed.iter_mut().enumerate() {
             if jitter(seed * 7919 + i) > 0.98 {
-                point.2.z += 0.05 * jitter(seed + 31 * i);
-                *attitude =
-                    UnitQuaternion::new(Vector3::x() * 0.4 * jitter(seed + 37 * i)) * *attitude;
+                point.position.z += 0.05 * jitter(seed + 31 * i);
+                let turn = UnitQuaternion::new(Vector3::x() * 0.4 * jitter(seed + 37 * i));
+                point.attitude = point.attitude.map(|attitude| turn * attitude);
             }
         }
         assert_eq!(found(&posed), None, "seed {seed}");
@@ -91,10 +95,13 @@ fn a_disc_that_wobbles_touches_nothing() {
 
 #[test]
 fn a_body_that_is_held_still_touches_nothing() {
-    let still = UnitQuaternion::identity();
-    let posed: Vec<Posed> = (0..60)
-        .map(|i| ((i, i as f64 * INTERVAL, Vector3::zeros()), still))
-        .collect();
+    let still = |i: usize| PathPoint {
+        sample: i,
+        time: i as f64 * INTERVAL,
+        position: Vector3::zeros(),
+        attitude: Some(UnitQuaternion::identity()),
+    };
+    let posed: Vec<PathPoint> = (0..60).map(still).collect();
     assert_eq!(found(&posed), None);
     assert_eq!(found(&posed[..3]), None);
     assert_eq!(found(&[]), None);

@@ -4,29 +4,29 @@
 //! The rim of a disc touches first. This changes the velocity only a little, but the disc starts to wobble until
 //! another part of the rim hits the ground a few samples later. The axis shows the contact at once.
 
-use super::Posed;
+use super::PathPoint;
 use super::halt::is_stopped;
 use super::motion::{Character, Comparison};
 use super::motion_fits::{MotionFits, SIDES};
 use super::onset::onset;
-use super::wobble::{noise_correlation, points_with_axis, wobble_rate};
+use super::wobble::{Posed, noise_correlation, points_with_axis, wobble_rate};
 use crate::path_noise::path_noise;
-use crate::statistics::median;
+use crate::statistics::{median, median_of};
 
 /// Minimum number of points (samples with a pose) before an interval that is tested for a contact. With fewer points,
 /// the model of free motion could follow any curve.
-const LEAST_BEFORE: usize = 32;
+const MIN_BEFORE: usize = 32;
 /// Minimum number of points (samples with a pose) after an interval that is tested for a contact; the motion after a
 /// contact is fitted to them. Intervals nearer to the end of the flight are not tested.
-const LEAST_AFTER: usize = 4;
+const MIN_AFTER: usize = 4;
 /// Lower limits to which smaller usual gains of position and axis are raised. A gain is the decrease of the sum of
 /// squared residuals if a contact is assumed in an interval; the usual gain is typical of intervals of the flight
 /// without a contact. The limits differ because a contact adds different numbers of coefficients to position and axis.
-const LEAST_USUAL: [f64; 2] = [8.0, 12.0];
-/// Minimum number of earlier intervals for the usual gain (see `LEAST_USUAL`) to be the median of the gains of these
+const MIN_USUAL: [f64; 2] = [8.0, 12.0];
+/// Minimum number of earlier intervals for the usual gain (see `MIN_USUAL`) to be the median of the gains of these
 /// intervals. With fewer, the usual gain is the lower quartile over the whole flight.
 const EARLIER: usize = 8;
-/// Minimum gains of a contact, in units of the usual gain (see `LEAST_USUAL`): the first value applies to the gain of
+/// Minimum gains of a contact, in units of the usual gain (see `MIN_USUAL`): the first value applies to the gain of
 /// the position and to that of the axis, the second value to the geometric mean of the two.
 const MIN_GAINS: (f64, f64) = (3.5, 5.5);
 /// Minimum upward velocity jump, m/s, of a contact detected because the position and the most steady body axis
@@ -36,7 +36,7 @@ const MIN_JUMP: f64 = 0.15;
 /// horizontal component.
 const MIN_UPWARD_PART: f64 = 0.3;
 /// Thresholds for a contact that is evident from the position alone: minimum gain of the position, in units of the
-/// usual gain (see `LEAST_USUAL`); minimum upward velocity jump, m/s; and minimum ratio of this jump to the descent
+/// usual gain (see `MIN_USUAL`); minimum upward velocity jump, m/s; and minimum ratio of this jump to the descent
 /// speed before it.
 const MIN_OF_PATH: (f64, f64, f64) = (7.0, 0.8, 0.3);
 
@@ -59,13 +59,17 @@ pub struct Touch {
 
 /// Finds the first contact with the ground; `None` if the body flies freely, is caught by a hand, has no steady axis
 /// (it tumbles), or has too few samples.
-pub fn touch(posed: &[Posed]) -> Option<Touch> {
-    if posed.len() < LEAST_BEFORE + LEAST_AFTER {
+pub fn touch(path: &[PathPoint]) -> Option<Touch> {
+    let posed = path
+        .iter()
+        .filter_map(|point| Some((point, point.attitude?)));
+    let posed: Vec<Posed<'_>> = posed.collect();
+    if posed.len() < MIN_BEFORE + MIN_AFTER {
         return None;
     }
-    let points = points_with_axis(posed)?;
-    let mut intervals: Vec<f64> = points.windows(2).map(|w| w[1].time - w[0].time).collect();
-    let rate = wobble_rate(&points, median(&mut intervals));
+    let points = points_with_axis(&posed)?;
+    let interval = median_of(points.windows(2).map(|w| w[1].time - w[0].time))?;
+    let rate = wobble_rate(&points, interval);
     let mut character = Character {
         rate,
         correlation: noise_correlation(&points),
@@ -74,7 +78,7 @@ pub fn touch(posed: &[Posed]) -> Option<Touch> {
             path_noise(points.iter().map(|point| (point.time, point.axis))).max(1e-9),
         ],
     };
-    let indices = LEAST_BEFORE..=points.len() - LEAST_AFTER;
+    let indices = MIN_BEFORE..=points.len() - MIN_AFTER;
     let compare = |fits: &mut MotionFits, step: usize| -> Vec<Comparison> {
         let each = indices.clone().step_by(step);
         each.filter_map(|index| fits.compare(&points, index, None))
@@ -101,7 +105,7 @@ pub fn touch(posed: &[Posed]) -> Option<Touch> {
                 true => quartiles[part],
                 false => median(&mut earlier),
             };
-            usual.max(LEAST_USUAL[part])
+            usual.max(MIN_USUAL[part])
         });
         is_touch(comparison, usual) && !is_stopped(&points, comparison.index, &comparison.velocity)
     });
@@ -115,7 +119,7 @@ pub fn touch(posed: &[Posed]) -> Option<Touch> {
 /// Whether `comparison`, a test in the first, cheap pass, exceeds the lower thresholds (see `ROUGH`), so that the
 /// flight may have a contact. `gains` are the gains of `comparison`, converted to a better noise estimate.
 fn may_be_touch(comparison: &Comparison, gains: [f64; 2]) -> bool {
-    let [position, axis] = [0, 1].map(|part| gains[part] / LEAST_USUAL[part]);
+    let [position, axis] = [0, 1].map(|part| gains[part] / MIN_USUAL[part]);
     let jump = comparison.jump.z;
     let of_both = position.min(axis) > ROUGH * MIN_GAINS.0 && jump > ROUGH * MIN_JUMP;
     let of_path = position > ROUGH * MIN_OF_PATH.0 && jump > ROUGH * MIN_OF_PATH.1;

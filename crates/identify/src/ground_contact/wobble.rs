@@ -2,17 +2,17 @@
 
 use nalgebra::{Matrix3, SVector, UnitQuaternion, Vector3};
 
+use super::PathPoint;
 use super::designs::Designs;
 use super::motion::Point;
 use super::regression::{Design, Row, Whitened};
-use super::{PathPoint, Posed};
 use crate::statistics::median;
 
 /// Maximum root mean square rotation of the axis between successive samples, rad; a tumbling body has no steady axis.
-const MOST_TURN: f64 = 0.3;
+const MAX_TURN: f64 = 0.3;
 /// Minimum spin, rad/s. The axis of a slower body drifts as fast as it wobbles, so that a contact is indistinguishable
 /// from free motion.
-const LEAST_SPIN: f64 = 24.0;
+const MIN_SPIN: f64 = 24.0;
 /// Reciprocal of the fraction of a flight, counted from its start, from which the spin is computed, because ground
 /// friction slows the spin later.
 const SPIN_PART: usize = 3;
@@ -28,41 +28,41 @@ const CHUNK: usize = 12;
 const SCALE: f64 = 0.05;
 /// Lower limit of the sum of squared residuals of the axis in a segment, because its logarithm is used; smaller values
 /// are rounding errors.
-const LEAST_SQUARE: f64 = 1e-12;
+const MIN_SQUARE: f64 = 1e-12;
 /// Spacing and number of the trial values of the noise correlation between successive samples; the first one is 0.
 const CORRELATIONS: (f64, i32) = (0.05, 18);
 /// Minimum number of third differences of the positions from which the noise correlation is estimated.
 const DIFFERENCES: usize = 30;
 
+/// A point of a path, with the rotation from body components to inertial components.
+pub type Posed<'p> = (&'p PathPoint, UnitQuaternion<f64>);
+
 /// Position of the body and direction of its most steady axis (the body axis whose direction changes least) in each
 /// sample; `None` if the body has no such axis or spins slowly.
-pub fn points_with_axis(posed: &[Posed]) -> Option<Vec<Point>> {
+pub fn points_with_axis(posed: &[Posed<'_>]) -> Option<Vec<Point>> {
     let pairs = posed.windows(2);
     let mut spins: Vec<f64> = pairs
-        .map(|pair| pair[0].1.angle_to(&pair[1].1) / (pair[1].0.1 - pair[0].0.1))
+        .map(|pair| pair[0].1.angle_to(&pair[1].1) / (pair[1].0.time - pair[0].0.time))
         .collect();
     let part = spins.len().div_ceil(SPIN_PART);
-    if median(spins.get_mut(..part)?) < LEAST_SPIN {
+    if median(spins.get_mut(..part)?) < MIN_SPIN {
         return None;
     }
     let axis = steadiest_axis(posed)?;
-    let each = posed.iter().map(|(point, attitude)| {
-        let &(sample, time, position) = point;
-        Point {
-            sample,
-            time,
-            position,
-            axis: attitude * axis,
-        }
+    let each = posed.iter().map(|(point, attitude)| Point {
+        sample: point.sample,
+        time: point.time,
+        position: point.position,
+        axis: attitude * axis,
     });
     Some(each.collect())
 }
 
 /// Body axis whose direction in space changes least between successive samples; `None` if the body tumbles.
-fn steadiest_axis(posed: &[(PathPoint, UnitQuaternion<f64>)]) -> Option<Vector3<f64>> {
+fn steadiest_axis(posed: &[Posed<'_>]) -> Option<Vector3<f64>> {
     let neighbours = posed
         .windows(2)
-        .filter(|pair| pair[1].0.0 == pair[0].0.0 + 1);
+        .filter(|pair| pair[1].0.sample == pair[0].0.sample + 1);
     let (mut sum, mut count) = (Matrix3::zeros(), 0);
     for pair in neighbours {
         let turn = (pair[0].1.inverse() * pair[1].1).to_rotation_matrix();
@@ -74,7 +74,7 @@ fn steadiest_axis(posed: &[(PathPoint, UnitQuaternion<f64>)]) -> Option<Vector3<
     }
     let eigen = (sum / f64::from(count)).symmetric_eigen();
     let least = eigen.eigenvalues.imin();
-    let is_steady = eigen.eigenvalues[least] < MOST_TURN * MOST_TURN;
+    let is_steady = eigen.eigenvalues[least] < MAX_TURN * MAX_TURN;
     is_steady.then(|| eigen.eigenvectors.column(least).into())
 }
 
@@ -107,7 +107,7 @@ pub fn wobble_rate(points: &[Point], interval: f64) -> f64 {
                 let rows: Vec<_> = chunk.iter().map(row).collect();
                 Design::new(&rows, &[0.0; 5], 0.0)
             })?;
-            Some(design.solve(axes).squares.max(LEAST_SQUARE).ln())
+            Some(design.solve(axes).squares.max(MIN_SQUARE).ln())
         });
         each.sum::<f64>()
     };

@@ -9,7 +9,7 @@ use crate::channel::ChannelKind;
 use crate::error::FlightError;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
-use crate::statistics::median;
+use crate::statistics::{median_of, median_vector};
 
 /// Time from the first accelerometer reading over which the specific force is averaged, s.
 const AVERAGED: f64 = 0.15;
@@ -59,7 +59,8 @@ pub fn motions(
     if rates.is_empty() && forces.is_empty() && speeds.is_empty() {
         return Err(FlightError::NoMatchingState);
     }
-    let spin = middle(rates.iter().take(5).map(|(_, rate, _)| *rate));
+    let first_rates = rates.iter().take(5).map(|(_, rate, _)| *rate);
+    let spin = median_vector(&first_rates.collect::<Vec<_>>()).unwrap_or_default();
     let force = mean_force(&rates, &forces);
     let (across, axis) = match spin.norm() > SPINS {
         true => {
@@ -70,11 +71,8 @@ pub fn motions(
     };
     let along = (-across).try_normalize(1e-6).unwrap_or_else(Vector3::x);
     let up = if axis.dot(&force) < 0.0 { -axis } else { axis };
-    let measured = speeds.iter().take(5).copied().collect::<Vec<f64>>();
-    let speeds = match measured.is_empty() {
-        true => SPEEDS.to_vec(),
-        false => vec![median(&mut measured.clone())],
-    };
+    let measured = median_of(speeds.iter().take(5).copied());
+    let speeds = measured.map_or(SPEEDS.to_vec(), |speed| vec![speed]);
     let mut motions = Vec::new();
     for attitude in attitudes() {
         for &speed in &speeds {
@@ -105,13 +103,6 @@ fn attitudes() -> Vec<UnitQuaternion<f64>> {
     let upright = tilts.map(UnitQuaternion::from_scaled_axis);
     let all = upright.iter().copied();
     all.chain(upright.iter().map(|tilt| *tilt * over)).collect()
-}
-
-/// Vector whose components are the medians of the components of the given vectors.
-fn middle(vectors: impl Iterator<Item = Vector3<f64>>) -> Vector3<f64> {
-    let all: Vec<Vector3<f64>> = vectors.collect();
-    let component = |axis: usize| median(&mut all.iter().map(|v| v[axis]).collect::<Vec<f64>>());
-    Vector3::new(component(0), component(1), component(2))
 }
 
 /// Mean specific force at the centre of mass over the first samples, m/s², in the body axes at the first sample.

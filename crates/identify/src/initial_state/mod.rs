@@ -10,6 +10,7 @@ mod rigid_motion;
 
 use nalgebra::DVector;
 
+pub use observation_inverse::state_for_motion;
 pub use rigid_motion::{RigidMotion, sigma0};
 
 use crate::error::FlightError;
@@ -29,19 +30,6 @@ pub struct InitialGuess {
 /// Strong throws reach about 160 rad/s.
 const MAX_SPIN: f64 = 400.0;
 
-/// Returns the state of a body that has the given motion at the first sample. `observations` provides parameters and
-/// known states; its samples are not used.
-///
-/// # Errors
-/// [`FlightError::NoMatchingState`] if no state within the model's domain of validity has this motion.
-pub fn state_for_motion(
-    problem: &FitProblem,
-    observations: &Observations,
-    motion: &RigidMotion,
-) -> Result<DVector<f64>, FlightError> {
-    observation_inverse::state(problem, observations, motion)
-}
-
 /// Returns initial guesses of a flight, the most probable one first. There are several if the samples are too far apart
 /// to determine the number of turns between them (aliasing).
 ///
@@ -55,7 +43,7 @@ pub fn initial_guesses(
     if !problem.sees_positions() {
         return instrument_guesses(problem, observations);
     }
-    let motion = rigid_motion::of(problem, observations)?;
+    let motion = rigid_motion::first_motion(problem, observations)?;
     let whole = observations
         .interval()
         .map_or(f64::INFINITY, |dt| std::f64::consts::TAU / dt);
@@ -72,7 +60,7 @@ pub fn initial_guesses(
         if turns != 0 && motion.rates.is_none_or(|rates| rates.norm() > MAX_SPIN) {
             continue;
         }
-        match observation_inverse::state(problem, observations, &motion) {
+        match state_for_motion(problem, observations, &motion) {
             Ok(state) => guesses.push(InitialGuess { state, turns }),
             Err(reason) => failure = reason,
         }
@@ -92,7 +80,7 @@ fn instrument_guesses(
 ) -> Result<Vec<InitialGuess>, FlightError> {
     let motions = instruments::motions(problem, observations)?;
     let states = motions.iter().filter_map(|motion| {
-        let state = observation_inverse::state(problem, observations, motion).ok()?;
+        let state = state_for_motion(problem, observations, motion).ok()?;
         Some(InitialGuess { state, turns: 0 })
     });
     let guesses: Vec<InitialGuess> = states.collect();

@@ -26,21 +26,18 @@ const DIFFERENCE_STEP: f64 = 1e-6;
 /// Time by which velocities are multiplied to be comparable with positions in the distance to be minimised, s.
 const VELOCITY_WEIGHT: f64 = 0.02;
 
-/// Returns the state at which points of the body have the positions and velocities of the given motion, as nearly as
-/// possible.
+/// Returns the state of a body that has the given motion at the first sample, as nearly as possible. `observations`
+/// provides parameters and known states; its samples are not used.
 ///
 /// # Errors
 /// [`FlightError::NoMatchingState`] if no search leads to a state within the model's domain of validity.
-pub fn state(
+pub fn state_for_motion(
     problem: &FitProblem,
     observations: &Observations,
     motion: &RigidMotion,
 ) -> Result<DVector<f64>, FlightError> {
-    let global = DVector::from_iterator(
-        problem.globals.len(),
-        problem.globals.iter().map(|global| global.model_value),
-    );
-    let conditions = problem.body.bind(observations.parameters(problem, &global));
+    let parameters = observations.parameters(problem, &problem.model_values());
+    let conditions = problem.body.bind(parameters);
     let probes: &[[f64; 3]] = if problem.has_attitude {
         &PROBES
     } else {

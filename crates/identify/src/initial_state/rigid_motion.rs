@@ -6,7 +6,7 @@ use crate::error::FlightError;
 use crate::observations::Observations;
 use crate::pose::{Pose, point_position, pose};
 use crate::problem::FitProblem;
-use crate::statistics::{median, robust_sigma};
+use crate::statistics::{median, median_of, median_vector, robust_sigma};
 
 /// Rigid-body motion at one instant, in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,7 +45,7 @@ const MAX_SAMPLES: usize = 16;
 const MAX_GAP: f64 = 3.5;
 
 /// Measured position and attitude of a body in one sample.
-struct SeenFrame {
+struct MeasuredFrame {
     time: f64,
     position: Vector3<f64>,
     attitude: Option<UnitQuaternion<f64>>,
@@ -55,21 +55,25 @@ struct SeenFrame {
 
 /// Returns the first samples, at most `most`, in which the pose of the body or the position of the point mass is
 /// measured.
-fn seen(problem: &FitProblem, observations: &Observations, most: usize) -> Vec<SeenFrame> {
+fn measured_frames(
+    problem: &FitProblem,
+    observations: &Observations,
+    most: usize,
+) -> Vec<MeasuredFrame> {
     let rows = (0..observations.times.len()).filter_map(|sample| {
         // Times of an arc do not start at 0.
         let time = observations.times[sample] - observations.times[0];
         let row = observations.points(sample);
         if problem.has_attitude {
             let pose = pose(&problem.markers, row)?;
-            return Some(SeenFrame {
+            return Some(MeasuredFrame {
                 time,
                 position: pose.position,
                 attitude: Some(pose.attitude),
                 variance: pose.variance(),
             });
         }
-        Some(SeenFrame {
+        Some(MeasuredFrame {
             time,
             position: point_position(&problem.markers, row)?,
             attitude: None,
@@ -95,7 +99,7 @@ pub fn sigma0(
         // The median of χ² with 3 degrees of freedom is 2.366.
         return (squares.len() >= 3).then(|| (median(&mut squares) * 3.0 / 2.366).sqrt());
     }
-    let seen = seen(problem, observations, MAX_NOISE_SAMPLES);
+    let seen = measured_frames(problem, observations, MAX_NOISE_SAMPLES);
     // Third differences of a smooth path are far below the noise, whose variance they multiply by 20.
     let mut rough: Vec<f64> = seen
         .windows(4)
@@ -112,8 +116,11 @@ pub fn sigma0(
 /// # Errors
 /// [`FlightError::TooFewPoses`] or [`FlightError::TooFewPositions`] if too few samples determine the pose or the
 /// position; [`FlightError::NoNeighbouringPoses`] if no two poses are near enough in time for an angular velocity.
-pub fn of(problem: &FitProblem, observations: &Observations) -> Result<RigidMotion, FlightError> {
-    let mut seen = seen(problem, observations, MAX_SAMPLES);
+pub fn first_motion(
+    problem: &FitProblem,
+    observations: &Observations,
+) -> Result<RigidMotion, FlightError> {
+    let mut seen = measured_frames(problem, observations, MAX_SAMPLES);
     let least = if problem.has_attitude { 3 } else { 4 };
     if seen.len() < least {
         let (found, needed) = (seen.len(), least);
@@ -123,9 +130,9 @@ pub fn of(problem: &FitProblem, observations: &Observations) -> Result<RigidMoti
         });
     }
     // A sample whose marker distances differ much from the rigid body contains an outlier.
-    let mut variances: Vec<f64> = seen.iter().map(|frame| frame.variance).collect();
-    let limit = MAX_VARIANCE_RATIO * median(&mut variances);
-    let is_rigid = |frame: &SeenFrame| frame.variance <= limit;
+    let usual = median_of(seen.iter().map(|frame| frame.variance));
+    let limit = MAX_VARIANCE_RATIO * usual.unwrap_or(0.0);
+    let is_rigid = |frame: &MeasuredFrame| frame.variance <= limit;
     if seen.iter().filter(|frame| is_rigid(frame)).count() >= least {
         seen.retain(is_rigid);
     }
@@ -159,14 +166,14 @@ const MAX_PATH_REFITS: usize = 2;
 const MIN_PATH_POINTS: usize = 4;
 
 /// Position, m, and velocity, m/s, at time 0 from a least-squares parabola, which is refitted without outliers.
-fn path(seen: &[SeenFrame]) -> (Vector3<f64>, Vector3<f64>) {
-    let mut kept: Vec<&SeenFrame> = seen.iter().collect();
+fn path(seen: &[MeasuredFrame]) -> (Vector3<f64>, Vector3<f64>) {
+    let mut kept: Vec<&MeasuredFrame> = seen.iter().collect();
     let mut parabola = Parabola::through(&kept);
     for _ in 0..MAX_PATH_REFITS {
         let limit = MAX_SQUARES_RATIO * median(&mut parabola.squares.clone());
         let distances = kept.iter().zip(&parabola.squares);
         let near = distances.filter(|(_, squares)| **squares <= limit);
-        let near: Vec<&SeenFrame> = near.map(|(frame, _)| *frame).collect();
+        let near: Vec<&MeasuredFrame> = near.map(|(frame, _)| *frame).collect();
         if near.len() == kept.len() || near.len() < MIN_PATH_POINTS {
             break;
         }
@@ -188,7 +195,7 @@ struct Parabola {
 
 impl Parabola {
     /// Fits a parabola, or a polynomial of lower order if there are fewer than three positions.
-    fn through(frames: &[&SeenFrame]) -> Self {
+    fn through(frames: &[&MeasuredFrame]) -> Self {
         let powers = frames.len().min(3);
         let design = DMatrix::from_fn(frames.len(), powers, |row, power| {
             frames[row].time.powi(power as i32)
@@ -218,7 +225,7 @@ impl Parabola {
 
 /// Angular velocity in inertial components, rad/s: median over pairs of successive poses, which is robust to nutation
 /// and outliers.
-fn rates(seen: &[SeenFrame], observations: &Observations) -> Result<Vector3<f64>, FlightError> {
+fn rates(seen: &[MeasuredFrame], observations: &Observations) -> Result<Vector3<f64>, FlightError> {
     let usual = observations.interval().unwrap_or(f64::INFINITY);
     let pairs: Vec<Vector3<f64>> = seen
         .windows(2)
@@ -228,22 +235,15 @@ fn rates(seen: &[SeenFrame], observations: &Observations) -> Result<Vector3<f64>
             (gap <= MAX_GAP * usual).then(|| turn.scaled_axis() / gap)
         })
         .collect();
-    if pairs.is_empty() {
-        return Err(FlightError::NoNeighbouringPoses);
-    }
     // A gap of several intervals may hide whole turns that a single interval would show.
-    let rates = [0, 1, 2].map(|axis| {
-        let mut values: Vec<f64> = pairs.iter().map(|pair| pair[axis]).collect();
-        median(&mut values)
-    });
-    Ok(rates.into())
+    median_vector(&pairs).ok_or(FlightError::NoNeighbouringPoses)
 }
 
 /// Attitude at time 0. The first poses are rotated back to time 0 with the angular velocity `rates`, rad/s, and the one
 /// with the smallest sum of rotation angles to the others is returned. `None` if there is no pose.
-fn attitude(seen: &[SeenFrame], rates: Vector3<f64>) -> Option<UnitQuaternion<f64>> {
+fn attitude(seen: &[MeasuredFrame], rates: Vector3<f64>) -> Option<UnitQuaternion<f64>> {
     const FIRST: usize = 5;
-    let back = |seen: &SeenFrame| {
+    let back = |seen: &MeasuredFrame| {
         let turned = UnitQuaternion::from_scaled_axis(-rates * seen.time);
         seen.attitude.map(|attitude| turned * attitude)
     };

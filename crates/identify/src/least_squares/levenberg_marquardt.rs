@@ -56,7 +56,7 @@ const MIN_DAMPING: f64 = 1e-12;
 /// [`SolveError::Start`] with every flight that cannot be predicted at `start`; [`SolveError::Cancelled`] if the
 /// iteration is cancelled.
 pub fn solve(
-    problem: &impl LeastSquaresProblem,
+    problem: &dyn LeastSquaresProblem,
     start: Iterate,
     criteria: StoppingCriteria,
 ) -> Result<Solution, SolveError> {
@@ -69,7 +69,7 @@ pub fn solve(
 /// # Errors
 /// The errors of [`solve`].
 pub fn solve_after(
-    problem: &impl LeastSquaresProblem,
+    problem: &dyn LeastSquaresProblem,
     start: Iterate,
     criteria: StoppingCriteria,
     previous: Option<f64>,
@@ -83,7 +83,7 @@ pub fn solve_after(
 /// # Errors
 /// [`SolveError::Cancelled`] if the iteration is cancelled.
 pub(super) fn descend(
-    problem: &impl LeastSquaresProblem,
+    problem: &dyn LeastSquaresProblem,
     start: Evaluated,
     criteria: StoppingCriteria,
     mut previous: Option<f64>,

@@ -23,7 +23,7 @@ impl Evaluated {
     /// [`SolveError::Start`] with every flight that cannot be predicted there; [`SolveError::Cancelled`] if the
     /// iteration is cancelled.
     pub(super) fn new(
-        problem: &impl LeastSquaresProblem,
+        problem: &dyn LeastSquaresProblem,
         iterate: Iterate,
         damping: f64,
     ) -> Result<Self, SolveError> {
@@ -38,7 +38,7 @@ impl Evaluated {
 
     /// Evaluates a candidate iterate as [`Evaluated::new`] does; `None` if a flight cannot be predicted there.
     pub(super) fn candidate(
-        problem: &impl LeastSquaresProblem,
+        problem: &dyn LeastSquaresProblem,
         iterate: &Iterate,
         damping: f64,
     ) -> Result<Option<Self>, SolveError> {
@@ -50,11 +50,7 @@ impl Evaluated {
     }
 
     /// Computes a damped step; `None` if the normal equations are singular at this damping.
-    pub(super) fn step(
-        &mut self,
-        problem: &impl LeastSquaresProblem,
-        damping: f64,
-    ) -> Option<Step> {
+    pub(super) fn step(&mut self, problem: &dyn LeastSquaresProblem, damping: f64) -> Option<Step> {
         self.linearization.step(problem, &self.iterate, damping)
     }
 }
@@ -76,7 +72,7 @@ pub(super) struct Step {
 
 impl Linearization {
     fn new(
-        problem: &impl LeastSquaresProblem,
+        problem: &dyn LeastSquaresProblem,
         iterate: &Iterate,
         damping: f64,
     ) -> Result<Self, SolveError> {
@@ -116,7 +112,7 @@ impl Linearization {
     }
 
     /// Sum of squares including the priors; NaN is replaced by infinity.
-    fn squares(&self, problem: &impl LeastSquaresProblem, iterate: &Iterate) -> f64 {
+    fn squares(&self, problem: &dyn LeastSquaresProblem, iterate: &Iterate) -> f64 {
         let constraints = problem.constraints().iter().zip(iterate.global.iter());
         let priors: f64 = constraints
             .map(|(constraint, &value)| constraint.squares(value))
@@ -128,7 +124,7 @@ impl Linearization {
     /// Computes a damped step; `None` if the normal equations are singular at this damping.
     fn step(
         &mut self,
-        problem: &impl LeastSquaresProblem,
+        problem: &dyn LeastSquaresProblem,
         iterate: &Iterate,
         damping: f64,
     ) -> Option<Step> {

@@ -2,7 +2,7 @@
 
 use nalgebra::DVector;
 
-use super::{Constraint, NormalBlock, UndeterminedFlight};
+use super::{Constraint, NormalBlock};
 use crate::error::FlightError;
 
 /// Selects the unknowns with respect to which residuals are differentiated.
@@ -76,9 +76,6 @@ pub enum SolveError {
     /// Some flights cannot be predicted from their initial values. Contains these flights with the reasons.
     #[error("{} flights cannot be predicted from their initial values, the first because: {}", .0.len(), first(.0))]
     Start(Vec<FailedFlight>),
-    /// The residuals of a flight do not determine its local parameters: their normal equations are singular.
-    #[error(transparent)]
-    Undetermined(#[from] UndeterminedFlight),
     /// The iteration was cancelled.
     #[error("interrupted")]
     Cancelled,

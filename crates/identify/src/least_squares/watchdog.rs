@@ -17,7 +17,7 @@ const MAX_UNDAMPED_STEPS: usize = 4;
 /// # Errors
 /// The errors of [`solve`](super::solve).
 pub fn solve_with_watchdog(
-    problem: &impl LeastSquaresProblem,
+    problem: &dyn LeastSquaresProblem,
     start: Iterate,
     criteria: StoppingCriteria,
 ) -> Result<Solution, SolveError> {
@@ -37,7 +37,7 @@ pub fn solve_with_watchdog(
 /// The first iterate of undamped steps with a smaller sum of squares than `start`, or `None`; and the number of steps
 /// tried.
 fn undamped_steps(
-    problem: &impl LeastSquaresProblem,
+    problem: &dyn LeastSquaresProblem,
     start: &mut Evaluated,
     criteria: StoppingCriteria,
 ) -> Result<(Option<Evaluated>, usize), SolveError> {

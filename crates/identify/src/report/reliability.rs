@@ -17,13 +17,14 @@ const MAX_EXCLUDED: f64 = 1.0 / 3.0;
 
 /// Reasons why a fit is not reliable; empty if it is reliable.
 pub(crate) fn reasons_against(report: &FitReport) -> Vec<String> {
-    let mut reasons = Vec::new();
-    reasons.extend(not_converged(report));
-    reasons.extend(excluded_flights(report));
-    reasons.extend(above_noise_floor(report));
-    reasons.extend(data_faults(report));
-    reasons.extend(marker_distances(report));
-    reasons
+    let reasons = [
+        not_converged(report),
+        excluded_flights(report),
+        above_noise_floor(report),
+        data_faults(report),
+        marker_distances(report),
+    ];
+    reasons.into_iter().flatten().collect()
 }
 
 fn not_converged(report: &FitReport) -> Option<String> {

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use lanes::{Kernel, Lanes};
+use statrs::distribution::{ContinuousCDF, Normal};
 
 use super::AxisResiduals;
 use crate::noise::AxesNoise;
@@ -179,11 +180,12 @@ fn quantiles(bins: &[u32]) -> Vec<[f64; 2]> {
         return Vec::new();
     }
     // Evenly spaced normal quantiles, up to the largest one that the number of values allows.
-    let most = normal_quantile(1.0 - 0.5 / total as f64).min(4.0);
+    let normal = Normal::standard();
+    let most = normal.inverse_cdf(1.0 - 0.5 / total as f64).min(4.0);
     let mut from = (0, 0.0);
     let each = (0..QUANTILES).map(|k| {
         let expected = most * (2.0 * k as f64 / (QUANTILES - 1) as f64 - 1.0);
-        let wanted = normal_probability(expected) * total as f64;
+        let wanted = normal.cdf(expected) * total as f64;
         [expected, binned_quantile(bins, wanted, &mut from)]
     });
     each.collect()
@@ -204,20 +206,6 @@ fn binned_quantile(bins: &[u32], wanted: f64, from: &mut (usize, f64)) -> f64 {
     HISTOGRAM_LIMIT
 }
 
-fn normal() -> statrs::distribution::Normal {
-    statrs::distribution::Normal::standard()
-}
-
-fn normal_probability(value: f64) -> f64 {
-    use statrs::distribution::ContinuousCDF;
-    normal().cdf(value)
-}
-
-fn normal_quantile(probability: f64) -> f64 {
-    use statrs::distribution::ContinuousCDF;
-    normal().inverse_cdf(probability)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -226,7 +214,7 @@ mod tests {
     fn even_normal_values_lie_on_the_diagonal() {
         let mut bins = vec![0; BINS];
         for k in 0..20_000 {
-            let value = normal_quantile((f64::from(k) + 0.5) / 20_000.0);
+            let value = Normal::standard().inverse_cdf((f64::from(k) + 0.5) / 20_000.0);
             bins[((value / HISTOGRAM_LIMIT + 1.0) / 2.0 * BINS as f64) as usize] += 1;
         }
         for [expected, found] in quantiles(&bins) {

@@ -2,11 +2,12 @@
 //! them.
 
 use crate::dataset::{Flight, Marker};
-use crate::statistics::{median, robust_sigma};
+use crate::pose::distance;
+use crate::statistics::{median, median_of, robust_sigma};
 
 /// Maximum number of markers whose mutual distances are compared; more would add little information and much
 /// computation.
-pub const MOST_MARKERS: usize = 8;
+pub const MAX_MARKERS: usize = 8;
 /// Limit for a scale error common to all pairs of markers. The ratio of measured to declared distance of each pair may
 /// deviate from the median ratio of all pairs by less than this fraction.
 const RATIO_SPREAD: f64 = 0.1;
@@ -39,9 +40,9 @@ pub fn unit(ratio: f64) -> Option<(f64, &'static str)> {
     UNITS.iter().copied().find(|(length, _)| near(*length))
 }
 
-/// All pairs of the first [`MOST_MARKERS`] of `markers` markers, by index.
+/// All pairs of the first [`MAX_MARKERS`] of `markers` markers, by index.
 pub fn marker_pairs(markers: usize) -> Vec<(usize, usize)> {
-    let count = markers.min(MOST_MARKERS);
+    let count = markers.min(MAX_MARKERS);
     (0..count)
         .flat_map(|i| (i + 1..count).map(move |j| (i, j)))
         .collect()
@@ -91,12 +92,9 @@ impl Distances {
         };
         let (mut medians, mut changes) = (Vec::with_capacity(pairs.len()), Vec::new());
         for pair in 0..pairs.len() {
-            let mut measured: Vec<f64> = of_pair(pair).collect();
+            let measured: Vec<f64> = of_pair(pair).collect();
             changes.extend(measured.windows(2).map(|w| (w[1] - w[0]).abs()));
-            medians.push(match measured.is_empty() {
-                true => f64::NAN,
-                false => median(&mut measured),
-            });
+            medians.push(median_of(measured).unwrap_or(f64::NAN));
         }
         if medians.iter().all(|median| median.is_nan()) {
             return None;
@@ -134,9 +132,4 @@ impl Distances {
             .max(GROSS_NOISE * self.noise);
         (measured - declared).abs() > limit
     }
-}
-
-pub fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    let squares = a.iter().zip(b).map(|(a, b)| (a - b).powi(2));
-    squares.sum::<f64>().sqrt()
 }

@@ -4,6 +4,8 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
+use crate::dataset::Flight;
+
 /// A mistake in the data of one flight.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct DataFault {
@@ -37,6 +39,23 @@ pub enum FaultKind {
     Frozen,
     /// A mistake of another kind, described in [`DataFault::detail`].
     Other,
+}
+
+impl DataFault {
+    /// Creates a fault of a flight from its kind, its description and the instruction for correcting it.
+    pub(crate) fn new(
+        flight: &Flight,
+        fault: FaultKind,
+        detail: impl Into<String>,
+        mend: impl Into<String>,
+    ) -> Self {
+        Self {
+            file: flight.file.clone(),
+            fault,
+            detail: detail.into(),
+            mend: mend.into(),
+        }
+    }
 }
 
 impl FaultKind {

@@ -11,18 +11,18 @@ use super::loads::{Regression, Row, regress, rows};
 use super::track::Track;
 use crate::dataset::{Dataset, Flight, KnownValue};
 use crate::problem::FitProblem;
-use crate::statistics::median;
+use crate::statistics::{median, median_of, median_vector};
 
 /// Minimum deviation of the fitted constant acceleration from gravity at which a fault of all flights is reported, in
-/// units of gravity. [`LEAST_SIGNIFICANCE`] and [`LEAST_RATIO`] must be reached too.
-const LEAST_DEVIATION: f64 = 0.5;
+/// units of gravity. [`MIN_SIGNIFICANCE`] and [`MIN_RATIO`] must be reached too.
+const MIN_DEVIATION: f64 = 0.5;
 /// Minimum deviation of the fitted constant acceleration from gravity at which a fault of all flights is reported, in
 /// units of the standard error of the deviation.
-const LEAST_SIGNIFICANCE: f64 = 8.0;
+const MIN_SIGNIFICANCE: f64 = 8.0;
 /// Minimum improvement by fitting the constant acceleration at which a fault of all flights is reported: the median
 /// residual acceleration of the regression with the constant fixed at gravity, divided by that of the regression with a
 /// fitted constant.
-const LEAST_RATIO: f64 = 1.7;
+const MIN_RATIO: f64 = 1.7;
 /// Minimum cosine of the angle between a measured acceleration and gravity at which the acceleration counts as directed
 /// downwards: cos 30°.
 const ALONG: f64 = 0.866;
@@ -39,7 +39,7 @@ const SINGLE_MISFIT: (f64, f64) = (0.25, 4.0);
 const MENDED_MISFIT: (f64, f64, f64) = (0.3, 2.5, 0.15);
 /// Maximum misfit (unexplained acceleration) of a single flight after any accepted correction, in units of gravity. It
 /// rejects a correction that merely shrinks all lengths: the accelerations then tend to 0 and the misfit to gravity.
-const MOST_MENDED: f64 = 0.4;
+const MAX_MENDED: f64 = 0.4;
 /// Minimum magnitude of the vertical component of the unit normal of the markers' plane at which it is clear which side
 /// of the body is up.
 const UPRIGHT: f64 = 0.3;
@@ -53,21 +53,22 @@ const NOISE: f64 = 2.5;
 /// median; the deviation of the median from gravity has the weight 1.
 const SCATTER_PART: f64 = 0.25;
 /// Minimum number of flights for which a single flight can be compared with the others.
-const LEAST_FLIGHTS: usize = 4;
+const MIN_FLIGHTS: usize = 4;
 
-/// Axes of the table that may point up, each with the rotation from the table's coordinates to coordinates with z up.
-fn orientations() -> [(&'static str, Matrix3<f64>); 6] {
+/// Axes of the table that may point up, each with the columns to be written for x, y and z, and the rotation from the
+/// table's coordinates to coordinates with z up.
+fn orientations() -> [(&'static str, &'static str, Matrix3<f64>); 6] {
     let rows =
         |a: [f64; 3], b: [f64; 3], c: [f64; 3]| Matrix3::from_rows(&[a.into(), b.into(), c.into()]);
     let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let minus = |axis: [f64; 3]| axis.map(|value: f64| -value);
     [
-        ("+z", rows(x, y, z)),
-        ("-z", rows(x, minus(y), minus(z))),
-        ("+y", rows(z, x, y)),
-        ("-y", rows(x, z, minus(y))),
-        ("+x", rows(y, z, x)),
-        ("-x", rows(z, y, minus(x))),
+        ("+z", "x, y, z", rows(x, y, z)),
+        ("-z", "x, -y, -z", rows(x, minus(y), minus(z))),
+        ("+y", "z, x, y", rows(z, x, y)),
+        ("-y", "x, z, -y", rows(x, z, minus(y))),
+        ("+x", "y, z, x", rows(y, z, x)),
+        ("-x", "z, y, -x", rows(z, y, minus(x))),
     ]
 }
 
@@ -121,37 +122,37 @@ impl<'a> FreeFall<'a> {
             return Vec::new();
         };
         // If the noise of the windows explains the remaining accelerations, gravity is not questioned.
-        let mut errors: Vec<f64> = all.iter().map(|row| row.motion.error).collect();
-        let is_noise = fixed.remaining < NOISE * median(&mut errors);
+        let error = median_of(all.iter().map(|row| row.motion.error));
+        let is_noise = error.is_some_and(|error| fixed.remaining < NOISE * error);
         if !is_noise
             && let Some(free) = regress(&all, None)
-            && let Some((fault, detail, mend)) = self.of_all(&fixed, &free)
+            && let Some((fault, detail, mend)) = self.common_fault(&fixed, &free)
         {
             let flights = self.dataset.flights.iter().zip(&self.rows);
             let seen = flights.filter(|(_, rows)| !rows.is_empty());
-            let fault = |flight: &Flight| DataFault {
-                file: flight.file.clone(),
-                fault,
-                detail: detail.clone(),
-                mend: mend.clone(),
-            };
+            let fault =
+                |flight: &Flight| DataFault::new(flight, fault, detail.clone(), mend.clone());
             return seen.map(|(flight, _)| fault(flight)).collect();
         }
-        self.single(&fixed)
+        self.single_faults(&fixed)
     }
 
     /// Fault that all flights have in common: kind, description and instruction for correcting it. `None` if the fitted
     /// constant acceleration is not clear evidence of a fault. In the regression `fixed` the constant acceleration is
     /// fixed at gravity, in `free` it is fitted.
-    fn of_all(&self, fixed: &Regression, free: &Regression) -> Option<(FaultKind, String, String)> {
+    fn common_fault(
+        &self,
+        fixed: &Regression,
+        free: &Regression,
+    ) -> Option<(FaultKind, String, String)> {
         let g = self.gravity.norm();
         let deviation = free.gravity - self.gravity;
         let size = deviation.norm();
         let error = (deviation / size)
             .dot(&(free.covariance * deviation / size))
             .sqrt();
-        let is_clear = size > LEAST_DEVIATION * g && size > LEAST_SIGNIFICANCE * error;
-        if !is_clear || fixed.remaining < LEAST_RATIO * free.remaining {
+        let is_clear = size > MIN_DEVIATION * g && size > MIN_SIGNIFICANCE * error;
+        if !is_clear || fixed.remaining < MIN_RATIO * free.remaining {
             return None;
         }
         let ratio = free.gravity.norm() / g;
@@ -162,17 +163,17 @@ impl<'a> FreeFall<'a> {
             }
             return Some(self.scale(ratio, free));
         }
-        let up = orientations().into_iter().find(|(_, to_up)| {
+        let up = orientations().into_iter().find(|(_, _, to_up)| {
             let turned = to_up * free.gravity;
             turned.dot(&self.gravity) > ALONG * g * turned.norm()
         });
         match up {
-            Some((axis, _)) => Some((
+            Some((axis, change, _)) => Some((
                 FaultKind::Axes,
                 format!(
                     "in all flights free fall is along the axes as if {axis} pointed up, not +z"
                 ),
-                axes_mend(axis),
+                axes_mend(change),
             )),
             // In a direction between the axes, a strong constant load may be the reason.
             None if cosine > 0.5 => None,
@@ -195,14 +196,8 @@ impl<'a> FreeFall<'a> {
     fn scale(&self, ratio: f64, free: &Regression) -> (FaultKind, String, String) {
         let detail = format!("in all flights free fall is {ratio:.3} times as fast as gravity");
         let length = unit(ratio).or_else(|| {
-            let near = [
-                (1e-3, "millimetres"),
-                (1e-2, "centimetres"),
-                (0.0254, "inches"),
-                (0.3048, "feet"),
-            ];
-            near.into_iter()
-                .find(|(length, _)| (ratio * length).ln().abs() < 0.2)
+            let mut near = UNITS[..4].iter().copied();
+            near.find(|(length, _)| (ratio * length).ln().abs() < 0.2)
         });
         if let (Some((length, name)), false) = (length, self.template_gives_lengths())
             && self.drag_suggests_lengths(ratio, free) != Some(false)
@@ -238,12 +233,12 @@ impl<'a> FreeFall<'a> {
 
     /// Faults of single flights. The accelerations of such a flight, minus the aerodynamic loads fitted to all flights,
     /// deviate from gravity, and a correction of units, times or axes removes the deviation.
-    fn single(&self, fixed: &Regression) -> Vec<DataFault> {
+    fn single_faults(&self, fixed: &Regression) -> Vec<DataFault> {
         let g = self.gravity.norm();
         let misfit = |rows: &[Row]| self.misfit(fixed, rows);
         let misfits: Vec<Option<f64>> = self.rows.iter().map(|rows| misfit(rows)).collect();
         let mut known: Vec<f64> = misfits.iter().flatten().copied().collect();
-        if known.len() < LEAST_FLIGHTS {
+        if known.len() < MIN_FLIGHTS {
             return Vec::new();
         }
         let usual = median(&mut known);
@@ -258,8 +253,8 @@ impl<'a> FreeFall<'a> {
                 continue;
             }
             let most = (MENDED_MISFIT.1 * usual).max(MENDED_MISFIT.2 * g);
-            let enough = (MENDED_MISFIT.0 * before).min(most).min(MOST_MENDED * g);
-            let mended = self.mended(fixed, flight, &self.rows[index], enough);
+            let enough = (MENDED_MISFIT.0 * before).min(most).min(MAX_MENDED * g);
+            let mended = self.correctable_fault(fixed, flight, &self.rows[index], enough);
             faults.extend(mended.or_else(|| self.turned_over(fixed, index, before)));
         }
         faults
@@ -282,15 +277,10 @@ impl<'a> FreeFall<'a> {
         }
         let flight = &self.dataset.flights[index];
         let mirror = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, 1.0));
-        let track = changed(self.problem, flight, &mirror);
+        let track = transformed_track(self.problem, flight, &mirror);
         let rows = rows(&track, omega(self.problem, flight));
         let after = self.misfit(fixed, &rows)?;
-        (after < TURNED_MISFIT * before).then(|| DataFault {
-            file: flight.file.clone(),
-            fault: FaultKind::Mirrored,
-            detail: "unlike in the other flights, the markers show the body turned over, and it flies as its mirror image: the axes seem left-handed, or labels are exchanged".into(),
-            mend: super::mirror::MEND.into(),
-        })
+        (after < TURNED_MISFIT * before).then(|| DataFault::new(flight, FaultKind::Mirrored, "unlike in the other flights, the markers show the body turned over, and it flies as its mirror image: the axes seem left-handed, or labels are exchanged", super::mirror::MEND))
     }
 
     /// Misfit of a flight, m/s²: how much its accelerations, after subtraction of the aerodynamic loads fitted to all
@@ -303,31 +293,26 @@ impl<'a> FreeFall<'a> {
 
     /// Fault of a flight for which a correction of its units, times or axes reduces the misfit below `enough`, m/s²;
     /// `None` if no correction does.
-    fn mended(
+    fn correctable_fault(
         &self,
         fixed: &Regression,
         flight: &Flight,
         rows: &[Row],
         enough: f64,
     ) -> Option<DataFault> {
-        let fault = |fault, detail: String, mend: String| DataFault {
-            file: flight.file.clone(),
-            fault,
-            detail,
-            mend,
-        };
+        let fault = |fault, detail: String, mend: &str| DataFault::new(flight, fault, detail, mend);
         let as_others = "unlike in the other flights,";
         // Velocities and accelerations both scale with the unit of time such that the coefficients of the loads are
         // unchanged.
         let rest: Vec<Vector3<f64>> = rows.iter().map(|row| fixed.without_loads(row)).collect();
-        let constant = middle(&rest);
+        let constant = median_vector(&rest)?;
         let ratio = constant.norm() / self.gravity.norm();
         let is_down = constant.dot(&self.gravity) > ALONG * ratio * self.gravity.norm_squared();
         let scaled: Vec<Vector3<f64>> = rest.iter().map(|rest| rest / ratio).collect();
         let of_time = misfit(&scaled, self.gravity).unwrap_or(f64::INFINITY);
         let omega = omega(self.problem, flight);
         let after = |matrix: &Matrix3<f64>| {
-            let track = changed(self.problem, flight, matrix);
+            let track = transformed_track(self.problem, flight, matrix);
             self.misfit(fixed, &super::loads::rows(&track, omega))
         };
         let fits = |matrix: &Matrix3<f64>| after(matrix).is_some_and(|misfit| misfit < enough);
@@ -338,24 +323,24 @@ impl<'a> FreeFall<'a> {
             return Some(fault(
                 FaultKind::Units,
                 format!("{as_others} its positions seem to be in {name}"),
-                format!("multiply the positions in {} by {length}", flight.file),
+                &format!("multiply the positions in {} by {length}", flight.file),
             ));
         }
         if is_down && !(0.75..1.33).contains(&ratio) && of_time < enough {
             let (told, mend) = time_words(ratio);
             let detail =
                 format!("{as_others} free fall is {ratio:.3} times as fast as gravity{told}");
-            return Some(fault(FaultKind::TimeUnit, detail, mend));
+            return Some(fault(FaultKind::TimeUnit, detail, &mend));
         }
         let mirror = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, 1.0));
-        for (axis, to_up) in orientations().into_iter().skip(1) {
+        for (axis, change, to_up) in orientations().into_iter().skip(1) {
             if fits(&to_up) {
                 let detail =
                     format!("{as_others} free fall is along the axes as if {axis} pointed up");
-                return Some(fault(FaultKind::Axes, detail, axes_mend(axis)));
+                return Some(fault(FaultKind::Axes, detail, &axes_mend(change)));
             }
         }
-        for (axis, to_up) in orientations() {
+        for (axis, _, to_up) in orientations() {
             if fits(&(mirror * to_up)) {
                 let up = match axis {
                     "+z" => String::new(),
@@ -364,11 +349,7 @@ impl<'a> FreeFall<'a> {
                 let detail = format!(
                     "{as_others} it fits as a mirror image only: its axes seem left-handed{up}"
                 );
-                return Some(fault(
-                    FaultKind::Mirrored,
-                    detail,
-                    super::mirror::MEND.into(),
-                ));
+                return Some(fault(FaultKind::Mirrored, detail, super::mirror::MEND));
             }
         }
         None
@@ -395,7 +376,7 @@ impl<'a> FreeFall<'a> {
 
 /// Track of a flight up to the first ground contact, computed after multiplication of all measured marker positions by
 /// `matrix`.
-pub fn changed(problem: &FitProblem, flight: &Flight, matrix: &Matrix3<f64>) -> Track {
+pub fn transformed_track(problem: &FitProblem, flight: &Flight, matrix: &Matrix3<f64>) -> Track {
     let change = |point: [f64; 3]| <[f64; 3]>::from(matrix * Vector3::from(point));
     let rows: Vec<Vec<Option<[f64; 3]>>> = flight
         .positions
@@ -415,22 +396,15 @@ pub fn upright(problem: &FitProblem, track: &Track) -> Option<f64> {
         .points
         .iter()
         .filter_map(|point| Some((point.attitude? * normal).z));
-    let mut each: Vec<f64> = each.collect();
-    (!each.is_empty()).then(|| median(&mut each))
-}
-
-/// Component-wise median of vectors.
-fn middle(vectors: &[Vector3<f64>]) -> Vector3<f64> {
-    let axis = |axis: usize| median(&mut vectors.iter().map(|v| v[axis]).collect::<Vec<f64>>());
-    Vector3::new(axis(0), axis(1), axis(2))
+    median_of(each)
 }
 
 /// Distance of the component-wise median of accelerations from gravity, plus [`SCATTER_PART`] times their scatter,
 /// m/s²; `None` for an empty slice.
 fn misfit(accelerations: &[Vector3<f64>], gravity: Vector3<f64>) -> Option<f64> {
-    let middle = middle(accelerations);
-    let mut scatter: Vec<f64> = accelerations.iter().map(|a| (a - middle).norm()).collect();
-    (!scatter.is_empty()).then(|| (middle - gravity).norm() + SCATTER_PART * median(&mut scatter))
+    let middle = median_vector(accelerations)?;
+    let scatter = median_of(accelerations.iter().map(|a| (a - middle).norm()))?;
+    Some((middle - gravity).norm() + SCATTER_PART * scatter)
 }
 
 /// Known angular velocity, in one flight, of a body modelled as a point mass, rad/s: the value of the first vector
@@ -449,26 +423,20 @@ fn omega(problem: &FitProblem, flight: &Flight) -> Option<Vector3<f64>> {
 /// instruction for correcting it.
 fn time_words(ratio: f64) -> (String, String) {
     let factor = ratio.sqrt();
-    let told = match factor {
-        f if (f * 1e3).ln().abs() < 0.2 => ", as if times were in milliseconds".to_owned(),
-        f if (f * 1e6).ln().abs() < 0.2 => ", as if times were in microseconds".to_owned(),
-        f => format!(", as if the true times were {f:.3} times those of the table"),
-    };
-    let mend = match factor {
-        f if (f * 1e3).ln().abs() < 0.2 => "divide the times by 1000".to_owned(),
-        f if (f * 1e6).ln().abs() < 0.2 => "divide the times by 1000000".to_owned(),
-        f => format!("check the frame rate, or multiply the times by {f:.3}"),
-    };
-    (told, mend)
+    for (divisor, unit) in [(1e3, "milliseconds"), (1e6, "microseconds")] {
+        if (factor * divisor).ln().abs() < 0.2 {
+            return (
+                format!(", as if times were in {unit}"),
+                format!("divide the times by {divisor}"),
+            );
+        }
+    }
+    (
+        format!(", as if the true times were {factor:.3} times those of the table"),
+        format!("check the frame rate, or multiply the times by {factor:.3}"),
+    )
 }
 
-fn axes_mend(axis: &str) -> String {
-    let change = match axis {
-        "-z" => "x, -y, -z",
-        "+y" => "z, x, y",
-        "-y" => "x, z, -y",
-        "+x" => "y, z, x",
-        _ => "z, y, -x",
-    };
+fn axes_mend(change: &str) -> String {
     format!("write ({change}) for (x, y, z), so that z points up")
 }

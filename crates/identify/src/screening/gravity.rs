@@ -8,10 +8,10 @@ use crate::problem::FitProblem;
 
 /// Half of the duration of the simulation from which an acceleration is computed, s; so short that the speed of a fall
 /// from rest stays too low for aerodynamic forces to matter.
-const FALL: f64 = 1e-2;
+const HALF_DURATION: f64 = 1e-2;
 /// Maximum relative difference between the accelerations of bodies released from rest at different positions and
 /// attitudes, at which gravity counts as independent of position and attitude.
-const SAME: f64 = 1e-2;
+const MAX_DIFFERENCE: f64 = 1e-2;
 /// Displacements from the default state at which the acceleration of a body released from rest is computed, to test
 /// whether it depends on position or attitude. Angles change by up to this value in rad, coordinates by up to 3 m times
 /// this value.
@@ -24,7 +24,7 @@ pub fn gravity(problem: &FitProblem) -> Option<Vector3<f64>> {
     let [first, others @ ..] = falls;
     let first = first.filter(|first| first.norm() > 0.1)?;
     let same = |other: Option<Vector3<f64>>| {
-        other.is_some_and(|other| (other - first).norm() < SAME * first.norm())
+        other.is_some_and(|other| (other - first).norm() < MAX_DIFFERENCE * first.norm())
     };
     others.into_iter().all(same).then_some(first)
 }
@@ -84,7 +84,7 @@ fn fall(problem: &FitProblem, variation: f64) -> Option<Vector3<f64>> {
 /// simulation fails.
 pub fn acceleration(problem: &FitProblem, state: &[f64]) -> Option<Vector3<f64>> {
     let conditions = problem.body.bind(problem.parameters.clone());
-    let times = [0.0, FALL, 2.0 * FALL];
+    let times = [0.0, HALF_DURATION, 2.0 * HALF_DURATION];
     let mut states = vec![0.0; times.len() * state.len()];
     let options = IntegrationOptions::with_tolerance(1e-12);
     let start = (0.0, &state.into());
@@ -102,7 +102,7 @@ pub fn acceleration(problem: &FitProblem, state: &[f64]) -> Option<Vector3<f64>>
     let seen: Vec<Vector3<f64>> = seen
         .map(|(&t, x)| observer.position(t, x, &[0.0; 3]).into())
         .collect();
-    let acceleration = (seen[2] - 2.0 * seen[1] + seen[0]) / (FALL * FALL);
+    let acceleration = (seen[2] - 2.0 * seen[1] + seen[0]) / (HALF_DURATION * HALF_DURATION);
     acceleration
         .iter()
         .all(|axis| axis.is_finite())

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::fault::{DataFault, FaultKind};
 use super::track::{MIN_POINTS, Parabola, Track, parabola};
 use crate::dataset::Flight;
-use crate::statistics::median;
+use crate::statistics::median_of;
 
 /// Lengths, in points of the track, of the intervals at the start and at the end of a flight that are examined for
 /// contact with a hand or the ground.
@@ -32,21 +32,16 @@ const CATCH: (f64, f64) = (3.0, 5.0);
 /// flight.
 pub fn check(track: &Track, gravity: Vector3<f64>, flight: &Flight) -> Option<DataFault> {
     let examined = Examined::new(track, gravity)?;
-    let fault = |detail: String, mend: &str| DataFault {
-        file: flight.file.clone(),
-        fault: FaultKind::NotFreeFlight,
-        detail,
-        mend: mend.to_owned(),
-    };
+    let fault = |detail: &str, mend| DataFault::new(flight, FaultKind::NotFreeFlight, detail, mend);
     if examined.is_at_rest_throughout() {
         return Some(fault(
-            "the body does not move".into(),
+            "the body does not move",
             "remove the flight, or its samples before the release",
         ));
     }
     if let Some(time) = examined.held_until() {
         return Some(fault(
-            format!(
+            &format!(
                 "the body is pushed or held until t = {time:.3} s, as in the hand before the release"
             ),
             "begin the table at the release",
@@ -54,7 +49,7 @@ pub fn check(track: &Track, gravity: Vector3<f64>, flight: &Flight) -> Option<Da
     }
     examined.stopped_from().map(|time| {
         fault(
-            format!("the body is stopped or at rest from t = {time:.3} s, as after a catch or on the ground"),
+            &format!("the body is stopped or at rest from t = {time:.3} s, as after a catch or on the ground"),
             "end the table before the body is touched",
         )
     })
@@ -70,14 +65,11 @@ struct Examined<'a> {
 impl<'a> Examined<'a> {
     fn new(track: &'a Track, gravity: Vector3<f64>) -> Option<Self> {
         let windows = track.windows();
-        let mut speeds: Vec<f64> = windows
-            .iter()
-            .map(|(_, motion)| motion.velocity.norm())
-            .collect();
-        (!speeds.is_empty()).then(|| Self {
+        let speeds = windows.iter().map(|(_, motion)| motion.velocity.norm());
+        Some(Self {
             track,
             gravity,
-            speed: median(&mut speeds),
+            speed: median_of(speeds)?,
         })
     }
 

@@ -3,9 +3,10 @@
 use nalgebra::Vector3;
 
 use super::fault::{DataFault, FaultKind};
-use super::track::{Point, Track};
+use super::track::Track;
 use crate::dataset::Flight;
-use crate::statistics::median;
+use crate::ground_contact::PathPoint;
+use crate::statistics::{median_of, median_vector};
 
 /// Number of points on each side of a possible jump. A line is fitted to the points before it and another to the points
 /// after it; the jump is the distance between the two lines at the middle of the sampling interval between them.
@@ -30,8 +31,7 @@ pub fn check(track: &Track, flight: &Flight) -> Option<DataFault> {
     if points.len() < 2 * SIDE {
         return None;
     }
-    let mut intervals: Vec<f64> = points.windows(2).map(|w| w[1].time - w[0].time).collect();
-    let usual = median(&mut intervals);
+    let usual = median_of(points.windows(2).map(|w| w[1].time - w[0].time))?;
     let least = (JUMP.0 * track.noise).max(JUMP.1);
     for index in SIDE..=points.len() - SIDE {
         let interval = points[index].time - points[index - 1].time;
@@ -45,7 +45,7 @@ pub fn check(track: &Track, flight: &Flight) -> Option<DataFault> {
         let step = 0.5 * (before + after) * interval;
         // Lines fitted to a curved path miss its end points, by equal amounts on both sides if these are equally
         // long.
-        let span = |side: &[Point]| side[SIDE - 1].time - side[0].time;
+        let span = |side: &[PathPoint]| side[SIDE - 1].time - side[0].time;
         let longest = span(&points[index - SIDE..index]).max(span(&points[index..index + SIDE]));
         let curved = (after - before).norm() * longest / 6.0;
         if jump.norm() < least.max(STEPS * step.norm()) + curved {
@@ -65,19 +65,14 @@ pub fn check(track: &Track, flight: &Flight) -> Option<DataFault> {
                 "end the table there, or check that the track is of one body",
             ),
         };
-        return Some(DataFault {
-            file: flight.file.clone(),
-            fault: FaultKind::Other,
-            detail,
-            mend: mend.to_owned(),
-        });
+        return Some(DataFault::new(flight, FaultKind::Other, detail, mend));
     }
     None
 }
 
 /// Quick test for a possible jump of at least `least`, m, to point number `index`: whether the displacement from the
 /// previous point deviates enough from the displacements in the two adjacent sampling intervals.
-fn may_jump(points: &[Point], index: usize, least: f64) -> bool {
+fn may_jump(points: &[PathPoint], index: usize, least: f64) -> bool {
     let time = |k: usize| points[k].time - points[k - 1].time;
     let rate = |k: usize| (points[k].position - points[k - 1].position) / time(k);
     let rough = rate(index) - 0.5 * (rate(index - 1) + rate(index + 1));
@@ -85,20 +80,18 @@ fn may_jump(points: &[Point], index: usize, least: f64) -> bool {
 }
 
 /// Position at a time, and velocity, of a Theil–Sen line through points, which is robust to a few outliers.
-fn line(points: &[Point], time: f64) -> (Vector3<f64>, Vector3<f64>) {
+fn line(points: &[PathPoint], time: f64) -> (Vector3<f64>, Vector3<f64>) {
     let slope = |axis: usize| {
         let pairs = points.iter().enumerate().flat_map(|(i, a)| {
             let later = points[i + 1..].iter();
             later.map(move |b| (b.position[axis] - a.position[axis]) / (b.time - a.time))
         });
-        median(&mut pairs.collect::<Vec<f64>>())
+        median_of(pairs).unwrap_or(0.0)
     };
     let velocity = Vector3::new(slope(0), slope(1), slope(2));
-    let at = |axis: usize| {
-        let values = points
-            .iter()
-            .map(|point| point.position[axis] + velocity[axis] * (time - point.time));
-        median(&mut values.collect::<Vec<f64>>())
-    };
-    (Vector3::new(at(0), at(1), at(2)), velocity)
+    let at = points
+        .iter()
+        .map(|point| point.position + velocity * (time - point.time));
+    let position = median_vector(&at.collect::<Vec<_>>());
+    (position.unwrap_or_default(), velocity)
 }

@@ -1,9 +1,10 @@
 //! Exchanged labels: measured distances that match the template only after a permutation of the markers' names, in
 //! the whole flight or in a part of it.
 
-use super::distances::{Distances, MOST_MARKERS};
+use super::distances::{Distances, MAX_MARKERS};
 use super::fault::{DataFault, FaultKind};
 use crate::dataset::{Flight, Marker};
+use crate::statistics::median_of;
 
 /// Maximum number of markers for which all permutations are tried; with more markers only exchanges of two are tried.
 const ALL_PERMUTATIONS: usize = 4;
@@ -14,10 +15,10 @@ const TEMPLATE_ERROR: f64 = 1e-3;
 const CORRELATION: f64 = 2.0;
 /// Maximum magnitude of one sample's contribution to the log-likelihood ratio of exchanged to declared labels; it
 /// limits the influence of outliers.
-const MOST_OF_SAMPLE: f64 = 25.0;
+const MAX_OF_SAMPLE: f64 = 25.0;
 /// Minimum log-likelihood ratio of exchanged to declared labels, summed over consecutive samples, at which the labels
 /// are reported as exchanged.
-const LEAST_EVIDENCE: f64 = 100.0;
+const MIN_EVIDENCE: f64 = 100.0;
 /// Limit for reporting labels as exchanged: maximum ratio of the squared error of the distances between markers with
 /// exchanged labels to that with the declared labels. The contribution of noise is subtracted from both errors.
 const ERROR_RATIO: f64 = 0.2;
@@ -27,7 +28,7 @@ const WHOLE: f64 = 0.9;
 
 /// Range of consecutive samples in which the measured distances between markers match the declared distances better
 /// after a permutation of the labels, and the log-likelihood ratio of permuted to declared labels in this range.
-struct Stretch {
+struct SampleRange {
     first: usize,
     last: usize,
     evidence: f64,
@@ -36,16 +37,16 @@ struct Stretch {
 /// Fault of a flight in which labels of markers are exchanged; `None` if the measured distances between markers match
 /// the template (the declared positions of the markers).
 pub fn check(distances: &Distances, flight: &Flight, markers: &[Marker]) -> Option<DataFault> {
-    let count = markers.len().min(MOST_MARKERS);
-    let mut best: Option<(Vec<usize>, Stretch)> = None;
+    let count = markers.len().min(MAX_MARKERS);
+    let mut best: Option<(Vec<usize>, SampleRange)> = None;
     for permutation in permutations(count) {
         let permuted = permuted(distances, &permutation);
-        let Some(stretch) = stretch(distances, &permuted) else {
+        let Some(stretch) = exchanged_range(distances, &permuted) else {
             continue;
         };
         let least = best
             .as_ref()
-            .map_or(LEAST_EVIDENCE, |(_, best)| best.evidence);
+            .map_or(MIN_EVIDENCE, |(_, best)| best.evidence);
         // Of permutations that fit equally well, the one that moves the fewest labels is preferred.
         if stretch.evidence > 1.01 * least {
             best = Some((permutation, stretch));
@@ -79,20 +80,20 @@ pub fn check(distances: &Distances, flight: &Flight, markers: &[Marker]) -> Opti
             " of these rows".to_owned(),
         ),
     };
-    Some(DataFault {
-        file: file.clone(),
-        fault: FaultKind::LabelsExchanged,
-        detail: format!(
+    Some(DataFault::new(
+        flight,
+        FaultKind::LabelsExchanged,
+        format!(
             "{listed} in {file}{part}: the distances between markers fit the template only then"
         ),
-        mend: match moved.len() {
+        match moved.len() {
             2 => format!(
                 "exchange the columns of {} and {}{rows}",
                 moved[0], moved[1]
             ),
             _ => format!("rename the columns{rows}"),
         },
-    })
+    ))
 }
 
 /// Permutations of the labels of `count` markers other than the identity, in the order of the number of labels that
@@ -145,9 +146,9 @@ fn permuted(distances: &Distances, permutation: &[usize]) -> Vec<f64> {
 
 /// Tests one permutation of the marker labels; `permuted` is the distance of each pair of markers, m, that is expected
 /// with the permuted labels. Returns the range of consecutive samples with the greatest log-likelihood ratio of
-/// permuted to declared labels; `None` if this ratio is at most [`LEAST_EVIDENCE`] or the permutation does not remove
+/// permuted to declared labels; `None` if this ratio is at most [`MIN_EVIDENCE`] or the permutation does not remove
 /// most of the error of the distances (see [`ERROR_RATIO`]).
-fn stretch(distances: &Distances, permuted: &[f64]) -> Option<Stretch> {
+fn exchanged_range(distances: &Distances, permuted: &[f64]) -> Option<SampleRange> {
     let variance = (CORRELATION * distances.noise).powi(2) + TEMPLATE_ERROR.powi(2);
     let errors = |row: &[f64], declared: &[f64]| -> f64 {
         let pairs = row.iter().zip(declared).filter(|(d, _)| !d.is_nan());
@@ -157,26 +158,24 @@ fn stretch(distances: &Distances, permuted: &[f64]) -> Option<Stretch> {
     let squares: Vec<(f64, f64)> = each
         .map(|row| (errors(row, &distances.declared), errors(row, permuted)))
         .collect();
-    let (mut start, mut sum, mut best) = (0, 0.0, None::<Stretch>);
+    let (mut start, mut sum, mut best) = (0, 0.0, None::<SampleRange>);
     for (sample, (named, exchanged)) in squares.iter().enumerate() {
         let ratio = (named - exchanged) / variance;
-        sum += ratio.clamp(-MOST_OF_SAMPLE, MOST_OF_SAMPLE);
+        sum += ratio.clamp(-MAX_OF_SAMPLE, MAX_OF_SAMPLE);
         if sum <= 0.0 {
             (start, sum) = (sample + 1, 0.0);
         } else if best.as_ref().is_none_or(|best| sum > best.evidence) {
-            best = Some(Stretch {
+            best = Some(SampleRange {
                 first: start,
                 last: sample,
                 evidence: sum,
             });
         }
     }
-    let best = best.filter(|best| best.evidence > LEAST_EVIDENCE)?;
+    let best = best.filter(|best| best.evidence > MIN_EVIDENCE)?;
     let within = &squares[best.first..=best.last];
-    let mut named: Vec<f64> = within.iter().map(|(named, _)| *named).collect();
-    let mut exchanged: Vec<f64> = within.iter().map(|(_, exchanged)| *exchanged).collect();
-    let [named, exchanged] =
-        [&mut named, &mut exchanged].map(|squares| crate::statistics::median(squares));
+    let named = median_of(within.iter().map(|(named, _)| *named))?;
+    let exchanged = median_of(within.iter().map(|(_, exchanged)| *exchanged))?;
     // Noise contributes to both errors; the error in excess of noise must vanish.
     let noise = distances.pairs.len() as f64 * distances.noise.powi(2);
     (exchanged - noise < ERROR_RATIO * (named - noise).max(0.0)).then_some(best)

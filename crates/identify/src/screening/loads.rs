@@ -3,7 +3,9 @@
 
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
-use super::track::{Parabola, Point, Track};
+use super::track::{Parabola, Track};
+use crate::ground_contact::PathPoint;
+use crate::statistics::{median, median_of};
 
 /// Standard deviation of the prior of each aerodynamic load coefficient, whose mean is zero. It is stated as the
 /// acceleration that the load causes at the median speed, in units of the median acceleration.
@@ -51,7 +53,11 @@ pub fn rows(track: &Track, omega: Option<Vector3<f64>>) -> Vec<Row> {
 /// Regressors of the aerodynamic loads in a time window, averaged over the points in the window. For a body with an
 /// attitude: drag, and for each body axis four forces that depend on the direction of this axis relative to the
 /// velocity. For a point mass: drag and, if its angular velocity `omega` (rad/s) is known, lift caused by spin.
-fn loads(motion: &Parabola, points: &[Point], omega: Option<Vector3<f64>>) -> Vec<Vector3<f64>> {
+fn loads(
+    motion: &Parabola,
+    points: &[PathPoint],
+    omega: Option<Vector3<f64>>,
+) -> Vec<Vector3<f64>> {
     let speed = motion.velocity.norm();
     let along = motion
         .velocity
@@ -91,8 +97,8 @@ pub fn regress(rows: &[&Row], gravity: Option<Vector3<f64>>) -> Option<Regressio
         return None;
     }
     let given = gravity.unwrap_or_else(Vector3::zeros);
-    let typical = median_of(rows, |row| row.motion.acceleration.norm());
-    let pressure = median_of(rows, |row| row.motion.velocity.norm_squared());
+    let typical = median_of(rows.iter().map(|row| row.motion.acceleration.norm()))?;
+    let pressure = median_of(rows.iter().map(|row| row.motion.velocity.norm_squared()))?;
     if !(typical > 0.0 && pressure > 0.0) {
         return None;
     }
@@ -145,7 +151,7 @@ pub fn regress(rows: &[&Row], gravity: Option<Vector3<f64>>) -> Option<Regressio
             }
             sizes.push(rest.norm());
         }
-        remaining = crate::statistics::median(&mut sizes.clone());
+        remaining = median(&mut sizes.clone());
         scale = (remaining / 3.0_f64.sqrt()).max(1e-6 * typical);
         for (weight, size) in weights.iter_mut().zip(sizes) {
             *weight = 1.0 / (1.0 + (size / (2.0 * remaining.max(1e-6 * typical))).powi(2));
@@ -177,9 +183,4 @@ impl Regression {
                 .map(|(load, coefficient)| load * *coefficient)
                 .sum::<Vector3<f64>>()
     }
-}
-
-fn median_of(rows: &[&Row], value: impl Fn(&Row) -> f64) -> f64 {
-    let mut values: Vec<f64> = rows.iter().map(|row| value(row)).collect();
-    crate::statistics::median(&mut values)
 }

@@ -19,7 +19,7 @@ const THICKNESS: f64 = 0.05;
 const RATIO: f64 = 10.0;
 /// Minimum root mean square distance of the measured markers from their declared positions in the best-fitting pose, m,
 /// at which a flight is reported as mirrored.
-const LEAST_DISTANCE: f64 = 0.003;
+const MIN_DISTANCE: f64 = 0.003;
 
 /// Instruction for correcting left-handed axes, for the user.
 pub const MEND: &str = "change the sign of one horizontal axis (write -y for y)";
@@ -69,14 +69,9 @@ pub fn check(markers: &[[f64; 3]], flight: &Flight) -> Option<DataFault> {
         mirror.push(other.variance());
     }
     let (plain, mirror) = (median(&mut plain), median(&mut mirror));
-    (plain > RATIO * mirror && plain.sqrt() > LEAST_DISTANCE).then(|| DataFault {
-        file: flight.file.clone(),
-        fault: FaultKind::Mirrored,
-        detail: format!(
+    (plain > RATIO * mirror && plain.sqrt() > MIN_DISTANCE).then(|| DataFault::new(flight, FaultKind::Mirrored, format!(
             "the markers fit the mirror image of the template ({:.1} mm) and not the template ({:.1} mm): the axes seem left-handed",
             1e3 * mirror.sqrt(),
             1e3 * plain.sqrt()
-        ),
-        mend: MEND.into(),
-    })
+        ), MEND))
 }

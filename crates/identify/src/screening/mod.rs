@@ -30,7 +30,7 @@ use crate::ground_contact::ContactSearch;
 use crate::ids::FlightId;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
-use crate::statistics::median;
+use crate::statistics::median_of;
 
 /// Minimum ratio of the noise of a track to the median noise of all flights at which a fault is reported: the data are
 /// then too noisy to be those of a flying body. The limit [`NOISE_PART`] must be exceeded too.
@@ -47,16 +47,6 @@ pub(crate) struct Screening {
     /// Result of the search for the first ground contact of each flight, in the order of the dataset: `None` if a fault
     /// of the flight prevented the search. Empty if the faults come from an earlier screening.
     pub contacts: Vec<Option<ContactSearch>>,
-}
-
-impl Screening {
-    /// Creates a result from the faults that an earlier screening found; `contacts` is empty.
-    pub fn of_known_faults(faults: &[DataFault]) -> Self {
-        Self {
-            faults: faults.to_vec(),
-            contacts: Vec::new(),
-        }
-    }
 }
 
 /// Screens the flights of a dataset, both fitted and held out, for recording mistakes from which a fit cannot recover.
@@ -83,20 +73,20 @@ pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) ->
     });
     let (of_flights, contacts): (Vec<_>, Vec<Option<ContactSearch>>) = each.into_iter().unzip();
     let (faults, tracks) = of_flights.into_iter().unzip();
-    let faults = of_all((problem, dataset), is_rigid, (faults, tracks), threads);
+    let faults = compare_flights((problem, dataset), is_rigid, (faults, tracks), threads);
     Screening { faults, contacts }
 }
 
 /// Adds the faults that a comparison of the flights with each other and with gravity reveals to `faults`, which were
 /// found in single flights, and returns all faults. `faults` and `tracks` have one entry per flight. Uses `threads`
 /// threads.
-fn of_all(
+fn compare_flights(
     (problem, dataset): (&FitProblem, &Dataset),
     is_rigid: bool,
     (mut faults, mut tracks): (Vec<Option<DataFault>>, Vec<Option<Track>>),
     threads: usize,
 ) -> Vec<DataFault> {
-    no_flights(dataset, &mut faults, &mut tracks);
+    reject_noisy_tracks(dataset, &mut faults, &mut tracks);
     let Some(gravity) = gravity::gravity(problem) else {
         return faults.into_iter().flatten().collect();
     };
@@ -119,24 +109,28 @@ fn of_all(
 
 /// Adds a fault for each flight whose track is far noisier than the tracks of the other flights and than any measured
 /// flight can be, and removes this track.
-fn no_flights(dataset: &Dataset, faults: &mut [Option<DataFault>], tracks: &mut [Option<Track>]) {
-    let mut all: Vec<f64> = tracks.iter().flatten().map(|track| track.noise).collect();
-    let usual = median(&mut all);
+fn reject_noisy_tracks(
+    dataset: &Dataset,
+    faults: &mut [Option<DataFault>],
+    tracks: &mut [Option<Track>],
+) {
+    let all = tracks.iter().flatten().map(|track| track.noise);
+    let usual = median_of(all).unwrap_or(0.0);
     let is_rough =
         |track: &&Track| track.noise > (NOISE_PART * track.extent()).max(NOISE_RATIO * usual);
     for (index, flight) in dataset.flights.iter().enumerate() {
         let Some(track) = tracks[index].as_ref().filter(is_rough) else {
             continue;
         };
-        faults[index] = Some(DataFault {
-            file: flight.file.clone(),
-            fault: FaultKind::Other,
-            detail: format!(
+        faults[index] = Some(DataFault::new(
+            flight,
+            FaultKind::Other,
+            format!(
                 "its positions scatter by {:.2} m from sample to sample, unlike those of the other flights",
                 track.noise
             ),
-            mend: "check that the table is of a flight".into(),
-        });
+            "check that the table is of a flight",
+        ));
         tracks[index] = None;
     }
 }

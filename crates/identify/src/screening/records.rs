@@ -3,7 +3,8 @@
 
 use super::fault::{DataFault, FaultKind};
 use crate::dataset::Dataset;
-use crate::statistics::median;
+use crate::pose::distance;
+use crate::statistics::median_of;
 
 /// Minimum number of consecutive identical positions of a marker at which its track counts as frozen: the body moves,
 /// but the recorded coordinates do not change.
@@ -37,12 +38,12 @@ fn copy(dataset: &Dataset, flight: usize) -> Option<DataFault> {
     }
     let mut earlier = dataset.flights[..flight].iter();
     let original = earlier.find(|other| other.positions == this.positions)?;
-    Some(DataFault {
-        file: this.file.clone(),
-        fault: FaultKind::Other,
-        detail: format!("its samples are a copy of those of {}", original.file),
-        mend: format!("remove one of {} and {}", original.file, this.file),
-    })
+    Some(DataFault::new(
+        this,
+        FaultKind::Other,
+        format!("its samples are a copy of those of {}", original.file),
+        format!("remove one of {} and {}", original.file, this.file),
+    ))
 }
 
 /// Whether the median third difference of the first marker's coordinates exceeds 0.1 mm, as a result of noise; the
@@ -54,8 +55,7 @@ fn is_noisy(dataset: &Dataset, flight: usize) -> bool {
         let axis = |k: usize| (d[k] - 3.0 * c[k] + 3.0 * b[k] - a[k]).abs();
         Some(axis(0).max(axis(1)).max(axis(2)))
     };
-    let mut sizes: Vec<f64> = rows.windows(4).filter_map(third).collect();
-    median(&mut sizes) > 1e-4
+    median_of(rows.windows(4).filter_map(third)).is_some_and(|size| size > 1e-4)
 }
 
 /// Run of consecutive identical positions of a marker.
@@ -73,14 +73,8 @@ fn frozen(dataset: &Dataset, flight: usize, marker: usize) -> Option<DataFault> 
         return None;
     }
     let name = &dataset.markers[marker].name;
-    let fault = |detail: String, mend: String| {
-        Some(DataFault {
-            file: this.file.clone(),
-            fault: FaultKind::Frozen,
-            detail,
-            mend,
-        })
-    };
+    let fault =
+        |detail: String, mend: &str| Some(DataFault::new(this, FaultKind::Frozen, detail, mend));
     let zeros = track.iter().filter(|(_, point)| *point == [0.0; 3]).count();
     let far = |point: &[f64; 3]| point.iter().any(|axis| axis.abs() > 0.05);
     if zeros >= 2 && 2 * zeros < track.len() && track.iter().filter(|(_, p)| far(p)).count() > zeros
@@ -89,7 +83,7 @@ fn frozen(dataset: &Dataset, flight: usize, marker: usize) -> Option<DataFault> 
             format!(
                 "marker {name} is at exactly (0, 0, 0) in {zeros} samples, as where dropouts are written as zeros"
             ),
-            "leave the cells of a marker that was not seen empty".into(),
+            "leave the cells of a marker that was not seen empty",
         );
     }
     let (runs, still) = runs(&track);
@@ -100,7 +94,7 @@ fn frozen(dataset: &Dataset, flight: usize, marker: usize) -> Option<DataFault> 
                 "marker {name} has the same coordinates in all {} samples",
                 whole.samples
             ),
-            "export the recording again, or remove the flight".into(),
+            "export the recording again, or remove the flight",
         );
     }
     if still as f64 > REPEATED_FRACTION * pairs as f64
@@ -108,8 +102,7 @@ fn frozen(dataset: &Dataset, flight: usize, marker: usize) -> Option<DataFault> 
     {
         return fault(
             format!("marker {name} repeats its coordinates in {still} of {pairs} intervals"),
-            "keep only the samples at which the cameras recorded, or leave repeated cells empty"
-                .into(),
+            "keep only the samples at which the cameras recorded, or leave repeated cells empty",
         );
     }
     let longest = runs.into_iter().max_by_key(|run| run.samples)?;
@@ -126,7 +119,7 @@ fn frozen(dataset: &Dataset, flight: usize, marker: usize) -> Option<DataFault> 
             "marker {name} stays at the same coordinates from t = {:.3} s to {:.3} s, where it moves by {usual:.2} m otherwise",
             this.times[track[first].0], this.times[track[last].0]
         ),
-        format!("leave the cells of {name} empty there"),
+        &format!("leave the cells of {name} empty there"),
     )
 }
 
@@ -152,12 +145,8 @@ fn runs(track: &[(usize, [f64; 3])]) -> (Vec<Run>, usize) {
 /// positions are ignored.
 fn moves_by(track: &[(usize, [f64; 3])], intervals: usize) -> f64 {
     let pairs = track.iter().zip(&track[intervals.min(track.len())..]);
-    let moved = pairs.map(|((_, a), (_, b))| {
-        let squares = a.iter().zip(b).map(|(a, b)| (a - b).powi(2));
-        squares.sum::<f64>().sqrt()
-    });
-    let mut moved: Vec<f64> = moved.filter(|distance| *distance > 0.0).collect();
-    median(&mut moved)
+    let moved = pairs.map(|((_, a), (_, b))| distance(*a, *b));
+    median_of(moved.filter(|distance| *distance > 0.0)).unwrap_or(0.0)
 }
 
 /// Resolution of a marker's track, m: the smallest nonzero change of a coordinate between successive entries; 0 if

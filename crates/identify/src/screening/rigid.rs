@@ -7,7 +7,7 @@ use crate::problem::FitProblem;
 
 /// Maximum derivative of a distance between markers with respect to an estimated parameter that counts as zero,
 /// relative to the derivatives of the markers' positions.
-const LEAST_DERIVATIVE: f64 = 1e-9;
+const MIN_DERIVATIVE: f64 = 1e-9;
 
 /// Whether the declared positions of the markers fix the distance of each pair of markers independently of all
 /// estimated parameters, in the order of [`marker_pairs`].
@@ -47,7 +47,7 @@ pub fn rigid_pairs(problem: &FitProblem) -> Vec<bool> {
             let change = (0..3).map(|k| (b[k] - a[k]) * (by_b[k] - by_a[k]));
             let size = (0..3).map(|k| (b[k] - a[k]).abs() * (by_b[k].abs() + by_a[k].abs()));
             // The comparison is false if a value is not finite: the distance is then unknown.
-            change.sum::<f64>().abs() <= LEAST_DERIVATIVE * size.sum::<f64>()
+            change.sum::<f64>().abs() <= MIN_DERIVATIVE * size.sum::<f64>()
         })
     };
     pairs.iter().map(is_rigid).collect()

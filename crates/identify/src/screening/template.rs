@@ -1,14 +1,14 @@
 //! Faults revealed by the rigid distances between markers: lengths in another unit, labels that are exchanged in a
 //! flight or a part of it, a track that does not match the declared position of its marker.
 
-use super::distances::{Distances, MOST_MARKERS, unit};
+use super::distances::{Distances, MAX_MARKERS, unit};
 use super::fault::{DataFault, FaultKind};
 use super::labels;
 use crate::dataset::{Dataset, Flight, Marker};
 
 /// Minimum magnitude of the natural logarithm of the ratio of measured to declared distances at which a wrong unit is
 /// reported; it corresponds to a deviation of about 20 %.
-const LEAST_LOG_RATIO: f64 = 0.18;
+const MIN_LOG_RATIO: f64 = 0.18;
 /// Maximum fraction of a marker's samples with grossly wrong distances at which these samples count as outliers; with a
 /// larger fraction the whole track of the marker is reported as faulty.
 const GROSS_FRACTION: f64 = 0.15;
@@ -24,12 +24,12 @@ pub fn check(dataset: &Dataset, flight: usize, rigid: &[bool]) -> Option<DataFau
     let all = rigid.iter().all(|rigid| *rigid);
     units(&distances, flight)
         .or_else(|| all.then(labels)?)
-        .or_else(|| elsewhere(&distances, flight, markers))
+        .or_else(|| misplaced_marker(&distances, flight, markers))
 }
 
 fn units(distances: &Distances, flight: &Flight) -> Option<DataFault> {
     let ratio = distances.ratio()?;
-    if ratio.ln().abs() < LEAST_LOG_RATIO {
+    if ratio.ln().abs() < MIN_LOG_RATIO {
         return None;
     }
     let of_template = unit(1.0 / ratio);
@@ -52,18 +52,17 @@ fn units(distances: &Distances, flight: &Flight) -> Option<DataFault> {
                 .into(),
         ),
     };
-    Some(DataFault {
-        file: flight.file.clone(),
-        fault: FaultKind::Units,
-        detail,
-        mend,
-    })
+    Some(DataFault::new(flight, FaultKind::Units, detail, mend))
 }
 
 /// Fault of a marker whose distances to the other markers are grossly wrong in many samples; `None` if there is no
 /// such marker.
-fn elsewhere(distances: &Distances, flight: &Flight, markers: &[Marker]) -> Option<DataFault> {
-    let count = markers.len().min(MOST_MARKERS);
+fn misplaced_marker(
+    distances: &Distances,
+    flight: &Flight,
+    markers: &[Marker],
+) -> Option<DataFault> {
+    let count = markers.len().min(MAX_MARKERS);
     let (mut measured, mut wrong) = (vec![0_usize; count], vec![0_usize; count]);
     let (mut in_pairs, mut seen) = (vec![0_usize; count], vec![false; count]);
     for row in &distances.samples {
@@ -100,15 +99,13 @@ fn elsewhere(distances: &Distances, flight: &Flight, markers: &[Marker]) -> Opti
             let error = |pair: usize| (distances.medians[pair] - distances.declared[pair]).abs();
             error(a.0).total_cmp(&error(b.0))
         })?;
-    Some(DataFault {
-        file: flight.file.clone(),
-        fault: FaultKind::Other,
-        detail: format!(
+    Some(DataFault::new(
+        flight,
+        FaultKind::Other,
+        format!(
             "marker {name} is not where the template has it in {wrong} of {measured} samples (median distance of {} and {}: {:.3} m, declared {:.3} m)",
             markers[i].name, markers[j].name, distances.medians[pair], distances.declared[pair]
         ),
-        mend: format!(
-            "check the track and the declared position of {name}, or leave its cells empty"
-        ),
-    })
+        format!("check the track and the declared position of {name}, or leave its cells empty"),
+    ))
 }

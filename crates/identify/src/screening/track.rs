@@ -1,10 +1,10 @@
 //! The measured path of a body's origin, with velocities and accelerations from fitted parabolas.
 
-use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Vector3};
 
-use crate::ground_contact::{self, Contact, ContactSearch, PathPoint, Posed};
+use crate::ground_contact::{self, ContactSearch, PathPoint};
 use crate::path_noise::path_noise;
-use crate::pose::{Pose, point_position, pose};
+use crate::pose::{Pose, pose};
 use crate::problem::FitProblem;
 use crate::statistics::robust_sigma;
 
@@ -20,24 +20,11 @@ const WINDOW_ERROR: f64 = 0.04;
 /// accordingly.
 const WINDOWS: [usize; 2] = [4, 14];
 
-/// Measured pose or position of the body's origin in one sample.
-#[derive(Clone, Copy, Debug)]
-pub struct Point {
-    /// Index of the sample in the flight's table.
-    pub sample: usize,
-    /// Time of the sample, s.
-    pub time: f64,
-    /// Position of the body's origin, m, inertial frame.
-    pub position: Vector3<f64>,
-    /// Rotation from body to inertial components; `None` for a point mass.
-    pub attitude: Option<UnitQuaternion<f64>>,
-}
-
 /// Path of the body's origin in one flight.
 #[derive(Clone, Debug)]
 pub struct Track {
     /// Samples in which the origin could be determined.
-    pub points: Vec<Point>,
+    pub points: Vec<PathPoint>,
     /// Standard deviation of the noise of one coordinate of the measured position of the body's origin, m.
     pub noise: f64,
 }
@@ -67,46 +54,16 @@ impl Track {
         times: &[f64],
         rows: &[Vec<Option<[f64; 3]>>],
     ) -> (Self, Vec<Option<Pose>>) {
-        if !has_attitude {
-            return (Self::of_point_mass(markers, times, rows), Vec::new());
-        }
-        let poses = rows.iter().map(|row| pose(markers, row));
-        let poses: Vec<Option<Pose>> = poses.collect();
-        (Self::of_poses(times, &poses), poses)
-    }
-
-    fn of_point_mass(markers: &[[f64; 3]], times: &[f64], rows: &[Vec<Option<[f64; 3]>>]) -> Self {
-        let each = times.iter().zip(rows).enumerate();
-        let points = each.filter_map(|(sample, (&time, row))| {
-            Some(Point {
-                sample,
-                time,
-                position: point_position(markers, row)?,
-                attitude: None,
-            })
-        });
-        Self::new(points.collect())
-    }
-
-    /// Path of the body's origin from the pose in each sample, without the samples whose poses contain outliers.
-    fn of_poses(times: &[f64], poses: &[Option<Pose>]) -> Self {
-        let limit = ground_contact::variance_limit(poses.iter().flatten().map(Pose::variance));
-        let each = times.iter().zip(poses).enumerate();
-        let points = each.filter_map(|(sample, (&time, pose))| {
-            let pose = pose.filter(|pose| pose.variance() <= limit)?;
-            Some(Point {
-                sample,
-                time,
-                position: pose.position,
-                attitude: Some(pose.attitude),
-            })
-        });
-        Self::new(points.collect())
-    }
-
-    fn new(points: Vec<Point>) -> Self {
+        let poses: Vec<Option<Pose>> = match has_attitude {
+            true => rows.iter().map(|row| pose(markers, row)).collect(),
+            false => Vec::new(),
+        };
+        let of_point_mass = (!has_attitude).then_some(markers);
+        let mut points = ground_contact::path(times, &poses, of_point_mass, &|k| &rows[k]);
+        // Poses that contain outliers are not on the path.
+        points.retain(|point| point.attitude.is_some() == has_attitude);
         let noise = path_noise(points.iter().map(|point| (point.time, point.position)));
-        Self { points, noise }
+        (Self { points, noise }, poses)
     }
 
     /// Computes the path of the body's origin, without the points from the first contact with the ground on. Also
@@ -117,20 +74,11 @@ impl Track {
         rows: &[Vec<Option<[f64; 3]>>],
     ) -> (Self, ContactSearch) {
         let (mut track, poses) = Self::of(&problem.markers, problem.has_attitude, times, rows);
-        let contact = track.contact();
+        let contact = ground_contact::contact(&track.points);
         if let Some(contact) = &contact {
             track.points.retain(|point| point.sample < contact.sample);
         }
         (track, ContactSearch { contact, poses })
-    }
-
-    /// First contact of the body with the ground; `None` if the path shows none.
-    pub fn contact(&self) -> Option<Contact> {
-        let point = |point: &Point| (point.sample, point.time, point.position);
-        let path: Vec<PathPoint> = self.points.iter().map(point).collect();
-        let posed = self.points.iter();
-        let posed = posed.filter_map(|posed| Some((point(posed), posed.attitude?)));
-        ground_contact::contact(&path, &posed.collect::<Vec<Posed>>())
     }
 
     /// Extent of the path, m: the largest of the ranges of its x, y and z coordinates.
@@ -171,7 +119,7 @@ impl Track {
 
 /// Least-squares parabola through points, refitted once without outliers; `noise`, m, is the minimum standard deviation
 /// assumed for a coordinate. `None` for fewer than [`MIN_POINTS`] points.
-pub fn parabola(points: &[Point], noise: f64) -> Option<Parabola> {
+pub fn parabola(points: &[PathPoint], noise: f64) -> Option<Parabola> {
     let (first, last) = (points.first()?, points.last()?);
     let time = 0.5 * (first.time + last.time);
     let half = 0.5 * (last.time - first.time);
@@ -193,7 +141,7 @@ pub fn parabola(points: &[Point], noise: f64) -> Option<Parabola> {
         }
         let inverse = normal.try_inverse()?;
         let solved = inverse * right;
-        let residual = |point: &Point| {
+        let residual = |point: &PathPoint| {
             let s = (point.time - time) / half;
             let row = Vector3::new(1.0, s, s * s);
             point.position - origin - solved.tr_mul(&row)

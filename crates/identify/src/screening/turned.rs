@@ -5,22 +5,23 @@
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 use super::fault::{DataFault, FaultKind};
-use super::free_fall::{changed, upright};
+use super::free_fall::{transformed_track, upright};
 use super::gravity::acceleration;
 use super::mirror;
-use super::track::{Point, Track};
-use crate::dataset::Dataset;
+use super::track::Track;
+use crate::dataset::{Dataset, Flight};
+use crate::ground_contact::PathPoint;
 use crate::initial_state::{RigidMotion, state_for_motion};
 use crate::observations::Observations;
 use crate::pose::pose;
 use crate::problem::FitProblem;
-use crate::statistics::median;
+use crate::statistics::{median, median_vector};
 
 /// Minimum magnitude of the vertical component of the unit normal of the markers' plane at which it is clear which side
 /// of the body is up.
 const UPRIGHT: f64 = 0.3;
 /// Minimum number of flights at which mirrored axes are reported; the body must appear upside down in all flights.
-const LEAST_FLIGHTS: usize = 3;
+const MIN_FLIGHTS: usize = 3;
 /// Maximum number of flights in which measured and modelled accelerations are compared, and maximum number of time
 /// windows per flight.
 const COMPARED: (usize, usize) = (6, 3);
@@ -42,7 +43,7 @@ pub fn check(problem: &FitProblem, dataset: &Dataset, tracks: &[Option<Track>]) 
         return Vec::new();
     };
     let is_turned = |side: &f64| side * usual < 0.0 && side.abs() > UPRIGHT;
-    if seen.len() < LEAST_FLIGHTS || !seen.iter().all(is_turned) {
+    if seen.len() < MIN_FLIGHTS || !seen.iter().all(is_turned) {
         return Vec::new();
     }
     let reflection = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, 1.0));
@@ -60,29 +61,29 @@ pub fn check(problem: &FitProblem, dataset: &Dataset, tracks: &[Option<Track>]) 
         mirrored.extend(misfits(
             problem,
             &observations,
-            &changed(problem, flight, &reflection),
+            &transformed_track(problem, flight, &reflection),
         ));
     }
-    if plain.len() < LEAST_FLIGHTS
+    if plain.len() < MIN_FLIGHTS
         || median(&mut mirrored) > MISFIT * median(&mut plain)
         || mirrored.is_empty()
     {
         return Vec::new();
     }
-    let fault = |file: &String| {
-        DataFault {
-        file: file.clone(),
-        fault: FaultKind::Mirrored,
-        detail: "in all flights the body is upside down, and the model describes their mirror images far better: the axes seem left-handed, or labels are exchanged".into(),
-        mend: mirror::MEND.into(),
-    }
+    let fault = |flight: &Flight| {
+        DataFault::new(
+            flight,
+            FaultKind::Mirrored,
+            "in all flights the body is upside down, and the model describes their mirror images far better: the axes seem left-handed, or labels are exchanged",
+            mirror::MEND,
+        )
     };
     let flights = dataset
         .flights
         .iter()
         .zip(tracks)
         .filter(|(_, track)| track.is_some());
-    flights.map(|(flight, _)| fault(&flight.file)).collect()
+    flights.map(|(flight, _)| fault(flight)).collect()
 }
 
 /// Vertical component of the unit normal of the markers' plane in the model's default state, which defines the usual
@@ -125,13 +126,11 @@ fn misfits(problem: &FitProblem, observations: &Observations, track: &Track) -> 
 
 /// Component-wise median of the angular velocities between successive points of a track, rad/s, inertial frame; `None`
 /// if there are no two successive points with attitudes.
-fn rates(points: &[Point]) -> Option<Vector3<f64>> {
+fn rates(points: &[PathPoint]) -> Option<Vector3<f64>> {
     let pairs = points.windows(2).filter_map(|pair| {
         let turn: UnitQuaternion<f64> = pair[1].attitude? * pair[0].attitude?.inverse();
         Some(turn.scaled_axis() / (pair[1].time - pair[0].time))
     });
     let pairs: Vec<Vector3<f64>> = pairs.collect();
-    let axis =
-        |axis: usize| median(&mut pairs.iter().map(|rates| rates[axis]).collect::<Vec<f64>>());
-    (!pairs.is_empty()).then(|| Vector3::new(axis(0), axis(1), axis(2)))
+    median_vector(&pairs)
 }

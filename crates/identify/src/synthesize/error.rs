@@ -3,7 +3,7 @@
 use flight::release::Release;
 use ode::IntegrationError;
 
-use super::MOST_POINTS;
+use super::MAX_POINTS;
 
 /// Error for a setting outside its allowed range.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -42,9 +42,9 @@ impl OutOfRange {
 /// Reason why a flight cannot be simulated.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SimulationError {
-    /// The dataset would contain more marker positions than the maximum `MOST_POINTS`.
+    /// The dataset would contain more marker positions than the maximum `MAX_POINTS`.
     #[error(
-        "at {samples} samples a flight there are {points} marker points, expected at most {MOST_POINTS}"
+        "at {samples} samples a flight there are {points} marker points, expected at most {MAX_POINTS}"
     )]
     TooManyPoints {
         /// Number of samples of a flight.

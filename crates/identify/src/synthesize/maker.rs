@@ -11,7 +11,7 @@ use rand_chacha::ChaCha12Rng;
 use rand_chacha::rand_core::SeedableRng;
 
 use super::error::SimulationError;
-use super::{MOST_POINTS, Plan, corrupt};
+use super::{MAX_POINTS, Plan, corrupt};
 use crate::dataset::{Flight, KnownValue, Role};
 
 /// Absolute (in the SI unit of each state) and relative integration tolerance. Integration errors are far below the
@@ -44,7 +44,7 @@ impl Maker<'_> {
         let state = plan.spread.draw(self.model, &release.state(), &mut random);
         let parameters = self.body.release_parameters(release);
         let times = self.times(release, &parameters, &state)?;
-        let mut positions = self.seen(&parameters, &state, &times)?;
+        let mut positions = self.observed(&parameters, &state, &times)?;
         corrupt(&mut positions, &plan.noise, random.next_u64());
         if let Some(decimals) = plan.decimals {
             for value in positions.iter_mut().flatten().flatten().flatten() {
@@ -86,7 +86,7 @@ impl Maker<'_> {
         };
         let count = (end * plan.rate + 1e-9).floor() + 1.0;
         let points = count * self.positions.len() as f64 * plan.flights as f64;
-        if points > MOST_POINTS {
+        if points > MAX_POINTS {
             let samples = count;
             return Err(SimulationError::TooManyPoints { samples, points });
         }
@@ -123,7 +123,7 @@ impl Maker<'_> {
     }
 
     /// Simulated marker positions without measurement errors at the sample times, as `[sample][marker]`, m.
-    fn seen(
+    fn observed(
         &self,
         parameters: &[f64],
         state: &[f64],

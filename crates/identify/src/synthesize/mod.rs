@@ -21,11 +21,11 @@ use self::maker::Maker;
 use crate::dataset::{Dataset, Marker};
 
 /// Maximum number of flights of a synthetic dataset.
-const MOST_FLIGHTS: usize = 100_000;
+const MAX_FLIGHTS: usize = 100_000;
 /// Maximum number of samples × markers × flights of a synthetic dataset, which limits the memory used.
-const MOST_POINTS: f64 = 2e7;
+const MAX_POINTS: f64 = 2e7;
 /// Maximum sampling rate, Hz.
-const FASTEST: f64 = 1e6;
+const MAX_RATE: f64 = 1e6;
 
 /// Settings with which a synthetic dataset is generated.
 #[derive(Clone, Debug, PartialEq)]
@@ -186,22 +186,17 @@ fn check(model: &Model, releases: &[Release], plan: &Plan) -> Result<(), Synthes
     if model.observation.is_none() {
         return refuse(format!("the model {} observes nothing", model.name));
     }
-    if !(1..=MOST_FLIGHTS).contains(&plan.flights) {
-        let found = plan.flights;
-        return refuse(format!(
-            "flights: found {found}, expected 1 to {MOST_FLIGHTS}"
-        ));
-    }
+    OutOfRange::check("flights", plan.flights as f64, 1.0, MAX_FLIGHTS as f64)?;
     if plan.held_out > plan.flights {
         let (found, most) = (plan.held_out, plan.flights);
         return refuse(format!(
             "held-out: found {found}, expected at most the {most} flights"
         ));
     }
-    if !(plan.rate > 0.0 && plan.rate <= FASTEST) {
+    if !(plan.rate > 0.0 && plan.rate <= MAX_RATE) {
         let found = plan.rate;
         return refuse(format!(
-            "rate: found {found}, expected above 0 and up to {FASTEST} Hz"
+            "rate: found {found}, expected above 0 and up to {MAX_RATE} Hz"
         ));
     }
     if let Some(duration) = plan.duration

@@ -39,9 +39,9 @@ impl Default for Corruption {
 }
 
 /// Maximum allowed standard deviation of the noise, and of the additional error of outliers, m.
-const LARGEST: f64 = 100.0;
+const MAX_SIGMA: f64 = 100.0;
 /// Maximum allowed fraction of missing marker positions.
-const MOST_HIDDEN: f64 = 0.9;
+const MAX_DROPOUTS: f64 = 0.9;
 /// Minimum and maximum length of a run of missing positions, samples.
 const RUN: [usize; 2] = [3, 12];
 /// Number of initial samples discarded from the dropout process, so that its rate is stationary from the first
@@ -55,11 +55,11 @@ impl Corruption {
     /// [`OutOfRange`] for the first value that is outside its range.
     pub fn check(&self) -> Result<(), OutOfRange> {
         let within = OutOfRange::check;
-        within("noise-sigma", self.sigma, 0.0, LARGEST)?;
+        within("noise-sigma", self.sigma, 0.0, MAX_SIGMA)?;
         within("noise-ar1", self.ar1, -0.999, 0.999)?;
         within("outliers", self.outliers, 0.0, 1.0)?;
-        within("outlier-size", self.outlier_size, 0.0, LARGEST)?;
-        within("dropouts", self.dropouts, 0.0, MOST_HIDDEN)
+        within("outlier-size", self.outlier_size, 0.0, MAX_SIGMA)?;
+        within("dropouts", self.dropouts, 0.0, MAX_DROPOUTS)
     }
 }
 
@@ -117,7 +117,7 @@ pub fn corrupt(positions: &mut [Vec<Option<[f64; 3]>>], noise: &Corruption, seed
             }
         }
         let random = stream(seed, marker, Purpose::Dropouts);
-        for (point, hidden) in points.iter_mut().zip(hidden(noise.dropouts, random)) {
+        for (point, hidden) in points.iter_mut().zip(dropouts(noise.dropouts, random)) {
             if hidden {
                 **point = None;
             }
@@ -127,7 +127,7 @@ pub fn corrupt(positions: &mut [Vec<Option<[f64; 3]>>], noise: &Corruption, seed
 
 /// Endless sequence of flags, one per sample, that state whether a marker is missing. The given fraction of samples is
 /// missing, half of them singly and half in runs.
-fn hidden(fraction: f64, mut random: ChaCha12Rng) -> impl Iterator<Item = bool> {
+fn dropouts(fraction: f64, mut random: ChaCha12Rng) -> impl Iterator<Item = bool> {
     let [shortest, longest] = RUN;
     let mean = (shortest + longest) as f64 / 2.0;
     // A choice is made at each sample outside a run: a run begins with probability r, and the sample alone is missing

@@ -38,7 +38,7 @@ impl Default for Spread {
 }
 
 /// Maximum allowed value of [`Spread::fraction`].
-const MOST: f64 = 2.0;
+const MAX_FRACTION: f64 = 2.0;
 
 impl Spread {
     /// Checks that `fraction` is within its allowed range.
@@ -46,7 +46,7 @@ impl Spread {
     /// # Errors
     /// [`OutOfRange`] if `fraction` is not between 0 and its maximum.
     pub fn check(&self) -> Result<(), OutOfRange> {
-        OutOfRange::check("spread", self.fraction, 0.0, MOST)
+        OutOfRange::check("spread", self.fraction, 0.0, MAX_FRACTION)
     }
 
     /// Standard deviation of each state of a model around the values `state`, SI; 0 for positions.

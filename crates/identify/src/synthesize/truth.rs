@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use super::{Corruption, Spread};
+use crate::dataset::quoted;
 
 /// True values and settings with which a synthetic dataset was generated.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,8 +69,4 @@ impl Truth {
         }
         text
     }
-}
-
-fn quoted(text: &str) -> String {
-    toml::Value::from(text).to_string()
 }

@@ -5,7 +5,7 @@ mod profile;
 
 use nalgebra::{DMatrix, DVector};
 
-pub use non_identifiability::{ExcitationRange, non_identifiable};
+pub use non_identifiability::non_identifiable;
 pub use profile::profile;
 
 use crate::least_squares::{ReducedSystem, floored_inverse};
@@ -29,6 +29,11 @@ pub struct Covariance {
     pub model: DMatrix<f64>,
     /// Cluster-robust (sandwich) covariance with flights as clusters; `None` for fewer than 8 flights.
     pub clustered: Option<DMatrix<f64>>,
+}
+
+fn standard_errors(covariance: &DMatrix<f64>) -> DVector<f64> {
+    let variances = covariance.diagonal();
+    variances.map(|variance| variance.max(0.0).sqrt())
 }
 
 /// Minimum number of flights for a cluster-robust covariance.
@@ -63,19 +68,12 @@ impl Covariance {
 
     /// Cramér–Rao standard errors, in the order of the global parameters, SI.
     pub fn errors(&self) -> DVector<f64> {
-        self.model
-            .diagonal()
-            .map(|variance| variance.max(0.0).sqrt())
+        standard_errors(&self.model)
     }
 
     /// Cluster-robust standard errors, in the order of the global parameters, SI; `None` for fewer than 8 flights.
     pub fn clustered_errors(&self) -> Option<DVector<f64>> {
-        let clustered = self.clustered.as_ref()?;
-        Some(
-            clustered
-                .diagonal()
-                .map(|variance| variance.max(0.0).sqrt()),
-        )
+        self.clustered.as_ref().map(standard_errors)
     }
 
     /// Correlation matrix of the estimated global parameters.

@@ -20,7 +20,7 @@ const MIN_COMPONENT: f64 = 0.3;
 
 /// Minimum and maximum of each auxiliary variable and state of the model over the flights, keyed by the name of the
 /// variable or state.
-pub type ExcitationRange = BTreeMap<String, (f64, f64)>;
+type ExcitationRange = BTreeMap<String, (f64, f64)>;
 
 /// Non-identifiable directions of the global parameters, given their covariance, in the order of decreasing standard
 /// error.

@@ -2,6 +2,7 @@
 
 use super::{ball, discs};
 use crate::dataset::Flight;
+use crate::ground_contact;
 use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::screening::track::{self, Track};
@@ -28,7 +29,7 @@ fn cut_at(problem: &FitProblem, flight: &Flight) -> Option<usize> {
         &flight.times,
         &flight.positions,
     );
-    track.contact().map(|contact| contact.sample)
+    ground_contact::contact(&track.points).map(|contact| contact.sample)
 }
 
 fn cuts(seeds: std::ops::Range<u64>) -> [usize; 4] {
