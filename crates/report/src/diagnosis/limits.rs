@@ -16,7 +16,7 @@ const MOST_ROWS: usize = 60;
 pub(super) fn undetectable(report: &Report) -> Vec<[String; 2]> {
     let all = report.undetectable.iter().take(MOST_ROWS);
     all.map(|u| {
-        let absorbed = names(u.confounded_with.iter().map(String::as_str));
+        let absorbed = names(&u.confounded_with);
         let by = if absorbed.is_empty() {
             "nothing: it has no influence in these flights".to_owned()
         } else {

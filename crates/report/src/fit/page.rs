@@ -46,7 +46,7 @@ pub(super) fn written(page: &FitPage<'_>, figures: &Figures) -> String {
     let context = context! {
         model => &report.model,
         dataset => page.dataset,
-        effects => words::names(report.effects.iter().map(String::as_str)),
+        effects => words::names(&report.effects),
         summary => plain_values(&words::summary(page)),
         opening => plain_values(&words::opening(page)),
         precision => figures.precision.iter().map(|f| one(&reached(f))).collect::<Vec<_>>(),
@@ -235,7 +235,7 @@ fn undetermined(page: &FitPage<'_>) -> Vec<Undetermined> {
                 direction.clear();
             }
             Undetermined {
-                names: words::names(u.combination.iter().map(String::as_str)),
+                names: words::names(&u.combination),
                 direction,
                 error: percent(u.relative_error),
                 why: sentence(&u.why),

@@ -1,8 +1,7 @@
 //! Figures of an import: each flight over the time of its take, and each whole take.
 
 use super::{Curve, Distance, ImportedFlight, ImportedTake};
-use crate::figures::csv::of_panels;
-use crate::figures::{Dots, Layout, Line, Look, Mark, Panel, figure_of};
+use crate::figures::{Dots, Layout, Line, Look, Mark, Panel};
 use crate::fit::Drawn;
 use crate::fit::thin;
 
@@ -21,16 +20,12 @@ pub(super) fn flight(number: usize, flight: &ImportedFlight) -> Drawn {
     for panel in &mut panels {
         panel.marks = marks([(flight.release.time, "release"), (flight.end.time, "end")]);
     }
-    let svg = figure_of(Layout::SMALL, &flight.file, &panels);
     let caption = format!(
         "From {:.3} s: {}. To {:.3} s: {}.",
         flight.release.time, flight.release.reason, flight.end.time, flight.end.reason
     );
-    Drawn::new(
-        format!("flight-{number:02}"),
-        flight.file.clone(),
-        [caption, svg, of_panels(&panels)],
-    )
+    let name = format!("flight-{number:02}");
+    Drawn::of_panels(name, &flight.file, caption, Layout::SMALL, &panels)
 }
 
 /// Draws the height of the body over the whole recording `take`, with begin and end of each flight. `number` becomes
@@ -46,18 +41,13 @@ pub(super) fn take(number: usize, take: &ImportedTake) -> Drawn {
         .map(|flight| (flight.release.time, flight.file.as_str()));
     let end = take.flights.iter().map(|flight| (flight.end.time, ""));
     panel.marks = marks(release.chain(end));
-    let drawn = |layout| figure_of(layout, &take.file, std::slice::from_ref(&panel));
-    let mut figure = Drawn::new(
+    Drawn::of_panels(
         format!("take-{number:02}"),
-        take.file.clone(),
-        [
-            "Lines: the flights; grey: what was cut away.".into(),
-            drawn(Layout::WIDE),
-            of_panels(std::slice::from_ref(&panel)),
-        ],
-    );
-    figure.narrow = Some(drawn(Layout::SMALL));
-    figure
+        &take.file,
+        "Lines: the flights; grey: what was cut away.".into(),
+        Layout::WIDE,
+        &[panel],
+    )
 }
 
 fn marks<'a>(of: impl IntoIterator<Item = (f64, &'a str)>) -> Vec<Mark> {

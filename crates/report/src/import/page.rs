@@ -102,7 +102,7 @@ fn row(flight: &ImportedFlight) -> Row {
     let missing = flight.missing.iter();
     let missing: Vec<String> = missing.map(|(name, n)| format!("{name} in {n}")).collect();
     if !missing.is_empty() {
-        unseen.push(names(missing.iter().map(String::as_str)));
+        unseen.push(names(&missing));
     }
     Row {
         file: flight.file.clone(),

@@ -9,6 +9,7 @@ use crate::figures::axis::{number, range, ticks};
 use crate::figures::csv::Table;
 use crate::figures::svg::{Svg, cut};
 use crate::fit::Drawn;
+use crate::fit::draw::not_drawn;
 use crate::fit::numbers::{percent, raised};
 use crate::fit::thin::stride;
 
@@ -41,10 +42,8 @@ fn figure(index: usize, channel: &LoadChannel) -> Drawn {
         words::site(&channel.site),
         percent(channel.explained)
     );
-    let left_out = match channel.histories.len().saturating_sub(MOST_HISTORIES) {
-        0 => String::new(),
-        n => format!(" {n} more flights are not drawn."),
-    };
+    let left_out = channel.histories.len().saturating_sub(MOST_HISTORIES);
+    let left_out = not_drawn(left_out, "more flights");
     let caption = format!(
         "Estimated history of an additional coefficient in each flight; in the title the share of the misfit that it \
          explains; shaded: ±2 standard errors. All have one scale.{left_out}"

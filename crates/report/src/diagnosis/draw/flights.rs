@@ -3,11 +3,10 @@
 use diagnose::{FlightGain, Report};
 use identify::dataset::Role;
 
-use super::drawn;
 use super::gain::row;
+use super::{drawn_chart, drawn_panels};
 use crate::figures::chart::{Chart, Row, Shape, axis_for};
-use crate::figures::csv::of_panels;
-use crate::figures::{Dots, Layout, Line, Look, Panel, figure_of};
+use crate::figures::{Dots, Layout, Line, Look, Panel};
 use crate::fit::Drawn;
 use crate::fit::thin::stride;
 
@@ -47,10 +46,7 @@ pub(super) fn flights(report: &Report) -> Option<Drawn> {
         level: Some((1e3 * report.noise.sigma_m, "noise".into())),
     };
     let caption = "RMS residuals of the fitted flights, without and with the extension.";
-    let texts = [caption.into(), chart.csv()];
-    Some(drawn("flights", title, texts, Layout::SMALL, |l| {
-        chart.draw(l)
-    }))
+    Some(drawn_chart("flights", &chart, caption, Layout::SMALL))
 }
 
 /// Draws two dots for each flight: its RMS residuals without and with the extension. Flights are ordered by the
@@ -103,12 +99,5 @@ fn ranked(title: &str, fitted: &[&FlightGain], noise: f64) -> Drawn {
     };
     let caption =
         "RMS residuals of the fitted flights, two dots per flight; the broken line is the noise.";
-    let csv = of_panels(std::slice::from_ref(&panel));
-    drawn(
-        "flights",
-        title,
-        [caption.into(), csv],
-        Layout::SMALL,
-        |l| figure_of(l, title, std::slice::from_ref(&panel)),
-    )
+    drawn_panels("flights", title, caption, Layout::SMALL, &[panel])
 }

@@ -3,10 +3,11 @@
 use diagnose::{FlightGain, Report};
 use identify::dataset::Role;
 
-use super::drawn;
+use super::drawn_chart;
 use crate::figures::Layout;
 use crate::figures::chart::{Chart, Row, Shape, axis_for};
 use crate::fit::Drawn;
+use crate::fit::draw::not_drawn;
 
 /// Maximum number of flights drawn as a row.
 const MOST: usize = 12;
@@ -65,19 +66,12 @@ pub(super) fn gain(report: &Report) -> Option<Drawn> {
         across: "RMS prediction error, mm".into(),
         level: Some((floor, "noise".into())),
     };
-    let left_out = match number.saturating_sub(MOST) {
-        0 => String::new(),
-        n => format!(" {n} more flights are not drawn."),
-    };
+    let left_out = not_drawn(number.saturating_sub(MOST), "more flights");
     let caption = format!(
         "Flights that were not fitted; the bar at ‘all’ is the standard error of the difference, the broken line the \
          noise per coordinate.{left_out}"
     );
-    let title = chart.title.clone();
-    let texts = [caption, chart.csv()];
-    Some(drawn("gain", &title, texts, Layout::SMALL, |l| {
-        chart.draw(l)
-    }))
+    Some(drawn_chart("gain", &chart, &caption, Layout::SMALL))
 }
 
 /// Chart row of a flight: RMS error in mm without and with the extension.

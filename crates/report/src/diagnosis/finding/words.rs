@@ -241,15 +241,7 @@ pub(super) fn sure(report: &Report) -> String {
                 },
             format!(
                 "Which it is, is open: {}.",
-                names(
-                    report
-                        .causes
-                        .iter()
-                        .map(words::cause)
-                        .collect::<Vec<_>>()
-                        .iter()
-                        .map(String::as_str)
-                )
+                names(&report.causes.iter().map(words::cause).collect::<Vec<_>>())
             ),
         ]),
         Verdict::Negligible => joined([

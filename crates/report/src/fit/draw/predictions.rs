@@ -5,9 +5,9 @@ use identify::{Fit, FlightEvidence, FlightId};
 
 use super::super::Drawn;
 use super::super::thin::{MOST, stride};
-use super::{is_outlier, predicted, samples, seen, small};
+use super::{points, samples};
 use crate::bands::{PredictionBand, prediction_band};
-use crate::figures::{Dots, Look, Mark, Panel};
+use crate::figures::{Dots, Layout, Look, Mark, Panel};
 
 /// Maximum number of flights drawn, one figure each.
 const MOST_FLIGHTS: usize = 6;
@@ -93,22 +93,12 @@ fn figure(
          of the coefficients, of the initial state (fitted to the first 30\u{a0}%) and of the noise."
     );
     let name = format!("prediction-{:02}", index + 1);
-    small(name, flight.file.clone(), caption, &panels)
+    Drawn::of_panels(name, &flight.file, caption, Layout::SMALL, &panels)
 }
 
 /// Times (s) and prediction errors (mm) along one axis, for all markers, without outliers.
 fn errors(flight: &FlightEvidence, axis: usize) -> Vec<(f64, f64)> {
-    let mut errors = Vec::new();
-    for sample in samples(flight) {
-        for marker in 0..flight.markers.len() {
-            let Some(place) = seen(flight, sample, marker) else {
-                continue;
-            };
-            let error = 1e3 * (place[axis] - predicted(flight, sample, marker)[axis]);
-            if error.is_finite() && !is_outlier(flight, sample, marker) {
-                errors.push((flight.times[sample], error));
-            }
-        }
-    }
-    errors
+    let points = points(flight, flight.markers.len()).filter(|point| !point.is_outlier);
+    let errors = points.map(|point| (point.time, point.residual[axis]));
+    errors.filter(|(_, error)| error.is_finite()).collect()
 }

@@ -5,8 +5,7 @@ use identify::FitReport;
 
 use super::super::Drawn;
 use super::super::numbers::{Digits, raised, unit};
-use super::small;
-use crate::figures::{Dots, Line, Look, Mark, Panel};
+use crate::figures::{Dots, Layout, Line, Look, Mark, Panel};
 
 /// Deviance above which a value of the coefficient is rejected at the 5 % level: 95 % quantile of χ²(1).
 const LEVEL: f64 = 3.84;
@@ -71,12 +70,13 @@ pub(in super::super) fn profiles(report: &FitReport) -> Vec<Drawn> {
                 up: Some((-0.05 * top, 1.05 * top)),
                 ..Panel::default()
             };
-            small(
+            Drawn::of_panels(
                 format!("profile-{:02}", i + 1),
-                format!("Profile likelihood of {}", profile.name),
+                &format!("Profile likelihood of {}", profile.name),
                 format!(
                     "Broken line: 3.84, where a value is rejected at the 5\u{a0}% level. It is reached below {low}, above {high}."
                 ),
+                Layout::SMALL,
                 &[panel],
             )
         })

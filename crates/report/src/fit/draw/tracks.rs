@@ -4,9 +4,9 @@ use identify::FlightEvidence;
 
 use super::super::Drawn;
 use super::super::thin::{MOST, stride};
-use super::{MOST_FLIGHTS, is_outlier, predicted, samples, seen, small};
+use super::{MOST_FLIGHTS, MeasuredPoint, not_drawn, points, predicted, samples};
 use crate::figures::axis::range;
-use crate::figures::{Dots, Line, Look, Panel};
+use crate::figures::{Dots, Layout, Line, Look, Panel};
 
 /// Maximum number of markers drawn: the number of distinct line colours.
 const MOST_MARKERS: usize = 4;
@@ -56,16 +56,12 @@ fn track(index: usize, flight: &FlightEvidence, map: Panel, tall: f64) -> Drawn 
         ..panel(flight, height)
     };
     let left_out = flight.markers.len().saturating_sub(MOST_MARKERS);
-    let more = match left_out {
-        0 => String::new(),
-        n => format!(" {n} more markers are not drawn."),
-    };
-    small(
+    let caption = "Dots: measured; lines: predicted; crosses: outliers. Long flights are drawn with fewer samples.";
+    Drawn::of_panels(
         format!("tracks-{:02}", index + 1),
-        flight.file.clone(),
-        format!(
-            "Dots: measured; lines: predicted; crosses: outliers. Long flights are drawn with fewer samples.{more}"
-        ),
+        &flight.file,
+        caption.to_owned() + &not_drawn(left_out, "more markers"),
+        Layout::SMALL,
         &[above, side],
     )
 }
@@ -78,17 +74,14 @@ fn panel(flight: &FlightEvidence, at: impl Fn(f64, [f64; 3]) -> (f64, f64)) -> P
         ..Panel::default()
     };
     let mut outliers = Vec::new();
+    let measured: Vec<MeasuredPoint> = points(flight, MOST_MARKERS).collect();
     for (marker, name) in flight.markers.iter().take(MOST_MARKERS).enumerate() {
         let mut dots = Vec::new();
-        for sample in samples(flight) {
-            let Some(place) = seen(flight, sample, marker) else {
-                continue;
-            };
-            let point = at(flight.times[sample], place);
-            if is_outlier(flight, sample, marker) {
-                outliers.push(point);
-            } else {
-                dots.push(point);
+        for measured in measured.iter().filter(|point| point.marker == marker) {
+            let point = at(measured.time, measured.measured);
+            match measured.is_outlier {
+                true => outliers.push(point),
+                false => dots.push(point),
             }
         }
         let line = samples(flight).map(|s| at(flight.times[s], predicted(flight, s, marker)));

@@ -4,8 +4,7 @@ use identify::{AxisResiduals, FitReport};
 
 use super::super::Drawn;
 use super::super::thin::{MOST, stride};
-use super::small;
-use crate::figures::{Dots, Line, Look, Panel};
+use crate::figures::{Dots, Layout, Line, Look, Panel};
 
 /// Draws the autocorrelation and the normal Q–Q plot of the residuals, one figure for each axis.
 pub(in super::super) fn whiteness(report: &FitReport) -> Vec<Drawn> {
@@ -61,12 +60,13 @@ fn figure(index: usize, axis: &str, found: &AxisResiduals) -> Option<Drawn> {
     if panels.is_empty() {
         return None;
     }
-    Some(small(
+    Some(Drawn::of_panels(
         format!("noise-{}", index + 1),
-        format!("Residuals along {axis}"),
+        &format!("Residuals along {axis}"),
         "Above: autocorrelation of the residuals, as they are and whitened by the noise model; the whitened one should be \
          within the shaded 95 % band. Below: normal Q–Q plot; the points should be on the line."
             .into(),
+        Layout::SMALL,
         &panels,
     ))
 }
