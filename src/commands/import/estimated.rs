@@ -97,7 +97,7 @@ pub fn estimated(
         let _ = writeln!(decisions, "  {line}");
     }
     if !left_out.is_empty() {
-        let names = listed(left_out.iter().map(String::as_str));
+        let names = listed(&left_out);
         let _ = writeln!(
             decisions,
             "  left out, since they do not keep their distances to the others in every take: {names}"

@@ -7,9 +7,8 @@
 use nalgebra::{DMatrix, Vector3};
 
 use super::smooth::Smooth;
+use crate::throws::GRAVITY;
 
-/// Standard acceleration of gravity, m/s².
-const GRAVITY: f64 = 9.81;
 /// Minimum sine of the angle between velocity and spin axis for a displacement of the centre of mass by aerodynamic
 /// forces to be computed from the rotation of the axis about the velocity. At smaller angles the whole displacement
 /// counts as unknown.

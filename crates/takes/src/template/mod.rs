@@ -103,7 +103,7 @@ pub enum TemplateError {
     /// There are fewer than 3 markers, too few for an attitude.
     #[error(
         "found {} ({}), expected at least 3 points that move as one body, or a template by --markers",
-        count(labels.len(), "point"), listed(labels.iter().map(String::as_str))
+        count(labels.len(), "point"), listed(labels)
     )]
     FewPoints {
         /// Labels of the available points.
