@@ -47,9 +47,9 @@ fn groups(states: &[StateLabel<'_>], rows: &[Vec<f64>], apart: f64) -> Vec<Vec<u
     groups
 }
 
-/// Panels of the states over time, one for each group of states with equal units and peak magnitudes (in `rows`, samples
-/// of all states) that differ at most by the factor `apart`. `points` returns the pairs of time (s) and value of the
-/// state with the given index.
+/// Panels of the states over time, one for each group of states with equal units and peak magnitudes (in `rows`,
+/// samples of all states) that differ at most by the factor `apart`. `points` returns the pairs of time (s) and value of
+/// the state with the given index.
 pub(crate) fn panels_of_states(
     states: &[StateLabel<'_>],
     rows: &[Vec<f64>],

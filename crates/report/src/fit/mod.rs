@@ -135,8 +135,8 @@ impl Drawn {
         }
     }
 
-    /// Creates a figure from its caption and CSV table (`texts`) by calling `draw` for the layout `wide` and, if that is
-    /// not the small layout, also for the small one, for narrow screens.
+    /// Creates a figure from its caption and CSV table (`texts`) by calling `draw` for the layout `wide` and, if that
+    /// is not the small layout, also for the small one, for narrow screens.
     pub(crate) fn in_layouts(
         name: impl Into<String>,
         title: &str,

@@ -14,7 +14,7 @@ const GOOD: f64 = 0.1;
 /// predicted.
 const FAR: f64 = 3.0;
 /// Maximum number of names listed in a sentence.
-const MOST_NAMES: usize = 24;
+const MAX_NAMES: usize = 24;
 
 /// Sentences on the fitted data, the noise, the goodness of fit and the precision of the coefficients.
 pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
@@ -244,9 +244,9 @@ fn were(flights: usize) -> String {
     )
 }
 
-/// Joins names as `a, b and c`; beyond [`MOST_NAMES`] names, only the number of further names is stated.
+/// Joins names as `a, b and c`; beyond [`MAX_NAMES`] names, only the number of further names is stated.
 pub(crate) fn names(names: &[impl AsRef<str>]) -> String {
-    let shown = names.iter().take(MOST_NAMES).map(AsRef::as_ref);
+    let shown = names.iter().take(MAX_NAMES).map(AsRef::as_ref);
     let mut shown: Vec<&str> = shown.collect();
     let more = format!("{} more", names.len() - shown.len());
     if shown.len() < names.len() {

@@ -6,9 +6,9 @@ use crate::fit::Drawn;
 use crate::fit::thin;
 
 /// Maximum number of marker pairs whose distances are drawn: the number of distinct line colours.
-const MOST_PAIRS: usize = 4;
+const MAX_PAIRS: usize = 4;
 /// Maximum number of dots of a curve before and after the flight.
-const MOST_DOTS: usize = 150;
+const MAX_DOTS: usize = 150;
 
 /// Draws the curves and marker distances of a flight: lines during the flight, grey dots for the recording before and
 /// after it. `number` becomes part of the figure's file name.
@@ -74,11 +74,11 @@ fn split(points: &[(f64, f64)], inside: impl Fn(f64) -> bool) -> Panel {
         across: "time of the recording, s".into(),
         lines: vec![Line {
             name: String::new(),
-            points: thin::curve(&line, thin::MOST),
+            points: thin::curve(&line, thin::MAX_CURVE_POINTS),
         }],
         dots: vec![Dots {
             look: Look::Pale,
-            points: thin::stride(&outside, MOST_DOTS),
+            points: thin::stride(&outside, MAX_DOTS),
         }],
         ..Panel::default()
     }
@@ -96,8 +96,8 @@ fn curve(flight: &ImportedFlight, curve: &Curve) -> Panel {
 fn distances(flight: &ImportedFlight) -> Option<Panel> {
     let mut pairs: Vec<&Distance> = flight.distances.iter().collect();
     pairs.sort_by(|a, b| spread(flight, b).total_cmp(&spread(flight, a)));
-    let left_out = pairs.len().saturating_sub(MOST_PAIRS);
-    pairs.truncate(MOST_PAIRS);
+    let left_out = pairs.len().saturating_sub(MAX_PAIRS);
+    pairs.truncate(MAX_PAIRS);
     let line = |pair: &&Distance| {
         let off = pair.points.iter().map(|&(t, d)| match flight.holds(t) {
             true => (t, 1e3 * (d - pair.template)),
@@ -107,7 +107,7 @@ fn distances(flight: &ImportedFlight) -> Option<Panel> {
         Line {
             // Spaces widen the margin, because bold letters of a name can be wide.
             name: format!("{}   ", pair.name),
-            points: thin::curve(&off, thin::MOST),
+            points: thin::curve(&off, thin::MAX_CURVE_POINTS),
         }
     };
     let more = match left_out {

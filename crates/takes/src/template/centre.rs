@@ -11,7 +11,7 @@ use nalgebra::{DMatrix, Matrix3, Rotation3, SymmetricEigen, Vector3};
 use super::air::air_motion;
 use super::shape::{Placed, Shape};
 use super::smooth::Smooth;
-use super::{FreeFlight, LEAST_SAMPLES, TemplateError, UpVote};
+use super::{FreeFlight, MIN_SAMPLES, TemplateError, UpVote};
 
 /// Minimum and maximum degree of the polynomial in time that is fitted to a trajectory.
 const DEGREES: (usize, usize) = (2, 10);
@@ -118,7 +118,7 @@ struct Sums {
 /// Estimates spin axis and centre of mass from the poses of all flights.
 pub(super) fn centre(shape: &Shape, flights: &[FreeFlight<'_>]) -> Result<Centre, TemplateError> {
     let each = shape.poses.iter().zip(flights);
-    let each = each.filter(|(poses, _)| poses.len() >= LEAST_SAMPLES);
+    let each = each.filter(|(poses, _)| poses.len() >= MIN_SAMPLES);
     let mut motions: Vec<Motion> = each
         .map(|(poses, flight)| Motion::new(shape, poses, flight))
         .collect();
@@ -172,9 +172,9 @@ fn axis_of(sums: &Sums) -> Option<Vector3<f64>> {
     turns.then(|| eigen.eigenvectors.column(order[0]).into_owned())
 }
 
-/// Selects, among the body points at height 0 along the axis, the one with the smoothest trajectory. Returns this point,
-/// m; the derivative of its components across the axis with respect to the height at which it is selected; and the
-/// inverse of the matrix of the normal equations in the plane normal to the axis.
+/// Selects, among the body points at height 0 along the axis, the one with the smoothest trajectory. Returns this
+/// point, m; the derivative of its components across the axis with respect to the height at which it is selected; and
+/// the inverse of the matrix of the normal equations in the plane normal to the axis.
 fn at_height_zero(sums: &Sums, axis: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64>, Matrix3<f64>) {
     let across = Matrix3::identity() - axis * axis.transpose();
     let matrix = sums.raw - sums.noise;

@@ -174,7 +174,7 @@ fn count(number: usize, noun: &str) -> String {
 
 /// Minimum number of samples with a determined attitude for a flight to contribute to the spin axis and the centre of
 /// mass.
-const LEAST_SAMPLES: usize = 12;
+const MIN_SAMPLES: usize = 12;
 
 /// Estimates the positions of the labelled markers from free flights of their body.
 ///

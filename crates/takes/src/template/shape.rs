@@ -4,7 +4,7 @@
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
-use super::{FreeFlight, LEAST_SAMPLES, TemplateError};
+use super::{FreeFlight, MIN_SAMPLES, TemplateError};
 use crate::throws::{centred, fitted, median};
 
 /// Maximum number of iterations of the estimate of the marker positions on the body, and number of initial iterations
@@ -88,8 +88,8 @@ pub(super) fn shape(labels: &[String], flights: &[FreeFlight<'_>]) -> Result<Sha
         }
     }
     let found = poses.iter().map(Vec::len).max().unwrap_or(0);
-    if found < LEAST_SAMPLES {
-        let expected = LEAST_SAMPLES;
+    if found < MIN_SAMPLES {
+        let expected = MIN_SAMPLES;
         return Err(TemplateError::FewSamples { found, expected });
     }
     if is_flat(&points) {
@@ -143,7 +143,7 @@ fn first_shape<'r>(
     });
     let mut known: Row = best.cloned().unwrap_or_default();
     if known.iter().flatten().count() < 3 {
-        let (found, expected) = (0, LEAST_SAMPLES);
+        let (found, expected) = (0, MIN_SAMPLES);
         return Err(TemplateError::FewSamples { found, expected });
     }
     while let Some(lacking) = known.iter().position(Option::is_none) {

@@ -174,9 +174,9 @@ impl<'t> FlightEnd<'t> {
         })
     }
 
-    /// Fits to the samples, on each axis, a cubic in the time since `time`, plus hinge terms: powers, with the exponents
-    /// `hinge`, of the time outside the flight, which are 0 inside the flight. `None` if there are too few samples or
-    /// the equations are singular.
+    /// Fits to the samples, on each axis, a cubic in the time since `time`, plus hinge terms: powers, with the
+    /// exponents `hinge`, of the time outside the flight, which are 0 inside the flight. `None` if there are too few
+    /// samples or the equations are singular.
     fn fit(&self, time: f64, hinge: &'static [i32]) -> Option<Fit> {
         let rows = self.samples.len();
         let columns = CUBIC + hinge.len();

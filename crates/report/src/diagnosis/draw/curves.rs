@@ -7,10 +7,10 @@ use super::drawn_panels;
 use crate::figures::{Bar, Layout, Line, Panel, symbol};
 use crate::fit::Drawn;
 use crate::fit::numbers::with_unit;
-use crate::fit::thin::MOST as MOST_POINTS;
+use crate::fit::thin::MAX_CURVE_POINTS;
 
 /// Maximum number of curves drawn.
-const MOST: usize = 24;
+const MAX_CURVES: usize = 24;
 
 /// Whether the extension of the model changes the curve.
 fn moves(curve: &CoefficientCurve) -> bool {
@@ -28,7 +28,7 @@ pub(super) fn curves(report: &Report) -> Vec<Drawn> {
     let mut curves: Vec<&CoefficientCurve> =
         report.curves.iter().filter(|c| !c.x.is_empty()).collect();
     curves.sort_by_key(|c| !moves(c));
-    let figures = curves.into_iter().take(MOST).enumerate();
+    let figures = curves.into_iter().take(MAX_CURVES).enumerate();
     figures.map(|(i, curve)| figure(i, curve)).collect()
 }
 
@@ -36,7 +36,7 @@ fn figure(index: usize, curve: &CoefficientCurve) -> Drawn {
     let points = |values: &[f64]| {
         let all = curve.x.iter().copied().zip(values.iter().copied());
         all.filter(|p| p.0.is_finite())
-            .take(MOST_POINTS)
+            .take(MAX_CURVE_POINTS)
             .collect::<Vec<_>>()
     };
     let line = |name: &str, values: &[f64]| Line {
@@ -87,7 +87,7 @@ fn figure(index: usize, curve: &CoefficientCurve) -> Drawn {
 
 /// Histogram bars of the number of samples; empty for fewer than two points.
 fn bars(curve: &CoefficientCurve) -> Vec<Bar> {
-    let points = curve.x.iter().zip(&curve.support).take(MOST_POINTS);
+    let points = curve.x.iter().zip(&curve.support).take(MAX_CURVE_POINTS);
     let points: Vec<(f64, f64)> = points
         .map(|(x, n)| (*x, *n as f64))
         .filter(|p| p.0.is_finite())

@@ -11,9 +11,9 @@ use crate::fit::Drawn;
 use crate::fit::thin::stride;
 
 /// Maximum number of flights drawn as one row each; more flights are drawn as dots in order of their residual.
-const MOST_ROWS: usize = 16;
+const MAX_ROWS: usize = 16;
 /// Maximum number of flights drawn as dots.
-const MOST_DOTS: usize = 2000;
+const MAX_DOTS: usize = 2000;
 
 /// Draws the RMS residuals of the fitted flights; `None` if the model was not extended.
 pub(super) fn flights(report: &Report) -> Option<Drawn> {
@@ -24,7 +24,7 @@ pub(super) fn flights(report: &Report) -> Option<Drawn> {
         return None;
     }
     let title = "Fitted flights";
-    if fitted.len() > MOST_ROWS {
+    if fitted.len() > MAX_ROWS {
         return Some(ranked(title, &fitted, 1e3 * report.noise.sigma_m));
     }
     let rows: Vec<Row> = fitted.iter().map(|f| row(f)).collect();
@@ -64,7 +64,7 @@ fn ranked(title: &str, fitted: &[&FlightGain], noise: f64) -> Drawn {
         .iter()
         .enumerate()
         .map(|(i, s)| (i as f64 + 1.0, s.0, s.1));
-    let ranks = stride(&ranks.collect::<Vec<_>>(), MOST_DOTS);
+    let ranks = stride(&ranks.collect::<Vec<_>>(), MAX_DOTS);
     let before: Vec<(f64, f64)> = ranks
         .iter()
         .map(|(rank, before, _)| (*rank, *before))

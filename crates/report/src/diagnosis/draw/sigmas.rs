@@ -10,7 +10,7 @@ use crate::fit::Drawn;
 use crate::fit::draw::not_drawn;
 
 /// Maximum number of candidates drawn.
-const MOST: usize = 60;
+const MAX_CANDIDATES: usize = 60;
 
 /// Draws the equivalent z of each candidate's score test as a bar, the most significant first; `None` if there are no
 /// candidates.
@@ -21,8 +21,8 @@ pub(super) fn sigmas(report: &Report) -> Option<Drawn> {
         if c.z.is_nan() { f64::NEG_INFINITY } else { c.z }
     };
     all.sort_by(|a, b| size(b).total_cmp(&size(a)));
-    let left_out = all.len().saturating_sub(MOST);
-    all.truncate(MOST);
+    let left_out = all.len().saturating_sub(MAX_CANDIDATES);
+    all.truncate(MAX_CANDIDATES);
     if all.is_empty() {
         return None;
     }

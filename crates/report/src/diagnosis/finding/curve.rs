@@ -18,7 +18,7 @@ const INTERVALS: usize = 32;
 /// samples of an interval at which the quantity is evaluated.
 const SAMPLES: (usize, usize) = (4, 7);
 /// Maximum number of samples, over all flights, from which the curve is computed.
-const MOST_SAMPLES: usize = 20_000;
+const MAX_SAMPLES: usize = 20_000;
 /// Quantiles of the abscissa between which the curve is drawn.
 const QUANTILES: (f64, f64) = (0.005, 0.995);
 /// Minimum change of the quantity along the curve, relative to its largest absolute value, for the curve to be drawn.
@@ -180,7 +180,7 @@ fn curve(before: &Fit, after: &Fit, at: usize, over: &Abscissa<'_>) -> Option<Cu
     let fitted: Vec<FlightId> = fitted.map(FlightId::new).collect();
     let evidence: Vec<_> = fitted.iter().filter_map(|&f| after.evidence(f)).collect();
     let all: usize = evidence.iter().map(|f| f.times.len()).sum();
-    let step = all.div_ceil(MOST_SAMPLES).max(1);
+    let step = all.div_ceil(MAX_SAMPLES).max(1);
     let scale = if over.is_angle {
         1f64.to_degrees()
     } else {

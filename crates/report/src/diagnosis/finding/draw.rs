@@ -13,7 +13,7 @@ use crate::fit::numbers::{Digits, unit, with_unit};
 /// File name, without suffix, of the figure in the opening section.
 const NAME: &str = "finding";
 /// Maximum number of rows of a chart.
-const MOST_ROWS: usize = 10;
+const MAX_ROWS: usize = 10;
 /// Half width of a 95 % confidence interval, in standard errors.
 const WIDTH_95: f64 = 1.96;
 
@@ -68,7 +68,7 @@ pub(super) fn estimates(report: &Report) -> Option<Drawn> {
     let all = effects.flat_map(|e| &e.estimates);
     let all: Vec<_> = all
         .filter(|(_, e)| e.value.is_finite() && e.std_error > 0.0)
-        .take(MOST_ROWS)
+        .take(MAX_ROWS)
         .collect();
     let interest = |e: &diagnose::Estimate| e.smallest_of_interest.filter(|s| *s > 0.0);
     let by_interest = !all.is_empty() && all.iter().all(|(_, e)| interest(e).is_some());
@@ -120,7 +120,7 @@ pub(super) fn strongest(report: &Report) -> Option<Drawn> {
     let mut all: Vec<&CandidateTest> = report.candidates.iter().collect();
     all.retain(|c| c.z.is_finite());
     all.sort_by(|a, b| b.z.total_cmp(&a.z));
-    all.truncate(MOST_ROWS);
+    all.truncate(MAX_ROWS);
     if all.is_empty() {
         return None;
     }

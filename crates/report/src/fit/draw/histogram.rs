@@ -8,13 +8,13 @@ use super::not_drawn;
 use crate::figures::{Bar, Layout, Panel};
 
 /// Minimum number of flights for which the histogram is drawn.
-const LEAST: usize = 8;
+const MIN_FLIGHTS: usize = 8;
 
-/// Draws the histogram of the RMS residuals (mm) of the fitted flights; `None` for fewer than [`LEAST`] flights.
+/// Draws the histogram of the RMS residuals (mm) of the fitted flights; `None` for fewer than [`MIN_FLIGHTS`] flights.
 pub(in super::super) fn histogram(report: &FitReport) -> Option<Drawn> {
     let mut rms: Vec<f64> = report.used(Role::Fit).map(|f| 1e3 * f.rms()).collect();
     rms.retain(|v| v.is_finite());
-    if rms.len() < LEAST {
+    if rms.len() < MIN_FLIGHTS {
         return None;
     }
     rms.sort_by(f64::total_cmp);

@@ -10,7 +10,7 @@ use crate::fit::numbers::percent;
 /// Minimum and maximum of the axis of relative standard errors, %.
 const AXIS: (f64, f64) = (0.1, 1e3);
 /// Maximum number of coefficients drawn, one row each.
-const MOST: usize = 24;
+const MAX_ROWS: usize = 24;
 
 /// Draws the relative standard error of each estimated coefficient, the smallest first; `None` if no coefficient was
 /// estimated.
@@ -21,8 +21,8 @@ pub(in super::super) fn precision(page: &FitPage<'_>) -> Option<Drawn> {
         .filter(|(_, c, size)| !c.held && size.is_finite())
         .collect();
     sizes.sort_by(|a, b| a.2.total_cmp(&b.2));
-    let left_out = sizes.len().saturating_sub(MOST);
-    sizes.truncate(MOST);
+    let left_out = sizes.len().saturating_sub(MAX_ROWS);
+    sizes.truncate(MAX_ROWS);
     if sizes.is_empty() {
         return None;
     }

@@ -10,11 +10,11 @@ use crate::figures::{Dots, Layout, Line, Look, Mark, Panel};
 /// Deviance above which a value of the coefficient is rejected at the 5 % level: 95 % quantile of χ²(1).
 const LEVEL: f64 = 3.84;
 /// Maximum number of profiles drawn.
-const MOST_PROFILES: usize = 24;
+const MAX_PROFILES: usize = 24;
 
 /// Draws one figure for each profile likelihood in the report.
 pub(in super::super) fn profiles(report: &FitReport) -> Vec<Drawn> {
-    let wanted = report.profiles.iter().take(MOST_PROFILES).enumerate();
+    let wanted = report.profiles.iter().take(MAX_PROFILES).enumerate();
     wanted
         .map(|(i, profile)| {
             let coefficient = report.coefficients.get(&profile.name);

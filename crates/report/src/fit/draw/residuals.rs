@@ -6,12 +6,12 @@ use identify::{FlightEvidence, NoiseReport};
 
 use super::super::Drawn;
 use super::super::thin::stride;
-use super::{MOST_FLIGHTS, points, samples};
+use super::{MAX_FLIGHTS, points, samples};
 use crate::figures::csv::of_panels;
 use crate::figures::{Dots, Layout, Look, Mark, Panel, figure_of};
 
 /// Maximum number of dots in a panel, over all markers.
-const MOST_DOTS: usize = 1500;
+const MAX_DOTS: usize = 1500;
 /// Maximum number of dots for each marker on a narrow screen.
 const NARROW_DOTS: usize = 150;
 
@@ -21,7 +21,7 @@ pub(crate) struct FlightsOfRole<'e> {
     pub(crate) name: &'static str,
     /// Title of the figure.
     pub(crate) title: &'static str,
-    /// Flights among the first [`MOST_FLIGHTS`] flights; the figures show no others.
+    /// Flights among the first [`MAX_FLIGHTS`] flights; the figures show no others.
     pub(crate) flights: Vec<&'e FlightEvidence>,
     /// Sentences at the end of the caption: the meaning of the residuals, and the files of the flights.
     pub(crate) notes: String,
@@ -67,9 +67,9 @@ impl<'e> FlightsOfRole<'e> {
     }
 }
 
-/// Flights with the given role among the first [`MOST_FLIGHTS`] flights.
+/// Flights with the given role among the first [`MAX_FLIGHTS`] flights.
 pub(crate) fn flights_of(evidence: &[FlightEvidence], role: Role) -> Vec<&FlightEvidence> {
-    let drawn = evidence.iter().take(MOST_FLIGHTS);
+    let drawn = evidence.iter().take(MAX_FLIGHTS);
     drawn.filter(|f| f.role == role).collect()
 }
 
@@ -139,7 +139,7 @@ pub(crate) fn panel(flights: &[&FlightEvidence], axis: usize, name: &str, sigma:
         let first = flight.times.first().copied().unwrap_or(0.0);
         start += (last - first).max(0.0);
     }
-    let each = MOST_DOTS / markers.max(1);
+    let each = MAX_DOTS / markers.max(1);
     let largest = dots.iter().flatten().map(|p| p.1.abs()).fold(0.0, f64::max);
     let band = Some(2e3 * sigma).filter(|b| b.is_finite() && *b > 0.0);
     let reach = 1.08 * largest.max(band.unwrap_or(0.0)).max(1e-9);

@@ -5,15 +5,15 @@ use identify::FlightEvidence;
 use model_spec::model::Model;
 
 use super::super::Drawn;
-use super::super::thin::{MOST, curve};
-use super::{MOST_FLIGHTS, samples};
+use super::super::thin::{MAX_CURVE_POINTS, curve};
+use super::{MAX_FLIGHTS, samples};
 use crate::figures::{Layout, Line, Panel, StateLabel, panels_of_states, symbol};
 
 /// Maximum ratio of the peak magnitudes of two states that share a panel. In a small panel, the nutation of the
 /// angular rates must remain visible next to the spin.
 const APART: f64 = 3.0;
 /// Maximum number of states drawn in a figure.
-const MOST_LINES: usize = 24;
+const MAX_LINES: usize = 24;
 /// Quantities that are drawn in addition to the states if the model defines them: name, title and unit.
 const QUANTITIES: [(&str, &str, &str); 3] = [
     ("alpha", "Angle of attack α", "rad"),
@@ -23,7 +23,7 @@ const QUANTITIES: [(&str, &str, &str); 3] = [
 
 /// Draws the fitted states of each flight over time, one figure for each flight.
 pub(in super::super) fn states(evidence: &[FlightEvidence], model: &Model) -> Vec<Drawn> {
-    let flights = evidence.iter().take(MOST_FLIGHTS).enumerate();
+    let flights = evidence.iter().take(MAX_FLIGHTS).enumerate();
     let figures = flights.filter_map(|(i, flight)| state_figure(i, flight, model));
     figures.collect()
 }
@@ -63,7 +63,7 @@ fn state_panels(flight: &FlightEvidence, model: &Model) -> Vec<Panel> {
         let state = model.states.iter().find(|s| s.name == name);
         state.map_or("", |s| s.unit_text.as_str())
     };
-    let names = flight.state_names.iter().take(MOST_LINES);
+    let names = flight.state_names.iter().take(MAX_LINES);
     let labels: Vec<StateLabel<'_>> = names
         .map(|name| StateLabel {
             name,
@@ -90,5 +90,5 @@ fn column(flight: &FlightEvidence, table: &[Vec<f64>], at: usize) -> Vec<(f64, f
     let value = |s: usize| table.get(s).and_then(|row| row.get(at)).copied();
     let points = samples(flight).map(|s| (flight.times[s], value(s).unwrap_or(f64::NAN)));
     let points: Vec<(f64, f64)> = points.collect();
-    curve(&points, MOST * 3 / 4)
+    curve(&points, MAX_CURVE_POINTS * 3 / 4)
 }

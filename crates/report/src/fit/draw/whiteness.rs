@@ -3,7 +3,7 @@
 use identify::{AxisResiduals, FitReport};
 
 use super::super::Drawn;
-use super::super::thin::{MOST, stride};
+use super::super::thin::{MAX_CURVE_POINTS, stride};
 use crate::figures::{Dots, Layout, Line, Look, Panel};
 
 /// Draws the autocorrelation and the normal Q–Q plot of the residuals, one figure for each axis.
@@ -17,7 +17,7 @@ fn figure(index: usize, axis: &str, found: &AxisResiduals) -> Option<Drawn> {
     let mut panels = Vec::new();
     // The autocorrelation at lag 0 is 1 by definition and is omitted.
     let lags = |values: &[f64]| {
-        let values = values.iter().enumerate().skip(1).take(MOST);
+        let values = values.iter().enumerate().skip(1).take(MAX_CURVE_POINTS);
         values.map(|(lag, v)| (lag as f64, *v)).collect::<Vec<_>>()
     };
     // The dashed line is drawn over the solid one, so that both are visible if they coincide.
@@ -50,7 +50,7 @@ fn figure(index: usize, axis: &str, found: &AxisResiduals) -> Option<Drawn> {
             across: "theoretical quantiles".into(),
             dots: vec![Dots {
                 look: Look::Colour(0),
-                points: stride(&quantiles, MOST),
+                points: stride(&quantiles, MAX_CURVE_POINTS),
             }],
             map: true,
             diagonal: true,
