@@ -16,7 +16,7 @@ use crate::progress::{self, Progress};
 use crate::{Answer, output};
 
 /// Minimum number of fitted flights; with fewer flights, drawing with replacement gives too few different samples.
-const LEAST_FLIGHTS: usize = 5;
+const MIN_FLIGHTS: usize = 5;
 
 /// Runs `hyzer bootstrap`: fits the model, computes the refits that the output folder does not hold yet, and prints the
 /// distribution of the estimates over all refits.
@@ -62,9 +62,9 @@ pub fn run(options: &Bootstrap) -> anyhow::Result<Answer> {
     );
     let fit = fit.with_context(|| format!("cannot fit {}", inputs.dataset.display()))?;
     let fitted = flights(&fit);
-    if fitted < LEAST_FLIGHTS {
+    if fitted < MIN_FLIGHTS {
         bail!(
-            "found {fitted} fitted flights, expected at least {LEAST_FLIGHTS}: fewer have too few different draws"
+            "found {fitted} fitted flights, expected at least {MIN_FLIGHTS}: fewer have too few different draws"
         );
     }
     bar.start("refits", (parts.end - parts.start) * parts::LEN);

@@ -45,7 +45,7 @@ fn modules(options: &Generate) -> anyhow::Result<Vec<SourceFile>> {
         false => backend::backend(&options.backend)
             .with_context(|| format!("no backend is called {}", options.backend))?,
     };
-    let effects: Vec<&str> = options.with.iter().map(String::as_str).collect();
+    let effects = super::names(&options.with);
     let mut files: Vec<SourceFile> = Vec::new();
     for name in &options.models {
         let model = load::load(name, &effects)?;

@@ -23,17 +23,13 @@ pub fn run(options: &Synthesize) -> anyhow::Result<Answer> {
     let mut beside = Vec::new();
     // A model that is not built in is copied into the dataset.
     let named = options.model.as_deref().unwrap_or(&releases[0].model);
+    let own_file = format!("{}.hyz", model.name);
     if Path::new(named).is_file() {
-        let name = format!("{}.hyz", model.name);
         let text = model.sources.first().map(|source| source.text.clone());
-        beside.push((name.clone(), text.unwrap_or_default()));
-        made.dataset.model = name;
+        beside.push((own_file.as_str(), text.unwrap_or_default()));
+        made.dataset.model = own_file.clone();
     }
-    beside.push(("truth.toml".into(), made.truth.text()));
-    let beside: Vec<(&str, String)> = beside
-        .iter()
-        .map(|(name, text)| (name.as_str(), text.clone()))
-        .collect();
+    beside.push(("truth.toml", made.truth.text()));
     progress::writing(|| write_with(&options.out, &made.dataset, &beside))
         .with_context(|| format!("--out {}", options.out.display()))?;
     output::print(summary(&made, &options.out))?;

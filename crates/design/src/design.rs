@@ -147,12 +147,12 @@ pub fn design(
             None => vec![Some(Side::Left), Some(Side::Right)],
         },
     };
-    let explored = task.explore(&sides, options)?;
+    let starts = task.explore(&sides, options)?;
     let mut jobs: Vec<(Option<Side>, DVector<f64>)> = Vec::new();
     for (k, side) in sides.iter().enumerate() {
         let count = options.descents.div_ceil(sides.len());
         jobs.extend(
-            task.chosen(&explored.points, k, count)
+            task.chosen(&starts, k, count)
                 .into_iter()
                 .map(|at| (*side, at)),
         );
@@ -194,7 +194,7 @@ pub fn design(
         true => task.met(side, &best.at, 2).unwrap_or(best),
         false => best,
     };
-    task.finished(side, &last, explored.flown)
+    task.finished(side, &last, starts.len())
 }
 
 /// A search for a throw: the body with its parameters, the goal and the bounds.
@@ -204,15 +204,12 @@ struct Task<'t> {
     bounds: &'t Bounds,
 }
 
-/// Starting throw: its point in the unit box, whose coordinates are the free quantities scaled linearly from their
-/// ranges to [0, 1]; and for each side of the obstacle (constraint violation, objective).
-type Tried = (DVector<f64>, Vec<(f64, f64)>);
-
-/// Result of simulating the starting throws: those that could be flown to the ground, `points`, and their number,
-/// `flown`.
-struct Explored {
-    points: Vec<Tried>,
-    flown: usize,
+/// Starting throw that could be flown to the ground.
+struct Start {
+    /// Point in the unit box, whose coordinates are the free quantities scaled linearly from their ranges to [0, 1].
+    at: DVector<f64>,
+    /// Constraint violation and objective for each side of the obstacle.
+    of_sides: Vec<(f64, f64)>,
 }
 
 impl Task<'_> {
@@ -220,7 +217,7 @@ impl Task<'_> {
         &self,
         sides: &[Option<Side>],
         options: &SearchOptions,
-    ) -> Result<Explored, DesignError> {
+    ) -> Result<Vec<Start>, DesignError> {
         let n = self.bounds.free().count();
         let mut random = ChaCha8Rng::seed_from_u64(options.seed);
         let shift: Vec<f64> = (0..n).map(|_| random.random::<f64>()).collect();
@@ -238,26 +235,23 @@ impl Task<'_> {
                 let values = self.path_values(&path, *side);
                 (values.violation(), values.objective)
             });
-            let of_sides = of_sides.collect::<Vec<_>>();
-            Ok((at, of_sides))
+            let of_sides = of_sides.collect();
+            Ok(Start { at, of_sides })
         });
         let mut last = None;
-        let mut points = Vec::new();
+        let mut starts = Vec::new();
         for result in tried {
             match result {
-                Ok(point) => points.push(point),
+                Ok(start) => starts.push(start),
                 Err(error) => last = Some(error),
             }
         }
         match last {
-            Some(last) if points.is_empty() => Err(DesignError::NoFlight {
+            Some(last) if starts.is_empty() => Err(DesignError::NoFlight {
                 tried: options.starts,
                 last,
             }),
-            _ => Ok(Explored {
-                flown: points.len(),
-                points,
-            }),
+            _ => Ok(starts),
         }
     }
 
@@ -268,21 +262,19 @@ impl Task<'_> {
     }
 
     /// Starting points of the descents for one side of the obstacle, at most `count`, the best first. Points within
-    /// [`APART`] of a better one are skipped. `side` is the index of the side in the second element of each of
-    /// `points`.
-    fn chosen(&self, points: &[Tried], side: usize, count: usize) -> Vec<DVector<f64>> {
-        let mut order: Vec<usize> = (0..points.len()).collect();
+    /// [`APART`] of a better one are skipped. `side` is the index of the side in [`Start::of_sides`].
+    fn chosen(&self, starts: &[Start], side: usize, count: usize) -> Vec<DVector<f64>> {
+        let mut order: Vec<&Start> = starts.iter().collect();
         // The sort is stable: equal points stay in the order of the starts.
         order.sort_by(|a, b| {
-            let [a, b] = [a, b].map(|k| points[*k].1[side]);
+            let [a, b] = [a, b].map(|start| start.of_sides[side]);
             a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
         });
         let mut chosen: Vec<DVector<f64>> = Vec::new();
-        for k in order {
+        for Start { at, .. } in order {
             if chosen.len() == count {
                 break;
             }
-            let at = &points[k].0;
             if chosen.iter().all(|other| (other - at).norm() > APART) {
                 chosen.push(at.clone());
             }
@@ -447,15 +439,7 @@ impl Task<'_> {
         let values = self.path_values(&path, side);
         let landing = path.landing();
         let point = path.point(self.goal.time(&path));
-        let distance = |target: Vector3<f64>| {
-            let away = point.position - target;
-            if target.z > 0.0 {
-                away.norm()
-            } else {
-                away.xy().norm()
-            }
-        };
-        let miss = self.goal.target().map_or(0.0, distance);
+        let miss = self.goal.miss(&path);
         let is_flare = matches!(self.goal, Goal::Flare(_));
         let figure = match self.goal {
             Goal::Hit(_) | Goal::Curve(_) => miss,

@@ -101,6 +101,19 @@ impl Goal {
         }
     }
 
+    /// Distance of the path from the goal's point at [`time`](Self::time), m; horizontal for a point on the ground, 0
+    /// for a goal without a point.
+    pub(crate) fn miss(&self, path: &Path<'_>) -> f64 {
+        self.target().map_or(0.0, |target| {
+            let away = path.position(self.time(path)) - target;
+            if target.z > 0.0 {
+                away.norm()
+            } else {
+                away.xy().norm()
+            }
+        })
+    }
+
     /// Time, s, at which the path is nearest to the goal's point; the end of the flight for a point on the ground and
     /// for a goal without a point.
     pub fn time(&self, path: &Path<'_>) -> f64 {

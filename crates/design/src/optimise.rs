@@ -83,7 +83,7 @@ pub struct Arrival {
 /// Initial radius of the trust region: the maximum change of a variable in the first step.
 const TRUST: f64 = 0.15;
 /// Radius of the trust region below which an optimization ends.
-const LEAST_TRUST: f64 = 1e-6;
+const MIN_TRUST: f64 = 1e-6;
 /// Maximum numbers of evaluations of the problem: for the first minimization of the constraint violation, and for the
 /// return to the constraints after each step of the minimization of the objective.
 const MAX_EVALUATIONS: (usize, usize) = (40, 5);
@@ -117,7 +117,7 @@ fn meet_from(problem: Problem<'_>, start: Arrival, most: usize) -> Arrival {
         let (low, high) = room(&at, trust);
         let step = minimum(&hessian, &slope, &low, &high);
         let predicted = -(slope.dot(&step) + 0.5 * (&hessian * &step).dot(&step));
-        if predicted <= 1e-16 || trust < LEAST_TRUST {
+        if predicted <= 1e-16 || trust < MIN_TRUST {
             break;
         }
         let there = (&at + &step).map(|v| v.clamp(0.0, 1.0));
@@ -183,7 +183,7 @@ pub fn descend(problem: Problem<'_>, from: &DVector<f64>) -> Option<Arrival> {
         let step = along(&now.values, &curvature, &low, &high);
         let slope = &now.values.gradient;
         let predicted = -(slope.dot(&step) + 0.5 * (&curvature * &step).dot(&step));
-        if predicted <= SETTLED * (1.0 + now.values.objective.abs()) || trust < LEAST_TRUST {
+        if predicted <= SETTLED * (1.0 + now.values.objective.abs()) || trust < MIN_TRUST {
             break;
         }
         let there = (&now.at + &step).map(|v| v.clamp(0.0, 1.0));

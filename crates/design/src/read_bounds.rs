@@ -3,8 +3,8 @@
 use std::ops::Range;
 use std::path::Path;
 
-use flight::release::{Fault, Reader, ReleaseError, Value};
-use flight::throw::{FIELDS, Throw, ThrowError};
+use flight::release::{Reader, ReleaseError, Value, number_of, read_text};
+use flight::throw::{FIELDS, Throw};
 use nalgebra::Vector2;
 use toml::de::{DeTable, DeValue};
 
@@ -22,25 +22,9 @@ impl Bounds {
     /// [`ReleaseError`] with all faults of the file, or if the file cannot be read, is not UTF-8 or is larger than 1
     /// MiB.
     pub fn read_file(path: &Path, body: &ThrownBody) -> Result<Bounds, ReleaseError> {
-        let file = path.display().to_string();
-        let refuse = |message: String| ReleaseError {
-            file: file.clone(),
-            faults: vec![Fault {
-                location: None,
-                message,
-            }],
-        };
-        let size = std::fs::metadata(path).map_err(|e| refuse(format!("cannot be read: {e}")))?;
-        if size.len() > MAX_FILE_BYTES {
-            let message = format!(
-                "has {} bytes; expected at most {MAX_FILE_BYTES}",
-                size.len()
-            );
-            return Err(refuse(message));
-        }
-        let text =
-            std::fs::read_to_string(path).map_err(|e| refuse(format!("cannot be read: {e}")))?;
-        Bounds::read(&file, &text, body)
+        read_text(path, "a file of bounds", MAX_FILE_BYTES, |file, text| {
+            Bounds::read(file, text, body)
+        })
     }
 
     /// Parses the text of a bounds file; its values replace those of [`Bounds::standard`]. `file` is the file's name
@@ -50,7 +34,7 @@ impl Bounds {
     /// [`ReleaseError`] with all faults of the file.
     pub fn read(file: &str, text: &str, body: &ThrownBody) -> Result<Bounds, ReleaseError> {
         let mut reader = BoundsReader(Reader::new(text));
-        let bounds = reader.bounds(text, body);
+        let bounds = reader.bounds(body);
         reader.0.finish(file, bounds)
     }
 }
@@ -59,15 +43,8 @@ impl Bounds {
 struct BoundsReader<'t>(Reader<'t>);
 
 impl<'t> BoundsReader<'t> {
-    fn bounds(&mut self, text: &'t str, body: &ThrownBody) -> Option<Bounds> {
-        let document = match DeTable::parse(text) {
-            Ok(document) => document,
-            Err(e) => {
-                let message = format!("this is no TOML: {}", e.message().replace('\n', "; "));
-                self.0.fault(e.span().unwrap_or(0..0), message);
-                return None;
-            }
-        };
+    fn bounds(&mut self, body: &ThrownBody) -> Option<Bounds> {
+        let document = self.0.document()?;
         let mut bounds = Bounds::standard(body);
         for (key, value) in document.get_ref() {
             let (name, span) = (&**key.get_ref(), key.span());
@@ -146,9 +123,7 @@ impl<'t> BoundsReader<'t> {
             return None;
         }
         for end in [least, greatest] {
-            let mut alone = Throw::at_speed(1.0);
-            alone.set(name, end);
-            if let Err(fault @ ThrowError::Range { .. }) = alone.check() {
+            if let Err(fault) = Throw::check_field(name, end) {
                 self.0.fault(value.span(), fault.to_string());
                 return None;
             }
@@ -306,14 +281,7 @@ impl<'t> BoundsReader<'t> {
     }
 
     fn number(&mut self, value: &Value<'t>, name: &str, expected: &str) -> Option<f64> {
-        let number = match value.get_ref() {
-            DeValue::Float(float) => float.as_str().parse::<f64>().ok(),
-            DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
-                .ok()
-                .map(|i| i as f64),
-            _ => None,
-        };
-        match number.filter(|number| number.is_finite()) {
+        match number_of(value).filter(|number| number.is_finite()) {
             Some(number) => Some(number),
             None => {
                 let found = match value.get_ref() {

@@ -65,18 +65,10 @@ pub fn sensitivities(
             moved.set(name, throw.field(name)? + step);
             let path = flights.fly(&moved, None, options).ok()?;
             let there = path.landing();
-            let miss = goal.target().map_or(0.0, |target| {
-                let away = path.position(goal.time(&path)) - target;
-                if target.z > 0.0 {
-                    away.norm()
-                } else {
-                    away.xy().norm()
-                }
-            });
             Some(OneUnit {
                 landing: there.position - landing.position,
                 time: there.time - landing.time,
-                miss,
+                miss: goal.miss(&path),
             })
         });
         Sensitivity {

@@ -11,7 +11,7 @@ use std::path::PathBuf;
 
 use diagnose::Verdict;
 use report::CertificateNote;
-use report::diagnosis::{DiagnosisPage, make};
+use report::diagnosis::{DiagnosisPage, html_and_figures};
 
 fn main() -> std::io::Result<()> {
     let mut arguments = std::env::args().skip(1);
@@ -41,11 +41,11 @@ fn main() -> std::io::Result<()> {
         extended: extended.then_some(found::EXTENDED),
         certificate: &CertificateNote::none(),
     };
-    let made = make(&page);
+    let (html, figures) = html_and_figures(&page);
     std::fs::create_dir_all(&folder)?;
-    std::fs::write(folder.join("report.html"), made.html)?;
-    for (name, svg) in made.figures {
-        std::fs::write(folder.join(name), svg)?;
+    std::fs::write(folder.join("report.html"), html)?;
+    for figure in figures {
+        std::fs::write(folder.join(figure.name + ".svg"), figure.svg)?;
     }
     Ok(())
 }

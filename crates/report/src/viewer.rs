@@ -20,9 +20,9 @@ use crate::fit::page::rendered;
 use samples::{Place, flown, recorded};
 
 /// Maximum number of flights in a view of a fit.
-const MOST_FLIGHTS: usize = 24;
+const MAX_FLIGHTS: usize = 24;
 /// Maximum number of samples of each flight.
-const MOST_SAMPLES: usize = 240;
+const MAX_SAMPLES: usize = 240;
 
 /// Shape with which the viewer draws a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -47,13 +47,13 @@ pub struct View {
 
 impl View {
     /// View of the flights of a fit, measured and predicted, in the order of the dataset. If there are more than
-    /// `MOST_FLIGHTS` flights, evenly spaced ones are selected. `by` names the predicting model, to distinguish flights
+    /// `MAX_FLIGHTS` flights, evenly spaced ones are selected. `by` names the predicting model, to distinguish flights
     /// of two models, and may be empty.
     pub fn of_fit(fit: &Fit, by: &str) -> View {
         let problem = fit.problem();
         let used = (0..fit.report.flights.len()).filter(|&i| fit.report.flights[i].is_used());
         let used: Vec<usize> = used.collect();
-        let step = used.len().div_ceil(MOST_FLIGHTS).max(1);
+        let step = used.len().div_ceil(MAX_FLIGHTS).max(1);
         let flights = used.iter().step_by(step).filter_map(|&i| {
             let id = FlightId::new(i);
             let evidence = fit.evidence(id)?;
@@ -64,7 +64,7 @@ impl View {
                 Role::Fit => "fitted",
                 Role::HeldOut => "not fitted",
             };
-            let mut flight = recorded(&place, &evidence, MOST_SAMPLES);
+            let mut flight = recorded(&place, &evidence, MAX_SAMPLES);
             if by.is_empty() {
                 flight.note = role.to_owned();
             } else {
@@ -93,7 +93,7 @@ impl View {
         View {
             shape: shape(model),
             radius: None,
-            flights: vec![flown(&place, name, trajectory, MOST_SAMPLES)],
+            flights: vec![flown(&place, name, trajectory, MAX_SAMPLES)],
         }
     }
 

@@ -1,4 +1,4 @@
-//! Fits and diagnoses with a time limit.
+//! Fits and diagnoses with a time limit, on a given number of threads.
 
 use std::sync::mpsc;
 use std::time::{Duration, Instant};
@@ -19,9 +19,8 @@ pub(crate) struct BoundedFit {
 pub(crate) fn bounded_fit(model: &Model, dataset: &Dataset, limit: Duration) -> BoundedFit {
     cancelled_after(limit, |token| {
         let options = FitOptions {
-            threads: Some(1),
             cancellation: Some(token),
-            ..FitOptions::default()
+            ..on_threads(1)
         };
         let clock = Instant::now();
         BoundedFit {
@@ -29,6 +28,14 @@ pub(crate) fn bounded_fit(model: &Model, dataset: &Dataset, limit: Duration) -> 
             seconds: clock.elapsed().as_secs_f64(),
         }
     })
+}
+
+/// Default options of a fit on a given number of threads.
+pub(crate) fn on_threads(threads: usize) -> FitOptions<'static> {
+    FitOptions {
+        threads: Some(threads),
+        ..FitOptions::default()
+    }
 }
 
 /// Runs `work` with a cancellation token that is cancelled after `limit`, and returns its result. `work` must end soon

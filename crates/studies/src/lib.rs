@@ -18,6 +18,7 @@ pub mod others;
 pub mod own_models;
 mod page;
 pub mod paper;
+mod progress;
 pub mod real_data;
 pub mod seeded;
 pub mod sensors;
@@ -28,3 +29,4 @@ pub mod throws;
 
 pub use error::StudyError;
 pub use page::Page;
+pub use progress::Progress;

@@ -106,16 +106,21 @@ fn report_progress(done: usize, of: usize) {
     }
 }
 
-fn takes(options: &cli::Takes) -> anyhow::Result<Page> {
-    let seeds = match options
-        .runs
+/// Seed stated by `--only '#SEED'`; `None` if the option is absent or states words.
+fn single_seed(options: &cli::Runs) -> anyhow::Result<Option<u64>> {
+    let seed = options
         .only
         .as_deref()
-        .map(|only| only.strip_prefix('#'))
-    {
-        None => (0..options.runs.seeds.unwrap_or(200)).collect(),
-        Some(Some(seed)) => vec![seed.parse().context("a seed is a number")?],
-        Some(None) => anyhow::bail!("--only: expected a seed, such as '#7'"),
+        .and_then(|only| only.strip_prefix('#'));
+    let seed = seed.map(str::parse).transpose();
+    seed.context("a seed is a number")
+}
+
+fn takes(options: &cli::Takes) -> anyhow::Result<Page> {
+    let seeds = match single_seed(&options.runs)? {
+        Some(seed) => vec![seed],
+        None if options.runs.only.is_none() => (0..options.runs.seeds.unwrap_or(200)).collect(),
+        None => anyhow::bail!("--only: expected a seed, such as '#7'"),
     };
     let (python, threads) = (options.python.as_deref(), options.runs.threads());
     let sessions = studies::takes::sessions(&seeds, python, threads, &report_progress);
@@ -124,18 +129,17 @@ fn takes(options: &cli::Takes) -> anyhow::Result<Page> {
 
 fn random_fits(options: &cli::Runs) -> anyhow::Result<Page> {
     let words = options.only.as_deref().unwrap_or_default();
-    let seeds: Vec<u64> = match words.strip_prefix('#') {
-        Some(seed) => vec![seed.parse().context("a seed is a number")?],
-        None => (0..options.seeds.unwrap_or(1000)).collect(),
-    };
-    let seeds: Vec<u64> = match words.is_empty() || words.starts_with('#') {
-        true => seeds,
-        false => {
-            let has = |seed: &u64| {
-                let names = FitCase::of(*seed).names().join(" ");
-                words.split_whitespace().all(|word| names.contains(word))
+    let seeds: Vec<u64> = match single_seed(options)? {
+        Some(seed) => vec![seed],
+        None => {
+            let has_words = |seed: &u64| {
+                words.is_empty() || {
+                    let names = FitCase::of(*seed).names().join(" ");
+                    words.split_whitespace().all(|word| names.contains(word))
+                }
             };
-            seeds.into_iter().filter(has).collect()
+            let all = 0..options.seeds.unwrap_or(1000);
+            all.filter(has_words).collect()
         }
     };
     anyhow::ensure!(!seeds.is_empty(), "no fit has the words `{words}`");

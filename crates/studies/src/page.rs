@@ -16,6 +16,19 @@ pub struct Page {
     pub figures: Vec<(String, String)>,
 }
 
+impl Page {
+    /// Renders a page without figures.
+    pub(crate) fn without_figures(
+        template: &str,
+        results: impl Serialize,
+    ) -> Result<Self, StudyError> {
+        Ok(Self {
+            text: render(template, results)?,
+            figures: Vec::new(),
+        })
+    }
+}
+
 /// Text printed for a missing result.
 const NONE: &str = "–";
 

@@ -5,10 +5,10 @@
 pub(crate) const ACCURACY: f64 = 1e-4;
 /// Smallest magnitude that the bins resolve. Smaller nonzero magnitudes are counted in the bin of their sign that is
 /// nearest to zero.
-const LEAST: f64 = 1e-9;
-/// Maximum bin number, which counts all magnitudes of about 1e12 and above; together with [`LEAST`] it limits the
-/// number of bins and thus the memory.
-const GREATEST: i32 = 242_000;
+const MIN_MAGNITUDE: f64 = 1e-9;
+/// Maximum bin number, which counts all magnitudes of about 1e12 and above; together with [`MIN_MAGNITUDE`] it limits
+/// the number of bins and thus the memory.
+const MAX_BIN: i32 = 242_000;
 
 /// Quantile sketch: (bin, count) pairs of the nonempty bins, in ascending order of the values. Negative bins hold
 /// negative values, and bin 0 holds zeros.
@@ -29,7 +29,8 @@ impl Sketch {
             if magnitude == 0.0 {
                 return 0;
             }
-            let class = ((magnitude / LEAST).ln() * one_over).clamp(0.0, f64::from(GREATEST));
+            let class =
+                ((magnitude / MIN_MAGNITUDE).ln() * one_over).clamp(0.0, f64::from(MAX_BIN));
             let class = 1 + class as i32;
             if value > 0.0 { class } else { -class }
         };
@@ -74,7 +75,7 @@ impl Sketch {
             below += count;
             if below as f64 > rank {
                 let middle = f64::from(class.abs()) - 0.5;
-                let magnitude = LEAST * (middle * log_ratio()).exp();
+                let magnitude = MIN_MAGNITUDE * (middle * log_ratio()).exp();
                 return f64::from(class.signum()) * magnitude;
             }
         }

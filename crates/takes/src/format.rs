@@ -32,16 +32,16 @@ pub enum Format {
 pub(crate) const QUALISYS_HEADER: usize = 40;
 
 impl Format {
-    /// All formats, each with its name in the option `--format`.
-    pub const ALL: [(Self, &'static str); 8] = [
-        (Self::C3d, "c3d"),
-        (Self::Vicon, "vicon"),
-        (Self::Qualisys, "qualisys"),
-        (Self::QualisysPoses, "qualisys-6dof"),
-        (Self::OptiTrack, "optitrack"),
-        (Self::Dltdv, "dltdv"),
-        (Self::Poses, "poses"),
-        (Self::Plain, "csv"),
+    /// All formats, each with its name in the option `--format` and its name in messages.
+    pub const ALL: [(Self, &'static str, &'static str); 8] = [
+        (Self::C3d, "c3d", "C3D"),
+        (Self::Vicon, "vicon", "Vicon CSV"),
+        (Self::Qualisys, "qualisys", "Qualisys TSV"),
+        (Self::QualisysPoses, "qualisys-6dof", "Qualisys 6DOF TSV"),
+        (Self::OptiTrack, "optitrack", "OptiTrack CSV"),
+        (Self::Dltdv, "dltdv", "DLTdv8"),
+        (Self::Poses, "poses", "table of poses"),
+        (Self::Plain, "csv", "table of points"),
     ];
 
     /// Name of the format as a value of the option `--format`.
@@ -52,8 +52,8 @@ impl Format {
     /// Format with this name in the option `--format`, ignoring case; `None` for an unknown name.
     pub fn parse(name: &str) -> Option<Self> {
         let mut all = Self::ALL.iter();
-        all.find(|(_, known)| known.eq_ignore_ascii_case(name))
-            .map(|&(format, _)| format)
+        all.find(|(_, known, _)| known.eq_ignore_ascii_case(name))
+            .map(|&(format, ..)| format)
     }
 
     /// Recognises the format of a file by its content: the first bytes and, for text, the first lines.
@@ -141,15 +141,6 @@ pub(crate) fn is_digitised(name: &str) -> bool {
 
 impl fmt::Display for Format {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::C3d => "C3D",
-            Self::Vicon => "Vicon CSV",
-            Self::Qualisys => "Qualisys TSV",
-            Self::QualisysPoses => "Qualisys 6DOF TSV",
-            Self::OptiTrack => "OptiTrack CSV",
-            Self::Dltdv => "DLTdv8",
-            Self::Poses => "table of poses",
-            Self::Plain => "table of points",
-        })
+        f.write_str(Self::ALL[*self as usize].2)
     }
 }

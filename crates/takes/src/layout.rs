@@ -1,5 +1,7 @@
 //! Reading of the rows of a table into a take, once the meaning of each column is known.
 
+use std::collections::BTreeMap;
+
 use crate::error::{Fault, Place};
 use crate::format::Format;
 use crate::sheet::Sheet;
@@ -7,12 +9,12 @@ use crate::take::{Body, Point, Pose, Take};
 use crate::unit::LengthUnit;
 
 /// Maximum absolute value of a coordinate, m; a greater one is an error.
-const FARTHEST: f64 = 1e4;
+pub(crate) const MAX_COORDINATE: f64 = 1e4;
 /// Maximum of the number of samples times the number of points and bodies; a larger recording is an error, which bounds
 /// the memory used.
-const MOST: usize = 1 << 23;
+pub(crate) const MAX_POSITIONS: usize = 1 << 23;
 /// Maximum number of points and bodies in a recording; a greater number is an error.
-pub(crate) const MOST_LABELS: usize = 4096;
+pub(crate) const MAX_LABELS: usize = 4096;
 /// Maximum deviation of a quaternion's norm from 1, and of the scalar products of a matrix's columns from those of a
 /// rotation matrix.
 const ROTATION_TOLERANCE: f64 = 0.02;
@@ -34,6 +36,41 @@ pub(crate) enum Attitude {
     Quaternion([usize; 4]),
     /// Columns of the rotation matrix from body to room, row by row.
     Matrix([usize; 9]),
+}
+
+/// Column indices of the coordinates and the quaternion of one point or body, as far as they were found.
+#[derive(Default)]
+pub(crate) struct TrackColumns {
+    pub position: [Option<usize>; 3],
+    /// Components in the order w, x, y, z.
+    pub quaternion: [Option<usize>; 4],
+}
+
+/// Columns of the points and bodies of a table by a key, such as the label, in the order of the file.
+pub(crate) struct Tracks<K> {
+    pub list: Vec<(K, TrackColumns)>,
+    indices: BTreeMap<K, usize>,
+}
+
+impl<K> Default for Tracks<K> {
+    fn default() -> Self {
+        Self {
+            list: Vec::new(),
+            indices: BTreeMap::new(),
+        }
+    }
+}
+
+impl<K: Ord + Clone> Tracks<K> {
+    /// Columns with this key, which are added without columns if the key is new.
+    pub fn entry(&mut self, key: K) -> &mut TrackColumns {
+        let list = &mut self.list;
+        let index = *self.indices.entry(key).or_insert_with_key(|key| {
+            list.push((key.clone(), TrackColumns::default()));
+            list.len() - 1
+        });
+        &mut list[index].1
+    }
 }
 
 /// Columns of a table, and how their values are read.
@@ -65,8 +102,8 @@ impl Layout {
         if labels == 0 {
             return Err(Fault::new(place, "no points", "at least one tracked point"));
         }
-        if labels > MOST_LABELS {
-            let expected = format!("at most {MOST_LABELS}");
+        if labels > MAX_LABELS {
+            let expected = format!("at most {MAX_LABELS}");
             return Err(Fault::new(place, format!("{labels} points"), expected));
         }
         let point = |(label, _): &(String, [usize; 3])| Point {
@@ -93,8 +130,8 @@ impl Layout {
             if !self.is_whole(sheet, &mut take.notes)? {
                 break;
             }
-            if take.times.len() >= MOST / labels {
-                let expected = format!("at most {} rows", MOST / labels);
+            if take.times.len() >= MAX_POSITIONS / labels {
+                let expected = format!("at most {} rows", MAX_POSITIONS / labels);
                 return Err(sheet.fault(0, "a row more", expected));
             }
             self.row(sheet, &mut take, &mut zeros)?;
@@ -216,10 +253,11 @@ impl Layout {
                     None => seen = false,
                 },
             }
-            if value.abs() > FARTHEST {
+            if value.abs() > MAX_COORDINATE {
                 let found = format!("{} {}", sheet.cell(index), self.length);
-                let expected =
-                    format!("a coordinate of {label:?} of at most {FARTHEST} m (another unit?)");
+                let expected = format!(
+                    "a coordinate of {label:?} of at most {MAX_COORDINATE} m (another unit?)"
+                );
                 return Err(sheet.fault(index, found, expected));
             }
         }
@@ -236,13 +274,9 @@ impl Attitude {
     fn quaternion(&self, sheet: &Sheet<'_>) -> Result<Option<[f64; 4]>, Fault> {
         match self {
             Self::Quaternion(columns) => {
-                let mut q = [0.0; 4];
-                for (value, &index) in q.iter_mut().zip(columns) {
-                    match sheet.number(index)? {
-                        Some(number) => *value = number,
-                        None => return Ok(None),
-                    }
-                }
+                let Some(q) = sheet.numbers(*columns)? else {
+                    return Ok(None);
+                };
                 let norm = q.iter().map(|x| x * x).sum::<f64>().sqrt();
                 if (norm - 1.0).abs() > ROTATION_TOLERANCE {
                     let found = format!("a quaternion of norm {norm:.4}");
@@ -251,13 +285,9 @@ impl Attitude {
                 Ok(Some(q.map(|x| x / norm)))
             }
             Self::Matrix(columns) => {
-                let mut m = [0.0; 9];
-                for (value, &index) in m.iter_mut().zip(columns) {
-                    match sheet.number(index)? {
-                        Some(number) => *value = number,
-                        None => return Ok(None),
-                    }
-                }
+                let Some(m) = sheet.numbers(*columns)? else {
+                    return Ok(None);
+                };
                 if !is_rotation(&m) {
                     let found = "a matrix that is no rotation";
                     let expected = "orthonormal columns of a right-handed frame";

@@ -19,7 +19,17 @@ pub struct ReadOptions {
 }
 
 /// Maximum frame rate, Hz; a greater one is an error.
-const FASTEST: f64 = 1e6;
+const MAX_RATE: f64 = 1e6;
+
+/// Checks that a frame rate (Hz) is positive and at most [`MAX_RATE`]; the error contains the texts of what was found
+/// and what was expected.
+pub(crate) fn checked_rate(rate: f64) -> Result<f64, (String, String)> {
+    if rate > 0.0 && rate <= MAX_RATE {
+        return Ok(rate);
+    }
+    let expected = format!("frames per second above 0, at most {MAX_RATE}");
+    Err((format!("the rate {rate}"), expected))
+}
 
 impl ReadOptions {
     /// Unit of length: the user's unit if it is given, otherwise the unit `stated`, which is specified in the file.
@@ -68,10 +78,6 @@ impl ReadOptions {
                 return Err(Fault::new(place, "no times", expected));
             }
         };
-        if rate > 0.0 && rate <= FASTEST {
-            return Ok(rate);
-        }
-        let expected = format!("frames per second above 0, at most {FASTEST}");
-        Err(Fault::new(place, format!("the rate {rate}"), expected))
+        checked_rate(rate).map_err(|(found, expected)| Fault::new(place, found, expected))
     }
 }

@@ -130,6 +130,18 @@ impl<'t> Sheet<'t> {
         read.map_err(|expected| self.fault(index, shown(cell), expected))
     }
 
+    /// Values of several cells of the current row; `None` if one of them is empty or NaN.
+    pub fn numbers<const N: usize>(&self, columns: [usize; N]) -> Result<Option<[f64; N]>, Fault> {
+        let mut values = [0.0; N];
+        for (value, column) in values.iter_mut().zip(columns) {
+            match self.number(column)? {
+                Some(number) => *value = number,
+                None => return Ok(None),
+            }
+        }
+        Ok(Some(values))
+    }
+
     /// Value of a cell of the current row that must contain a number. If it does not, the result is an error whose
     /// message contains `what`, the description of the expected value.
     pub fn needed(&self, index: usize, what: &str) -> Result<f64, Fault> {

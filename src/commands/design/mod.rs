@@ -17,7 +17,7 @@ use report::ResultFile;
 use report::viewer::View;
 
 use super::simulate::{apply, throws};
-use super::vector;
+use super::{hundredths, vector};
 use crate::cli::Design as Options;
 use crate::{Answer, output};
 
@@ -186,8 +186,8 @@ fn table(found: &Design, bounds: &Bounds, spread: &Spread) -> String {
     let _ = writeln!(
         text,
         "  lands at x {:.2}, y {:.2} m after {:.2} s",
-        page::hundredths(landing.x),
-        page::hundredths(landing.y),
+        hundredths(landing.x),
+        hundredths(landing.y),
         found.time
     );
     let _ = writeln!(

@@ -7,10 +7,12 @@ use nalgebra::{Vector2, Vector3};
 use report::figures::{Dots, Line, Look, Mark, Panel};
 use report::{Section, Sheet, SheetFigure, Table};
 
+use crate::commands::hundredths;
+
 /// Number of line segments with which the figures show a path; an ellipse has half as many.
 const POINTS: usize = 200;
 /// Maximum number of sampled landings that the figure shows as dots.
-const MOST_DOTS: usize = 1500;
+const MAX_DOTS: usize = 1500;
 
 /// Report page of a throw design, the result of `hyzer design`.
 pub fn sheet(
@@ -73,11 +75,6 @@ fn lead(found: &Design) -> Vec<String> {
         ));
     }
     words
-}
-
-/// Rounds to hundredths, without a negative zero.
-pub(super) fn hundredths(value: f64) -> f64 {
-    (100.0 * value).round() / 100.0 + 0.0
 }
 
 fn throw(found: &Design) -> Table {
@@ -221,7 +218,7 @@ fn figure_of_landings(found: &Design, bounds: &Bounds, spread: &Spread) -> Sheet
     let mut dots = Vec::new();
     if let Some(sampled) = &spread.sampled {
         lines.push(line("sampled", ellipse(&sampled.landings)));
-        let step = sampled.points.len().div_ceil(MOST_DOTS).max(1);
+        let step = sampled.points.len().div_ceil(MAX_DOTS).max(1);
         let points = sampled.points.iter().step_by(step).map(|p| (p.x, p.y));
         dots.push(Dots {
             look: Look::Pale,

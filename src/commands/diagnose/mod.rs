@@ -14,7 +14,7 @@ use report::{CertificateNote, ResultFile, WithCertificate};
 
 use super::certificate;
 use super::fit::{
-    FIGURE_DATA, FLIGHTS, dataset_name, deadline, drawn, evidence, fitted_text, held, model_of,
+    FLIGHTS, dataset_name, deadline, drawn, evidence, figure_files, fitted_text, held, model_of,
     priors,
 };
 use crate::cli::Diagnose;
@@ -212,12 +212,9 @@ fn results(
         extended: extended.as_deref(),
         certificate,
     };
-    let made = report::diagnosis::make(&page);
-    files.push(ResultFile::new("report.html", made.html));
-    let figures = made.figures.into_iter();
-    files.extend(figures.map(|(name, figure)| ResultFile::new(name, figure)));
-    let tables = made.tables.into_iter();
-    files.extend(tables.map(|(name, csv)| ResultFile::new(format!("{FIGURE_DATA}/{name}"), csv)));
+    let (html, figures) = report::diagnosis::html_and_figures(&page);
+    files.push(ResultFile::new("report.html", html));
+    files.extend(figures.into_iter().flat_map(figure_files));
     let view = match after {
         Some((_, fitted)) => {
             View::of_fit(fitted, "extended").join(View::of_fit(&found.before, "original"))

@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use comfy_table::Table;
 use comfy_table::presets::UTF8_BORDERS_ONLY;
-use diagnose::{Report, Verdict};
-use report::diagnosis::{lack_of_fit_sentence, paired_gain_sentence};
+use diagnose::Report;
+use report::diagnosis::{lack_of_fit_sentence, paired_gain_sentence, verdict_name};
 
 use crate::commands::fit::cautions;
 
@@ -18,7 +18,7 @@ pub fn summary(report: &Report, reasons_against: &[String]) -> String {
     let _ = write!(
         text,
         "{}: {}\n\n",
-        word(report.verdict),
+        verdict_name(report.verdict),
         wrapped(&report.summary)
     );
     for (index, cause) in report.causes.iter().enumerate() {
@@ -106,16 +106,6 @@ pub fn summary(report: &Report, reasons_against: &[String]) -> String {
         1e2 * report.noise.outlier_fraction
     );
     text
-}
-
-fn word(verdict: Verdict) -> &'static str {
-    match verdict {
-        Verdict::None => "none",
-        Verdict::Named => "named",
-        Verdict::Ambiguous => "ambiguous",
-        Verdict::Unattributed => "outside",
-        Verdict::Negligible => "immaterial",
-    }
 }
 
 /// Line width of a wrapped paragraph, characters.

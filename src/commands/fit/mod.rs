@@ -31,7 +31,7 @@ const FITTED: &str = "fitted.hyz";
 pub(super) const FLIGHTS: &str = "flights.html";
 
 /// Folder of the CSV tables of the plotted values of the figures.
-pub(super) const FIGURE_DATA: &str = "figure-data";
+const FIGURE_DATA: &str = "figure-data";
 
 /// Runs `hyzer fit`: fits a model to a dataset, prints a summary, and writes the result files if an output folder is
 /// given.
@@ -150,17 +150,19 @@ fn results(
         let table = tables::sensor_residuals(dataset, fitted)?;
         files.push(ResultFile::new("sensors.csv", table));
     }
-    let figure = |figure: Figure| {
-        let table = format!("{FIGURE_DATA}/{}.csv", figure.name);
-        [
-            ResultFile::new(format!("{}.svg", figure.name), figure.svg),
-            ResultFile::new(table, figure.csv),
-        ]
-    };
-    files.extend(figures.into_iter().flat_map(figure));
+    files.extend(figures.into_iter().flat_map(figure_files));
     let view = View::of_fit(fitted, "").html(&format!("{} · {name}", model.name));
     files.extend(view.map(|html| ResultFile::new(FLIGHTS, html)));
     Ok(files)
+}
+
+/// Result files of a figure: its SVG, and the CSV table of the plotted values.
+pub(super) fn figure_files(figure: Figure) -> [ResultFile; 2] {
+    let table = format!("{FIGURE_DATA}/{}.csv", figure.name);
+    [
+        ResultFile::new(figure.name + ".svg", figure.svg),
+        ResultFile::new(table, figure.csv),
+    ]
 }
 
 /// Text of a model whose default values are replaced by the dataset's known parameters and the estimates of a fit.

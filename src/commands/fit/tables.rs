@@ -69,7 +69,7 @@ pub fn flights(report: &FitReport) -> anyhow::Result<Vec<u8>> {
 }
 
 /// Number of rows after which the residual tables omit the remaining flights.
-const MOST_ROWS: usize = 1_000_000;
+const MAX_ROWS: usize = 1_000_000;
 
 /// CSV table of residuals (measured − predicted, m): a row per measured marker and sample.
 pub fn residuals(dataset: &Dataset, fitted: &Fit) -> anyhow::Result<Vec<u8>> {
@@ -101,7 +101,7 @@ pub fn residuals(dataset: &Dataset, fitted: &Fit) -> anyhow::Result<Vec<u8>> {
                 rows += 1;
             }
         }
-        if rows > MOST_ROWS {
+        if rows > MAX_ROWS {
             break;
         }
     }
@@ -139,7 +139,7 @@ pub fn sensor_residuals(dataset: &Dataset, fitted: &Fit) -> anyhow::Result<Vec<u
                 rows += 1;
             }
         }
-        if rows > MOST_ROWS {
+        if rows > MAX_ROWS {
             break;
         }
     }

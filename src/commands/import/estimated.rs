@@ -14,7 +14,7 @@ use super::{no_throw, up_of};
 use crate::cli::Import;
 
 /// Maximum magnitude of the value of `--centre-height`, m; larger values suggest millimetres.
-const FARTHEST: f64 = 2.0;
+const MAX_HEIGHT: f64 = 2.0;
 
 /// A template (the marker positions on the body) estimated from recordings, a text on how it was estimated, and for
 /// each marker the comment that is written above its position in `dataset.toml`.
@@ -36,10 +36,10 @@ pub fn estimated(
 ) -> anyhow::Result<Estimated> {
     if let Some(height) = options
         .centre_height
-        .filter(|h| h.is_nan() || h.abs() > FARTHEST)
+        .filter(|h| h.is_nan() || h.abs() > MAX_HEIGHT)
     {
         bail!(
-            "--centre-height: found {height}, expected metres, at most {FARTHEST} (millimetres?)"
+            "--centre-height: found {height}, expected metres, at most {MAX_HEIGHT} (millimetres?)"
         );
     }
     let mut thrown: Vec<(Take, Throws)> = Vec::new();
@@ -97,7 +97,7 @@ pub fn estimated(
         let _ = writeln!(decisions, "  {line}");
     }
     if !left_out.is_empty() {
-        let names = listed(left_out.iter().map(String::as_str));
+        let names = listed(&left_out);
         let _ = writeln!(
             decisions,
             "  left out, since they do not keep their distances to the others in every take: {names}"

@@ -139,7 +139,7 @@ fn reading(options: &Import) -> anyhow::Result<ReadOptions> {
         Some(text) => format!("--{name}: found {text:?}, expected {expected}"),
         None => String::new(),
     };
-    let formats: Vec<&str> = Format::ALL.iter().map(|(_, name)| *name).collect();
+    let formats: Vec<&str> = Format::ALL.iter().map(|(_, name, _)| *name).collect();
     let format = options.format.as_deref().map(Format::parse);
     let length = options.length.as_deref().map(LengthUnit::parse);
     let time = options.time.as_deref().map(TimeUnit::parse);
@@ -228,7 +228,7 @@ fn add(
         _ => bail!(
             "{}: found {}, expected the same points or the same body as in the recordings before",
             file.display(),
-            listed(followed_labels.iter().copied())
+            listed(&followed_labels)
         ),
     }
     let motion = takes::motion(&turned, &followed_labels);
@@ -263,7 +263,7 @@ fn add(
             false => flight,
         });
     }
-    let labels = listed(followed_labels.iter().copied());
+    let labels = listed(&followed_labels);
     let samples = take.times.len();
     let _ = writeln!(
         all.decisions,

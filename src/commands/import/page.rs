@@ -9,7 +9,7 @@ use super::template::Followed;
 /// Minimum duration, s, of the intervals before and after a flight that the figures of the flight show too.
 const AROUND: f64 = 0.5;
 /// Maximum number of pairs of markers whose distances the figures of a flight show; further pairs are omitted.
-const MOST_PAIRS: usize = 45;
+const MAX_PAIRS: usize = 45;
 
 /// Data from which the figures of flights are made: a recording with z up, and the points or the body in it whose
 /// motion is imported.
@@ -70,7 +70,7 @@ impl Shown<'_> {
         curves
     }
 
-    /// Measured distances of pairs of markers, at most [`MOST_PAIRS`], over a time window (s); empty if the marker
+    /// Measured distances of pairs of markers, at most [`MAX_PAIRS`], over a time window (s); empty if the marker
     /// positions are computed from the pose of a body, because their distances are then constant.
     fn distances(&self, window: (f64, f64)) -> Vec<Distance> {
         if self.followed.is_pose() {
@@ -85,7 +85,7 @@ impl Shown<'_> {
         let mut distances = Vec::new();
         for (i, a) in self.markers.iter().enumerate() {
             for (j, b) in self.markers.iter().enumerate().skip(i + 1) {
-                if distances.len() == MOST_PAIRS {
+                if distances.len() == MAX_PAIRS {
                     return distances;
                 }
                 let points = rows.iter().map(|(time, row)| match (row[i], row[j]) {

@@ -10,7 +10,7 @@ use takes::words::listed;
 use takes::{Pose, Take, rotated};
 
 /// Maximum size of a template file, bytes.
-const LARGEST: u64 = 4 << 20;
+const MAX_FILE_BYTES: u64 = 4 << 20;
 
 /// The contents of a `dataset.toml` that are valid for any recording of the same body: model, parameters and markers.
 pub struct Template {
@@ -34,7 +34,7 @@ pub enum Followed {
 impl Template {
     /// Reads a template file: a `dataset.toml`, or only its `[[markers]]` with optional `[parameters]` and `model`.
     pub fn read(file: &Path) -> anyhow::Result<Self> {
-        let bytes = takes::file::bytes(file, LARGEST, "a TOML file with [[markers]]")?;
+        let bytes = takes::file::bytes(file, MAX_FILE_BYTES, "a TOML file with [[markers]]")?;
         let name = file.display();
         let text = String::from_utf8(bytes).with_context(|| name.to_string())?;
         let table: toml::Table = text.parse().with_context(|| name.to_string())?;

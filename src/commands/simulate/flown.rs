@@ -9,6 +9,8 @@ use model_spec::model::Model;
 use ode::Trajectory;
 use serde_json::{Value, json};
 
+use crate::commands::hundredths;
+
 /// Number of evenly spaced times at which maxima and minima are searched, in addition to the events of the flight.
 const SAMPLES: u32 = 2000;
 
@@ -106,9 +108,9 @@ impl Flown {
             "  range {:.2} m, {:.2} m to the {side} of the throw's line; lands at x {:.2}, y {:.2}, z {:.2} m",
             self.range,
             self.sideways.abs(),
-            shown(self.landing[0]),
-            shown(self.landing[1]),
-            shown(self.landing[2])
+            hundredths(self.landing[0]),
+            hundredths(self.landing[1]),
+            hundredths(self.landing[2])
         );
         let _ = writeln!(
             text,
@@ -125,8 +127,8 @@ impl Flown {
                 let _ = writeln!(
                     text,
                     "  {label:16} {:>10.2} {:>10.2}",
-                    shown(first),
-                    shown(last)
+                    hundredths(first),
+                    hundredths(last)
                 );
             }
         }
@@ -158,11 +160,6 @@ impl Flown {
             "alpha_deg": self.alpha.map(|(least, greatest)| json!({ "least": least, "greatest": greatest })),
         })
     }
-}
-
-/// Rounds a value to the two decimals that are printed, without a negative zero.
-pub fn shown(value: f64) -> f64 {
-    (value * 100.0).round() / 100.0 + 0.0
 }
 
 /// Angle of attack, deg: the model's quantity `alpha` if it has one, otherwise the angle of attack relative to the

@@ -8,10 +8,11 @@ use model_spec::model::Model;
 use ode::IntegrationOptions;
 use report::{ResultFile, ResultFolder};
 
-use super::flown::{Flown, shown};
+use super::flown::Flown;
 use super::techdisc::Row;
 use super::{check_rows, summary_file, throws};
 use crate::cli::Simulate;
+use crate::commands::hundredths;
 use crate::{Answer, output};
 
 /// Columns of the table of results, with units in their names.
@@ -62,7 +63,7 @@ pub fn run(
                     row.number,
                     flown.release.speed,
                     flown.range,
-                    shown(flown.sideways),
+                    hundredths(flown.sideways),
                     flown.apex.0,
                     flown.seconds
                 );

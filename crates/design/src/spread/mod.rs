@@ -86,10 +86,9 @@ pub fn spread(
 ) -> Result<Spread, ThrowFlightError> {
     let settings = IntegrationOptions::with_tolerance(1e-6);
     let linear = linear::linear(flights, throw, None, scattered, &settings)?;
-    let how = (options.count, options.seed, options.threads);
     let sampled = match options.count {
         0 => None,
-        _ => sampled::sampled(flights, throw, linear.mean, scattered, how, &settings),
+        _ => sampled::sampled(flights, throw, linear.mean, scattered, options, &settings),
     };
     let inside = sampled.as_ref().map(|sampled| {
         let near = |point: &&Vector2<f64>| (**point - aim).norm() <= circle;

@@ -8,6 +8,7 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
+use super::SampleOptions;
 use super::linear::Landings;
 use super::scattered::Scattered;
 use crate::throw_flight::{By, ThrowFlights};
@@ -48,15 +49,15 @@ pub struct Band {
     pub height: [f64; 3],
 }
 
-/// Integrates `count` flights drawn from the scatter; the bands are computed along the line from the release to
-/// `target`, m. `None` if fewer than three flights land.
+/// Integrates flights drawn from the scatter, as many as `options` state; the bands are computed along the line from
+/// the release to `target`, m. `None` if fewer than three flights land.
 pub(super) fn sampled(
     flights: &ThrowFlights<'_>,
     throw: &Throw,
     target: Vector2<f64>,
     scattered: &Scattered,
-    (count, seed, threads): (usize, u64, usize),
-    options: &IntegrationOptions,
+    options: &SampleOptions,
+    settings: &IntegrationOptions,
 ) -> Option<Sampled> {
     let root = scattered.root();
     let n = scattered.by.len();
@@ -66,9 +67,9 @@ pub(super) fn sampled(
     let stations: Vec<f64> = (1..=STATIONS)
         .map(|k| 1.15 * length * k as f64 / STATIONS as f64)
         .collect();
-    let flown = each_on(threads, count, |i| {
+    let flown = each_on(options.threads, options.count, |i| {
         // Each draw has its own random stream, so the number of threads has no effect.
-        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let mut random = ChaCha8Rng::seed_from_u64(options.seed);
         random.set_stream(i as u64);
         let normal = DVector::from_fn(n, |_, _| StandardNormal.sample(&mut random));
         let offset: DVector<f64> = &root * normal;
@@ -84,7 +85,7 @@ pub(super) fn sampled(
             }
         }
         let own = flights.body.with_parameters(parameters);
-        let path = own.fly(&moved, Some(&near), options).ok()?;
+        let path = own.fly(&moved, Some(&near), settings).ok()?;
         let end = path.trajectory.end;
         let steps = 160;
         let places: Vec<Vector3<f64>> = (0..=steps)
@@ -113,7 +114,7 @@ pub(super) fn sampled(
     };
     Some(Sampled {
         bands: stations.iter().enumerate().filter_map(band).collect(),
-        failed: count - points.len(),
+        failed: options.count - points.len(),
         landings: moments(&points),
         points,
     })

@@ -12,9 +12,9 @@ use model_spec::model::{Model, Parameter};
 use crate::wind::WindField;
 
 pub use fault::{Fault, ReleaseError, suggestion};
-pub(crate) use read::read_text;
-pub use read::{Reader, Value, read, read_file, read_file_in_wind, read_in_wind};
-pub(crate) use values::number_of;
+pub(crate) use read::MAX_FILE_BYTES;
+pub use read::{Reader, Value, read, read_file, read_file_in_wind, read_in_wind, read_text};
+pub use values::number_of;
 
 /// Initial conditions, parameters, wind and end of a flight.
 #[derive(Clone, Debug, PartialEq)]

@@ -10,7 +10,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Maximum size of a release file, bytes.
-const MAX_FILE_BYTES: u64 = 1 << 20;
+pub(crate) const MAX_FILE_BYTES: u64 = 1 << 20;
 
 /// Reads and parses a release file; see [`read`].
 ///
@@ -20,7 +20,9 @@ pub fn read_file(
     path: &Path,
     vocabulary: impl FnOnce(&str) -> Result<Vocabulary, String>,
 ) -> Result<Release, ReleaseError> {
-    read_text(path, |file, text| read(file, text, vocabulary))
+    read_text(path, "a release", MAX_FILE_BYTES, |file, text| {
+        read(file, text, vocabulary)
+    })
 }
 
 /// Reads and parses a release file that may specify winds by height and gusts; see [`read_in_wind`].
@@ -31,12 +33,19 @@ pub fn read_file_in_wind(
     path: &Path,
     vocabulary: impl FnOnce(&str) -> Result<Vocabulary, String>,
 ) -> Result<(Release, Vocabulary), ReleaseError> {
-    read_text(path, |file, text| read_in_wind(file, text, &[], vocabulary))
+    read_text(path, "a release", MAX_FILE_BYTES, |file, text| {
+        read_in_wind(file, text, &[], vocabulary)
+    })
 }
 
-/// Reads a text file and passes its name and text to `read`; a file larger than [`MAX_FILE_BYTES`] is an error.
-pub(crate) fn read_text<V>(
+/// Reads a text file and passes its name and text to `read`; `what` describes the expected file, as in `a release`.
+///
+/// # Errors
+/// [`ReleaseError`] if the file cannot be read, is larger than `max_bytes` or is not UTF-8, and the error of `read`.
+pub fn read_text<V>(
     path: &Path,
+    what: &str,
+    max_bytes: u64,
     read: impl FnOnce(&str, &str) -> Result<V, ReleaseError>,
 ) -> Result<V, ReleaseError> {
     let file = path.display().to_string();
@@ -44,16 +53,13 @@ pub(crate) fn read_text<V>(
         file: file.clone(),
         faults: vec![Fault { location, message }],
     };
-    let size = std::fs::metadata(path)
-        .map_err(|e| refuse(None, format!("cannot be read: {e}")))?
-        .len();
-    if size > MAX_FILE_BYTES {
-        return Err(refuse(
-            None,
-            format!("has {size} bytes; a release has at most {MAX_FILE_BYTES}"),
-        ));
+    let unreadable = |e: std::io::Error| refuse(None, format!("cannot be read: {e}"));
+    let size = std::fs::metadata(path).map_err(unreadable)?.len();
+    if size > max_bytes {
+        let message = format!("has {size} bytes; {what} has at most {max_bytes}");
+        return Err(refuse(None, message));
     }
-    let bytes = std::fs::read(path).map_err(|e| refuse(None, format!("cannot be read: {e}")))?;
+    let bytes = std::fs::read(path).map_err(unreadable)?;
     match std::str::from_utf8(&bytes) {
         Ok(text) => read(&file, text),
         Err(e) => {
@@ -158,7 +164,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Parses the text as TOML; for a syntax error records a fault and returns `None`.
-    pub(crate) fn document(&mut self) -> Option<Spanned<DeTable<'t>>> {
+    pub fn document(&mut self) -> Option<Spanned<DeTable<'t>>> {
         match DeTable::parse(self.text) {
             Ok(document) => Some(document),
             Err(e) => {

@@ -39,9 +39,7 @@ impl<'t> Reader<'t> {
                 places.insert(name, value.span());
                 throw.set(name, number);
                 // Ranges are checked one by one, so that all faults are reported.
-                let mut alone = Throw::at_speed(1.0);
-                alone.set(name, number);
-                if let Err(fault @ ThrowError::Range { .. }) = alone.check() {
+                if let Err(fault) = Throw::check_field(name, number) {
                     self.fault(value.span(), fault.to_string());
                 }
             }

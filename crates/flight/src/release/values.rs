@@ -62,7 +62,7 @@ impl<'t> Reader<'t> {
 }
 
 /// Converts a TOML value to a number, finite or not; `None` if it is not numeric.
-pub(crate) fn number_of(value: &Value<'_>) -> Option<f64> {
+pub fn number_of(value: &Value<'_>) -> Option<f64> {
     match value.get_ref() {
         DeValue::Float(float) => float.as_str().parse::<f64>().ok(),
         DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())

@@ -175,28 +175,40 @@ impl Throw {
     /// # Errors
     /// [`ThrowError::Range`] for the first field outside its range; [`ThrowError::NoSpin`] for a wobble without spin.
     pub fn check(&self) -> Result<(), ThrowError> {
-        for (name, unit, least, greatest) in FIELDS {
-            let Some(value) = self.field(name) else {
-                continue;
-            };
-            let is_speed = name == "speed";
-            if !(least..=greatest).contains(&value) || is_speed && value <= 0.0 {
-                let expected = match is_speed {
-                    true => format!("a number above 0 and up to {greatest} {unit}"),
-                    false => format!("a number from {least} to {greatest} {unit}"),
-                };
-                return Err(ThrowError::Range {
-                    name,
-                    value,
-                    expected,
-                });
-            }
+        for (name, ..) in FIELDS {
+            self.field(name)
+                .map_or(Ok(()), |value| Self::check_field(name, value))?;
         }
         let wobbles = self.wobble.is_some_and(|wobble| wobble != 0.0);
         if wobbles && self.spin.unwrap_or(0.0) == 0.0 {
             return Err(ThrowError::NoSpin);
         }
         Ok(())
+    }
+
+    /// Checks that the value of one field is in its range in [`FIELDS`], and that a speed is above 0; an unknown name
+    /// is ignored.
+    ///
+    /// # Errors
+    /// [`ThrowError::Range`] if the value is out of range.
+    pub fn check_field(field: &str, value: f64) -> Result<(), ThrowError> {
+        let Some((name, unit, least, greatest)) = FIELDS.into_iter().find(|(n, ..)| *n == field)
+        else {
+            return Ok(());
+        };
+        let is_speed = name == "speed";
+        if (least..=greatest).contains(&value) && !(is_speed && value <= 0.0) {
+            return Ok(());
+        }
+        let expected = match is_speed {
+            true => format!("a number above 0 and up to {greatest} {unit}"),
+            false => format!("a number from {least} to {greatest} {unit}"),
+        };
+        Err(ThrowError::Range {
+            name,
+            value,
+            expected,
+        })
     }
 
     /// Rotation to the inertial frame from the axes of the velocity: along the velocity, to its left, upwards.
@@ -284,16 +296,13 @@ impl ThrownModel {
         near: Option<&[f64]>,
     ) -> Result<Vec<f64>, ThrowError> {
         throw.check()?;
-        let model = || self.name.clone();
         if !self.has_attitude() {
             let stated = ["nose", "hyzer", "spin", "wobble"]
                 .into_iter()
                 .find(|name| throw.field(name).is_some());
             if let Some(name) = stated {
-                return Err(ThrowError::NoAttitude {
-                    name,
-                    model: model(),
-                });
+                let model = self.name.clone();
+                return Err(ThrowError::NoAttitude { name, model });
             }
         }
         let axes = throw.attitude().into_inner();
@@ -307,16 +316,15 @@ impl ThrownModel {
             }),
         };
         let bound = self.motion.bind(parameters);
+        let no_state = || self.no_state();
         let find = |wanted: &Motion, near: Option<&[f64]>| {
-            inverse::state(&bound, wanted, near)
-                .ok_or_else(|| ThrowError::NoState { model: model() })
+            inverse::state(&bound, wanted, near).ok_or_else(no_state)
         };
         let state = find(&wanted, near)?;
         let wobble = throw.wobble.unwrap_or(0.0).to_radians();
         let Some(turning) = wanted.turning.as_mut().filter(|_| wobble != 0.0) else {
             return Ok(state);
         };
-        let no_state = || ThrowError::NoState { model: model() };
         let cone = axes.column(2) * wobble.cos() + axes.column(0) * wobble.sin();
         let inertia = bound.inertia(&state).ok_or_else(no_state)?;
         let along = inertia.try_inverse().ok_or_else(no_state)? * cone;
@@ -369,11 +377,13 @@ impl ThrownModel {
         parameters: &[f64],
         near: Option<&[f64]>,
     ) -> Result<Vec<f64>, ThrowError> {
-        inverse::state(&self.motion.bind(parameters), motion, near).ok_or_else(|| {
-            ThrowError::NoState {
-                model: self.name.clone(),
-            }
-        })
+        inverse::state(&self.motion.bind(parameters), motion, near).ok_or_else(|| self.no_state())
+    }
+
+    fn no_state(&self) -> ThrowError {
+        ThrowError::NoState {
+            model: self.name.clone(),
+        }
     }
 
     /// Point on the ground below the mass centre at a state, (x, y), m.

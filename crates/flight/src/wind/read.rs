@@ -5,7 +5,7 @@ use std::path::Path;
 use toml::de::DeTable;
 
 use super::{GustStrength, Gusts, Profile, ReferenceWind, WindField};
-use crate::release::{Reader, ReleaseError, Value, number_of};
+use crate::release::{MAX_FILE_BYTES, Reader, ReleaseError, Value, number_of, read_text};
 
 /// Maximum number of rows of a wind table; a longer table is a fault.
 const MAX_ROWS: usize = 500;
@@ -48,7 +48,7 @@ pub type StatedWind = ([f64; 3], Option<WindField>);
 /// # Errors
 /// [`ReleaseError`] with all faults of the table, also if the file cannot be read or has no such table.
 pub fn read_wind_file(path: &Path) -> Result<StatedWind, ReleaseError> {
-    crate::release::read_text(path, |file, text| {
+    read_text(path, "a release", MAX_FILE_BYTES, |file, text| {
         let mut reader = Reader::new(text);
         let document = reader.document();
         let wind = document.and_then(|document| {

@@ -71,9 +71,9 @@ fn point_index(recording: &Recording<'_>, marker: &str) -> Result<usize, Wrong> 
             "each declared marker once in POINT:LABELS".into(),
         )),
         (None, _) => {
-            let labels: Vec<String> = labels.iter().map(|label| shown(label)).collect();
+            let labels = labels.iter().map(|label| shown(label));
             Err((
-                format!("the labels {}", listed(labels.iter().map(String::as_str))),
+                format!("the labels {}", listed(labels)),
                 format!("every declared marker among them, as {}", shown(marker)),
             ))
         }

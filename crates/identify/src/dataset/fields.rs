@@ -51,7 +51,7 @@ impl Fields<'_> {
             if !known.contains(&name.as_ref()) {
                 let found = format!("the key {}{of}", shown(name));
                 let near = meant(name, known.iter().copied());
-                let expected = format!("{}{near}", listed(known.iter().copied()));
+                let expected = format!("{}{near}", listed(known));
                 return Err(self.fault(key.span(), found, expected));
             }
         }

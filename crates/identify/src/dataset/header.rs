@@ -135,6 +135,6 @@ fn expected_instead_of(
         let known = columns.iter().map(String::as_str).chain(of_sensor);
         return format!("t, or {}{near}", listed(known));
     }
-    let known = listed(markers.iter().copied());
+    let known = listed(markers);
     format!("t, or _x, _y, _z of a declared marker: {known}{near}")
 }

@@ -12,7 +12,7 @@ use crate::fit::numbers::{Digits, millimetres, percent, plain, significant, stat
 use crate::fit::page::sentence;
 
 /// Maximum number of hypotheses shown on the page.
-pub(super) const MOST: usize = 12;
+pub(super) const MAX_HYPOTHESES: usize = 12;
 
 /// Accepted hypothesis, with all values formatted as text.
 #[derive(Serialize)]
@@ -55,9 +55,9 @@ struct Row {
     immaterial: bool,
 }
 
-/// Formats the accepted hypotheses of the report, best fit first; at most [`MOST`].
+/// Formats the accepted hypotheses of the report, best fit first; at most [`MAX_HYPOTHESES`].
 pub(super) fn explanations(page: &DiagnosisPage<'_>) -> Vec<Explanation> {
-    let causes = page.report.causes.iter().take(MOST);
+    let causes = page.report.causes.iter().take(MAX_HYPOTHESES);
     causes.map(|cause| explanation(page, cause)).collect()
 }
 

@@ -10,13 +10,13 @@ use crate::fit::numbers::{Digits, millimetres, plain, significant, unit};
 use crate::fit::words::names;
 
 /// Maximum number of rows of one table.
-const MOST_ROWS: usize = 60;
+const MAX_ROWS: usize = 60;
 
 /// Effects that are not identifiable: name of the effect, and names of the parameters with which it is confounded.
 pub(super) fn undetectable(report: &Report) -> Vec<[String; 2]> {
-    let all = report.undetectable.iter().take(MOST_ROWS);
+    let all = report.undetectable.iter().take(MAX_ROWS);
     all.map(|u| {
-        let absorbed = names(u.confounded_with.iter().map(String::as_str));
+        let absorbed = names(&u.confounded_with);
         let by = if absorbed.is_empty() {
             "nothing: it has no influence in these flights".to_owned()
         } else {
@@ -29,7 +29,7 @@ pub(super) fn undetectable(report: &Report) -> Vec<[String; 2]> {
 
 /// Table of minimum detectable effects: name of the effect, coefficient, size and unit.
 pub(super) fn detectable(report: &Report) -> Vec<[String; 4]> {
-    let all = report.smallest_detectable.iter().take(MOST_ROWS);
+    let all = report.smallest_detectable.iter().take(MAX_ROWS);
     all.map(|d| {
         let size = significant(d.value, 2);
         [d.name.clone(), d.coefficient.clone(), size, unit(&d.unit)]
@@ -61,7 +61,7 @@ pub(super) fn terms(terms: &[StepwiseTerm]) -> Vec<TermRow> {
             taken: term.selected,
         }
     };
-    terms.iter().take(MOST_ROWS).map(row).collect()
+    terms.iter().take(MAX_ROWS).map(row).collect()
 }
 
 /// Row of a candidate's score test, with all values formatted as text.
@@ -102,7 +102,7 @@ pub(super) fn scores(report: &Report) -> Vec<Score> {
             significant: c.significant,
         }
     };
-    report.candidates.iter().take(MOST_ROWS).map(row).collect()
+    report.candidates.iter().take(MAX_ROWS).map(row).collect()
 }
 
 /// Row of a flight: file, role, and RMS residual without and with the extension of the model.
@@ -125,18 +125,18 @@ pub(super) struct Flight {
     excluded: Option<String>,
 }
 
-/// Rows of the flights in dataset order. If there are more than [`MOST_ROWS`], only the flights with the largest RMS
+/// Rows of the flights in dataset order. If there are more than [`MAX_ROWS`], only the flights with the largest RMS
 /// residuals, in descending order.
 pub(super) fn flights(report: &Report) -> Vec<Flight> {
     let mut all: Vec<&FlightGain> = report.flights.iter().collect();
-    if all.len() > MOST_ROWS {
+    if all.len() > MAX_ROWS {
         let size = |f: &FlightGain| match f.rms_before_m {
             Some(rms) if rms.is_nan() => f64::INFINITY,
             Some(rms) => rms,
             None => f64::NEG_INFINITY,
         };
         all.sort_by(|a, b| size(b).total_cmp(&size(a)));
-        all.truncate(MOST_ROWS);
+        all.truncate(MAX_ROWS);
     }
     let tested = report.lack_of_fit.as_ref().map(|test| &test.flights);
     let is_apart = |f: &FlightGain| {
@@ -195,6 +195,6 @@ pub(super) fn lack_of_fit(test: &LackOfFit) -> LackOfFitText {
             "largest departure",
             "p",
         ],
-        departures: test.departures.iter().take(MOST_ROWS).map(row).collect(),
+        departures: test.departures.iter().take(MAX_ROWS).map(row).collect(),
     }
 }

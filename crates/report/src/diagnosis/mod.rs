@@ -9,11 +9,14 @@ mod page;
 mod words;
 
 use crate::certificate::CertificateNote;
+use crate::fit::Figure;
 use diagnose::Report;
 
 use identify::{Fit, FlightEvidence};
 
-pub use words::{lack_of_fit as lack_of_fit_sentence, paired as paired_gain_sentence};
+pub use words::{
+    lack_of_fit as lack_of_fit_sentence, paired as paired_gain_sentence, verdict_name,
+};
 
 /// Input of the HTML report of a diagnosis.
 #[derive(Clone, Copy, Debug)]
@@ -53,31 +56,10 @@ impl std::fmt::Debug for Fits<'_> {
     }
 }
 
-/// HTML report of a diagnosis, with the SVG and CSV text of its figures.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Made {
-    /// Self-contained HTML page.
-    pub html: String,
-    /// File name and SVG text of each figure, in the order in which the figures appear on the page.
-    pub figures: Vec<(String, String)>,
-    /// File name and CSV text of the data of each figure, in the same order as `figures`.
-    pub tables: Vec<(String, String)>,
-}
-
-/// Draws all figures and renders the HTML page.
-pub fn make(page: &DiagnosisPage<'_>) -> Made {
+/// Renders the HTML report of a diagnosis as one self-contained page, and returns it with its figures in the order in
+/// which they appear on the page.
+pub fn html_and_figures(page: &DiagnosisPage<'_>) -> (String, Vec<Figure>) {
     let (finding, figure) = finding::finding(page);
     let figures = draw::Figures::of(page, figure);
-    let html = page::html(page, &finding, &figures);
-    let (mut svg, mut csv) = (Vec::new(), Vec::new());
-    for drawn in figures.into_all() {
-        let figure = drawn.figure;
-        csv.push((format!("{}.csv", figure.name), figure.csv));
-        svg.push((figure.name + ".svg", figure.svg));
-    }
-    Made {
-        html,
-        figures: svg,
-        tables: csv,
-    }
+    (page::html(page, &finding, &figures), figures.in_order())
 }

@@ -18,9 +18,9 @@ use crate::fit::page::{capitalized, one, plain_values, reached, rendered, senten
 use crate::fit::words::names;
 
 /// Maximum number of characters of the extended model's text shown on the page.
-const MOST_TEXT: usize = 60_000;
+const MAX_TEXT: usize = 60_000;
 /// Maximum number of notes, and of checks, shown on the page.
-const MOST_NOTES: usize = 40;
+const MAX_NOTES: usize = 40;
 /// Maximum number of figures of load channels that are expanded when the page is opened; the same maximum applies to
 /// figures of coefficient curves.
 const OPEN: usize = 6;
@@ -37,7 +37,7 @@ pub(super) fn html(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figure
     let notes: Vec<String> = report
         .notes
         .iter()
-        .take(MOST_NOTES)
+        .take(MAX_NOTES)
         .map(|n| sentence(n))
         .collect();
     let reasons = page.reasons_against.iter();
@@ -51,8 +51,8 @@ pub(super) fn html(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figure
         style => Value::from_safe_string(STYLE.to_owned() + draw::STYLE),
         model => &report.model,
         dataset => &report.dataset,
-        effects => names(report.effects.iter().map(String::as_str)),
-        kind => words::kind(report.verdict),
+        effects => names(&report.effects),
+        kind => words::verdict_name(report.verdict),
         verdict => words::verdict(report),
         summary => report.summary.trim(),
         finding => plain_values(finding),
@@ -67,7 +67,7 @@ pub(super) fn html(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figure
         faults => plain_values(&data_faults::table(&report.data_faults)),
         gain_figure => figures.gain.iter().map(|f| one(&reached(f))).collect::<Vec<_>>(),
         causes => plain_values(&causes::explanations(page)),
-        more_causes => report.causes.len().saturating_sub(causes::MOST),
+        more_causes => report.causes.len().saturating_sub(causes::MAX_HYPOTHESES),
         throw => report.next_throw.as_ref().map(|t| plain_values(&causes::throw(t))),
         candidates => figures.sigmas.iter().map(one).collect::<Vec<_>>(),
         alike => figures.alike.iter().map(one).collect::<Vec<_>>(),
@@ -78,7 +78,7 @@ pub(super) fn html(page: &DiagnosisPage<'_>, finding: &Finding, figures: &Figure
         residuals => shown(&figures.residuals),
         curves => shown(curves),
         more_curves => shown(more_curves),
-        unmoved => names(draw::unmoved(page).iter().map(String::as_str)),
+        unmoved => names(&draw::unmoved(page)),
         flights_figure => figures.flights.iter().map(one).collect::<Vec<_>>(),
         flights => plain_values(&limits::flights(report)),
         shown_by => if page.after.is_empty() { "" } else { " · extended" },
@@ -106,9 +106,9 @@ fn split(drawn: &[Drawn]) -> (&[Drawn], &[Drawn]) {
     drawn.split_at(OPEN.min(drawn.len()))
 }
 
-/// Truncates the text of a model file to [`MOST_TEXT`] characters.
+/// Truncates the text of a model file to [`MAX_TEXT`] characters.
 fn beginning(text: &str) -> String {
-    let mut shown: String = text.chars().take(MOST_TEXT).collect();
+    let mut shown: String = text.chars().take(MAX_TEXT).collect();
     if shown.len() < text.len() {
         shown.push('…');
     }
@@ -116,7 +116,7 @@ fn beginning(text: &str) -> String {
 }
 
 fn verified(found: &Verified) -> Value {
-    let checks = found.checks.iter().take(MOST_NOTES);
+    let checks = found.checks.iter().take(MAX_NOTES);
     let checks: Vec<(String, String)> = checks
         .map(|(name, says)| (short(name), short(says)))
         .collect();

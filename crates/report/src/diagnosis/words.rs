@@ -8,7 +8,8 @@ use crate::fit::words::names;
 
 /// Name of an explanation: the joined names of its effects.
 pub(super) fn cause(cause: &Cause) -> String {
-    let effects = names(cause.effects.iter().map(|e| e.name.as_str()));
+    let effects: Vec<&str> = cause.effects.iter().map(|e| e.name.as_str()).collect();
+    let effects = names(&effects);
     match cause.effects.len() {
         0 => "an explanation without effects".to_owned(),
         1 => effects,
@@ -56,8 +57,8 @@ pub(super) fn verdict(report: &Report) -> String {
     }
 }
 
-/// CSS class that marks the outcome (verdict) of the diagnosis on the page.
-pub(super) fn kind(verdict: Verdict) -> &'static str {
+/// Name of the outcome (verdict) of a diagnosis in `report.json` and on the terminal, and its CSS class on the page.
+pub fn verdict_name(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::None => "none",
         Verdict::Named => "named",
@@ -70,12 +71,10 @@ pub(super) fn kind(verdict: Verdict) -> &'static str {
 /// Sentences on the out-of-sample error reduction by the extension, or the reason why it was not measured.
 pub(super) fn gain(report: &Report) -> String {
     let Some(gain) = &report.gain else {
-        return match (report.extended_model.is_some(), report.verdict) {
-            (true, _) => "The gain on flights that were not fitted could not be measured.",
-            (false, Verdict::None) => "The model is not extended.",
-            (false, _) => "The model is not extended.",
-        }
-        .to_owned();
+        return match report.extended_model {
+            Some(_) => "The gain on flights that were not fitted could not be measured.".to_owned(),
+            None => "The model is not extended.".to_owned(),
+        };
     };
     let after = millimetres(gain.held_out_rms_after_m);
     let before = millimetres(gain.held_out_rms_before_m);
@@ -119,7 +118,7 @@ pub fn paired(gain: &PredictiveGain) -> Option<String> {
         );
     }
     if !gain.set_apart.is_empty() {
-        let files = names(gain.set_apart.iter().map(String::as_str));
+        let files = names(&gain.set_apart);
         text += &format!(" Set apart, because no model follows them, and not counted: {files}.");
     }
     Some(text.trim_start().to_owned())

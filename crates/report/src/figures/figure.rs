@@ -8,7 +8,7 @@ use crate::fit::numbers::significant;
 use crate::fit::thin::stride;
 
 /// Maximum number of points of one line that have a tooltip with their value.
-const MOST_VALUES: usize = 6;
+const MAX_VALUES: usize = 6;
 
 /// Draws the panels one below the other, in a column of the default width; returns the SVG text.
 pub fn figure(title: &str, panels: &[Panel]) -> String {
@@ -99,11 +99,11 @@ impl Panel {
                 "" => String::new(),
                 name => format!("{name}: "),
             };
-            for (x, y) in stride(&line.points, MOST_VALUES) {
+            for (x, y) in stride(&line.points, MAX_VALUES) {
                 value(x, y, format!("{name}{} at {}", number(y), number(x)));
             }
         }
-        for bar in stride(&self.bars, 2 * MOST_VALUES) {
+        for bar in stride(&self.bars, 2 * MAX_VALUES) {
             let (from, to) = (number(bar.from), number(bar.to));
             let text = format!("{} from {from} to {to}", number(bar.height));
             value(0.5 * (bar.from + bar.to), bar.height, text);

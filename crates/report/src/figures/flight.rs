@@ -2,7 +2,7 @@
 
 use super::figure::figure;
 use super::panel::{Line, Mark, Panel};
-use super::states::{StateLabel, groups, symbol, what};
+use super::states::{StateLabel, panels_of_states};
 use ode::Trajectory;
 
 /// Number of samples of the trajectory that are drawn.
@@ -55,31 +55,15 @@ pub fn flight(title: &str, flight: &Trajectory, states: &[StateLabel<'_>]) -> St
             at: (e.time, f64::NAN),
         })
         .collect();
-    for group in groups(states, &rows, APART) {
-        let unit = states[group[0]].unit;
-        let names: Vec<String> = group.iter().map(|i| symbol(states[*i].name)).collect();
-        let what = what(unit);
-        let unit = if unit == "1" {
-            String::new()
-        } else {
-            format!(", {unit}")
-        };
-        let line = |i: &usize| Line {
-            name: symbol(states[*i].name),
-            points: times
-                .iter()
-                .zip(&rows)
-                .map(|(t, row)| (*t, row[*i]))
-                .collect(),
-        };
-        panels.push(Panel {
-            title: format!("{what} {}{unit}", names.join(", ")),
-            across: "time, s".into(),
-            lines: group.iter().map(line).collect(),
-            marks: marks.clone(),
-            ..Panel::default()
-        });
-    }
+    let points = |i: usize| {
+        let samples = times.iter().zip(&rows);
+        samples.map(|(t, row)| (*t, row[i])).collect()
+    };
+    let of_states = panels_of_states(states, &rows, APART, &points).into_iter();
+    panels.extend(of_states.map(|panel| Panel {
+        marks: marks.clone(),
+        ..panel
+    }));
     figure(title, &panels)
 }
 

@@ -20,4 +20,4 @@ pub use flight::flight;
 pub use layout::Layout;
 pub use panel::{Bar, Dots, Line, Look, Mark, Panel};
 pub use states::StateLabel;
-pub(crate) use states::{groups, symbol, what};
+pub(crate) use states::{panels_of_states, symbol};

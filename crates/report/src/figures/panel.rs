@@ -49,6 +49,20 @@ pub struct Bar {
     pub height: f64,
 }
 
+impl Bar {
+    /// Bars at the points (x, height), in ascending order of x. Each extends to the midpoints between its x and the
+    /// neighbouring ones.
+    pub(crate) fn between_midpoints(points: &[(f64, f64)]) -> Vec<Bar> {
+        let middle = |i: usize| 0.5 * (points[i].0 + points[i + 1].0);
+        let bar = |(i, &(x, height)): (usize, &(f64, f64))| Bar {
+            from: if i == 0 { x } else { middle(i - 1) },
+            to: if i + 1 == points.len() { x } else { middle(i) },
+            height,
+        };
+        points.iter().enumerate().map(bar).collect()
+    }
+}
+
 /// Panel of a figure: lines, dots and bars with one pair of axes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Panel {

@@ -1,5 +1,7 @@
 //! Labels of states by symbols of Hubbard & Hummel (2000), and grouping of states into panels.
 
+use super::panel::{Line, Panel};
+
 /// Name and unit of a state, from which its label in a figure is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StateLabel<'a> {
@@ -10,7 +12,7 @@ pub struct StateLabel<'a> {
 }
 
 /// Name of the physical quantity that a unit measures, such as `Angle` for rad.
-pub(crate) fn what(unit: &str) -> &'static str {
+fn what(unit: &str) -> &'static str {
     match unit {
         "m" => "Position",
         "m/s" => "Velocity",
@@ -23,7 +25,7 @@ pub(crate) fn what(unit: &str) -> &'static str {
 /// Divides states, given by index, into groups, each to be drawn in one panel. The states of a group have equal units
 /// and, unless the unit is m or m/s, peak magnitudes in `rows` (samples of all states) that differ at most by the
 /// factor `apart`. A group has at most four states.
-pub(crate) fn groups(states: &[StateLabel<'_>], rows: &[Vec<f64>], apart: f64) -> Vec<Vec<usize>> {
+fn groups(states: &[StateLabel<'_>], rows: &[Vec<f64>], apart: f64) -> Vec<Vec<usize>> {
     let reach = |i: usize| rows.iter().map(|row| row[i].abs()).fold(0.0, f64::max);
     let mut groups: Vec<Vec<usize>> = Vec::new();
     for (i, state) in states.iter().enumerate() {
@@ -43,6 +45,38 @@ pub(crate) fn groups(states: &[StateLabel<'_>], rows: &[Vec<f64>], apart: f64) -
         }
     }
     groups
+}
+
+/// Panels of the states over time, one for each group of states with equal units and peak magnitudes (in `rows`,
+/// samples of all states) that differ at most by the factor `apart`. `points` returns the pairs of time (s) and value of
+/// the state with the given index.
+pub(crate) fn panels_of_states(
+    states: &[StateLabel<'_>],
+    rows: &[Vec<f64>],
+    apart: f64,
+    points: &dyn Fn(usize) -> Vec<(f64, f64)>,
+) -> Vec<Panel> {
+    let panel = |group: Vec<usize>| {
+        let lines = group.iter().map(|&i| Line {
+            name: symbol(states[i].name),
+            points: points(i),
+        });
+        let lines: Vec<Line> = lines.collect();
+        let names: Vec<&str> = lines.iter().map(|line| line.name.as_str()).collect();
+        let unit = states[group[0]].unit;
+        let suffix = match unit {
+            "" | "1" => String::new(),
+            unit => format!(", {unit}"),
+        };
+        Panel {
+            title: format!("{} {}{suffix}", what(unit), names.join(", ")),
+            across: "time, s".into(),
+            lines,
+            ..Panel::default()
+        }
+    };
+    let groups = groups(states, rows, apart);
+    groups.into_iter().map(panel).collect()
 }
 
 /// Symbol of a state in the notation of Hubbard & Hummel (2000), such as `α̇` for `alphadot`.

@@ -8,9 +8,9 @@ use super::FitPage;
 use super::numbers::{millimetres, plain};
 
 /// Maximum number of rows of one table.
-const MOST_ROWS: usize = 50;
+const MAX_ROWS: usize = 50;
 /// Maximum number of characters of a note.
-const MOST_LETTERS: usize = 300;
+const MAX_LETTERS: usize = 300;
 
 /// Table of flights, as input of the HTML template.
 #[derive(Serialize)]
@@ -34,12 +34,12 @@ struct Row {
     notes: String,
 }
 
-/// Table of the flights with one role, in dataset order. If there are more than [`MOST_ROWS`], only the flights with
+/// Table of the flights with one role, in dataset order. If there are more than [`MAX_ROWS`], only the flights with
 /// the largest RMS residuals, in descending order.
 pub(super) fn table(page: &FitPage<'_>, role: Role) -> Table {
     let mut flights: Vec<&FlightReport> = page.report.used(role).collect();
     let number = flights.len();
-    let worst = number > MOST_ROWS;
+    let worst = number > MAX_ROWS;
     if worst {
         // A flight without a finite RMS residual ranks as the worst.
         let size = |f: &FlightReport| {
@@ -50,7 +50,7 @@ pub(super) fn table(page: &FitPage<'_>, role: Role) -> Table {
             }
         };
         flights.sort_by(|a, b| size(b).total_cmp(&size(a)));
-        flights.truncate(MOST_ROWS);
+        flights.truncate(MAX_ROWS);
     }
     Table {
         all: number,
@@ -59,7 +59,7 @@ pub(super) fn table(page: &FitPage<'_>, role: Role) -> Table {
     }
 }
 
-/// Table of the excluded flights, limited to [`MOST_ROWS`] rows.
+/// Table of the excluded flights, limited to [`MAX_ROWS`] rows.
 pub(super) fn left_out(page: &FitPage<'_>) -> Table {
     Table {
         all: page.report.excluded().count(),
@@ -67,7 +67,7 @@ pub(super) fn left_out(page: &FitPage<'_>) -> Table {
         rows: page
             .report
             .excluded()
-            .take(MOST_ROWS)
+            .take(MAX_ROWS)
             .map(|f| row(page, f))
             .collect(),
     }
@@ -75,7 +75,7 @@ pub(super) fn left_out(page: &FitPage<'_>) -> Table {
 
 /// Links to the figures of a flight on the page: pairs of anchor name and link text; empty if the flight is not drawn.
 fn figures(page: &FitPage<'_>, file: &str) -> Vec<(String, &'static str)> {
-    let drawn = || page.evidence.iter().take(super::draw::MOST_FLIGHTS);
+    let drawn = || page.evidence.iter().take(super::draw::MAX_FLIGHTS);
     let mut figures = Vec::new();
     if let Some(at) = drawn().position(|f| f.file == file) {
         figures.push((format!("tracks-{:02}", at + 1), "paths"));
@@ -107,10 +107,10 @@ fn row(page: &FitPage<'_>, flight: &FlightReport) -> Row {
     }
 }
 
-/// Truncates a text to [`MOST_LETTERS`] characters.
+/// Truncates a text to [`MAX_LETTERS`] characters.
 pub(crate) fn short(text: &str) -> String {
-    if text.chars().count() <= MOST_LETTERS {
+    if text.chars().count() <= MAX_LETTERS {
         return text.to_owned();
     }
-    text.chars().take(MOST_LETTERS).chain(['…']).collect()
+    text.chars().take(MAX_LETTERS).chain(['…']).collect()
 }

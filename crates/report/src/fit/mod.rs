@@ -10,6 +10,8 @@ pub(crate) mod thin;
 pub(crate) mod words;
 
 use crate::certificate::CertificateNote;
+use crate::figures::csv::of_panels;
+use crate::figures::{Layout, Panel, figure_of};
 use identify::{Coefficient, Fit, FitReport, FlightEvidence};
 use model_spec::model::Model;
 
@@ -103,18 +105,11 @@ impl Figures {
 
     /// Returns all figures in the order in which they appear on the page.
     fn in_order(self) -> Vec<Figure> {
-        let all = [
-            self.precision.into_iter().collect(),
-            self.predictions,
-            self.profiles,
-            self.tracks,
-            self.residuals,
-            self.states,
-            self.correlations.into_iter().collect(),
-            self.whiteness,
-            self.histogram.into_iter().collect(),
-        ];
-        all.into_iter().flatten().map(|d| d.figure).collect()
+        let all = self.precision.into_iter().chain(self.predictions);
+        let all = all.chain(self.profiles).chain(self.tracks);
+        let all = all.chain(self.residuals).chain(self.states);
+        let all = all.chain(self.correlations).chain(self.whiteness);
+        all.chain(self.histogram).map(|d| d.figure).collect()
     }
 }
 
@@ -138,5 +133,34 @@ impl Drawn {
             figure,
             narrow: None,
         }
+    }
+
+    /// Creates a figure from its caption and CSV table (`texts`) by calling `draw` for the layout `wide` and, if that
+    /// is not the small layout, also for the small one, for narrow screens.
+    pub(crate) fn in_layouts(
+        name: impl Into<String>,
+        title: &str,
+        [caption, csv]: [String; 2],
+        wide: Layout,
+        draw: &dyn Fn(Layout) -> String,
+    ) -> Drawn {
+        let drawn = Drawn::new(name.into(), title.to_owned(), [caption, draw(wide), csv]);
+        Drawn {
+            narrow: (wide != Layout::SMALL).then(|| draw(Layout::SMALL)),
+            ..drawn
+        }
+    }
+
+    /// Creates a figure of panels, with their data as CSV; see [`Drawn::in_layouts`].
+    pub(crate) fn of_panels(
+        name: impl Into<String>,
+        title: &str,
+        caption: String,
+        wide: Layout,
+        panels: &[Panel],
+    ) -> Drawn {
+        Drawn::in_layouts(name, title, [caption, of_panels(panels)], wide, &|layout| {
+            figure_of(layout, title, panels)
+        })
     }
 }

@@ -115,6 +115,14 @@ pub(crate) fn unit(text: &str) -> String {
     text.replace('*', "\u{a0}")
 }
 
+/// Label of an axis: a name and a unit, which is typeset; the name alone for dimensionless quantities.
+pub(crate) fn with_unit(name: &str, unit_text: &str) -> String {
+    match unit(unit_text).as_str() {
+        "" => name.to_owned(),
+        unit => format!("{name}, {unit}"),
+    }
+}
+
 /// Formats a number as in a model file, without trailing zeros; `–` if it is not finite.
 pub(crate) fn stated(value: f64) -> String {
     let size = value.abs();

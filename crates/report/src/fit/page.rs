@@ -19,7 +19,7 @@ const OPEN: usize = 3;
 /// Number of flights whose figures of marker paths are expanded when the page is opened.
 const OPEN_TRACKS: usize = 6;
 /// Maximum number of non-identifiable directions listed on the page.
-const MOST_UNDETERMINED: usize = 20;
+const MAX_UNDETERMINED: usize = 20;
 
 /// Non-identifiable direction in parameter space, with all values formatted as text.
 #[derive(Serialize)]
@@ -46,7 +46,7 @@ pub(super) fn written(page: &FitPage<'_>, figures: &Figures) -> String {
     let context = context! {
         model => &report.model,
         dataset => page.dataset,
-        effects => words::names(report.effects.iter().map(String::as_str)),
+        effects => words::names(&report.effects),
         summary => plain_values(&words::summary(page)),
         opening => plain_values(&words::opening(page)),
         precision => figures.precision.iter().map(|f| one(&reached(f))).collect::<Vec<_>>(),
@@ -166,11 +166,11 @@ pub(crate) fn one(drawn: &Drawn) -> Value {
 }
 
 /// Maximum size in bytes of a CSV table that is embedded in the page; for a larger table, the page links to its file.
-const MOST_EMBEDDED: usize = 10_000;
+const MAX_EMBEDDED: usize = 10_000;
 
 /// Link to the CSV table of a figure: a data URI, or the path of the file if the table is large.
 fn table_link(figure: &Figure) -> String {
-    match figure.csv.len() <= MOST_EMBEDDED {
+    match figure.csv.len() <= MAX_EMBEDDED {
         true => format!("data:text/csv;charset=utf-8,{}", encoded(&figure.csv)),
         false => format!("figure-data/{}.csv", figure.name),
     }
@@ -214,7 +214,7 @@ pub(crate) fn capitalized(text: &str) -> String {
 }
 
 fn undetermined(page: &FitPage<'_>) -> Vec<Undetermined> {
-    let found = page.report.undetermined.iter().take(MOST_UNDETERMINED);
+    let found = page.report.undetermined.iter().take(MAX_UNDETERMINED);
     found
         .map(|u| {
             let mut weights: Vec<(&String, f64)> = u.weights.iter().map(|(n, w)| (n, *w)).collect();
@@ -235,7 +235,7 @@ fn undetermined(page: &FitPage<'_>) -> Vec<Undetermined> {
                 direction.clear();
             }
             Undetermined {
-                names: words::names(u.combination.iter().map(String::as_str)),
+                names: words::names(&u.combination),
                 direction,
                 error: percent(u.relative_error),
                 why: sentence(&u.why),

@@ -1,7 +1,7 @@
 //! Reduction of the number of points in figures, so that pages of long flights remain small.
 
 /// Maximum number of points of a curve in a figure.
-pub(crate) const MOST: usize = 400;
+pub(crate) const MAX_CURVE_POINTS: usize = 400;
 
 /// Every n-th of the points, with the smallest n for which at most `most` points remain.
 pub(crate) fn stride<T: Copy>(points: &[T], most: usize) -> Vec<T> {

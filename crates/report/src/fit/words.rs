@@ -14,7 +14,7 @@ const GOOD: f64 = 0.1;
 /// predicted.
 const FAR: f64 = 3.0;
 /// Maximum number of names listed in a sentence.
-const MOST_NAMES: usize = 24;
+const MAX_NAMES: usize = 24;
 
 /// Sentences on the fitted data, the noise, the goodness of fit and the precision of the coefficients.
 pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
@@ -25,7 +25,7 @@ pub(super) fn summary(page: &FitPage<'_>) -> Vec<String> {
     let noise = &report.noise;
     let mut text = format!("The model ‘{}’", report.model);
     if !report.effects.is_empty() {
-        let effects = names(report.effects.iter().map(String::as_str));
+        let effects = names(&report.effects);
         text += &format!(" with {effects}");
     }
     text += &format!(
@@ -89,11 +89,7 @@ fn held_out_words(report: &FitReport) -> Option<String> {
 
 /// First sentences of the page: which coefficients the flights determine well, roughly, or not at all.
 pub(super) fn opening(page: &FitPage<'_>) -> Vec<String> {
-    let mut kinds: [Vec<&str>; 4] = Default::default();
-    for (name, found) in page.coefficients() {
-        kinds[kind(found)].push(name);
-    }
-    let [good, loose, unknown, _] = kinds.map(|names_of| names(names_of.into_iter()));
+    let [good, loose, unknown, _] = by_precision(page);
     let mut sentences = Vec::new();
     if !good.is_empty() {
         sentences.push(format!(
@@ -114,11 +110,7 @@ pub(super) fn opening(page: &FitPage<'_>) -> Vec<String> {
 
 /// Sentences that list the well determined, roughly determined, undetermined and fixed coefficients.
 fn determined(page: &FitPage<'_>) -> Vec<String> {
-    let mut kinds: [Vec<&str>; 4] = Default::default();
-    for (name, found) in page.coefficients() {
-        kinds[kind(found)].push(name);
-    }
-    let [good, loose, none, held] = kinds.map(|k| names(k.into_iter()));
+    let [good, loose, none, held] = by_precision(page);
     let good_is = format!(
         "Well determined (standard error below {} of the value)",
         percent(GOOD)
@@ -135,17 +127,21 @@ fn determined(page: &FitPage<'_>) -> Vec<String> {
         .collect()
 }
 
-fn kind(found: &Coefficient) -> usize {
-    let [low, high] = found.interval;
-    if found.held {
-        3
-    } else if found.std_error <= GOOD * found.value.abs() {
-        0
-    } else if low > 0.0 || high < 0.0 {
-        1
-    } else {
-        2
+/// Names of the coefficients, as text: those that are well determined, those of which only the sign is, those that
+/// cannot be distinguished from 0, and the fixed ones.
+fn by_precision(page: &FitPage<'_>) -> [String; 4] {
+    let mut kinds: [Vec<&str>; 4] = Default::default();
+    for (name, found) in page.coefficients() {
+        let [low, high] = found.interval;
+        let kind = match () {
+            () if found.held => 3,
+            () if found.std_error <= GOOD * found.value.abs() => 0,
+            () if low > 0.0 || high < 0.0 => 1,
+            () => 2,
+        };
+        kinds[kind].push(name);
     }
+    kinds.map(|kind| names(&kind))
 }
 
 /// Warnings on the reliability of the fit; empty if there are none.
@@ -160,7 +156,7 @@ pub(super) fn alarms(page: &FitPage<'_>) -> Vec<String> {
     let coefficients = page.coefficients();
     let chosen = |which: &dyn Fn(&Coefficient) -> bool| {
         let all = coefficients.iter().filter(|(_, c)| which(c));
-        names(all.map(|(name, _)| *name))
+        names(&all.map(|(name, _)| *name).collect::<Vec<_>>())
     };
     let at_bound = chosen(&|c| c.at_bound);
     add(
@@ -248,17 +244,13 @@ fn were(flights: usize) -> String {
     )
 }
 
-/// Joins names as `a, b and c`; beyond [`MOST_NAMES`] names, only the number of further names is stated.
-pub(crate) fn names<'a>(names: impl Iterator<Item = &'a str>) -> String {
-    let all: Vec<&str> = names.collect();
-    let more = all.len().saturating_sub(MOST_NAMES);
-    let mut shown: Vec<String> = all
-        .iter()
-        .take(MOST_NAMES)
-        .map(|n| (*n).to_owned())
-        .collect();
-    if more > 0 {
-        shown.push(format!("{more} more"));
+/// Joins names as `a, b and c`; beyond [`MAX_NAMES`] names, only the number of further names is stated.
+pub(crate) fn names(names: &[impl AsRef<str>]) -> String {
+    let shown = names.iter().take(MAX_NAMES).map(AsRef::as_ref);
+    let mut shown: Vec<&str> = shown.collect();
+    let more = format!("{} more", names.len() - shown.len());
+    if shown.len() < names.len() {
+        shown.push(&more);
     }
     listed(&shown)
 }

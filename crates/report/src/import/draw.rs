@@ -1,15 +1,14 @@
 //! Figures of an import: each flight over the time of its take, and each whole take.
 
 use super::{Curve, Distance, ImportedFlight, ImportedTake};
-use crate::figures::csv::of_panels;
-use crate::figures::{Dots, Layout, Line, Look, Mark, Panel, figure_of};
+use crate::figures::{Dots, Layout, Line, Look, Mark, Panel};
 use crate::fit::Drawn;
 use crate::fit::thin;
 
 /// Maximum number of marker pairs whose distances are drawn: the number of distinct line colours.
-const MOST_PAIRS: usize = 4;
+const MAX_PAIRS: usize = 4;
 /// Maximum number of dots of a curve before and after the flight.
-const MOST_DOTS: usize = 150;
+const MAX_DOTS: usize = 150;
 
 /// Draws the curves and marker distances of a flight: lines during the flight, grey dots for the recording before and
 /// after it. `number` becomes part of the figure's file name.
@@ -21,16 +20,12 @@ pub(super) fn flight(number: usize, flight: &ImportedFlight) -> Drawn {
     for panel in &mut panels {
         panel.marks = marks([(flight.release.time, "release"), (flight.end.time, "end")]);
     }
-    let svg = figure_of(Layout::SMALL, &flight.file, &panels);
     let caption = format!(
         "From {:.3} s: {}. To {:.3} s: {}.",
         flight.release.time, flight.release.reason, flight.end.time, flight.end.reason
     );
-    Drawn::new(
-        format!("flight-{number:02}"),
-        flight.file.clone(),
-        [caption, svg, of_panels(&panels)],
-    )
+    let name = format!("flight-{number:02}");
+    Drawn::of_panels(name, &flight.file, caption, Layout::SMALL, &panels)
 }
 
 /// Draws the height of the body over the whole recording `take`, with begin and end of each flight. `number` becomes
@@ -46,18 +41,13 @@ pub(super) fn take(number: usize, take: &ImportedTake) -> Drawn {
         .map(|flight| (flight.release.time, flight.file.as_str()));
     let end = take.flights.iter().map(|flight| (flight.end.time, ""));
     panel.marks = marks(release.chain(end));
-    let drawn = |layout| figure_of(layout, &take.file, std::slice::from_ref(&panel));
-    let mut figure = Drawn::new(
+    Drawn::of_panels(
         format!("take-{number:02}"),
-        take.file.clone(),
-        [
-            "Lines: the flights; grey: what was cut away.".into(),
-            drawn(Layout::WIDE),
-            of_panels(std::slice::from_ref(&panel)),
-        ],
-    );
-    figure.narrow = Some(drawn(Layout::SMALL));
-    figure
+        &take.file,
+        "Lines: the flights; grey: what was cut away.".into(),
+        Layout::WIDE,
+        &[panel],
+    )
 }
 
 fn marks<'a>(of: impl IntoIterator<Item = (f64, &'a str)>) -> Vec<Mark> {
@@ -84,11 +74,11 @@ fn split(points: &[(f64, f64)], inside: impl Fn(f64) -> bool) -> Panel {
         across: "time of the recording, s".into(),
         lines: vec![Line {
             name: String::new(),
-            points: thin::curve(&line, thin::MOST),
+            points: thin::curve(&line, thin::MAX_CURVE_POINTS),
         }],
         dots: vec![Dots {
             look: Look::Pale,
-            points: thin::stride(&outside, MOST_DOTS),
+            points: thin::stride(&outside, MAX_DOTS),
         }],
         ..Panel::default()
     }
@@ -106,8 +96,8 @@ fn curve(flight: &ImportedFlight, curve: &Curve) -> Panel {
 fn distances(flight: &ImportedFlight) -> Option<Panel> {
     let mut pairs: Vec<&Distance> = flight.distances.iter().collect();
     pairs.sort_by(|a, b| spread(flight, b).total_cmp(&spread(flight, a)));
-    let left_out = pairs.len().saturating_sub(MOST_PAIRS);
-    pairs.truncate(MOST_PAIRS);
+    let left_out = pairs.len().saturating_sub(MAX_PAIRS);
+    pairs.truncate(MAX_PAIRS);
     let line = |pair: &&Distance| {
         let off = pair.points.iter().map(|&(t, d)| match flight.holds(t) {
             true => (t, 1e3 * (d - pair.template)),
@@ -117,7 +107,7 @@ fn distances(flight: &ImportedFlight) -> Option<Panel> {
         Line {
             // Spaces widen the margin, because bold letters of a name can be wide.
             name: format!("{}   ", pair.name),
-            points: thin::curve(&off, thin::MOST),
+            points: thin::curve(&off, thin::MAX_CURVE_POINTS),
         }
     };
     let more = match left_out {

@@ -12,11 +12,11 @@ use crate::fit::page::{capitalized, one, plain_values, rendered};
 use crate::fit::words::names;
 
 /// Maximum number of flights drawn, over all recordings.
-const MOST_FLIGHTS: usize = 60;
+const MAX_FLIGHTS: usize = 60;
 /// Maximum number of gaps listed for each flight.
-const MOST_GAPS: usize = 5;
+const MAX_GAPS: usize = 5;
 /// Maximum number of marker pairs listed for each recording.
-const MOST_PAIRS: usize = 30;
+const MAX_PAIRS: usize = 30;
 
 /// A recording, as input of the HTML template.
 #[derive(Serialize)]
@@ -56,7 +56,7 @@ pub(super) fn html(page: &ImportPage) -> String {
     let mut takes = Vec::new();
     let mut drawn = 0;
     for (number, take) in page.takes.iter().enumerate() {
-        let room = MOST_FLIGHTS.saturating_sub(drawn);
+        let room = MAX_FLIGHTS.saturating_sub(drawn);
         let figures = take.flights.iter().take(room).enumerate();
         let figures: Vec<Value> = figures
             .map(|(i, flight)| one(&draw::flight(drawn + i + 1, flight)))
@@ -93,16 +93,16 @@ fn row(flight: &ImportedFlight) -> Row {
     let mut unseen: Vec<String> = flight
         .gaps
         .iter()
-        .take(MOST_GAPS)
+        .take(MAX_GAPS)
         .map(|(from, to)| format!("nothing from {} to {} s", plain(*from, 3), plain(*to, 3)))
         .collect();
-    if flight.gaps.len() > MOST_GAPS {
-        unseen.push(format!("{} more gaps", flight.gaps.len() - MOST_GAPS));
+    if flight.gaps.len() > MAX_GAPS {
+        unseen.push(format!("{} more gaps", flight.gaps.len() - MAX_GAPS));
     }
     let missing = flight.missing.iter();
     let missing: Vec<String> = missing.map(|(name, n)| format!("{name} in {n}")).collect();
     if !missing.is_empty() {
-        unseen.push(names(missing.iter().map(String::as_str)));
+        unseen.push(names(&missing));
     }
     Row {
         file: flight.file.clone(),
@@ -139,7 +139,7 @@ fn pairs(take: &ImportedTake) -> Vec<Pair> {
         }
     }
     worst.sort_by(|a, b| b.3.total_cmp(&a.3));
-    worst.truncate(MOST_PAIRS);
+    worst.truncate(MAX_PAIRS);
     let millimetres = |metres: f64| plain(1e3 * metres, 1);
     let pair = |(name, template, median, farthest, file): (&str, f64, f64, f64, &str)| Pair {
         name: name.to_owned(),

@@ -12,9 +12,9 @@ use crate::fit::numbers::unit;
 use crate::fit::thin::stride;
 
 /// Maximum number of scalar quantities that the viewer shows over time for a flight.
-const MOST_NUMBERS: usize = 10;
+const MAX_NUMBERS: usize = 10;
 /// Maximum number of markers shown for a flight.
-const MOST_MARKERS: usize = 12;
+const MAX_MARKERS: usize = 12;
 /// Units of the quantities that the viewer shows: angles come first, then quantities with these units, in this order.
 /// Quantities with other units are not shown.
 const UNITS: [&str; 2] = ["m/s", "rad/s"];
@@ -191,7 +191,7 @@ impl<'m> Place<'m> {
         });
         let mut scalars: Vec<_> = scalars.collect();
         scalars.sort_by_key(|(rank, ..)| *rank);
-        scalars.truncate(MOST_NUMBERS - numbers.len());
+        scalars.truncate(MAX_NUMBERS - numbers.len());
         let mut observer = bound.observer();
         let rows: Vec<Vec<f64>> = states
             .iter()
@@ -251,9 +251,9 @@ pub(super) fn recorded(place: &Place<'_>, evidence: &FlightEvidence, most: usize
     let samples: Vec<(f64, &[f64])> = chosen.iter().map(at).collect();
     let (mut flight, kept) = place.flight(&evidence.file, &samples);
     for (i, _) in chosen.iter().zip(&kept).filter(|(_, kept)| **kept) {
-        let measured = evidence.measured[*i].iter().take(MOST_MARKERS);
+        let measured = evidence.measured[*i].iter().take(MAX_MARKERS);
         let measured: Vec<Option<[f64; 3]>> = measured.map(|p| p.map(|p| p.map(rounded))).collect();
-        let predicted = evidence.predicted[*i].iter().take(MOST_MARKERS);
+        let predicted = evidence.predicted[*i].iter().take(MAX_MARKERS);
         let all: Option<Vec<[f64; 3]>> = measured.iter().copied().collect();
         if let Some(all) = all.filter(|all| !all.is_empty()) {
             let sum = |axis: usize| all.iter().map(|p| p[axis]).sum::<f64>();

@@ -6,9 +6,22 @@ use diagnose::{Report, Verdict};
 use identify::FlightEvidence;
 use identify::dataset::Role;
 use report::CertificateNote;
-use report::diagnosis::{DiagnosisPage, Made, make};
+use report::diagnosis::{DiagnosisPage, html_and_figures};
+use report::fit::Figure;
 
 const TWO_MEGABYTES: usize = 2_000_000;
+
+/// A page and its figures.
+#[derive(Debug, PartialEq)]
+struct Made {
+    html: String,
+    figures: Vec<Figure>,
+}
+
+fn make(page: &DiagnosisPage<'_>) -> Made {
+    let (html, figures) = html_and_figures(page);
+    Made { html, figures }
+}
 
 fn page(report: &Report, before: &[FlightEvidence], after: &[FlightEvidence]) -> Made {
     let extended = report.extended_model.as_ref().map(|_| found::EXTENDED);
@@ -37,31 +50,33 @@ fn check(made: &Made) {
         assert!(!without.contains(load), "{load}");
     }
     assert!(made.html.len() < TWO_MEGABYTES, "{} bytes", made.html.len());
-    for (name, svg) in &made.figures {
+    for Figure {
+        name: stem, svg, ..
+    } in &made.figures
+    {
         let tree =
-            roxmltree::Document::parse(svg).unwrap_or_else(|fault| panic!("{name}: {fault}"));
-        let stem = name.strip_suffix(".svg").unwrap();
+            roxmltree::Document::parse(svg).unwrap_or_else(|fault| panic!("{stem}: {fault}"));
         assert!(
             stem.chars().all(|c| c.is_ascii_alphanumeric() || c == '-'),
-            "{name}"
+            "{stem}"
         );
-        assert_eq!(made.figures.iter().filter(|f| f.0 == *name).count(), 1);
+        assert_eq!(made.figures.iter().filter(|f| f.name == *stem).count(), 1);
         assert!(
             made.html.contains(&format!("<figure id=\"{stem}\">")),
-            "{name}"
+            "{stem}"
         );
         let has = |tag: &str| {
             tree.root_element()
                 .children()
                 .any(|n| n.has_tag_name(("http://www.w3.org/2000/svg", tag)) && n.text().is_some())
         };
-        assert!(has("title") && has("desc"), "{name} is not told in words");
+        assert!(has("title") && has("desc"), "{stem} is not told in words");
         for node in tree.descendants().filter(roxmltree::Node::is_element) {
             for attribute in node.attributes().filter(|a| a.name() != "aria-label") {
                 let value = attribute.value();
                 assert!(
                     !value.contains("NaN") && !value.contains("inf"),
-                    "{name}: {value}"
+                    "{stem}: {value}"
                 );
             }
         }
@@ -407,9 +422,9 @@ fn much_stays_small() {
     let ranked = &made
         .figures
         .iter()
-        .find(|f| f.0 == "flights.svg")
+        .find(|f| f.name == "flights")
         .unwrap()
-        .1;
+        .svg;
     assert!(ranked.contains("flights in order of their RMS residual before"));
 }
 

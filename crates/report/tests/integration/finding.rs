@@ -7,7 +7,8 @@ use std::sync::OnceLock;
 use diagnose::{Diagnosis, DiagnosisOptions, Verdict, diagnose};
 use identify::dataset::{self, Role};
 use identify::{Fit, FlightEvidence, FlightId};
-use report::diagnosis::{DiagnosisPage, Fits, Made, make};
+use report::diagnosis::{DiagnosisPage, Fits, html_and_figures};
+use report::fit::Figure;
 use report::viewer::View;
 use report::{CertificateNote, prediction_band};
 
@@ -29,10 +30,10 @@ fn evidence(fit: &Fit) -> Vec<FlightEvidence> {
         .collect()
 }
 
-fn page() -> Made {
+fn page() -> (String, Vec<Figure>) {
     let found = mystery();
     let after = found.after.as_ref().map(|(_, fit)| fit);
-    make(&DiagnosisPage {
+    html_and_figures(&DiagnosisPage {
         report: &found.report,
         before: &evidence(&found.before),
         after: &evidence(after.unwrap()),
@@ -49,8 +50,8 @@ fn page() -> Made {
 #[test]
 fn the_page_opens_with_what_is_wrong_and_how_sure_it_is() {
     assert_eq!(mystery().report.verdict, Verdict::Named);
-    let made = page();
-    let opening = &made.html[..made.html.find("id=\"causes\"").unwrap()];
+    let (html, figures) = page();
+    let opening = &html[..html.find("id=\"causes\"").unwrap()];
     for text in [
         "The lift stops growing with the angle of attack",
         "° C_L is ",
@@ -61,14 +62,9 @@ fn the_page_opens_with_what_is_wrong_and_how_sure_it_is() {
     ] {
         assert!(opening.contains(text), "{text}");
     }
-    let equation = made.html.find("<math").expect("the equation of the effect");
-    assert!(made.html[equation..].contains("<mi>max</mi>"));
-    let text = &made
-        .tables
-        .iter()
-        .find(|(name, _)| name == "finding.csv")
-        .unwrap()
-        .1;
+    let equation = html.find("<math").expect("the equation of the effect");
+    assert!(html[equation..].contains("<mi>max</mi>"));
+    let text = &figures.iter().find(|f| f.name == "finding").unwrap().csv;
     let rows = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
     let of = |series: &str| -> Vec<(f64, f64)> {
         let rows = rows

@@ -5,11 +5,15 @@ use std::path::Path;
 
 use design::{ThrowFlightError, ThrownBody};
 use model_spec::{EffectTree, ModelTree};
+use nalgebra::Vector3;
 use ode::IntegrationOptions;
 use serde::Serialize;
 
+use super::horizontal_position;
 use crate::error::StudyError;
-use crate::real_data::{LAUNCH_NAMES, Launch, UNCERTAINTY, filmed_throws, rms_distance};
+use crate::real_data::{
+    LAUNCH_NAMES, Launch, UNCERTAINTY, axis_and_velocity, filmed_throws, rms_distance,
+};
 
 /// A filmed throw, compared with the flight that is simulated from its published launch.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -86,37 +90,24 @@ fn track(
     height: f64,
     times: &[f64],
 ) -> Result<Vec<[f64; 2]>, StudyError> {
-    let [speed, pitch, roll, nose, yaw, tailwind, crosswind] = *launch;
+    let [.., tailwind, crosswind] = *launch;
     let layout = body.compiled.layout();
     let mut parameters = layout.default_parameters();
     if let Some([x, y, _]) = layout.components("wind") {
         parameters[x.index()] = tailwind;
         parameters[y.index()] = crosswind;
     }
-    // As in the program of the paper, the pitch is added to the attitude of the rolled disc.
-    let bank = roll + roll.sin() * nose.sin() * pitch;
-    let rise = nose + roll.cos() * pitch;
-    let turned = |[x, y, z]: [f64; 3]| {
-        let (sin, cos) = yaw.sin_cos();
-        [cos * x - sin * y, sin * x + cos * y, z]
-    };
-    let axis = turned([
-        -rise.sin(),
-        bank.sin() * rise.cos(),
-        bank.cos() * rise.cos(),
-    ]);
-    let [vx, vy, vz] = turned([speed * pitch.cos(), 0.0, speed * pitch.sin()]);
+    let (axis, velocity) = axis_and_velocity(launch);
     // The axis is (sin theta, -sin phi cos theta, cos phi cos theta).
     let (theta, phi) = (axis[0].asin(), (-axis[1]).atan2(axis[2]));
     let ((st, ct), (sp, cp)) = (theta.sin_cos(), phi.sin_cos());
-    let first = [ct, sp * st, -cp * st];
-    let second = [0.0, cp, sp];
-    let along = |axis: [f64; 3]| axis[0] * vx + axis[1] * vy + axis[2] * vz;
+    let first = Vector3::new(ct, sp * st, -cp * st);
+    let second = Vector3::new(0.0, cp, sp);
     let values = [
         ("z", height),
-        ("u", along(first)),
-        ("v", along(second)),
-        ("w", along(axis)),
+        ("u", first.dot(&velocity)),
+        ("v", second.dot(&velocity)),
+        ("w", axis.dot(&velocity)),
         ("phi", phi),
         ("theta", theta),
         // A right-hander's backhand: clockwise, seen from above.
@@ -131,12 +122,7 @@ fn track(
     let flights = body.with_parameters(parameters);
     let path = flights.trajectory(&state, &IntegrationOptions::default());
     let path = path.map_err(ThrowFlightError::from)?;
-    let place = |name: &str| {
-        layout
-            .state(name)
-            .map_or(0, model_spec::layout::StateId::index)
-    };
-    let (x, y) = (place("x"), place("y"));
+    let (x, y) = horizontal_position(layout);
     let at = |time: &f64| {
         let state = path.sample(time.min(path.end));
         let state = state.unwrap_or_else(|| path.end_state.clone());

@@ -5,7 +5,7 @@ use flight::throw::Throw;
 use ode::IntegrationOptions;
 use serde::Serialize;
 
-use super::DISCS;
+use super::{DISCS, horizontal_position};
 use crate::error::StudyError;
 
 /// Number of intervals into which a flight is divided for sampling.
@@ -57,13 +57,7 @@ pub fn turns_and_fades(speeds: &[f64], sign: f64) -> Result<Vec<TurnAndFade>, St
                 .map_err(ThrowFlightError::from)?;
             let path = flights.trajectory(&state, &IntegrationOptions::default());
             let path = path.map_err(ThrowFlightError::from)?;
-            let layout = body.compiled.layout();
-            let place = |name: &str| {
-                layout
-                    .state(name)
-                    .map_or(0, model_spec::layout::StateId::index)
-            };
-            let (x, y) = (place("x"), place("y"));
+            let (x, y) = horizontal_position(body.compiled.layout());
             let time = |k: usize| path.end * k as f64 / SAMPLES as f64;
             let points = (0..=SAMPLES).filter_map(|k| path.sample(time(k)));
             let points: Vec<[f64; 2]> = points.map(|state| [state[x], state[y]]).collect();

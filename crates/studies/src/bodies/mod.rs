@@ -11,6 +11,8 @@ pub use filmed::{Filmed, filmed};
 pub use flights::{TurnAndFade, turns_and_fades};
 pub use page::bodies_page;
 
+use model_spec::layout::{Layout, StateId};
+
 /// Models of the discs that the study simulates and whose coefficients it plots.
 pub const DISCS: [&str; 4] = [
     "golf_putter",
@@ -18,3 +20,9 @@ pub const DISCS: [&str; 4] = [
     "golf_driver",
     "ultimate_disc",
 ];
+
+/// Indices of the states `x` and `y` of a body; 0 for a state that the model lacks.
+fn horizontal_position(layout: &Layout) -> (usize, usize) {
+    let index = |name: &str| layout.state(name).map_or(0, StateId::index);
+    (index("x"), index("y"))
+}

@@ -2,18 +2,17 @@
 
 use std::time::Duration;
 
-use flight::batch;
 use identify::dataset::{Dataset, Flight};
-use identify::synthesize::{MARKERS, corrupt};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 
 use crate::bounded_fit::bounded_fit;
 use crate::contact::{Surface, Touched, fly};
 use crate::oracle_flights::{
-    TWELVE, Throws, disc, disc_constants, empty, file_name, marker_positions, noise_conditions,
-    reference_of,
+    TWELVE, Throws, add_noise, disc, disc_constants, empty, even_times, file_name, marker_flight,
+    noise_conditions, reference_of,
 };
+use crate::progress::{Progress, each_run};
 
 /// Number of flights per dataset.
 const FLIGHTS: usize = 20;
@@ -68,18 +67,8 @@ impl Bounce {
 
 /// Simulates and fits `datasets` datasets of twenty flights that bounce. `progress` is called with the numbers of
 /// finished datasets and of all datasets.
-pub fn bounces(
-    datasets: usize,
-    threads: usize,
-    progress: &(dyn Fn(usize, usize) + Sync),
-) -> Vec<Bounce> {
-    let finished = std::sync::atomic::AtomicUsize::new(0);
-    let each = batch::each_on(threads, datasets, |seed| {
-        let found = of_dataset(seed as u64);
-        let done = 1 + finished.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
-        progress(done, datasets);
-        found
-    });
+pub fn bounces(datasets: usize, threads: usize, progress: Progress<'_>) -> Vec<Bounce> {
+    let each = each_run(threads, datasets, progress, |seed| of_dataset(seed as u64));
     each.into_iter().flatten().collect()
 }
 
@@ -122,11 +111,11 @@ fn dataset(seed: u64) -> (Dataset, Vec<(f64, f64)>) {
     let mut dataset = empty(&disc());
     let mut touches = Vec::new();
     for index in 0..FLIGHTS {
-        let (mut flight, touch) = bouncing_flight(index, &mut random);
-        corrupt(&mut flight.positions, &noise, 1000 * seed + index as u64);
+        let (flight, touch) = bouncing_flight(index, &mut random);
         dataset.flights.push(flight);
         touches.push(touch);
     }
+    add_noise(&mut dataset, &noise, seed);
     (dataset, touches)
 }
 
@@ -136,8 +125,7 @@ pub(crate) fn bouncing_flight(index: usize, random: &mut impl Rng) -> (Flight, (
     let model = disc();
     let reference = reference_of(&model);
     let constants = disc_constants(&model, &TWELVE);
-    let samples = (DURATION * RATE).round() as usize;
-    let times: Vec<f64> = (0..=samples).map(|k| k as f64 / RATE).collect();
+    let times = even_times(DURATION, RATE);
     loop {
         let mut start = LOW.draw(random);
         start.position.z = 0.3 + 1.2 * random.random::<f64>();
@@ -150,16 +138,6 @@ pub(crate) fn bouncing_flight(index: usize, random: &mut impl Rng) -> (Flight, (
         let Some(touch) = first.filter(|(time, _)| (TOUCH.0..TOUCH.1).contains(time)) else {
             continue;
         };
-        let positions = states.iter().map(|body| {
-            let positions = marker_positions(body, &MARKERS);
-            positions.into_iter().map(Some).collect()
-        });
-        let flight = Flight {
-            file: file_name(index),
-            positions: positions.collect(),
-            times,
-            ..Flight::default()
-        };
-        return (flight, touch);
+        return (marker_flight(file_name(index), times, &states), touch);
     }
 }

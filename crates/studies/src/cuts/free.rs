@@ -3,12 +3,11 @@
 use std::f64::consts::PI;
 use std::time::Duration;
 
-use flight::batch;
 use identify::dataset::Dataset;
-use identify::synthesize::corrupt;
 
 use crate::bounded_fit::bounded_fit;
-use crate::oracle_flights::{Plan, TRUTH, Throws, disc, flights, noise_conditions};
+use crate::oracle_flights::{Plan, TRUTH, Throws, add_noise, disc, flights, noise_conditions};
+use crate::progress::{Progress, each_run};
 use crate::seeded::{SeededEffects, ball};
 
 /// Number of flights per dataset.
@@ -66,25 +65,14 @@ const GROUPS: [&str; 4] = [
 
 /// Simulates and fits `datasets` datasets of twenty flights without ground contact, cycling through the groups of
 /// throws. `progress` is called with the numbers of finished datasets and of all datasets.
-pub fn free_flights(
-    datasets: usize,
-    threads: usize,
-    progress: &(dyn Fn(usize, usize) + Sync),
-) -> Vec<FreeFlight> {
-    let finished = std::sync::atomic::AtomicUsize::new(0);
-    let each = batch::each_on(threads, datasets, |index| {
-        let flights = of_dataset(index);
-        let done = 1 + finished.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
-        progress(done, datasets);
-        flights
-    });
+pub fn free_flights(datasets: usize, threads: usize, progress: Progress<'_>) -> Vec<FreeFlight> {
+    let each = each_run(threads, datasets, progress, |seed| of_dataset(seed as u64));
     each.into_iter().flatten().collect()
 }
 
-fn of_dataset(index: usize) -> Vec<FreeFlight> {
-    let group = GROUPS[index % GROUPS.len()];
-    let seed = index as u64;
-    let dataset = dataset(index, seed);
+fn of_dataset(seed: u64) -> Vec<FreeFlight> {
+    let group = GROUPS[seed as usize % GROUPS.len()];
+    let dataset = dataset(seed);
     let model = model_spec::load::load(&dataset.model, &[]).expect("a built-in model");
     let fitted = bounded_fit(&model, &dataset, LIMIT);
     let each = dataset.flights.iter().enumerate().map(|(k, flight)| {
@@ -110,10 +98,12 @@ fn of_dataset(index: usize) -> Vec<FreeFlight> {
     each.collect()
 }
 
-/// Simulates a dataset of flights without ground contact. `index` selects the group of throws and the noise condition.
-fn dataset(index: usize, seed: u64) -> Dataset {
+/// Simulates a dataset of flights without ground contact. Its seed also selects the group of throws and the noise
+/// condition.
+fn dataset(seed: u64) -> Dataset {
+    let (group, index) = (seed as usize % GROUPS.len(), seed as usize / GROUPS.len());
     let noises = noise_conditions();
-    let noise = noises[(index / GROUPS.len()) % noises.len()].noise;
+    let noise = noises[index % noises.len()].noise;
     let of_disc = |throws, duration| {
         let plan = Plan {
             truth: &TRUTH,
@@ -123,12 +113,10 @@ fn dataset(index: usize, seed: u64) -> Dataset {
             rate: 120.0,
         };
         let mut dataset = flights(&disc(), &plan, seed);
-        for (k, flight) in dataset.flights.iter_mut().enumerate() {
-            corrupt(&mut flight.positions, &noise, 1000 * seed + k as u64);
-        }
+        add_noise(&mut dataset, &noise, seed);
         dataset
     };
-    match index % GROUPS.len() {
+    match group {
         0 => of_disc(Throws::SPREAD, (0.5, 1.5)),
         1 => of_disc(WILD, (0.5, 1.2)),
         2 => of_disc(LIFTED, (0.5, 1.0)),

@@ -1,6 +1,5 @@
 //! Renders docs/discovery.md.
 
-use diagnose::Verdict;
 use serde::Serialize;
 
 use super::outcome::Outcome;
@@ -8,11 +7,11 @@ use super::rates::{
     Count, MAX_FALSE_ALARMS, MAX_HELD_OUT_RATIO, MAX_UNIQUELY_WRONG, MIN_IN_SET, MIN_IN_SET_STRONG,
     Rates, RowRates, STRONG, Times, answers,
 };
-use super::row::{Group, Size};
+use super::row::{Group, Row, Size};
 use super::run::RowResult;
 use crate::error::StudyError;
-use crate::page::{Page, render};
-use crate::seeded::unlisted;
+use crate::page::Page;
+use crate::seeded::InputErrors;
 
 /// Maximum number of different answers of the diagnosis that the page lists for a failing row of the table.
 const MAX_ANSWERS: usize = 3;
@@ -28,23 +27,19 @@ const MAX_MEDIAN: f64 = 1.0;
 const MAX_SLOWEST: f64 = 20.0;
 
 #[derive(Serialize)]
-struct Results {
+struct Results<'r> {
     criteria: Vec<Criterion>,
     max_held_out_ratio: f64,
-    held_out_pooled: Option<f64>,
-    held_out: (usize, usize),
-    held_out_median: Option<f64>,
-    /// Number of threads on which each diagnosis ran.
-    threads: usize,
-    times: Vec<TimeLimit>,
-    failed: (usize, usize),
+    rates: &'r Rates,
+    times: [TimeLimit; 2],
     failures: Vec<Failure>,
-    several: Vec<SeveralRow>,
-    confounded: Vec<ConfoundedRow>,
-    unlisted: Vec<UnlistedRow>,
-    unlisted_many_flights: Vec<UnlistedRow>,
-    input_errors: Vec<InputErrorRow>,
-    rows: Vec<TableRow>,
+    /// Rows with two or three effects added to the simulated flights, or with one effect of severe size.
+    several: Vec<&'r TableRow>,
+    confounded: Vec<&'r TableRow>,
+    unlisted: Vec<&'r TableRow>,
+    unlisted_many_flights: Vec<&'r TableRow>,
+    input_errors: Vec<&'r TableRow>,
+    rows: &'r [TableRow],
 }
 
 /// A measured rate, and the bound that it has to satisfy.
@@ -108,68 +103,7 @@ struct TimeLimit {
     seconds: Option<f64>,
 }
 
-/// Results of a row of the study's table with two or three effects added to the simulated flights, or with one effect
-/// of severe size.
-#[derive(Serialize)]
-struct SeveralRow {
-    seeded: String,
-    size: &'static str,
-    runs: usize,
-    detectability: Option<f64>,
-    in_set: usize,
-    mean_set_size: Option<f64>,
-    uniquely_wrong: usize,
-    failed: usize,
-    /// Maximum over the row's runs of the number of wrong terms: effects of the first hypothesis that were not added to
-    /// the simulated flights, plus selected library terms.
-    terms_too_many: usize,
-    seconds: Option<f64>,
-    slowest: f64,
-    answer: String,
-}
-
-#[derive(Serialize)]
-struct ConfoundedRow {
-    seeded: String,
-    confounded_with: &'static str,
-    runs: usize,
-    not_identifiable: usize,
-    in_a_set: usize,
-    alone: usize,
-    uniquely_wrong: usize,
-}
-
-#[derive(Serialize)]
-struct UnlistedRow {
-    name: &'static str,
-    size: &'static str,
-    site: &'static str,
-    runs: usize,
-    detected: usize,
-    in_set: usize,
-    /// Number of runs in which the diagnosis selected a library term that acts on the same quantity of the model (site)
-    /// as the effect added to the simulated flights.
-    at_its_site: usize,
-    sites: String,
-    uniquely_wrong: usize,
-    held_out_change: Option<f64>,
-    answer: String,
-}
-
-#[derive(Serialize)]
-struct InputErrorRow {
-    relative_error: f64,
-    exchanged: f64,
-    runs: usize,
-    alone: usize,
-    in_a_set: usize,
-    outside: usize,
-    uniquely_wrong: usize,
-    discordant: usize,
-    discordant_exchanged: usize,
-    held_out_change: Option<f64>,
-}
-
+/// Settings of a row of the study's table, and statistics over its runs.
 #[derive(Serialize)]
 struct TableRow {
     group: &'static str,
@@ -177,15 +111,34 @@ struct TableRow {
     size: &'static str,
     noise: &'static str,
     runs: usize,
-    detectability: Option<f64>,
-    detected: usize,
-    /// Number of runs in which the effects added to the simulated flights are among the hypotheses of the diagnosis;
-    /// `None` for a row without such effects.
-    in_set: Option<usize>,
-    mean_set_size: Option<f64>,
-    uniquely_wrong: usize,
-    held_out_ratio: Option<f64>,
-    seconds: Option<f64>,
+    /// Whether an effect is added to the simulated flights.
+    has_effect: bool,
+    confounded_with: Option<&'static str>,
+    /// Quantity of the model (site) on which the effect outside the built-in effects catalogue acts; empty for a row
+    /// without such an effect.
+    site: &'static str,
+    input_errors: Option<InputErrors>,
+    #[serde(flatten)]
+    rates: RowRates,
+}
+
+impl TableRow {
+    fn of(result: &RowResult) -> Self {
+        let row = &result.row;
+        let site = row.site();
+        Self {
+            group: row.group.label(),
+            seeded: row.seeded(),
+            size: row.size.map_or("–", Size::label),
+            noise: row.noise.name,
+            runs: result.outcomes.len(),
+            has_effect: row.group != Group::Null,
+            confounded_with: row.confounded_with,
+            site,
+            input_errors: row.input_errors,
+            rates: RowRates::of(&result.outcomes, site),
+        }
+    }
 }
 
 /// Renders docs/discovery.md from the results of all rows of the study's table.
@@ -194,50 +147,44 @@ struct TableRow {
 /// [`StudyError::Page`] if the template cannot be rendered with the results.
 pub fn discovery_page(results: &[RowResult]) -> Result<Page, StudyError> {
     let rates = Rates::of(results);
-    let of = |group: Group| results.iter().filter(move |r| r.row.group == group);
+    let rows: Vec<TableRow> = results.iter().map(TableRow::of).collect();
+    let rows_with = |has: &dyn Fn(&Row) -> bool| -> Vec<&TableRow> {
+        let pairs = results.iter().zip(&rows);
+        let selected = pairs.filter(|(result, _)| has(&result.row));
+        selected.map(|(_, row)| row).collect()
+    };
+    let in_group = |group: Group| rows_with(&|row| row.group == group);
     let results = Results {
         criteria: criteria(&rates),
         max_held_out_ratio: MAX_HELD_OUT_RATIO,
-        held_out_pooled: rates.held_out_pooled,
-        held_out: (rates.held_out.count, rates.held_out.total),
-        held_out_median: rates.held_out_median,
-        threads: rates.times.threads,
         times: times(&rates.times),
-        failed: (rates.failed.count, rates.failed.total),
+        rates: &rates,
         failures: failures(results),
-        several: several_rows(results),
-        confounded: of(Group::Confounded).map(confounded_row).collect(),
-        unlisted: of(Group::Unlisted).map(unlisted_row).collect(),
-        unlisted_many_flights: of(Group::UnlistedManyFlights).map(unlisted_row).collect(),
-        input_errors: results.iter().filter_map(input_error_row).collect(),
-        rows: results.iter().map(table_row).collect(),
+        several: rows_with(&|row| {
+            matches!(row.group, Group::Several | Group::Pair) || row.size == Some(Size::Severe)
+        }),
+        confounded: in_group(Group::Confounded),
+        unlisted: in_group(Group::Unlisted),
+        unlisted_many_flights: in_group(Group::UnlistedManyFlights),
+        input_errors: rows_with(&|row| row.input_errors.is_some()),
+        rows: &rows,
     };
-    Ok(Page {
-        text: render(include_str!("page.md"), results)?,
-        figures: Vec::new(),
-    })
+    Page::without_figures(include_str!("page.md"), results)
 }
 
-fn times(times: &Times) -> Vec<TimeLimit> {
-    let limits = [
-        (
-            "median time of a diagnosis of 20 flights",
-            times.median,
-            MAX_MEDIAN,
-        ),
-        (
-            "slowest diagnosis of 20 flights",
-            times.slowest,
-            MAX_SLOWEST,
-        ),
-    ];
-    let each = limits.into_iter();
-    each.map(|(what, seconds, limit)| TimeLimit {
-        what,
-        limit,
-        seconds,
-    })
-    .collect()
+fn times(times: &Times) -> [TimeLimit; 2] {
+    [
+        TimeLimit {
+            what: "median time of a diagnosis of 20 flights",
+            limit: MAX_MEDIAN,
+            seconds: times.median,
+        },
+        TimeLimit {
+            what: "slowest diagnosis of 20 flights",
+            limit: MAX_SLOWEST,
+            seconds: times.slowest,
+        },
+    ]
 }
 
 fn criteria(rates: &Rates) -> Vec<Criterion> {
@@ -307,109 +254,5 @@ fn failure(result: &RowResult, what: &'static str, has: impl Fn(&Outcome) -> boo
         count,
         runs: result.outcomes.len(),
         answers,
-    }
-}
-
-fn count(result: &RowResult, has: impl Fn(&Outcome) -> bool) -> usize {
-    result.outcomes.iter().filter(|o| has(o)).count()
-}
-
-fn several_rows(results: &[RowResult]) -> Vec<SeveralRow> {
-    let rows = results.iter().filter(|result| {
-        let row = &result.row;
-        matches!(row.group, Group::Several | Group::Pair) || row.size == Some(Size::Severe)
-    });
-    let rows = rows.map(|result| {
-        let (row, outcomes) = (&result.row, &result.outcomes);
-        let rates = RowRates::of(outcomes);
-        let extra = outcomes.iter().map(Outcome::terms_too_many);
-        let answers = answers(outcomes, |_| true);
-        SeveralRow {
-            seeded: row.seeded(),
-            size: row.size.map_or("–", Size::label),
-            runs: outcomes.len(),
-            detectability: rates.detectability,
-            in_set: rates.in_set,
-            mean_set_size: rates.mean_set_size,
-            uniquely_wrong: rates.uniquely_wrong,
-            failed: count(result, |o| o.failure.is_some()),
-            terms_too_many: extra.max().unwrap_or(0),
-            seconds: rates.seconds,
-            slowest: outcomes.iter().map(|o| o.seconds).fold(0.0, f64::max),
-            answer: answers.into_iter().next().map_or(String::new(), |(a, _)| a),
-        }
-    });
-    rows.collect()
-}
-
-fn confounded_row(result: &RowResult) -> ConfoundedRow {
-    ConfoundedRow {
-        seeded: result.row.seeded(),
-        confounded_with: result.row.confounded_with.unwrap_or(""),
-        runs: result.outcomes.len(),
-        not_identifiable: count(result, |o| o.not_identifiable && !o.is_detected()),
-        in_a_set: count(result, |o| o.hypotheses.len() > 1 && o.in_set),
-        alone: count(result, |o| o.hypotheses.len() == 1 && o.in_set),
-        uniquely_wrong: count(result, |o| o.uniquely_wrong),
-    }
-}
-
-fn unlisted_row(result: &RowResult) -> UnlistedRow {
-    let name = result.row.unlisted.unwrap_or("");
-    let site = unlisted(name).map_or("", |effect| effect.site);
-    let rates = RowRates::of(&result.outcomes);
-    let sites = result.outcomes.iter().flat_map(|o| &o.sites);
-    let mut sites: Vec<&str> = sites.map(String::as_str).collect();
-    sites.sort_unstable();
-    sites.dedup();
-    let answers = answers(&result.outcomes, |_| true);
-    UnlistedRow {
-        name,
-        size: result.row.size.map_or("", Size::label),
-        site,
-        runs: result.outcomes.len(),
-        detected: rates.detected,
-        in_set: rates.in_set,
-        at_its_site: count(result, |o| o.sites.iter().any(|s| s == site)),
-        sites: sites.join(", "),
-        uniquely_wrong: rates.uniquely_wrong,
-        held_out_change: rates.held_out_change,
-        answer: answers.into_iter().next().map_or(String::new(), |(a, _)| a),
-    }
-}
-
-fn input_error_row(result: &RowResult) -> Option<InputErrorRow> {
-    let errors = result.row.input_errors?;
-    let sum = |of: fn(&Outcome) -> usize| result.outcomes.iter().map(of).sum();
-    Some(InputErrorRow {
-        relative_error: errors.relative_error,
-        exchanged: errors.exchanged,
-        runs: result.outcomes.len(),
-        alone: count(result, |o| o.in_set && o.hypotheses.len() == 1),
-        in_a_set: count(result, |o| o.in_set && o.hypotheses.len() > 1),
-        outside: count(result, |o| o.verdict == Some(Verdict::Unattributed)),
-        uniquely_wrong: count(result, |o| o.uniquely_wrong),
-        discordant: sum(|o| o.discordant.listed),
-        discordant_exchanged: sum(|o| o.discordant.exchanged),
-        held_out_change: RowRates::of(&result.outcomes).held_out_change,
-    })
-}
-
-fn table_row(result: &RowResult) -> TableRow {
-    let row = &result.row;
-    let rates = RowRates::of(&result.outcomes);
-    TableRow {
-        group: row.group.label(),
-        seeded: row.seeded(),
-        size: row.size.map_or("–", Size::label),
-        noise: row.noise.name,
-        runs: result.outcomes.len(),
-        detectability: rates.detectability,
-        detected: rates.detected,
-        in_set: (row.group != Group::Null).then_some(rates.in_set),
-        mean_set_size: rates.mean_set_size,
-        uniquely_wrong: rates.uniquely_wrong,
-        held_out_ratio: rates.held_out_ratio,
-        seconds: rates.seconds,
     }
 }

@@ -11,7 +11,7 @@ use crate::seeded::{InputErrors, UNLISTED};
 /// Number of runs of one row of the results table, for each [`Group`] of rows. A row is one combination of simulation
 /// settings (body, effects, size, noise), a run one simulated and diagnosed dataset. The numbers hold if a row whose
 /// simulated flights contain no added effect has 100 runs, and scale with that number.
-struct Share {
+struct RunCounts {
     single: usize,
     /// Number of runs of a row of [`Group::Single`] whose noise is not white; `single` is the number for white noise.
     single_noisy: usize,
@@ -25,7 +25,7 @@ struct Share {
     input_errors: usize,
 }
 
-const SHARE: Share = Share {
+const RUNS: RunCounts = RunCounts {
     single: 5,
     single_noisy: 2,
     pair: 2,
@@ -100,9 +100,9 @@ impl Planner {
         found.expect("a noise of that name").clone()
     }
 
-    /// Builds a row with effects of strong size under white noise. `share` is the number of runs of the row as a
+    /// Builds a row with effects of strong size under white noise. `percent` is the number of runs of the row as a
     /// percentage of the planner's `seeds`.
-    fn row(&self, group: Group, body: Body, effects: &[&'static str], share: usize) -> Row {
+    fn row(&self, group: Group, body: Body, effects: &[&'static str], percent: usize) -> Row {
         Row {
             group,
             body,
@@ -113,7 +113,7 @@ impl Planner {
             noise: self.noise("white"),
             flights: None,
             input_errors: None,
-            runs: (self.seeds * share).div_ceil(100).max(1),
+            runs: (self.seeds * percent).div_ceil(100).max(1),
         }
     }
 
@@ -129,19 +129,19 @@ impl Planner {
     }
 
     fn single_rows(&self, effect: &'static str) -> Vec<Row> {
-        let row = |share| self.row(Group::Single, Body::Disc, &[effect], share);
+        let row = |percent| self.row(Group::Single, Body::Disc, &[effect], percent);
         let sizes = BOTH_SIZES.map(|size| Row {
             size: Some(size),
-            ..row(SHARE.single)
+            ..row(RUNS.single)
         });
         let noisy = ["AR(0.6)", "1 % outliers"].map(|name| Row {
             noise: self.noise(name),
-            ..row(SHARE.single_noisy)
+            ..row(RUNS.single_noisy)
         });
         [sizes, noisy].concat()
     }
 
-    fn unlisted_rows(&self, group: Group, flights: Option<usize>, share: usize) -> Vec<Row> {
+    fn unlisted_rows(&self, group: Group, flights: Option<usize>, percent: usize) -> Vec<Row> {
         let rows = UNLISTED.iter().flat_map(|effect| {
             let body = match effect.laws.contains(&Law::Disc) {
                 true => Body::Disc,
@@ -151,7 +151,7 @@ impl Planner {
                 unlisted: Some(effect.name),
                 flights,
                 size: Some(size),
-                ..self.row(group, body, &[], share)
+                ..self.row(group, body, &[], percent)
             })
         });
         rows.collect()
@@ -159,14 +159,14 @@ impl Planner {
 
     fn input_error_rows(&self) -> Vec<Row> {
         let rows = INPUT_ERRORS.map(|(relative_error, exchanged)| {
-            let (body, share) = (Body::TableTennis, SHARE.input_errors);
+            let (body, percent) = (Body::TableTennis, RUNS.input_errors);
             Row {
                 flights: Some(MANY_FLIGHTS),
                 input_errors: Some(InputErrors {
                     relative_error,
                     exchanged,
                 }),
-                ..self.row(Group::InputErrors, body, &["magnus"], share)
+                ..self.row(Group::InputErrors, body, &["magnus"], percent)
             }
         });
         rows.into()
@@ -176,7 +176,7 @@ impl Planner {
         let rows = BALL_EFFECTS.iter().flat_map(|(effects, body)| {
             BOTH_SIZES.map(|size| Row {
                 size: Some(size),
-                ..self.row(Group::Ball, *body, effects, SHARE.ball)
+                ..self.row(Group::Ball, *body, effects, RUNS.ball)
             })
         });
         rows.collect()
@@ -198,30 +198,30 @@ pub fn plan(seeds: usize) -> Vec<Row> {
     let mut rows = planner.null_rows();
     rows.extend(names.iter().flat_map(|name| planner.single_rows(name)));
     for pair in pairs(&names) {
-        rows.push(planner.row(Group::Pair, Body::Disc, &pair, SHARE.pair));
+        rows.push(planner.row(Group::Pair, Body::Disc, &pair, RUNS.pair));
     }
     for (number, count) in SEVERAL {
         for effects in combinations(&names, number, count) {
-            rows.push(planner.row(Group::Several, Body::Disc, &effects, SHARE.several));
+            rows.push(planner.row(Group::Several, Body::Disc, &effects, RUNS.several));
         }
     }
     for name in SEVERE {
         rows.push(Row {
             size: Some(Size::Severe),
-            ..planner.row(Group::Single, Body::Disc, &[name], SHARE.severe)
+            ..planner.row(Group::Single, Body::Disc, &[name], RUNS.severe)
         });
     }
     for (name, confounded_with) in CONFOUNDED {
         rows.push(Row {
             confounded_with: Some(confounded_with),
-            ..planner.row(Group::Confounded, Body::Disc, &[name], SHARE.confounded)
+            ..planner.row(Group::Confounded, Body::Disc, &[name], RUNS.confounded)
         });
     }
-    rows.extend(planner.unlisted_rows(Group::Unlisted, None, SHARE.unlisted));
+    rows.extend(planner.unlisted_rows(Group::Unlisted, None, RUNS.unlisted));
     rows.extend(planner.unlisted_rows(
         Group::UnlistedManyFlights,
         Some(MANY_FLIGHTS),
-        SHARE.unlisted_many_flights,
+        RUNS.unlisted_many_flights,
     ));
     rows.extend(planner.input_error_rows());
     rows.extend(planner.ball_rows());

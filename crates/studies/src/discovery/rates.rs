@@ -2,6 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use diagnose::Verdict;
+use serde::Serialize;
+
 use super::outcome::Outcome;
 use super::row::{Body, Group};
 use super::run::RowResult;
@@ -34,7 +37,7 @@ pub(super) const MIN_IN_SET_SEVERAL: [(usize, f64); 2] = [(2, 0.95), (3, 0.85)];
 pub(super) const STRONG: f64 = 5.0;
 
 /// A number of runs: those that have a certain property, out of those examined.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub(super) struct Count {
     /// Number of runs examined.
     pub(super) total: usize,
@@ -57,33 +60,58 @@ impl Count {
 }
 
 /// Statistics over the runs of one row: counts, means and medians.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
 pub(super) struct RowRates {
     /// Number of runs in which the diagnosis detected a deviation from the model (verdict other than `Verdict::None`).
-    pub(super) detected: usize,
+    detected: usize,
     /// Number of runs in which the effects added to the simulated flights are among the hypotheses of the diagnosis.
-    pub(super) in_set: usize,
+    in_set: usize,
     /// Mean number of hypotheses over the runs in which the diagnosis detected a deviation from the model; `None`
     /// without such a run.
-    pub(super) mean_set_size: Option<f64>,
+    mean_set_size: Option<f64>,
     /// Number of runs whose answer is a single wrong hypothesis.
-    pub(super) uniquely_wrong: usize,
+    uniquely_wrong: usize,
     /// Median over the runs of the ratio of effect size in the simulated flights to minimum detectable size (the
     /// smallest ratio of a run with several effects); `None` if no run has this ratio.
-    pub(super) detectability: Option<f64>,
+    detectability: Option<f64>,
     /// Median over the runs of the ratio of two prediction errors on held-out flights: model extended by the effects
     /// that the diagnosis found / model with the effects added to the simulated flights. `None` if no run has this
     /// ratio.
-    pub(super) held_out_ratio: Option<f64>,
+    held_out_ratio: Option<f64>,
     /// Median over the runs of the ratio of two prediction errors on held-out flights: model extended by the effects
     /// that the diagnosis found / model without added effects. `None` if no run has a finite ratio.
-    pub(super) held_out_change: Option<f64>,
+    held_out_change: Option<f64>,
     /// Median elapsed time of a diagnosis, s; `None` if no diagnosis succeeded.
-    pub(super) seconds: Option<f64>,
+    seconds: Option<f64>,
+    /// Maximum elapsed time of a diagnosis, s.
+    slowest: f64,
+    /// Number of failed diagnoses.
+    failed: usize,
+    /// Number of runs whose only hypothesis consists of the effects added to the simulated flights, and number of runs
+    /// that have them among several hypotheses.
+    alone: usize,
+    in_a_set: usize,
+    /// Number of runs that detect nothing and report an added effect as not identifiable.
+    not_identifiable: usize,
+    /// Number of runs with the verdict `Verdict::Unattributed`.
+    unattributed: usize,
+    /// Number of runs in which the diagnosis selected a library term that acts on the same quantity of the model (site)
+    /// as the effect added to the simulated flights.
+    at_its_site: usize,
+    /// Sites of the library terms that the diagnosis selected in any run.
+    sites: String,
+    /// Maximum over the runs of the number of wrong terms; see [`Outcome::terms_too_many`].
+    terms_too_many: usize,
+    /// Number of flights listed as discordant in all runs, and number of those whose spins were exchanged.
+    discordant: usize,
+    discordant_exchanged: usize,
+    /// Most frequent answer of the diagnosis.
+    answer: String,
 }
 
 impl RowRates {
-    pub(super) fn of(outcomes: &[Outcome]) -> Self {
+    /// Statistics of the outcomes of a row whose added effect acts at `site`.
+    pub(super) fn of(outcomes: &[Outcome], site: &str) -> Self {
         let count = |has: &dyn Fn(&Outcome) -> bool| outcomes.iter().filter(|o| has(o)).count();
         let detected = outcomes.iter().filter(|o| o.is_detected());
         let sizes: Vec<f64> = detected.map(|o| o.hypotheses.len() as f64).collect();
@@ -91,6 +119,13 @@ impl RowRates {
         let changes = outcomes
             .iter()
             .map(|o| o.held_out.after / o.held_out.before);
+        let seconds = outcomes.iter().map(|o| o.seconds);
+        let extra = outcomes.iter().map(Outcome::terms_too_many);
+        let sites = outcomes.iter().flat_map(|o| &o.sites);
+        let mut sites: Vec<&str> = sites.map(String::as_str).collect();
+        sites.sort_unstable();
+        sites.dedup();
+        let answer = answers(outcomes, |_| true).into_iter().next();
         Self {
             detected: sizes.len(),
             in_set: count(&|o| o.in_set),
@@ -99,13 +134,25 @@ impl RowRates {
             detectability: median(outcomes.iter().filter_map(|o| o.detectability)),
             held_out_ratio: median(outcomes.iter().filter_map(Outcome::held_out_ratio)),
             held_out_change: median(changes),
-            seconds: median(outcomes.iter().map(|o| o.seconds)),
+            seconds: median(seconds.clone()),
+            slowest: seconds.fold(0.0, f64::max),
+            failed: count(&|o| o.failure.is_some()),
+            alone: count(&|o| o.in_set && o.hypotheses.len() == 1),
+            in_a_set: count(&|o| o.in_set && o.hypotheses.len() > 1),
+            not_identifiable: count(&|o| o.not_identifiable && !o.is_detected()),
+            unattributed: count(&|o| o.verdict == Some(Verdict::Unattributed)),
+            at_its_site: count(&|o| o.sites.iter().any(|s| s == site)),
+            sites: sites.join(", "),
+            terms_too_many: extra.max().unwrap_or(0),
+            discordant: outcomes.iter().map(|o| o.discordant.listed).sum(),
+            discordant_exchanged: outcomes.iter().map(|o| o.discordant.exchanged).sum(),
+            answer: answer.map_or(String::new(), |(answer, _)| answer),
         }
     }
 }
 
 /// Rates of right, wrong and missing answers, and prediction errors, over the runs of all rows of the study's table.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
 pub(super) struct Rates {
     /// Runs whose answer is a single wrong hypothesis, out of all runs.
     pub(super) uniquely_wrong: Count,
@@ -142,7 +189,7 @@ pub(super) struct Rates {
 }
 
 /// Computing times of diagnoses, s.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize)]
 pub(super) struct Times {
     /// Number of threads on which each diagnosis ran.
     pub(super) threads: usize,

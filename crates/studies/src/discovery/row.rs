@@ -1,7 +1,7 @@
 //! Rows of the discovery study. A row is a set of runs that differ only in their seeds.
 
 use crate::oracle_flights::NoiseCondition;
-use crate::seeded::InputErrors;
+use crate::seeded::{InputErrors, unlisted};
 
 /// Kind of a row of the study's table (a row is one combination of simulation settings): which effects or errors are
 /// introduced into the simulated flights of its runs.
@@ -155,6 +155,13 @@ impl Row {
             return "nothing".to_owned();
         }
         names.join(" with ")
+    }
+
+    /// Quantity of the model (site) on which the effect outside the built-in effects catalogue acts; empty for a row
+    /// without such an effect.
+    pub(super) fn site(&self) -> &'static str {
+        let effect = self.unlisted.and_then(unlisted);
+        effect.map_or("", |effect| effect.site)
     }
 
     /// Unique text of the row. The seeds of the row's runs are derived from it.

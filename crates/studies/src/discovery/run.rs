@@ -3,18 +3,19 @@
 
 use std::collections::BTreeMap;
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 use diagnose::{Diagnosis, DiagnosisOptions, diagnose};
 use flight::batch;
 use identify::dataset::{Dataset, Role};
-use identify::{Fit, FitOptions, fit};
+use identify::{Fit, fit};
 use model_spec::model::Model;
 
 use super::case::Case;
 use super::outcome::{HeldOutErrors, Outcome};
 use super::row::Row;
 use super::score::{hypotheses, score};
+use crate::bounded_fit::on_threads;
+use crate::progress::{Progress, each_run, threads_of_each_run};
 
 /// Settings of a row, with the outcomes of its runs.
 #[derive(Clone, Debug)]
@@ -27,23 +28,16 @@ pub struct RowResult {
 
 /// Executes the runs (simulated and diagnosed datasets) of the given rows of the study's table, `at_a_time` diagnoses
 /// in parallel, which share the processors. Calls `progress` with the numbers of finished runs and of all runs.
-pub fn run_rows(
-    rows: &[Row],
-    at_a_time: usize,
-    progress: &(dyn Fn(usize, usize) + Sync),
-) -> Vec<RowResult> {
-    let threads = (batch::threads() / at_a_time.max(1)).max(1);
+pub fn run_rows(rows: &[Row], at_a_time: usize, progress: Progress<'_>) -> Vec<RowResult> {
+    let threads = threads_of_each_run(at_a_time);
     let models = Models::default();
     let runs = rows.iter().enumerate();
     let runs: Vec<(usize, usize)> = runs
         .flat_map(|(row, of)| (0..of.runs).map(move |run| (row, run)))
         .collect();
-    let finished = AtomicUsize::new(0);
-    let outcomes = batch::each_on(at_a_time, runs.len(), |index| {
+    let outcomes = each_run(at_a_time, runs.len(), progress, |index| {
         let (row, run) = runs[index];
-        let outcome = outcome(&Case::of(&rows[row], run), &models, threads);
-        progress(1 + finished.fetch_add(1, Ordering::Relaxed), runs.len());
-        outcome
+        outcome(&Case::of(&rows[row], run), &models, threads)
     });
     let mut outcomes = outcomes.into_iter();
     let results = rows.iter().map(|row| RowResult {
@@ -92,10 +86,11 @@ impl Models {
     }
 }
 
-fn fit_options(threads: usize) -> FitOptions<'static> {
-    FitOptions {
-        threads: Some(threads),
-        ..FitOptions::default()
+fn diagnosis_options(threads: usize) -> DiagnosisOptions<'static> {
+    DiagnosisOptions {
+        dataset: "hidden",
+        fit: on_threads(threads),
+        ..DiagnosisOptions::default()
     }
 }
 
@@ -104,14 +99,9 @@ fn fit_options(threads: usize) -> FitOptions<'static> {
 fn outcome(case: &Case, models: &Models, threads: usize) -> Outcome {
     let dataset = case.dataset();
     let base = models.get(case.body.model(), &[]);
-    let asked = DiagnosisOptions {
-        dataset: "hidden",
-        fit: fit_options(threads),
-        ..DiagnosisOptions::default()
-    };
     let mut outcome = Outcome::unknown(case);
     outcome.threads = threads;
-    match diagnose(&base, &dataset, &asked) {
+    match diagnose(&base, &dataset, &diagnosis_options(threads)) {
         Ok(found) => {
             score(&mut outcome, &found.report);
             outcome.held_out = held_out(&outcome, &found, &dataset, models);
@@ -144,7 +134,7 @@ fn held_out(
     } else {
         let names: Vec<&str> = truth.iter().map(String::as_str).collect();
         let model = models.get(case.body.model(), &names);
-        let fitted = fit(&model, dataset, &fit_options(1)).ok();
+        let fitted = fit(&model, dataset, &on_threads(1)).ok();
         fitted.map(|fitted| prediction_error(&fitted))
     };
     HeldOutErrors {
@@ -172,12 +162,8 @@ fn rejection(case: &Case, models: &Models) -> Option<String> {
         return None;
     }
     let model = models.get(case.body.model(), &names);
-    let asked = DiagnosisOptions {
-        dataset: "hidden",
-        fit: fit_options(1),
-        ..DiagnosisOptions::default()
-    };
-    let report = diagnose(&model, &case.dataset(), &asked).ok()?.report;
+    let found = diagnose(&model, &case.dataset(), &diagnosis_options(1));
+    let report = found.ok()?.report;
     let strongest = report.candidates.first()?;
     let effects = hypotheses(&report)
         .iter()

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::run::FitOutcome;
 use crate::error::StudyError;
-use crate::page::{Page, render};
+use crate::page::Page;
 use crate::statistics::median;
 
 /// Maximum number of failed fits that the page lists.
@@ -16,12 +16,9 @@ const CLASSES: [f64; 5] = [0.0, 0.005, 0.05, 0.3, f64::INFINITY];
 #[derive(Serialize)]
 struct Results {
     threads: usize,
-    fits: usize,
-    reached: usize,
-    aborted: usize,
+    #[serde(flatten)]
+    all: Class,
     not_converged: usize,
-    median: Option<f64>,
-    slowest: f64,
     by_number: Vec<Class>,
     by_displacement: Vec<Class>,
     failures: Vec<Row>,
@@ -29,6 +26,7 @@ struct Results {
     slow: Vec<Row>,
 }
 
+/// Number, success and computing times of the fits of a class.
 #[derive(Serialize)]
 struct Class {
     name: String,
@@ -55,7 +53,6 @@ struct Row {
 /// [`StudyError::Page`] if the template cannot be rendered with the results.
 pub fn fits_page(outcomes: &[FitOutcome]) -> Result<Page, StudyError> {
     let all: Vec<&FitOutcome> = outcomes.iter().collect();
-    let total = class(String::new(), &all);
     let by_number = (1..=3).map(|number| {
         let of = all.iter().filter(|o| o.case.effects.len() == number);
         class(number.to_string(), &of.copied().collect::<Vec<_>>())
@@ -78,22 +75,15 @@ pub fn fits_page(outcomes: &[FitOutcome]) -> Result<Page, StudyError> {
     let not_converged = |o: &&&FitOutcome| o.status.is_some_and(|status| !status.converged());
     let results = Results {
         threads: outcomes.first().map_or(1, |outcome| outcome.threads),
-        fits: total.fits,
-        reached: total.reached,
-        aborted: total.aborted,
+        all: class(String::new(), &all),
         not_converged: all.iter().filter(not_converged).count(),
-        median: total.median,
-        slowest: total.slowest,
         by_number: by_number.collect(),
         by_displacement: by_displacement.collect(),
         failures: failures.into_iter().take(MAX_LISTED).map(row).collect(),
         more,
         slow: slow.into_iter().take(5).map(row).collect(),
     };
-    Ok(Page {
-        text: render(include_str!("page.md"), results)?,
-        figures: Vec::new(),
-    })
+    Page::without_figures(include_str!("page.md"), results)
 }
 
 fn class(name: String, of: &[&FitOutcome]) -> Class {

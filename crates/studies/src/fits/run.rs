@@ -1,11 +1,10 @@
 //! Random fits: flights simulated by the oracle, fitted from the model's default initial values.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
-
-use flight::batch;
-use identify::{FitOptions, FitStatus, fit};
+use identify::{FitStatus, fit};
 
 use super::case::{FitCase, rms_distance};
+use crate::bounded_fit::on_threads;
+use crate::progress::{Progress, each_run, threads_of_each_run};
 
 /// Maximum RMS residual, relative to the expected one, of a fit that counts as having reached the noise level.
 const MAX_RATIO: f64 = 1.02;
@@ -46,18 +45,10 @@ impl FitOutcome {
 
 /// Fits one dataset with randomly drawn effects for each of `seeds`, `threads` fits in parallel, which share the
 /// processors equally. Calls `progress` after each fit with the numbers of finished fits and of all fits.
-pub fn fits(
-    seeds: &[u64],
-    threads: usize,
-    progress: &(dyn Fn(usize, usize) + Sync),
-) -> Vec<FitOutcome> {
-    let finished = AtomicUsize::new(0);
-    let processors = std::thread::available_parallelism().map_or(1, usize::from);
-    let of_fit = (processors / threads.max(1)).max(1);
-    batch::each_on(threads, seeds.len(), |index| {
-        let outcome = fit_outcome(FitCase::of(seeds[index]), of_fit);
-        progress(1 + finished.fetch_add(1, Ordering::Relaxed), seeds.len());
-        outcome
+pub fn fits(seeds: &[u64], threads: usize, progress: Progress<'_>) -> Vec<FitOutcome> {
+    let of_fit = threads_of_each_run(threads);
+    each_run(threads, seeds.len(), progress, |index| {
+        fit_outcome(FitCase::of(seeds[index]), of_fit)
     })
 }
 
@@ -68,12 +59,8 @@ pub fn fits(
 pub fn fit_outcome(case: FitCase, threads: usize) -> FitOutcome {
     let [exact, dataset] = case.datasets();
     let model = model_spec::load::load("disc", &case.names()).expect("effects that load");
-    let options = FitOptions {
-        threads: Some(threads),
-        ..FitOptions::default()
-    };
     let clock = std::time::Instant::now();
-    let fitted = fit(&model, &dataset, &options);
+    let fitted = fit(&model, &dataset, &on_threads(threads));
     let seconds = clock.elapsed().as_secs_f64();
     let mut outcome = FitOutcome {
         case,

@@ -1,12 +1,11 @@
 //! Coverage of the fit's 95 % confidence intervals over simulated datasets with different throws and noise.
 
 use flight::batch;
-use identify::interval;
-use identify::synthesize::corrupt;
-use identify::{FitOptions, fit};
+use identify::{fit, interval};
 use serde::Serialize;
 
-use crate::oracle_flights::{NoiseCondition, Plan, disc, flights, truth};
+use crate::bounded_fit::on_threads;
+use crate::oracle_flights::{NoiseCondition, Plan, add_noise, disc, flights, truth};
 
 /// Coverage of the confidence intervals of one coefficient, and statistics of z = (estimate - true value) / standard
 /// error.
@@ -64,16 +63,9 @@ pub fn coverage(plan: &Plan<'_>, condition: &NoiseCondition, seeds: u64) -> Cove
     let reports = batch::each(seeds as usize, |seed| {
         let seed = seed as u64;
         let mut dataset = flights(&model, plan, seed);
-        for (index, flight) in dataset.flights.iter_mut().enumerate() {
-            let noise_seed = 1000 * seed + index as u64;
-            corrupt(&mut flight.positions, &condition.noise, noise_seed);
-        }
+        add_noise(&mut dataset, &condition.noise, seed);
         // Datasets are fitted in parallel, each on one thread.
-        let options = FitOptions {
-            threads: Some(1),
-            ..FitOptions::default()
-        };
-        let report = fit(&model, &dataset, &options).ok()?.report;
+        let report = fit(&model, &dataset, &on_threads(1)).ok()?.report;
         report.iterations.converged.then_some(report)
     });
     let failed = reports.iter().filter(|report| report.is_none()).count();

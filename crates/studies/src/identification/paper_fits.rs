@@ -3,11 +3,12 @@
 
 use flight::batch;
 use identify::dataset::Dataset;
-use identify::synthesize::{Corruption, corrupt};
+use identify::synthesize::Corruption;
 use identify::{FitOptions, FitReport, fit};
 use model_spec::model::Model;
 
-use crate::oracle_flights::{Plan, SAMPLE_RATE, Throws, disc, flights, paper_flight};
+use crate::bounded_fit::on_threads;
+use crate::oracle_flights::{Plan, SAMPLE_RATE, Throws, add_noise, disc, flights, paper_flight};
 use crate::statistics::mean_and_deviation;
 
 /// Standard deviation of the marker positions about the best fit in Hubbard & Hummel (2000), m; used for the simulated
@@ -138,14 +139,10 @@ pub(crate) fn scenario(
     };
     let reports = batch::each(seeds as usize, |seed| {
         let mut dataset = exact.clone();
-        for (index, flight) in dataset.flights.iter_mut().enumerate() {
-            let noise_seed = 1000 * (seed as u64 + 1) + index as u64;
-            corrupt(&mut flight.positions, &noise, noise_seed);
-        }
+        add_noise(&mut dataset, &noise, seed as u64 + 1);
         let options = FitOptions {
             unbounded: true,
-            threads: Some(1),
-            ..FitOptions::default()
+            ..on_threads(1)
         };
         let fitted = fit(model, &dataset, &options).ok()?;
         Some(fitted.report)

@@ -1,9 +1,9 @@
 //! Datasets of a disc with flights simulated by the oracle.
 
 use identify::dataset::{Dataset, Flight};
-use identify::synthesize::{MARKERS, default_markers};
+use identify::synthesize::{Corruption, MARKERS, corrupt, default_markers};
 use model_spec::model::Model;
-use oracle::Point;
+use oracle::{Physical, Point};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 
@@ -66,20 +66,32 @@ pub fn flights(model: &Model, plan: &Plan<'_>, seed: u64) -> Dataset {
         let start = plan.throws.draw(&mut random);
         let times = sample_times(plan.duration, plan.rate, &mut random);
         let states = integrate(&reference, &constants, start, &times);
-        let positions = states.iter().map(|body| {
-            let positions = marker_positions(body, &MARKERS);
-            positions.into_iter().map(Some).collect()
-        });
-        Flight {
-            file: file_name(index),
-            positions: positions.collect(),
-            times,
-            ..Flight::default()
-        }
+        marker_flight(file_name(index), times, &states)
     });
     Dataset {
         flights: flights.collect(),
         ..empty(model)
+    }
+}
+
+/// Flight with the exact positions of the default markers ([`MARKERS`]) in the given body states at `times` (s).
+pub(crate) fn marker_flight(file: String, times: Vec<f64>, states: &[Physical<f64>]) -> Flight {
+    let positions = states.iter().map(|body| {
+        let positions = marker_positions(body, &MARKERS);
+        positions.into_iter().map(Some).collect()
+    });
+    Flight {
+        file,
+        positions: positions.collect(),
+        times,
+        ..Flight::default()
+    }
+}
+
+/// Adds noise to the marker positions of all flights; each flight has a noise of its own, derived from `seed`.
+pub(crate) fn add_noise(dataset: &mut Dataset, noise: &Corruption, seed: u64) {
+    for (index, flight) in dataset.flights.iter_mut().enumerate() {
+        corrupt(&mut flight.positions, noise, 1000 * seed + index as u64);
     }
 }
 
@@ -100,7 +112,11 @@ pub(crate) fn file_name(index: usize) -> String {
 /// Sample times (s, from 0) of a flight whose duration (s) is drawn uniformly from a range; `rate` in Hz.
 pub(crate) fn sample_times(duration: (f64, f64), rate: f64, random: &mut impl Rng) -> Vec<f64> {
     let fraction: f64 = random.random();
-    let duration = duration.0 + fraction * (duration.1 - duration.0);
+    even_times(duration.0 + fraction * (duration.1 - duration.0), rate)
+}
+
+/// Sample times from 0 to `duration` (s) at `rate` (Hz).
+pub(crate) fn even_times(duration: f64, rate: f64) -> Vec<f64> {
     let count = (duration * rate).round() as usize;
     (0..=count).map(|k| k as f64 / rate).collect()
 }

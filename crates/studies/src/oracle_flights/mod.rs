@@ -10,7 +10,9 @@ mod throws;
 pub use conditions::{NoiseCondition, TRUTH, TWELVE, noise_conditions};
 pub(crate) use constants::{CurveCoefficients, angle_of_attack, reference_of};
 pub use dataset::{Plan, disc, flights, truth};
-pub(crate) use dataset::{disc_constants, empty, file_name, sample_times};
+pub(crate) use dataset::{
+    add_noise, disc_constants, empty, even_times, file_name, marker_flight, sample_times,
+};
 pub(crate) use integrate::{
     Derivatives, integrate, integrate_law, integrate_with_constants, marker_positions,
 };

@@ -1,15 +1,14 @@
 //! The paper's two flights, simulated by the oracle.
 
 use flight::release;
-use identify::dataset::{Dataset, Flight};
-use identify::synthesize::MARKERS;
+use identify::dataset::Dataset;
 use model_spec::model::Model;
 use nalgebra::Vector3;
 use oracle::{Physical, Point};
 
 use super::constants::{CurveCoefficients, angle_of_attack, reference_of};
-use super::dataset::empty;
-use super::integrate::{SMALL_STEP, integrate_with_constants, marker_positions};
+use super::dataset::{empty, even_times, marker_flight};
+use super::integrate::{SMALL_STEP, integrate_with_constants};
 
 /// Sample rate of the flights of Hubbard & Hummel (2000), Hz.
 pub(crate) const SAMPLE_RATE: f64 = 120.0;
@@ -39,8 +38,7 @@ pub fn paper_flight(model: &Model, name: &str, curves: Option<Curves<'_>>) -> Da
         panic!("the paper's flights last a stated time");
     };
     let start = reference.chart.physical(&release.state());
-    let samples = (duration * SAMPLE_RATE).round() as usize;
-    let times: Vec<f64> = (0..=samples).map(|k| k as f64 / SAMPLE_RATE).collect();
+    let times = even_times(duration, SAMPLE_RATE);
     let coefficients = CurveCoefficients::of(model, MIN_ALPHA);
     let set_curves = |body: &Physical<f64>, constants: &mut Point<f64>| {
         if let Some(curves) = curves {
@@ -56,19 +54,11 @@ pub fn paper_flight(model: &Model, name: &str, curves: Option<Curves<'_>>) -> Da
         &times,
         SMALL_STEP,
     );
-    let positions = states.iter().map(|body| {
-        let positions = marker_positions(body, &MARKERS);
-        positions.into_iter().map(Some).collect()
-    });
-    let mut dataset = empty(model);
-    dataset.parameters = release.parameters.iter().cloned().collect();
-    dataset.flights = vec![Flight {
-        file: format!("{name}.csv"),
-        positions: positions.collect(),
-        times,
-        ..Flight::default()
-    }];
-    dataset
+    Dataset {
+        parameters: release.parameters.iter().cloned().collect(),
+        flights: vec![marker_flight(format!("{name}.csv"), times, &states)],
+        ..empty(model)
+    }
 }
 
 fn built_in_release(model: &Model, name: &str) -> release::Release {

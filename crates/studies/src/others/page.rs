@@ -3,24 +3,24 @@
 use serde::Serialize;
 
 use super::flight::DURATION;
-use super::study::{Stage, Verdicts};
+use super::study::{RateInFlight, Stage, Verdicts};
 use crate::error::StudyError;
-use crate::page::{Page, render};
+use crate::page::Page;
 
 #[derive(Serialize)]
-struct Results {
+struct Results<'r> {
     duration: f64,
-    simulators: Vec<SimulatorRows>,
+    simulators: Vec<SimulatorRows<'r>>,
 }
 
 #[derive(Serialize)]
-struct SimulatorRows {
+struct SimulatorRows<'r> {
     title: &'static str,
     model: &'static str,
     throw: &'static str,
     note: &'static str,
     laws: Vec<LawRow>,
-    rates: Vec<RateRow>,
+    rates: &'r [RateInFlight],
     stages: Vec<StageRow>,
     published: [f64; 3],
     mended: [f64; 3],
@@ -34,15 +34,6 @@ struct LawRow {
     cause: f64,
     difference: f64,
     is_kept: bool,
-}
-
-#[derive(Serialize)]
-struct RateRow {
-    state: String,
-    unit: String,
-    stated: f64,
-    implied: f64,
-    difference: f64,
 }
 
 #[derive(Serialize)]
@@ -68,13 +59,10 @@ pub fn others_page(all: &[Verdicts]) -> Result<Page, StudyError> {
         duration: DURATION,
         simulators: all.iter().map(rows).collect(),
     };
-    Ok(Page {
-        text: render(include_str!("page.md"), &results)?,
-        figures: Vec::new(),
-    })
+    Page::without_figures(include_str!("page.md"), &results)
 }
 
-fn rows(verdicts: &Verdicts) -> SimulatorRows {
+fn rows(verdicts: &Verdicts) -> SimulatorRows<'_> {
     let first = verdicts
         .stages
         .first()
@@ -94,15 +82,7 @@ fn rows(verdicts: &Verdicts) -> SimulatorRows {
                 is_kept: law.difference <= ROUNDING * law.cause,
             })
             .collect(),
-        rates: { verdicts.rates.iter() }
-            .map(|rate| RateRow {
-                state: rate.state.clone(),
-                unit: rate.unit.clone(),
-                stated: rate.stated,
-                implied: rate.implied,
-                difference: rate.difference,
-            })
-            .collect(),
+        rates: &verdicts.rates,
         stages: { verdicts.stages.iter() }
             .map(|stage| StageRow {
                 change: stage.change.unwrap_or("as published"),

@@ -5,6 +5,7 @@ use model_spec::model::{Expr, Model};
 use nalgebra::Vector3;
 use oracle::scalar::{Dual, ErrorBound, Field};
 use oracle::{BalanceLaw, ClaimedBody, Point, Tree, Value, claimed_rates, derivatives, moving};
+use serde::Serialize;
 use verify::checks::claim::CLAIM;
 use verify::report::Verdict;
 
@@ -50,7 +51,7 @@ pub struct LawInFlight {
 }
 
 /// Rate of one state along a flight: as stated by the simulator's equations, and as implied by the laws of motion.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
 pub struct RateInFlight {
     /// Name of the state whose rates are compared.
     pub state: String,

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::run::Outcome;
 use super::subjects::SUBJECTS;
 use crate::error::StudyError;
-use crate::page::{Page, render};
+use crate::page::Page;
 use crate::statistics::median;
 
 /// Multiple of the minimum detectable size from which the diagnosis is required to detect a hidden effect.
@@ -16,11 +16,8 @@ const MAX_QUOTE: usize = 140;
 
 #[derive(Serialize)]
 struct Results {
-    clear: usize,
-    missed: usize,
-    site_right: usize,
-    nulls: usize,
-    false_alarms: usize,
+    #[serde(flatten)]
+    all: ModelRow,
     failed: usize,
     runs: usize,
     median: Option<f64>,
@@ -67,15 +64,10 @@ pub fn own_models_page(outcomes: &[Outcome]) -> Result<Page, StudyError> {
         model_row(subject.name, subject.kind, &of)
     });
     let models: Vec<ModelRow> = models.filter(|row| row.clear + row.nulls > 0).collect();
-    let sum = |of: fn(&ModelRow) -> usize| models.iter().map(of).sum();
     let rows = outcomes.iter().filter(|o| o.task.hidden.is_some());
     let seconds = outcomes.iter().map(|o| o.seconds);
     let results = Results {
-        clear: sum(|row| row.clear),
-        missed: sum(|row| row.missed),
-        site_right: sum(|row| row.site_right),
-        nulls: sum(|row| row.nulls),
-        false_alarms: sum(|row| row.false_alarms),
+        all: model_row("", "", &outcomes.iter().collect::<Vec<_>>()),
         failed: outcomes.iter().filter(|o| o.failure.is_some()).count(),
         runs: outcomes.len(),
         median: median(seconds.clone()),
@@ -84,10 +76,7 @@ pub fn own_models_page(outcomes: &[Outcome]) -> Result<Page, StudyError> {
         models,
         rows: rows.map(row).collect(),
     };
-    Ok(Page {
-        text: render(include_str!("page.md"), results)?,
-        figures: Vec::new(),
-    })
+    Page::without_figures(include_str!("page.md"), results)
 }
 
 fn is_clear(outcome: &Outcome) -> bool {

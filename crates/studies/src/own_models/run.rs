@@ -2,11 +2,9 @@
 //! effect.
 
 use std::collections::BTreeMap;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 use diagnose::{DiagnosisOptions, Report, Verdict, diagnose};
-use flight::batch;
 use identify::FitOptions;
 use identify::dataset::{Dataset, Flight};
 use identify::synthesize::Corruption;
@@ -16,7 +14,8 @@ use super::hidden::Hidden;
 use super::hidden_lists::hidden_of;
 use super::subjects::{SUBJECTS, Subject};
 use super::world::dataset;
-use crate::bounded_fit::{bounded_fit, cancelled_after};
+use crate::bounded_fit::{bounded_fit, cancelled_after, on_threads};
+use crate::progress::{Progress, each_run, threads_of_each_run};
 
 /// Time limit of a diagnosis or a fit.
 const LIMIT: Duration = Duration::from_secs(60);
@@ -150,19 +149,12 @@ pub fn tasks(seeds: u64, words: &str) -> Vec<Task> {
 
 /// Simulates and diagnoses the flights of each task, `threads` diagnoses in parallel, which share the processors. Calls
 /// `progress` with the numbers of finished tasks and of all tasks.
-pub fn own_models(
-    tasks: &[Task],
-    threads: usize,
-    progress: &(dyn Fn(usize, usize) + Sync),
-) -> Vec<Outcome> {
+pub fn own_models(tasks: &[Task], threads: usize, progress: Progress<'_>) -> Vec<Outcome> {
     let models: BTreeMap<&str, Model> = SUBJECTS.iter().map(|s| (s.name, s.model())).collect();
-    let finished = AtomicUsize::new(0);
-    let of_run = (batch::threads() / threads.max(1)).max(1);
-    batch::each_on(threads, tasks.len(), |index| {
+    let of_run = threads_of_each_run(threads);
+    each_run(threads, tasks.len(), progress, |index| {
         let model = &models[tasks[index].subject.name];
-        let outcome = outcome(tasks[index], model, of_run);
-        progress(1 + finished.fetch_add(1, Ordering::Relaxed), tasks.len());
-        outcome
+        outcome(tasks[index], model, of_run)
     })
 }
 
@@ -201,9 +193,8 @@ fn bounded_diagnosis(model: &Model, observed: &Dataset, threads: usize) -> Resul
         let options = DiagnosisOptions {
             dataset: "hidden",
             fit: FitOptions {
-                threads: Some(threads),
                 cancellation: Some(token),
-                ..FitOptions::default()
+                ..on_threads(threads)
             },
             ..DiagnosisOptions::default()
         };

@@ -2,7 +2,7 @@
 //! effect and integrates by Runge–Kutta steps.
 
 use identify::dataset::{Dataset, Flight, Marker, Role};
-use identify::synthesize::{Corruption, corrupt};
+use identify::synthesize::Corruption;
 use model_spec::model::Model;
 use nalgebra::{Matrix3, Vector3};
 use oracle::{Chart, Motion, Point, Tree, derivatives};
@@ -11,7 +11,7 @@ use rand_chacha::ChaCha12Rng;
 
 use super::hidden::{Action, Hidden, Scene};
 use super::subjects::Subject;
-use crate::oracle_flights::file_name;
+use crate::oracle_flights::{add_noise, even_times, file_name};
 
 /// Maximum step size of the integration, s.
 const MAX_STEP: f64 = 1e-3;
@@ -57,20 +57,15 @@ pub(super) fn dataset(
     let (count, held_out) = FLIGHTS;
     let flights = (0..count).map(|index| {
         let start = subject.start(model, &mut random);
-        let samples = (subject.duration * RATE).round() as usize;
-        let times: Vec<f64> = (0..=samples).map(|k| k as f64 / RATE).collect();
-        let mut positions = world.observed(start, &times, subject.markers);
-        if let Some(noise) = &noise {
-            corrupt(&mut positions, noise, 1000 * seed + index as u64);
-        }
+        let times = even_times(subject.duration, RATE);
         Flight {
             file: file_name(index),
             role: match index + held_out < count {
                 true => Role::Fit,
                 false => Role::HeldOut,
             },
+            positions: world.observed(start, &times, subject.markers),
             times,
-            positions,
             ..Flight::default()
         }
     });
@@ -83,12 +78,16 @@ pub(super) fn dataset(
             name: format!("m{}", k + 1),
             position,
         });
-    Dataset {
+    let mut dataset = Dataset {
         model: model.name.clone(),
         markers: markers.collect(),
         flights,
         ..Dataset::default()
+    };
+    if let Some(noise) = &noise {
+        add_noise(&mut dataset, noise, seed);
     }
+    dataset
 }
 
 impl World<'_> {

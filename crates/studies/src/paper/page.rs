@@ -8,7 +8,7 @@ use super::reading::Reading;
 use super::study::{PENALTY, Scored, Study};
 use super::table::Table1;
 use crate::error::StudyError;
-use crate::page::{Page, render};
+use crate::page::Page;
 
 /// Number of readings (interpretations of the paper's Table 1) in the page's ranking.
 const SHOWN: usize = 20;
@@ -99,10 +99,7 @@ pub fn paper_page(study: &Study) -> Result<Page, StudyError> {
             .filter_map(|scored| alternative(study, best, scored))
             .collect(),
     };
-    Ok(Page {
-        text: render(include_str!("page.md"), results)?,
-        figures: Vec::new(),
-    })
+    Page::without_figures(include_str!("page.md"), results)
 }
 
 fn claim_rows(study: &Study, reading: &Reading) -> Vec<ClaimRow> {

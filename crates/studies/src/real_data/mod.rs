@@ -12,7 +12,9 @@ mod wind_tunnel;
 
 pub use balls::{Agreement, is_agreeing};
 pub use disc_golf::LaunchFit;
-pub(crate) use disc_golf::{LAUNCH_NAMES, Launch, UNCERTAINTY, filmed_throws, rms_distance};
+pub(crate) use disc_golf::{
+    LAUNCH_NAMES, Launch, UNCERTAINTY, axis_and_velocity, filmed_throws, rms_distance,
+};
 pub use disc_pose::Ratio;
 pub use page::real_data_page;
 pub use results::RealData;

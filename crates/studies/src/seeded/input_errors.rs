@@ -5,9 +5,10 @@ use rand::seq::SliceRandom;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 use rand_distr::StandardNormal;
+use serde::Serialize;
 
 /// Errors that are introduced into the spins specified in a dataset for the flights of a ball.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct InputErrors {
     /// Standard deviation of the error of each component, relative to the magnitude of the spin.
     pub relative_error: f64,

@@ -9,6 +9,7 @@ use oracle::{Motion, Physical};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 use rand_distr::StandardNormal;
+use serde::Serialize;
 
 use crate::oracle_flights::{
     Plan, disc_constants, empty, file_name, integrate, marker_positions, reference_of, sample_times,
@@ -28,7 +29,7 @@ pub struct Observed {
 }
 
 /// Standard deviations of the white noise of each measured component.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct SensorNoise {
     /// Standard deviation of the noise of each position component, m.
     pub position: f64,

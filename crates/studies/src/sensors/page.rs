@@ -5,23 +5,14 @@ use serde::Serialize;
 use super::flights::SensorNoise;
 use super::study::{DISPLACEMENT, SensorSet};
 use crate::error::StudyError;
-use crate::page::{Page, render};
+use crate::page::Page;
 
 #[derive(Serialize)]
 struct Results<'r> {
     seeds: u64,
-    noise: Noise,
+    noise: SensorNoise,
     displacement_mm: f64,
     sets: &'r [SensorSet],
-}
-
-#[derive(Serialize)]
-struct Noise {
-    position_mm: f64,
-    attitude: f64,
-    rate: f64,
-    force: f64,
-    speed: f64,
 }
 
 /// Renders docs/sensors.md from the results of all sensor sets.
@@ -29,21 +20,11 @@ struct Noise {
 /// # Errors
 /// [`StudyError`] if the template cannot be rendered with the results.
 pub fn sensors_page(sets: &[SensorSet], seeds: u64) -> Result<Page, StudyError> {
-    let noise = SensorNoise::default();
     let results = Results {
         seeds,
-        noise: Noise {
-            position_mm: 1e3 * noise.position,
-            attitude: noise.attitude,
-            rate: noise.rate,
-            force: noise.force,
-            speed: noise.speed,
-        },
+        noise: SensorNoise::default(),
         displacement_mm: 1e3 * DISPLACEMENT[0],
         sets,
     };
-    Ok(Page {
-        text: render(include_str!("page.md"), results)?,
-        figures: Vec::new(),
-    })
+    Page::without_figures(include_str!("page.md"), results)
 }

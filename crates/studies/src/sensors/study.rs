@@ -3,11 +3,12 @@
 use diagnose::{DiagnosisOptions, diagnose};
 use flight::batch;
 use identify::dataset::{Role, Sensor, SensorKind};
-use identify::{FitOptions, fit, interval};
+use identify::{fit, interval};
 use model_spec::compose::Instrument;
 use serde::Serialize;
 
 use super::flights::{Observed, SensorNoise, sensor_flights};
+use crate::bounded_fit::on_threads;
 use crate::oracle_flights::{Plan, TWELVE, disc, truth};
 
 /// Number of flights per dataset, and how many of them a diagnosis holds out.
@@ -121,11 +122,7 @@ fn run(observed: &Observed, seed: u64) -> Run {
     };
     let dataset = sensor_flights(&model, &plan, observed, seed);
     let clock = std::time::Instant::now();
-    let options = FitOptions {
-        threads: Some(1),
-        ..FitOptions::default()
-    };
-    let found = fit(&model, &dataset, &options).ok()?;
+    let found = fit(&model, &dataset, &on_threads(1)).ok()?;
     let seconds = clock.elapsed().as_secs_f64();
     if !found.report.iterations.converged || !found.report.reliable {
         return None;
@@ -203,10 +200,7 @@ fn causes(observed: &Observed, seed: u64) -> Option<Vec<(String, bool)>> {
         flight.role = Role::HeldOut;
     }
     let options = DiagnosisOptions {
-        fit: FitOptions {
-            threads: Some(1),
-            ..FitOptions::default()
-        },
+        fit: on_threads(1),
         ..DiagnosisOptions::default()
     };
     let found = diagnose(&model, &dataset, &options).ok()?;

@@ -13,14 +13,25 @@ use crate::cuts::bouncing_flight;
 /// third a random generator.
 pub(super) type FlightHarm = fn(&mut Flight, &Flight, &mut ChaCha12Rng);
 
-/// Function that introduces a mistake into the marker template or the parameters of a dataset.
-pub(super) type DatasetHarm = fn(&mut Dataset);
-
 /// How a kind of recording mistake changes the data.
 #[derive(Clone, Copy)]
 pub(super) enum Harm {
+    /// Multiplies all coordinates of a flight by a factor.
+    Lengths(f64),
+    /// Multiplies all times of a flight by a factor.
+    Times(f64),
+    /// Changes each measured position (m) of a flight.
+    Points(fn([f64; 3]) -> [f64; 3]),
+    /// Changes the marker positions of each sample of a flight.
+    Samples(fn(&mut Row)),
+    /// Changes the marker positions of each sample from the middle of a flight on.
+    LaterSamples(fn(&mut Row)),
+    /// Changes a flight in another way.
     Flight(FlightHarm),
-    Dataset(DatasetHarm),
+    /// Changes each stated marker position (m, body frame) of the dataset.
+    Template(fn([f64; 3]) -> [f64; 3]),
+    /// Changes the marker template or the parameters of the dataset.
+    Dataset(fn(&mut Dataset)),
 }
 
 impl Harm {
@@ -28,15 +39,30 @@ impl Harm {
     /// dataset.
     pub(super) fn apply(self, dataset: &mut Dataset, flights: &[usize], seed: u64) {
         match self {
-            Self::Dataset(harm) => harm(dataset),
-            Self::Flight(harm) => {
-                let before = dataset.flights.clone();
-                for &index in flights {
-                    let other = &before[(index + before.len() - 1) % before.len()];
-                    let mut random = ChaCha12Rng::seed_from_u64(seed);
-                    random.set_stream(1_000_000 + index as u64);
-                    harm(&mut dataset.flights[index], other, &mut random);
+            Self::Dataset(change) => return change(dataset),
+            Self::Template(change) => {
+                for marker in &mut dataset.markers {
+                    marker.position = change(marker.position);
                 }
+                return;
+            }
+            _ => {}
+        }
+        let before = dataset.flights.clone();
+        for &index in flights {
+            let other = &before[(index + before.len() - 1) % before.len()];
+            let mut random = ChaCha12Rng::seed_from_u64(seed);
+            random.set_stream(1_000_000 + index as u64);
+            let flight = &mut dataset.flights[index];
+            let from = middle(flight);
+            match self {
+                Self::Lengths(factor) => each_point(flight, |p| p.map(|x| x * factor)),
+                Self::Times(factor) => flight.times.iter_mut().for_each(|t| *t *= factor),
+                Self::Points(change) => each_point(flight, change),
+                Self::Samples(change) => flight.positions.iter_mut().for_each(change),
+                Self::LaterSamples(change) => flight.positions[from..].iter_mut().for_each(change),
+                Self::Flight(change) => change(flight, other, &mut random),
+                Self::Template(_) | Self::Dataset(_) => {}
             }
         }
     }
@@ -53,99 +79,12 @@ fn each_point(flight: &mut Flight, mut change: impl FnMut([f64; 3]) -> [f64; 3])
     }
 }
 
-fn scaled(flight: &mut Flight, factor: f64) {
-    each_point(flight, |p| p.map(|x| x * factor));
-}
-
-fn timed(flight: &mut Flight, factor: f64) {
-    flight.times.iter_mut().for_each(|t| *t *= factor);
-}
-
-pub(super) fn labels_12(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
-    flight.positions.iter_mut().for_each(|row| row.swap(0, 1));
-}
-
-pub(super) fn labels_23(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
-    flight.positions.iter_mut().for_each(|row| row.swap(1, 2));
-}
-
-pub(super) fn labels_cycle(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
-    flight
-        .positions
-        .iter_mut()
-        .for_each(|row| row.rotate_left(1));
-}
-
-pub(super) fn labels_from_middle(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
-    let from = middle(flight);
-    flight.positions[from..]
-        .iter_mut()
-        .for_each(|row| row.swap(0, 2));
-}
-
 pub(super) fn labels_flicker(flight: &mut Flight, _: &Flight, random: &mut ChaCha12Rng) {
     for row in &mut flight.positions {
         if random.random::<f64>() < 0.1 {
             row.swap(0, 1);
         }
     }
-}
-
-pub(super) fn mirrored_y(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
-    each_point(flight, |[x, y, z]| [x, -y, z]);
-}
-
-pub(super) fn mirrored_xy(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
-    each_point(flight, |[x, y, z]| [y, x, z]);
-}
-
-pub(super) fn mirrored_z(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
-    each_point(flight, |[x, y, z]| [x, y, -z]);
-}
-
-pub(super) fn z_down(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
-    each_point(flight, |[x, y, z]| [x, -y, -z]);
-}
-
-pub(super) fn y_up(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
-    each_point(flight, |[x, y, z]| [x, z, -y]);
-}
-
-pub(super) fn x_up(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
-    each_point(flight, |[x, y, z]| [z, y, -x]);
-}
-
-pub(super) fn feet(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
-    scaled(flight, 1.0 / 0.3048);
-}
-
-pub(super) fn inches(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
-    scaled(flight, 1.0 / 0.0254);
-}
-
-pub(super) fn centimetres(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
-    scaled(flight, 100.0);
-}
-
-pub(super) fn millimetres(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
-    scaled(flight, 1000.0);
-}
-
-pub(super) fn milliseconds(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
-    timed(flight, 1000.0);
-}
-
-pub(super) fn double_time(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
-    timed(flight, 2.0);
-}
-
-pub(super) fn half_time(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
-    timed(flight, 0.5);
-}
-
-pub(super) fn wrong_rate(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
-    // Flights sampled at 120 Hz but stamped as 144 Hz have the same ratio as 100 Hz to 120 Hz.
-    timed(flight, 100.0 / 120.0);
 }
 
 pub(super) fn dropped_frames(flight: &mut Flight, _: &Flight, random: &mut ChaCha12Rng) {
@@ -172,10 +111,6 @@ pub(super) fn jitter(flight: &mut Flight, _: &Flight, random: &mut ChaCha12Rng) 
     }
 }
 
-pub(super) fn reversed(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
-    flight.positions.reverse();
-}
-
 pub(super) fn frozen_marker(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
     let from = middle(flight);
     let last = flight.positions[from][1];
@@ -187,9 +122,7 @@ pub(super) fn frozen_marker(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng
 pub(super) fn frozen(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
     let from = middle(flight);
     let last = flight.positions[from].clone();
-    flight.positions[from..]
-        .iter_mut()
-        .for_each(|row| row.clone_from(&last));
+    flight.positions[from..].fill(last);
 }
 
 pub(super) fn teleporting_marker(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
@@ -203,35 +136,9 @@ pub(super) fn teleporting_marker(flight: &mut Flight, _: &Flight, _: &mut ChaCha
     }
 }
 
-pub(super) fn jump(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
-    let from = middle(flight);
-    for row in &mut flight.positions[from..] {
-        *row = moved(row, Vector3::new(0.0, 1.0, 0.0));
-    }
-}
-
-pub(super) fn marker_off(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
-    for point in flight
-        .positions
-        .iter_mut()
-        .filter_map(|row| row[0].as_mut())
-    {
-        point[1] += 1.0;
-    }
-}
-
-pub(super) fn flight_off(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
-    for row in &mut flight.positions {
-        *row = moved(row, Vector3::new(0.3, 1.0, 0.0));
-    }
-}
-
 pub(super) fn constant(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
     let first = flight.positions[0].clone();
-    flight
-        .positions
-        .iter_mut()
-        .for_each(|row| row.clone_from(&first));
+    flight.positions.fill(first);
 }
 
 pub(super) fn random(flight: &mut Flight, _: &Flight, random: &mut ChaCha12Rng) {
@@ -241,7 +148,6 @@ pub(super) fn random(flight: &mut Flight, _: &Flight, random: &mut ChaCha12Rng) 
 /// Inserts samples of marker positions before the first or after the last sample of a flight, with noise of 1.5 mm, and
 /// renumbers the times at a constant interval.
 fn add(flight: &mut Flight, rows: Vec<Row>, at_start: bool, random: &mut ChaCha12Rng) {
-    let interval = flight.times[1] - flight.times[0];
     let noisy = rows.into_iter().map(|row| {
         let each = row.into_iter().map(|point| {
             point.map(|p: [f64; 3]| p.map(|x| x + 0.0015 * random.sample::<f64, _>(StandardNormal)))
@@ -253,9 +159,21 @@ fn add(flight: &mut Flight, rows: Vec<Row>, at_start: bool, random: &mut ChaCha1
         true => flight.positions.splice(..0, rows).for_each(drop),
         false => flight.positions.extend(rows),
     }
-    let first = flight.times[0];
-    let count = flight.positions.len();
-    flight.times = (0..count).map(|k| first + k as f64 * interval).collect();
+    renumber(flight);
+}
+
+/// Replaces the times of a flight by times at the interval of its first two samples.
+fn renumber(flight: &mut Flight) {
+    let (first, interval) = (flight.times[0], flight.times[1] - flight.times[0]);
+    let samples = 0..flight.positions.len();
+    flight.times = samples.map(|k| first + k as f64 * interval).collect();
+}
+
+/// Adds white noise with the standard deviation `sigma` (m) to every coordinate.
+fn add_noise(flight: &mut Flight, sigma: f64, random: &mut ChaCha12Rng) {
+    each_point(flight, |p| {
+        p.map(|x| x + sigma * random.sample::<f64, _>(StandardNormal))
+    });
 }
 
 pub(super) fn in_the_hand(flight: &mut Flight, _: &Flight, random: &mut ChaCha12Rng) {
@@ -288,10 +206,8 @@ pub(super) fn bounce(flight: &mut Flight, _: &Flight, random: &mut ChaCha12Rng) 
     let file = flight.file.clone();
     (*flight, _) = bouncing_flight(0, random);
     flight.file = file;
-    add(flight, Vec::new(), false, random);
-    each_point(flight, |p| {
-        p.map(|x| x + 0.0015 * random.sample::<f64, _>(StandardNormal))
-    });
+    renumber(flight);
+    add_noise(flight, 0.0015, random);
 }
 
 pub(super) fn at_rest(flight: &mut Flight, _: &Flight, random: &mut ChaCha12Rng) {
@@ -311,11 +227,8 @@ pub(super) fn duplicated(flight: &mut Flight, other: &Flight, _: &mut ChaCha12Rn
 }
 
 pub(super) fn joined(flight: &mut Flight, other: &Flight, _: &mut ChaCha12Rng) {
-    let interval = flight.times[1] - flight.times[0];
     flight.positions.extend(other.positions.iter().cloned());
-    let first = flight.times[0];
-    let count = flight.positions.len();
-    flight.times = (0..count).map(|k| first + k as f64 * interval).collect();
+    renumber(flight);
 }
 
 pub(super) fn foreign_marker(flight: &mut Flight, other: &Flight, _: &mut ChaCha12Rng) {
@@ -331,11 +244,9 @@ pub(super) fn late_marker(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) 
     }
 }
 
-pub(super) fn one_point(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
-    for row in &mut flight.positions {
-        let first = row[0];
-        row.fill(first);
-    }
+pub(super) fn one_point(row: &mut Row) {
+    let first = row[0];
+    row.fill(first);
 }
 
 pub(super) fn slow_frames(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
@@ -351,10 +262,6 @@ pub(super) fn dropouts(flight: &mut Flight, _: &Flight, random: &mut ChaCha12Rng
     }
 }
 
-pub(super) fn unseen_marker(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
-    flight.positions.iter_mut().for_each(|row| row[2] = None);
-}
-
 pub(super) fn outliers(flight: &mut Flight, _: &Flight, random: &mut ChaCha12Rng) {
     each_point(flight, |p| match random.random::<f64>() < 0.1 {
         true => p.map(|x| x + 0.5 * random.sample::<f64, _>(StandardNormal)),
@@ -363,9 +270,7 @@ pub(super) fn outliers(flight: &mut Flight, _: &Flight, random: &mut ChaCha12Rng
 }
 
 pub(super) fn noisy(flight: &mut Flight, _: &Flight, random: &mut ChaCha12Rng) {
-    each_point(flight, |p| {
-        p.map(|x| x + 0.03 * random.sample::<f64, _>(StandardNormal))
-    });
+    add_noise(flight, 0.03, random);
 }
 
 pub(super) fn smoothed(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
@@ -382,40 +287,6 @@ pub(super) fn smoothed(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
             let mean = seen.iter().sum::<Vector3<f64>>() / seen.len().max(1) as f64;
             *point = point.map(|_| mean.into());
         }
-    }
-}
-
-pub(super) fn single_precision(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
-    each_point(flight, |[x, y, z]| {
-        [x + 1e5, y, z].map(|x| f64::from(x as f32))
-    });
-}
-
-pub(super) fn millimetre_steps(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
-    each_point(flight, |p| p.map(|x| (x * 1000.0).round() / 1000.0));
-}
-
-pub(super) fn centimetre_steps(flight: &mut Flight, _: &Flight, _: &mut ChaCha12Rng) {
-    each_point(flight, |p| p.map(|x| (x * 100.0).round() / 100.0));
-}
-
-pub(super) fn template_5_mm(dataset: &mut Dataset) {
-    dataset.markers[1].position[0] += 0.005;
-}
-
-pub(super) fn template_50_mm(dataset: &mut Dataset) {
-    dataset.markers[1].position[0] += 0.05;
-}
-
-pub(super) fn template_mirrored(dataset: &mut Dataset) {
-    for marker in &mut dataset.markers {
-        marker.position[1] *= -1.0;
-    }
-}
-
-pub(super) fn template_centimetres(dataset: &mut Dataset) {
-    for marker in &mut dataset.markers {
-        marker.position = marker.position.map(|x| x * 100.0);
     }
 }
 

@@ -6,7 +6,7 @@ use super::judge::Judgement;
 use super::run::Run;
 use crate::cuts::CutSection;
 use crate::error::StudyError;
-use crate::page::{Page, render};
+use crate::page::Page;
 
 /// Maximum length of a fit's message that is quoted on the page, characters.
 const MAX_QUOTE: usize = 160;
@@ -62,10 +62,7 @@ pub fn spoiled_page(runs: &[Run], cuts: Option<CutSection>) -> Result<Page, Stud
         rows,
         cuts,
     };
-    Ok(Page {
-        text: render(include_str!("page.md"), results)?,
-        figures: Vec::new(),
-    })
+    Page::without_figures(include_str!("page.md"), results)
 }
 
 fn row(runs: &[&Run]) -> Row {

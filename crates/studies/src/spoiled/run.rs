@@ -1,16 +1,15 @@
 //! Executes the runs: simulates flights, spoils them, fits them and judges the answer.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
-use flight::batch;
 use identify::dataset::Dataset;
-use identify::synthesize::{Corruption, corrupt};
+use identify::synthesize::Corruption;
 
 use super::judge::{Judged, judge};
 use super::kinds::{KINDS, Kind};
 use crate::bounded_fit::bounded_fit;
-use crate::oracle_flights::{TRUTH, TWELVE, disc, flights};
+use crate::oracle_flights::{TRUTH, TWELVE, add_noise, disc, flights};
+use crate::progress::{Progress, each_run};
 
 /// Time limit of fitting one dataset.
 const LIMIT: Duration = Duration::from_secs(30);
@@ -56,7 +55,7 @@ pub struct Run {
 /// all of `words`.
 pub fn runs(words: &str) -> Vec<(&'static Kind, Which)> {
     let all = KINDS.iter().flat_map(|kind| {
-        let which: &[Which] = match kind.of_dataset {
+        let which: &[Which] = match kind.is_of_dataset() {
             true => &[Which::All],
             false => &[Which::One, Which::All],
         };
@@ -75,15 +74,11 @@ pub fn spoiled(
     kinds: &[(&'static Kind, Which)],
     seeds: u64,
     threads: usize,
-    progress: &(dyn Fn(usize, usize) + Sync),
+    progress: Progress<'_>,
 ) -> Vec<Run> {
-    let count = kinds.len() * seeds as usize;
-    let finished = AtomicUsize::new(0);
-    batch::each_on(threads, count, |index| {
+    each_run(threads, kinds.len() * seeds as usize, progress, |index| {
         let (kind, which) = kinds[index / seeds as usize];
-        let run = run(kind, which, index as u64 % seeds);
-        progress(1 + finished.fetch_add(1, Ordering::Relaxed), count);
-        run
+        run(kind, which, index as u64 % seeds)
     })
 }
 
@@ -114,9 +109,6 @@ fn run(kind: &'static Kind, which: Which, seed: u64) -> Run {
 /// Simulates twelve flights without a mistake, with white noise of 1.5 mm.
 fn clean(seed: u64) -> Dataset {
     let mut dataset = flights(&disc(), &TWELVE, seed);
-    for (k, flight) in dataset.flights.iter_mut().enumerate() {
-        let noise_seed = 1000 * (seed + 1) + k as u64;
-        corrupt(&mut flight.positions, &Corruption::default(), noise_seed);
-    }
+    add_noise(&mut dataset, &Corruption::default(), seed + 1);
     dataset
 }

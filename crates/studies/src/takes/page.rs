@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::run::{CoefficientError, GIVEN, Session, SessionResult, TemplateErrors};
 use crate::error::StudyError;
 use crate::oracle_flights::TRUTH;
-use crate::page::{Page, render};
+use crate::page::Page;
 use crate::statistics::median;
 
 /// Maximum error of a detected release or end of a flight that counts as correct, samples.
@@ -155,10 +155,7 @@ pub fn takes_page(sessions: &[Session]) -> Result<Page, StudyError> {
             .collect(),
         examples: examples(sessions),
     };
-    Ok(Page {
-        text: render(include_str!("page.md"), all)?,
-        figures: Vec::new(),
-    })
+    Page::without_figures(include_str!("page.md"), all)
 }
 
 /// Error of the height of the centre of mass in an estimated template, and its standard error, m; `None` if the height

@@ -2,7 +2,6 @@
 
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
 use flight::batch;
@@ -18,6 +17,7 @@ use super::text::Writer;
 use crate::bounded_fit::bounded_fit;
 use crate::error::StudyError;
 use crate::oracle_flights::{TRUTH, disc, empty, file_name};
+use crate::progress::{Progress, each_run};
 
 /// Time limit of fitting one dataset.
 const LIMIT: Duration = Duration::from_secs(120);
@@ -111,18 +111,14 @@ pub fn sessions(
     seeds: &[u64],
     python: Option<&Path>,
     threads: usize,
-    progress: &(dyn Fn(usize, usize) + Sync),
+    progress: Progress<'_>,
 ) -> Vec<Session> {
-    let finished = AtomicUsize::new(0);
     let mut writers = vec![Writer::Vicon, Writer::Qualisys, Writer::OptiTrack];
     writers.extend(python.map(|_| Writer::C3d));
-    batch::each_on(threads, seeds.len(), |index| {
+    each_run(threads, seeds.len(), progress, |index| {
         let seed = seeds[index];
         let writer = writers[seed as usize % writers.len()];
-        let session = session(seed, writer, python);
-        let done = 1 + finished.fetch_add(1, Ordering::Relaxed);
-        progress(done, seeds.len());
-        session
+        session(seed, writer, python)
     })
 }
 

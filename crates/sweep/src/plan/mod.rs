@@ -70,10 +70,10 @@ impl Plan {
     /// Number of flights in one part of the sweep (a block of consecutive flights, computed and stored together); it
     /// depends on the total number of flights alone.
     pub fn part_len(&self) -> u64 {
-        const LEAST: u64 = 1 << 13;
-        const GREATEST: u64 = 1 << 17;
+        const MIN: u64 = 1 << 13;
+        const MAX: u64 = 1 << 17;
         let even = (self.flights / 256).next_power_of_two();
-        even.clamp(LEAST, GREATEST)
+        even.clamp(MIN, MAX)
     }
 
     /// Number of parts (blocks of consecutive flights) into which the flights are divided.

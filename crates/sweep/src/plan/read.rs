@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use flight::release::{Fault, Reader, Release, ReleaseError, Vocabulary, read_in_wind};
+use flight::release::{Reader, Release, ReleaseError, Vocabulary, read_in_wind, read_text};
 use flight::throw::{FIELDS, Throw};
 use flight::{CompiledModel, simulate};
 use model_spec::load::load;
@@ -39,26 +39,10 @@ const OWN_KEYS: [&str; 8] = [
 /// # Errors
 /// [`ReleaseError`] with all faults of the file, or if the file cannot be read.
 pub fn read_file(path: &Path) -> Result<Plan, ReleaseError> {
-    let file = path.display().to_string();
-    let refuse = |message: String| ReleaseError {
-        file: file.clone(),
-        faults: vec![Fault {
-            location: None,
-            message,
-        }],
-    };
-    let cannot = |e: std::io::Error| refuse(format!("cannot be read: {e}"));
-    let size = std::fs::metadata(path).map_err(cannot)?.len();
-    if size > MAX_FILE_BYTES {
-        return Err(refuse(format!(
-            "has {size} bytes; a plan has at most {MAX_FILE_BYTES}"
-        )));
-    }
-    let bytes = std::fs::read(path).map_err(cannot)?;
-    let text = String::from_utf8(bytes)
-        .map_err(|e| refuse(format!("found bytes that are no text: {e}; expected UTF-8")))?;
     let folder = path.parent().unwrap_or(Path::new("."));
-    read(&file, &text, folder)
+    read_text(path, "a plan", MAX_FILE_BYTES, |file, text| {
+        read(file, text, folder)
+    })
 }
 
 /// Parses the text of a plan (TOML): a release, with `effects`, `flights`, `seed`, `tolerance`, `method`, `[vary]`,

@@ -16,11 +16,9 @@ use self::bytes::{BLOCK, Bytes, Order};
 use self::frames::{Extent, frames};
 use self::parameters::Parameters;
 use crate::axes::Axis;
+use crate::options::checked_rate;
 use crate::unit::LengthUnit;
 use crate::words::shown;
-
-/// Maximum frame rate of a C3D file, Hz; a greater one is an error.
-const FASTEST: f64 = 1e6;
 
 /// Error in a C3D file: its byte offset, what was found and what was expected.
 #[derive(Clone, Debug, PartialEq)]
@@ -207,15 +205,7 @@ impl<'a> Recording<'a> {
             self.header_rate,
             1e-3,
         )?;
-        if rate > 0.0 && rate <= FASTEST {
-            Ok(rate)
-        } else {
-            wrong(
-                20,
-                format!("the rate {rate}"),
-                format!("frames per second above 0, at most {FASTEST}"),
-            )
-        }
+        checked_rate(rate).or_else(|(found, expected)| wrong(20, found, expected))
     }
 
     /// Unit of the coordinates specified in `POINT:UNITS`, with the text of that parameter.

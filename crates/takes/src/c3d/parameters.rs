@@ -8,7 +8,7 @@ use super::{Wrong, wrong};
 
 /// Maximum total number of groups and parameters in a C3D file; a greater number is an error, which bounds the memory
 /// used.
-const MOST: usize = 20_000;
+const MAX_ENTRIES: usize = 20_000;
 
 /// C3D parameters by group and name, both in upper case.
 pub(super) struct Parameters<'a> {
@@ -41,8 +41,12 @@ impl<'a> Parameters<'a> {
             if length == 0 || id == 0 {
                 break;
             }
-            if found.groups.len() + found.parameters.len() >= MOST {
-                return wrong(start + at, "a parameter more", format!("at most {MOST}"));
+            if found.groups.len() + found.parameters.len() >= MAX_ENTRIES {
+                return wrong(
+                    start + at,
+                    "a parameter more",
+                    format!("at most {MAX_ENTRIES}"),
+                );
             }
             let name = part(section, start, at + 2, usize::from(length))?;
             let name = text(name).to_uppercase();

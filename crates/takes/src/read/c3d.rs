@@ -4,16 +4,10 @@ use crate::axes::Axis;
 use crate::c3d::{Recording, Wrong};
 use crate::error::{Fault, Place};
 use crate::format::Format;
-use crate::layout::{MOST_LABELS, unique};
+use crate::layout::{MAX_COORDINATE, MAX_LABELS, MAX_POSITIONS, unique};
 use crate::options::ReadOptions;
 use crate::take::{Point, Take};
 use crate::words::shown;
-
-/// Maximum of the number of frames times the number of points; a larger recording is an error, which bounds the memory
-/// used.
-const MOST: usize = 1 << 23;
-/// Maximum absolute value of a coordinate, m; a greater one is an error.
-const FARTHEST: f64 = 1e4;
 
 fn fault(wrong: Wrong) -> Fault {
     Fault::new(Place::Byte(wrong.byte), wrong.found, wrong.expected)
@@ -51,9 +45,9 @@ pub(super) fn read(bytes: &[u8], options: &ReadOptions) -> Result<Take, Fault> {
     }
     let frames = recording.frames();
     let cells = frames.checked_mul(places.len().max(1));
-    if places.len() > MOST_LABELS || cells.is_none_or(|cells| cells > MOST) {
+    if places.len() > MAX_LABELS || cells.is_none_or(|cells| cells > MAX_POSITIONS) {
         let found = format!("{frames} frames of {} points", places.len());
-        let expected = format!("at most {MOST} positions of at most {MOST_LABELS} points");
+        let expected = format!("at most {MAX_POSITIONS} positions of at most {MAX_LABELS} points");
         return Err(Fault::new(Place::Byte(0), found, expected));
     }
     let first = f64::from(recording.first_frame());
@@ -64,10 +58,10 @@ pub(super) fn read(bytes: &[u8], options: &ReadOptions) -> Result<Take, Fault> {
         for frame in 0..frames {
             let position = recording.position(frame, place);
             let position = position.map(|raw| raw.map(|x| x * length.metres()));
-            let is_far = |x: &f64| x.is_nan() || x.abs() > FARTHEST;
+            let is_far = |x: &f64| x.is_nan() || x.abs() > MAX_COORDINATE;
             if let Some(far) = position.iter().flatten().find(|x| is_far(x)) {
                 let found = format!("{} at {far} m", shown(&label));
-                let expected = format!("at most {FARTHEST} m (another unit?)");
+                let expected = format!("at most {MAX_COORDINATE} m (another unit?)");
                 let byte = Place::Byte(recording.byte_of_frame(frame));
                 return Err(Fault::new(byte, found, expected));
             }

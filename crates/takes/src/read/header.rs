@@ -1,11 +1,9 @@
 //! Reader of tables with one header line that names every column: points, poses, and files of DLTdv8.
 
-use std::collections::BTreeMap;
-
 use crate::columns::{Column, Quantity};
 use crate::error::{Fault, Place};
 use crate::format::{Format, is_digitised};
-use crate::layout::{Attitude, Clock, Layout};
+use crate::layout::{Attitude, Clock, Layout, Tracks};
 use crate::options::ReadOptions;
 use crate::sheet::{Sheet, separator};
 use crate::take::Take;
@@ -15,18 +13,11 @@ use crate::words::{listed, shown};
 /// Label of a point or body whose column names contain no label.
 const UNNAMED: &str = "body";
 
-/// Column indices of the coordinates and the quaternion that share one label.
-#[derive(Default)]
-struct Track {
-    coordinates: [Option<usize>; 3],
-    quaternion: [Option<usize>; 4],
-}
-
 /// Columns of a table, as its header line names them.
 #[derive(Default)]
 struct Header {
-    /// Label and columns of each point or body, in the order of the file.
-    tracks: Vec<(String, Track)>,
+    /// Columns of each point or body by its label.
+    tracks: Tracks<String>,
     time: Option<(usize, Option<TimeUnit>)>,
     frame: Option<usize>,
     length: Option<LengthUnit>,
@@ -55,7 +46,7 @@ pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<
     let clock = header.clock(line, options, &mut notes)?;
     let length = options.length(header.length, line, &mut notes)?;
     if !header.others.is_empty() {
-        let names = listed(header.others.iter().map(String::as_str));
+        let names = listed(&header.others);
         notes.push(format!("columns that are not read: {names}"));
     }
     let mut layout = Layout {
@@ -69,7 +60,7 @@ pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<
         notes,
         stated: None,
     };
-    for (label, track) in header.tracks {
+    for (label, track) in header.tracks.list {
         let label = if label.is_empty() {
             UNNAMED.to_owned()
         } else {
@@ -79,8 +70,8 @@ pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<
             let expected = "x, y and z of every point, and qw, qx, qy and qz of every pose";
             Fault::new(line, what, expected)
         };
-        let [Some(x), Some(y), Some(z)] = track.coordinates else {
-            let missing = track.coordinates.iter().position(Option::is_none);
+        let [Some(x), Some(y), Some(z)] = track.position else {
+            let missing = track.position.iter().position(Option::is_none);
             let axis = ["x", "y", "z"][missing.unwrap_or(0)];
             return Err(incomplete(format!("no {axis} of {}", shown(&label))));
         };
@@ -125,7 +116,6 @@ fn foreign(sheet: &Sheet<'_>) -> Option<(usize, String)> {
 impl Header {
     fn new(sheet: &Sheet<'_>) -> Result<Self, Fault> {
         let mut header = Self::default();
-        let mut places: BTreeMap<String, usize> = BTreeMap::new();
         for (index, name) in sheet.cells().iter().enumerate().take(sheet.filled()) {
             let column = Column::parse(name);
             let twice = |before: Option<usize>| match before {
@@ -135,13 +125,6 @@ impl Header {
                 }
                 None => Ok(()),
             };
-            let mut track = |label: String| {
-                let tracks = &mut header.tracks;
-                *places.entry(label.clone()).or_insert_with(|| {
-                    tracks.push((label, Track::default()));
-                    tracks.len() - 1
-                })
-            };
             match column.quantity {
                 Quantity::Time(unit) => {
                     twice(header.time.map(|(index, _)| index))?;
@@ -149,8 +132,8 @@ impl Header {
                 }
                 Quantity::Frame => twice(header.frame.replace(index))?,
                 Quantity::Coordinate(axis, unit) => {
-                    let place = track(column.label);
-                    twice(header.tracks[place].1.coordinates[axis].replace(index))?;
+                    let track = header.tracks.entry(column.label);
+                    twice(track.position[axis].replace(index))?;
                     match (header.length, unit) {
                         (Some(a), Some(b)) if a != b => {
                             let found = format!("lengths in {a} and in {b}");
@@ -160,8 +143,8 @@ impl Header {
                     }
                 }
                 Quantity::Quaternion(component) => {
-                    let place = track(column.label);
-                    twice(header.tracks[place].1.quaternion[component].replace(index))?;
+                    let track = header.tracks.entry(column.label);
+                    twice(track.quaternion[component].replace(index))?;
                 }
                 Quantity::Other => header.others.push(shown(name)),
             }

@@ -14,14 +14,14 @@ use crate::options::ReadOptions;
 use crate::take::Take;
 
 /// Maximum size of a recording file, bytes.
-const LARGEST: u64 = 1 << 30;
+const MAX_FILE_BYTES: u64 = 1 << 30;
 
 /// Reads the recording in a file.
 ///
 /// # Errors
 /// [`TakeError`] with the location of the first fault if the file cannot be read or is malformed.
 pub fn read(file: &Path, options: &ReadOptions) -> Result<Take, TakeError> {
-    let bytes = crate::file::bytes(file, LARGEST, "a recording")?;
+    let bytes = crate::file::bytes(file, MAX_FILE_BYTES, "a recording")?;
     parse(file, &bytes, options)
 }
 

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use crate::error::{Fault, Place};
 use crate::format::Format;
-use crate::layout::{Attitude, Clock, Layout};
+use crate::layout::{Attitude, Clock, Layout, Tracks};
 use crate::options::ReadOptions;
 use crate::sheet::{Sheet, separator};
 use crate::take::Take;
@@ -15,7 +15,7 @@ use crate::words::{listed, shown};
 /// Number of columns before the first track: frame and time.
 const FIXED: usize = 2;
 /// Maximum number of header lines after the file's properties, including the line that names the axis of each column.
-const MOST_LINES: usize = 12;
+const MAX_HEADER_LINES: usize = 12;
 
 /// Header lines above the columns, with one text per column.
 #[derive(Default)]
@@ -24,14 +24,6 @@ struct Heads {
     names: Vec<String>,
     kinds: Vec<String>,
     axes: Vec<String>,
-}
-
-/// Column indices of one track: a body or marker, identified by type and name.
-#[derive(Default)]
-struct Track {
-    position: [Option<usize>; 3],
-    quaternion: [Option<usize>; 4],
-    has_angles: bool,
 }
 
 pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Take, Fault> {
@@ -69,11 +61,7 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Take, Fault> {
         },
     };
     let heads = heads(&mut sheet)?;
-    let width = heads
-        .axes
-        .iter()
-        .rposition(|axis| !axis.is_empty())
-        .map_or(0, |last| last + 1);
+    let width = sheet.filled();
     let tracks = tracks(&heads, &sheet)?;
     let mut layout = Layout {
         format: Format::OptiTrack,
@@ -114,7 +102,7 @@ fn properties(sheet: &mut Sheet<'_>) -> Result<BTreeMap<String, String>, Fault> 
 fn heads(sheet: &mut Sheet<'_>) -> Result<Heads, Fault> {
     const EXPECTED: &str = "the line of the axes, from Frame on";
     let mut heads = Heads::default();
-    for _ in 0..MOST_LINES {
+    for _ in 0..MAX_HEADER_LINES {
         if !sheet.advance()? {
             let place = Place::Line(sheet.line());
             return Err(Fault::new(place, "the end of the file", EXPECTED));
@@ -155,35 +143,26 @@ fn heads(sheet: &mut Sheet<'_>) -> Result<Heads, Fault> {
     Err(sheet.fault(0, shown(sheet.cell(0)), EXPECTED))
 }
 
-/// Type and name of a track in the header, with the columns of the track.
-type Named = ((String, String), Track);
-
-/// Columns of each track, in the order of the file.
-fn tracks(heads: &Heads, sheet: &Sheet<'_>) -> Result<Vec<Named>, Fault> {
-    let mut tracks: Vec<Named> = Vec::new();
-    let mut places = BTreeMap::new();
+/// Columns of each track by its type and name.
+fn tracks(heads: &Heads, sheet: &Sheet<'_>) -> Result<Tracks<(String, String)>, Fault> {
+    let mut tracks = Tracks::default();
     let at = |row: &[String], index: usize| row.get(index).cloned().unwrap_or_default();
     for index in FIXED..heads.axes.len() {
         let (kind, axis) = (at(&heads.kinds, index), at(&heads.axes, index));
-        let key = (at(&heads.types, index), at(&heads.names, index));
+        let name = at(&heads.names, index);
         let is_rotation = kind == "Rotation";
         if !is_rotation && kind != "Position" {
             continue;
         }
-        let place = *places.entry(key.clone()).or_insert_with(|| {
-            tracks.push((key, Track::default()));
-            tracks.len() - 1
-        });
-        let track = &mut tracks[place].1;
+        let track = tracks.entry((at(&heads.types, index), name.clone()));
         let slot = match (is_rotation, axis.as_str()) {
             (false, "X" | "Y" | "Z") => {
                 let axis = ["X", "Y", "Z"].iter().position(|name| *name == axis);
                 &mut track.position[axis.unwrap_or(0)]
             }
             (true, "W" | "X" | "Y" | "Z") => {
-                let part = ["W", "X", "Y", "Z"].iter().position(|name| *name == axis);
-                track.has_angles = true;
-                &mut track.quaternion[part.unwrap_or(0)]
+                let component = ["W", "X", "Y", "Z"].iter().position(|name| *name == axis);
+                &mut track.quaternion[component.unwrap_or(0)]
             }
             _ => {
                 return Err(sheet.fault(
@@ -194,7 +173,7 @@ fn tracks(heads: &Heads, sheet: &Sheet<'_>) -> Result<Vec<Named>, Fault> {
             }
         };
         if slot.replace(index).is_some() {
-            let found = format!("a second {axis} of {}", shown(&tracks[place].0.1));
+            let found = format!("a second {axis} of {}", shown(&name));
             return Err(sheet.fault(index, found, "each axis once"));
         }
     }
@@ -205,17 +184,18 @@ fn tracks(heads: &Heads, sheet: &Sheet<'_>) -> Result<Vec<Named>, Fault> {
 /// are preferred; positions that Motive solved for are used only for markers without measured ones.
 fn fill(
     layout: &mut Layout,
-    tracks: &[Named],
+    tracks: &Tracks<(String, String)>,
     rotation: Option<&str>,
     sheet: &Sheet<'_>,
 ) -> Result<(), Fault> {
     let measured = |name: &str| {
         tracks
+            .list
             .iter()
             .any(|((kind, other), _)| kind == "Marker" && other == name)
     };
     let mut left_out = Vec::new();
-    for ((kind, name), track) in tracks {
+    for ((kind, name), track) in &tracks.list {
         let is_body = matches!(kind.as_str(), "Rigid Body" | "Bone");
         let is_solved = matches!(kind.as_str(), "Rigid Body Marker" | "Bone Marker");
         let is_named = !name.is_empty() && !name.starts_with("Unlabeled");
@@ -240,7 +220,11 @@ fn fill(
         }
         let attitude = match track.quaternion {
             [Some(w), Some(a), Some(b), Some(c)] => Attitude::Quaternion([w, a, b, c]),
-            _ if track.has_angles => {
+            [None, None, None, None] => {
+                layout.points.push((name.clone(), [x, y, z]));
+                continue;
+            }
+            _ => {
                 let kind = rotation.unwrap_or("another type");
                 let found = format!("rotations of {} as {}", shown(name), shown(kind));
                 let place = Place::Line(sheet.line());
@@ -250,15 +234,11 @@ fn fill(
                     "an export with Rotation Type Quaternion",
                 ));
             }
-            _ => {
-                layout.points.push((name.clone(), [x, y, z]));
-                continue;
-            }
         };
         layout.bodies.push((name.clone(), [x, y, z], attitude));
     }
     if !left_out.is_empty() {
-        let names = listed(left_out.iter().map(String::as_str));
+        let names = listed(&left_out);
         layout
             .notes
             .push(format!("columns that are not read: {names}"));

@@ -104,15 +104,11 @@ pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<
         return Err(Fault::new(end, "no rows", "at least one sample"));
     }
     let fixed = fixed_columns(&sheet, titles.as_deref(), parts * labels.len())?;
+    let start = fixed.len();
     let clock = match fixed {
-        Fixed::Time(index) => Clock::Column(index, 1.0),
-        Fixed::Frame => Clock::Frame(0, options.rate(stated, end, &mut notes)?),
-        Fixed::None => Clock::Count(options.rate(stated, end, &mut notes)?),
-    };
-    let start = match fixed {
-        Fixed::Time(index) => index + 1,
-        Fixed::Frame => 1,
-        Fixed::None => 0,
+        [.., Fixed::Time] => Clock::Column(start - 1, 1.0),
+        [.., Fixed::Frame] => Clock::Frame(0, options.rate(stated, end, &mut notes)?),
+        [] => Clock::Count(options.rate(stated, end, &mut notes)?),
     };
     let axes = |i: usize| [0, 1, 2].map(|axis| start + parts * i + axis);
     // The file contains the matrix column by column.
@@ -157,36 +153,33 @@ fn count(
     }
 }
 
-/// Columns that precede those of the first point or body.
-#[derive(Clone, Copy)]
+/// Content of a column that precedes those of the first point or body.
 enum Fixed {
-    /// The last of the columns before the first point or body contains the time; the value is the index of this column.
-    Time(usize),
-    /// One column precedes the first point or body; it contains the frame number.
     Frame,
-    None,
+    Time,
 }
 
+/// Columns that precede those of the first point or body; `tracks` is the number of columns of all points or bodies.
 fn fixed_columns(
     sheet: &Sheet<'_>,
     titles: Option<&[String]>,
     tracks: usize,
-) -> Result<Fixed, Fault> {
+) -> Result<&'static [Fixed], Fault> {
     if let Some(titles) = titles {
         let is = |index: usize, name: &str| {
             let title = titles.get(index).map_or("", String::as_str);
             title.to_ascii_lowercase().starts_with(name)
         };
         return Ok(match (is(0, "frame"), is(0, "time"), is(1, "time")) {
-            (true, _, true) => Fixed::Time(1),
-            (true, _, false) => Fixed::Frame,
-            (false, true, _) => Fixed::Time(0),
-            _ => Fixed::None,
+            (true, _, true) => &[Fixed::Frame, Fixed::Time],
+            (true, _, false) => &[Fixed::Frame],
+            (false, true, _) => &[Fixed::Time],
+            _ => &[],
         });
     }
     match sheet.filled().max(tracks) - tracks {
-        0 if sheet.width() >= tracks => Ok(Fixed::None),
-        2 => Ok(Fixed::Time(1)),
+        0 if sheet.width() >= tracks => Ok(&[]),
+        2 => Ok(&[Fixed::Frame, Fixed::Time]),
         _ => {
             let found = format!("{} cells", sheet.filled());
             let expected = format!("{tracks}, or {} with frame and time", tracks + 2);

@@ -43,10 +43,7 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Take, Fault> {
     }
     let names = sheet.cells();
     let points = points(&sheet, &labels, labels_line, &names, &mut notes)?;
-    let width = names
-        .iter()
-        .rposition(|name| !name.is_empty())
-        .map_or(0, |last| last + 1);
+    let width = sheet.filled();
     next(&mut sheet, "a row of units, or the first sample")?;
     let unit = units(&sheet, &points)?;
     let length = options.length(unit, at(&sheet), &mut notes)?;
@@ -78,8 +75,7 @@ fn find_section(sheet: &mut Sheet<'_>, notes: &mut Vec<String>) -> Result<(), Fa
         let name = sheet.cell(0);
         if name == SECTION {
             if !skipped.is_empty() {
-                let names = listed(skipped.iter().map(String::as_str));
-                notes.push(format!("sections that are not read: {names}"));
+                notes.push(format!("sections that are not read: {}", listed(&skipped)));
             }
             return Ok(());
         }
@@ -89,10 +85,7 @@ fn find_section(sheet: &mut Sheet<'_>, notes: &mut Vec<String>) -> Result<(), Fa
     }
     let found = match skipped.is_empty() {
         true => "no section".to_owned(),
-        false => format!(
-            "the sections {}",
-            listed(skipped.iter().map(String::as_str))
-        ),
+        false => format!("the sections {}", listed(&skipped)),
     };
     let place = Place::Line(sheet.line());
     Err(Fault::new(place, found, format!("the section {SECTION}")))

@@ -7,13 +7,12 @@
 use nalgebra::{DMatrix, Vector3};
 
 use super::smooth::Smooth;
+use crate::throws::GRAVITY;
 
-/// Standard acceleration of gravity, m/s².
-const GRAVITY: f64 = 9.81;
 /// Minimum sine of the angle between velocity and spin axis for a displacement of the centre of mass by aerodynamic
 /// forces to be computed from the rotation of the axis about the velocity. At smaller angles the whole displacement
 /// counts as unknown.
-const LEAST_SINE: f64 = 0.2;
+const MIN_SINE: f64 = 0.2;
 /// Assumed standard deviation of the unknown change of the aerodynamic acceleration, relative to the product of the
 /// lift acceleration and the angle of the wobble.
 const UNKNOWN: f64 = 0.5;
@@ -52,7 +51,7 @@ pub(super) fn air_motion(
         let wobble = row(axes, i) - row(&mean_axes, i);
         let sideways = along.cross(&mean);
         let sine = sideways.norm();
-        if sine < LEAST_SINE {
+        if sine < MIN_SINE {
             unknown.set_row(i, &(wobble * lift.norm() * UNKNOWN).transpose());
             continue;
         }

@@ -11,7 +11,7 @@ use nalgebra::{DMatrix, Matrix3, Rotation3, SymmetricEigen, Vector3};
 use super::air::air_motion;
 use super::shape::{Placed, Shape};
 use super::smooth::Smooth;
-use super::{FreeFlight, LEAST_SAMPLES, TemplateError, UpVote};
+use super::{FreeFlight, MIN_SAMPLES, TemplateError, UpVote};
 
 /// Minimum and maximum degree of the polynomial in time that is fitted to a trajectory.
 const DEGREES: (usize, usize) = (2, 10);
@@ -118,7 +118,7 @@ struct Sums {
 /// Estimates spin axis and centre of mass from the poses of all flights.
 pub(super) fn centre(shape: &Shape, flights: &[FreeFlight<'_>]) -> Result<Centre, TemplateError> {
     let each = shape.poses.iter().zip(flights);
-    let each = each.filter(|(poses, _)| poses.len() >= LEAST_SAMPLES);
+    let each = each.filter(|(poses, _)| poses.len() >= MIN_SAMPLES);
     let mut motions: Vec<Motion> = each
         .map(|(poses, flight)| Motion::new(shape, poses, flight))
         .collect();
@@ -135,10 +135,9 @@ pub(super) fn centre(shape: &Shape, flights: &[FreeFlight<'_>]) -> Result<Centre
             turns: motions.iter().map(|m| m.turns).sum(),
         })?;
         axis = Some(found);
-        point = match height(&sums, &found, variance) {
-            Some((height, _)) => at_height(&sums, &found, height).0,
-            None => at_height(&sums, &found, 0.0).0,
-        };
+        let height = height(&sums, &found, variance).map_or(0.0, |(height, _)| height);
+        let (foot, slope, _) = at_height_zero(&sums, &found);
+        point = foot + slope * height + found * height;
         for motion in &mut motions {
             motion.choose_degree(&point);
         }
@@ -149,7 +148,7 @@ pub(super) fn centre(shape: &Shape, flights: &[FreeFlight<'_>]) -> Result<Centre
         axis = -axis;
     }
     let (spread, residual) = residuals(&motions, &point, &axis);
-    let (foot, slope, inverse) = at_height_with_inverse(&sums, &axis, 0.0);
+    let (foot, slope, inverse) = at_height_zero(&sums, &axis);
     Ok(Centre {
         axis,
         axis_covariance: inverse * spread,
@@ -173,14 +172,10 @@ fn axis_of(sums: &Sums) -> Option<Vector3<f64>> {
     turns.then(|| eigen.eigenvectors.column(order[0]).into_owned())
 }
 
-/// Selects, among the body points at a given height (m) along the axis, the one with the smoothest trajectory. Returns
-/// its projection onto the plane normal to the axis, m, the derivative of this projection with respect to the height,
-/// and the inverse of the matrix of the normal equations in this plane.
-fn at_height_with_inverse(
-    sums: &Sums,
-    axis: &Vector3<f64>,
-    height: f64,
-) -> (Vector3<f64>, Vector3<f64>, Matrix3<f64>) {
+/// Selects, among the body points at height 0 along the axis, the one with the smoothest trajectory. Returns this
+/// point, m; the derivative of its components across the axis with respect to the height at which it is selected; and
+/// the inverse of the matrix of the normal equations in the plane normal to the axis.
+fn at_height_zero(sums: &Sums, axis: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64>, Matrix3<f64>) {
     let across = Matrix3::identity() - axis * axis.transpose();
     let matrix = sums.raw - sums.noise;
     let size = matrix.trace().max(f64::MIN_POSITIVE);
@@ -189,19 +184,13 @@ fn at_height_with_inverse(
     let inverse = regular.try_inverse().unwrap_or_else(Matrix3::zeros);
     let inverse = across * inverse * across;
     let slope = -inverse * (matrix * axis);
-    let foot = -inverse * sums.right + slope * height;
-    (foot, slope, inverse)
-}
-
-fn at_height(sums: &Sums, axis: &Vector3<f64>, height: f64) -> (Vector3<f64>, Vector3<f64>) {
-    let (foot, slope, _) = at_height_with_inverse(sums, axis, height);
-    (foot + axis * height, slope)
+    (-inverse * sums.right, slope, inverse)
 }
 
 /// Estimates the height of the centre of mass along the axis and the standard error of this height, m; `None` if the
 /// axis wobbles too little. `variance` is the variance of a position coordinate with weight 1, m².
 fn height(sums: &Sums, axis: &Vector3<f64>, variance: f64) -> Option<(f64, f64)> {
-    let (foot, slope, _) = at_height_with_inverse(sums, axis, 0.0);
+    let (foot, slope, _) = at_height_zero(sums, axis);
     let direction = axis + slope;
     let matrix = sums.raw - sums.noise;
     let information = axis.dot(&(matrix * direction));

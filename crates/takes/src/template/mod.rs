@@ -103,7 +103,7 @@ pub enum TemplateError {
     /// There are fewer than 3 markers, too few for an attitude.
     #[error(
         "found {} ({}), expected at least 3 points that move as one body, or a template by --markers",
-        count(labels.len(), "point"), listed(labels.iter().map(String::as_str))
+        count(labels.len(), "point"), listed(labels)
     )]
     FewPoints {
         /// Labels of the available points.
@@ -174,7 +174,7 @@ fn count(number: usize, noun: &str) -> String {
 
 /// Minimum number of samples with a determined attitude for a flight to contribute to the spin axis and the centre of
 /// mass.
-const LEAST_SAMPLES: usize = 12;
+const MIN_SAMPLES: usize = 12;
 
 /// Estimates the positions of the labelled markers from free flights of their body.
 ///

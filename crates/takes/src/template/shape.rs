@@ -4,8 +4,8 @@
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
-use super::{FreeFlight, LEAST_SAMPLES, TemplateError};
-use crate::throws::fitted;
+use super::{FreeFlight, MIN_SAMPLES, TemplateError};
+use crate::throws::{centred, fitted, median};
 
 /// Maximum number of iterations of the estimate of the marker positions on the body, and number of initial iterations
 /// that also decide which measured positions are outliers.
@@ -88,8 +88,8 @@ pub(super) fn shape(labels: &[String], flights: &[FreeFlight<'_>]) -> Result<Sha
         }
     }
     let found = poses.iter().map(Vec::len).max().unwrap_or(0);
-    if found < LEAST_SAMPLES {
-        let expected = LEAST_SAMPLES;
+    if found < MIN_SAMPLES {
+        let expected = MIN_SAMPLES;
         return Err(TemplateError::FewSamples { found, expected });
     }
     if is_flat(&points) {
@@ -143,7 +143,7 @@ fn first_shape<'r>(
     });
     let mut known: Row = best.cloned().unwrap_or_default();
     if known.iter().flatten().count() < 3 {
-        let (found, expected) = (0, LEAST_SAMPLES);
+        let (found, expected) = (0, MIN_SAMPLES);
         return Err(TemplateError::FewSamples { found, expected });
     }
     while let Some(lacking) = known.iter().position(Option::is_none) {
@@ -168,22 +168,12 @@ fn first_shape<'r>(
     if is_flat(&points) {
         return Err(TemplateError::Collinear);
     }
-    Ok(about_mean(points))
-}
-
-fn median(values: &mut [f64]) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(0.0)
+    Ok(centred(points))
 }
 
 fn median_point(points: &[Vector3<f64>]) -> Vector3<f64> {
     let axis = |axis: usize| median(&mut points.iter().map(|p| p[axis]).collect::<Vec<f64>>());
     Vector3::new(axis(0), axis(1), axis(2))
-}
-
-fn about_mean(points: Vec<Vector3<f64>>) -> Vec<Vector3<f64>> {
-    let mean = points.iter().sum::<Vector3<f64>>() / points.len() as f64;
-    points.into_iter().map(|point| point - mean).collect()
 }
 
 fn is_flat(points: &[Vector3<f64>]) -> bool {
@@ -314,7 +304,7 @@ fn means(
             (count, false) => own.iter().sum::<Vector3<f64>>() / count as f64,
         }
     });
-    about_mean(each.collect())
+    centred(each.collect())
 }
 
 /// Covariance of the marker positions per unit variance of a measured coordinate: pseudo-inverse of the normal matrix

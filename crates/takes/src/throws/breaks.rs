@@ -5,10 +5,9 @@
 
 use nalgebra::DVector;
 
-use super::cut::{CUBIC, Fit, HINGES, JUMPS, best, fit, places};
-use super::norm;
-use super::track::Track;
-use super::windows::{GRAVITY, SLOW, allowed};
+use super::cut::{CUBIC, Fit, FlightEnd, HINGES, JUMPS};
+use super::windows::{SLOW, allowed};
+use super::{GRAVITY, norm};
 
 /// Number of standard errors by which a fitted jump of the velocity or a fitted acceleration must exceed the bound that
 /// applies to it, such as [`TOUCH`] or [`IMPACT`], for the flight to end there.
@@ -34,31 +33,23 @@ const APART: f64 = 0.5;
 /// determined.
 const BELOW: usize = 3;
 
-/// Whether a followed flight ends at the track index `last`, because the motion outside it is one that the air cannot
-/// cause. `early` is true for the beginning of the flight (outside is before `last`) and false for its end (outside is
-/// after `last`). `path` is the trajectory of a body point, m, and `ground` the height of its lowest level, m.
-pub(super) fn is_break(
-    track: &Track,
-    path: &[[f64; 3]],
-    last: usize,
-    ground: f64,
-    early: bool,
-) -> bool {
-    let (places, near) = places(track, path, last, early);
-    let Some(changed) = best(track, path, (&places, &near), early, &HINGES) else {
+/// Whether a followed flight ends at `end`, because the motion outside it is one that the air cannot cause. `ground` is
+/// the height of the lowest level of the trajectory, m.
+pub(super) fn is_break(end: &FlightEnd<'_>, ground: f64) -> bool {
+    let Some(changed) = end.best(&HINGES) else {
         return false;
     };
+    let early = end.early;
     let outmost = match early {
-        true => track.times[places.start],
-        false => track.times[places.end - 1],
+        true => end.track.times[end.samples.start],
+        false => end.track.times[end.samples.end - 1],
     };
-    let smooth = fit(track, path, places, track.times[last], early, &[]);
-    let motion = match smooth {
+    let motion = match end.smooth() {
         Some(smooth) if smooth.criterion <= changed.criterion => smooth,
         _ => changed,
     };
     if let Some((jump, error)) = velocity_jump(&motion) {
-        let bound = match !early && is_touch(path[last][2] - ground, &motion, jump) {
+        let bound = match !early && is_touch(end.path[end.last][2] - ground, &motion, jump) {
             true => TOUCH,
             false => IMPACT,
         };
@@ -91,23 +82,23 @@ fn is_touch(height: f64, motion: &Fit, jump: [f64; 3]) -> bool {
     falls && jump[2] > 0.5 * norm(jump) && height < REACH
 }
 
-/// Whether the ground supports a falling body at the track index `last`; true only near the lowest level of the
-/// trajectory `path`, m, whose height is `ground`, m. This detects slight touches in succession, each of which deviates
-/// too little from the prediction to end the flight.
-pub(super) fn touches(track: &Track, path: &[[f64; 3]], last: usize, ground: f64) -> bool {
-    if path[last][2] > ground + LOW {
+/// Whether the ground supports a falling body at `end`; true only near the lowest level of the trajectory, whose height
+/// is `ground`, m. This detects slight touches in succession, each of which deviates too little from the prediction to
+/// end the flight.
+pub(super) fn touches(end: &FlightEnd<'_>, ground: f64) -> bool {
+    let height = end.path[end.last][2];
+    if height > ground + LOW {
         return false;
     }
-    let (places, near) = places(track, path, last, false);
-    let Some(changed) = best(track, path, (&places, &near), false, &JUMPS) else {
+    let Some(changed) = end.best(&JUMPS) else {
         return false;
     };
-    let smooth = fit(track, path, places, track.times[last], false, &[]);
+    let smooth = end.smooth();
     if smooth.is_some_and(|smooth| smooth.criterion <= changed.criterion) {
         return false;
     }
     velocity_jump(&changed).is_some_and(|(jump, error)| {
-        is_touch(path[last][2] - ground, &changed, jump) && jump[2] > SLIGHT + LIKELY * error
+        is_touch(height - ground, &changed, jump) && jump[2] > SLIGHT + LIKELY * error
     })
 }
 

@@ -2,7 +2,7 @@
 
 use crate::take::Take;
 
-use super::norm;
+use super::distance;
 
 /// Approximate number of samples, equally spaced over the recording, in which the distance between two points is
 /// compared to decide whether both belong to one rigid body.
@@ -43,10 +43,7 @@ fn moves(take: &Take, point: usize) -> bool {
     let positions = &take.points[point].positions;
     let apart = 5.min(positions.len().saturating_sub(1)).max(1);
     (apart..positions.len()).any(|i| match (positions[i - apart], positions[i]) {
-        (Some(a), Some(b)) => {
-            let moved = norm([b[0] - a[0], b[1] - a[1], b[2] - a[2]]);
-            moved > FAST * (take.times[i] - take.times[i - apart])
-        }
+        (Some(a), Some(b)) => distance(a, b) > FAST * (take.times[i] - take.times[i - apart]),
         _ => false,
     })
 }
@@ -55,10 +52,7 @@ fn is_rigid(take: &Take, a: usize, b: usize, stride: usize) -> bool {
     let (a, b) = (&take.points[a].positions, &take.points[b].positions);
     let pairs = a.iter().zip(b).step_by(stride);
     let mut distances: Vec<f64> = pairs
-        .filter_map(|(a, b)| {
-            let (a, b) = ((*a)?, (*b)?);
-            Some(norm([b[0] - a[0], b[1] - a[1], b[2] - a[2]]))
-        })
+        .filter_map(|(a, b)| Some(distance((*a)?, (*b)?)))
         .collect();
     if distances.len() < COMMON {
         return false;

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{Cholesky, Const, DMatrix, DVector, Matrix3, Vector3};
 
 use super::follow::Stop;
 use super::track::Track;
@@ -23,6 +23,9 @@ pub(super) const HINGES: [&[i32]; 4] = [&[2], &[2, 3], &[1], &[1, 2]];
 /// Exponents of the hinge terms that are tried for a touch of the ground, as in `HINGES`: a jump of the velocity, alone
 /// or with a jump of the acceleration.
 pub(super) const JUMPS: [&[i32]; 2] = [&[1], &[1, 2]];
+
+/// Number of coefficients of the cubic that describes the flight on one axis.
+pub(super) const CUBIC: usize = 4;
 
 /// A change of the motion at the beginning or the end of a flight.
 #[derive(Clone, Debug)]
@@ -49,17 +52,17 @@ pub(super) struct Change {
 /// sample.
 pub(super) fn changes(track: &Track, path: &[[f64; 3]], stop: &Stop, early: bool) -> Change {
     let data = if early { 0 } else { path.len() - 1 };
-    let last = stop.last(data);
+    let end = FlightEnd::new(track, path, stop.last(data), early);
     let plain = Change {
-        inside: last,
-        time: track.times[last],
+        inside: end.last,
+        time: track.times[end.last],
         velocity: [0.0; 3],
         velocity_jump: None,
         acceleration: [0.0; 3],
     };
     match stop {
-        Stop::Deviation { .. } => located(track, path, last, early, &HINGES).unwrap_or(plain),
-        Stop::Touch { .. } => located(track, path, last, early, &JUMPS).unwrap_or(plain),
+        Stop::Deviation { .. } => end.located(&HINGES).unwrap_or(plain),
+        Stop::Touch { .. } => end.located(&JUMPS).unwrap_or(plain),
         _ => plain,
     }
 }
@@ -78,167 +81,180 @@ pub(super) struct Fit {
     pub hinge: &'static [i32],
 }
 
-/// Two ranges of track indices around `last`: the samples to which a change of motion is fitted, and the samples
-/// between which the time of the change is searched. `last` is the first sample of the followed flight if `early` is
-/// true, otherwise its last sample.
-pub(super) fn places(
-    track: &Track,
-    path: &[[f64; 3]],
-    last: usize,
-    early: bool,
-) -> (Range<usize>, Range<usize>) {
-    let half = half(track);
-    let beyond = ((BEYOND.0 / track.step).round() as usize).max(BEYOND.1);
-    let within = 2 * half + 2;
-    // Deviations are detected with a delay, so the change lies inside of them.
-    match early {
-        true => (
-            last.saturating_sub(beyond)..(last + within).min(path.len()),
-            last.saturating_sub(1)..(last + beyond + 1).min(path.len()),
-        ),
-        false => (
-            last.saturating_sub(within)..(last + beyond + 1).min(path.len()),
-            last.saturating_sub(beyond)..(last + 2).min(path.len()),
-        ),
-    }
+/// One end of a followed flight, with the samples around it to which a change of motion is fitted.
+pub(super) struct FlightEnd<'t> {
+    pub track: &'t Track,
+    /// Trajectory of a body point, m.
+    pub path: &'t [[f64; 3]],
+    /// Track index of the first sample of the followed flight if `early` is true, otherwise of its last sample.
+    pub last: usize,
+    /// Whether this end is the beginning of the flight.
+    pub early: bool,
+    /// Track indices of the samples to which a change of motion is fitted.
+    pub samples: Range<usize>,
+    /// Track indices of the samples between which the time of the change is searched.
+    near: Range<usize>,
 }
 
-/// Fits a change of motion for each list of exponents in `hinges` and for several times of the change between the
-/// samples in `near`; returns the fit with the smallest Bayesian information criterion, or `None` if no fit is
-/// possible. `places` are the fitted samples; `early` is true if the change is the beginning of the flight, false if it
-/// is its end.
-pub(super) fn best(
-    track: &Track,
-    path: &[[f64; 3]],
-    (places, near): (&Range<usize>, &Range<usize>),
-    early: bool,
-    hinges: &[&'static [i32]],
-) -> Option<Fit> {
-    let mut best: Option<Fit> = None;
-    for i in near.start..near.end.saturating_sub(1) {
-        let (a, b) = (track.times[i], track.times[i + 1]);
-        for part in 0..CANDIDATES {
-            let time = a + (b - a) * part as f64 / CANDIDATES as f64;
-            for &hinge in hinges {
-                if let Some(fit) = fit(track, path, places.clone(), time, early, hinge)
-                    && best
-                        .as_ref()
-                        .is_none_or(|best| fit.criterion < best.criterion)
-                {
-                    best = Some(fit);
+impl<'t> FlightEnd<'t> {
+    pub fn new(track: &'t Track, path: &'t [[f64; 3]], last: usize, early: bool) -> Self {
+        let beyond = ((BEYOND.0 / track.step).round() as usize).max(BEYOND.1);
+        let within = 2 * half(track) + 2;
+        // Deviations are detected with a delay, so the change lies inside of them.
+        let (samples, near) = match early {
+            true => (
+                last.saturating_sub(beyond)..(last + within).min(path.len()),
+                last.saturating_sub(1)..(last + beyond + 1).min(path.len()),
+            ),
+            false => (
+                last.saturating_sub(within)..(last + beyond + 1).min(path.len()),
+                last.saturating_sub(beyond)..(last + 2).min(path.len()),
+            ),
+        };
+        Self {
+            track,
+            path,
+            last,
+            early,
+            samples,
+            near,
+        }
+    }
+
+    /// Fits a change of motion for each list of exponents in `hinges` and for several times of the change; returns the
+    /// fit with the smallest Bayesian information criterion, or `None` if no fit is possible.
+    pub fn best(&self, hinges: &[&'static [i32]]) -> Option<Fit> {
+        let mut best: Option<Fit> = None;
+        for i in self.near.start..self.near.end.saturating_sub(1) {
+            let (a, b) = (self.track.times[i], self.track.times[i + 1]);
+            for candidate in 0..CANDIDATES {
+                let time = a + (b - a) * candidate as f64 / CANDIDATES as f64;
+                for &hinge in hinges {
+                    if let Some(fit) = self.fit(time, hinge)
+                        && best
+                            .as_ref()
+                            .is_none_or(|best| fit.criterion < best.criterion)
+                    {
+                        best = Some(fit);
+                    }
                 }
             }
         }
+        best
     }
-    best
-}
 
-fn located(
-    track: &Track,
-    path: &[[f64; 3]],
-    last: usize,
-    early: bool,
-    hinges: &[&'static [i32]],
-) -> Option<Change> {
-    let (places, near) = places(track, path, last, early);
-    let best = best(track, path, (&places, &near), early, hinges)?;
-    let row = |k: usize| [0, 1, 2].map(|axis| best.coefficients[(k, axis)]);
-    let outward = if early { -1.0 } else { 1.0 };
-    let jumps = best.hinge[0] == 1;
-    let inside = match early {
-        true => places.clone().find(|&i| track.times[i] >= best.time)? + MARGIN,
-        false => places
-            .clone()
-            .rfind(|&i| track.times[i] <= best.time)?
-            .checked_sub(MARGIN)?,
-    };
-    Some(Change {
-        inside: inside.min(path.len() - 1),
-        time: best.time,
-        velocity: row(1),
-        velocity_jump: jumps.then(|| row(CUBIC).map(|x| outward * x)),
-        acceleration: if jumps {
-            [0.0; 3]
-        } else {
-            row(CUBIC).map(|x| 2.0 * x)
-        },
-    })
-}
-
-/// Number of coefficients of the cubic that describes the flight on one axis.
-pub(super) const CUBIC: usize = 4;
-
-/// Fits to the samples `places` of the trajectory `path`, on each axis, a cubic in the time since `time`, plus hinge
-/// terms: powers, with the exponents `hinge`, of the time outside the flight, which are 0 inside the flight. Outside is
-/// before `time` if `early` is true, otherwise after `time`. `None` if there are too few samples or the equations are
-/// singular.
-pub(super) fn fit(
-    track: &Track,
-    path: &[[f64; 3]],
-    places: Range<usize>,
-    time: f64,
-    early: bool,
-    hinge: &'static [i32],
-) -> Option<Fit> {
-    let rows = places.len();
-    let columns = CUBIC + hinge.len();
-    if rows < columns + 2 {
-        return None;
+    /// Fit without a change of motion.
+    pub fn smooth(&self) -> Option<Fit> {
+        self.fit(self.track.times[self.last], &[])
     }
-    let mut design = DMatrix::zeros(rows, columns);
-    let mut values = DMatrix::zeros(rows, 3);
-    for (row, i) in places.enumerate() {
-        let t = track.times[i] - time;
-        let out = if early { (-t).max(0.0) } else { t.max(0.0) };
-        let terms = [1.0, t, t * t, t * t * t].into_iter();
-        let terms = terms.chain(hinge.iter().map(|&power| out.powi(power)));
-        for (column, term) in terms.enumerate() {
-            design[(row, column)] = term;
+
+    fn located(&self, hinges: &[&'static [i32]]) -> Option<Change> {
+        let best = self.best(hinges)?;
+        let row = |k: usize| [0, 1, 2].map(|axis| best.coefficients[(k, axis)]);
+        let outward = if self.early { -1.0 } else { 1.0 };
+        let jumps = best.hinge[0] == 1;
+        let times = &self.track.times;
+        let mut samples = self.samples.clone();
+        let inside = match self.early {
+            true => samples.find(|&i| times[i] >= best.time)? + MARGIN,
+            false => samples
+                .rfind(|&i| times[i] <= best.time)?
+                .checked_sub(MARGIN)?,
+        };
+        Some(Change {
+            inside: inside.min(self.path.len() - 1),
+            time: best.time,
+            velocity: row(1),
+            velocity_jump: jumps.then(|| row(CUBIC).map(|x| outward * x)),
+            acceleration: if jumps {
+                [0.0; 3]
+            } else {
+                row(CUBIC).map(|x| 2.0 * x)
+            },
+        })
+    }
+
+    /// Fits to the samples, on each axis, a cubic in the time since `time`, plus hinge terms: powers, with the
+    /// exponents `hinge`, of the time outside the flight, which are 0 inside the flight. `None` if there are too few
+    /// samples or the equations are singular.
+    fn fit(&self, time: f64, hinge: &'static [i32]) -> Option<Fit> {
+        let rows = self.samples.len();
+        let columns = CUBIC + hinge.len();
+        if rows < columns + 2 {
+            return None;
         }
-        for axis in 0..3 {
-            values[(row, axis)] = path[i][axis];
+        let mut design = DMatrix::zeros(rows, columns);
+        let mut values = DMatrix::zeros(rows, 3);
+        for (row, i) in self.samples.clone().enumerate() {
+            let t = self.track.times[i] - time;
+            let out = if self.early {
+                (-t).max(0.0)
+            } else {
+                t.max(0.0)
+            };
+            let terms = [1.0, t, t * t, t * t * t].into_iter();
+            let terms = terms.chain(hinge.iter().map(|&power| out.powi(power)));
+            for (column, term) in terms.enumerate() {
+                design[(row, column)] = term;
+            }
+            for axis in 0..3 {
+                values[(row, axis)] = self.path[i][axis];
+            }
         }
+        // Columns of equal norm, so that the normal equations are well scaled.
+        let sizes: Vec<f64> = design.column_iter().map(|column| column.norm()).collect();
+        // The column of a hinge outside the last sample is zero.
+        if sizes.iter().any(|&size| size <= 0.0) {
+            return None;
+        }
+        let scale = DVector::from_iterator(columns, sizes.iter().map(|size| 1.0 / size));
+        let scaled = &design * DMatrix::from_diagonal(&scale);
+        let normal = scaled.transpose() * &scaled;
+        let factor = normal.cholesky()?;
+        let solution = factor.solve(&(scaled.transpose() * &values));
+        let misfit = (&scaled * &solution - &values).norm_squared();
+        let count = (3 * rows) as f64;
+        let unscale = DMatrix::from_diagonal(&scale);
+        let variance = misfit / (3 * (rows - columns)) as f64;
+        Some(Fit {
+            time,
+            criterion: count * misfit.max(1e-18).ln() + (3 * hinge.len()) as f64 * count.ln(),
+            coefficients: &unscale * solution,
+            covariance: &unscale * factor.inverse() * &unscale * variance,
+            hinge,
+        })
     }
-    // Columns of equal norm, so that the normal equations are well scaled.
-    let sizes: Vec<f64> = design.column_iter().map(|column| column.norm()).collect();
-    // The column of a hinge outside the last sample is zero.
-    if sizes.iter().any(|&size| size <= 0.0) {
-        return None;
-    }
-    let scale = DVector::from_iterator(columns, sizes.iter().map(|size| 1.0 / size));
-    let scaled = &design * DMatrix::from_diagonal(&scale);
-    let normal = scaled.transpose() * &scaled;
-    let factor = normal.cholesky()?;
-    let solution = factor.solve(&(scaled.transpose() * &values));
-    let misfit = (&scaled * &solution - &values).norm_squared();
-    let count = (3 * rows) as f64;
-    let unscale = DMatrix::from_diagonal(&scale);
-    let variance = misfit / (3 * (rows - columns)) as f64;
-    Some(Fit {
-        time,
-        criterion: count * misfit.max(1e-18).ln() + (3 * hinge.len()) as f64 * count.ln(),
-        coefficients: &unscale * solution,
-        covariance: &unscale * factor.inverse() * &unscale * variance,
-        hinge,
-    })
 }
 
-/// Mean acceleration over the track indices `places`, m/s², from a quadratic in time fitted to the trajectory `path`;
+/// Mean acceleration over the track indices `samples`, m/s², from a quadratic in time fitted to the trajectory `path`;
 /// `None` if there are too few samples.
 pub(super) fn mean_acceleration(
     track: &Track,
     path: &[[f64; 3]],
-    places: Range<usize>,
+    samples: Range<usize>,
 ) -> Option<[f64; 3]> {
-    let t0 = track.times[places.start];
-    let mut normal = nalgebra::Matrix3::zeros();
-    let mut right = nalgebra::Matrix3::zeros();
-    for i in places {
-        let t = track.times[i] - t0;
-        let row = nalgebra::Vector3::new(1.0, t, t * t);
+    let t0 = track.times[samples.start];
+    let (coefficients, _) = quadratic(track, path, samples, t0, 1.0)?;
+    Some([0, 1, 2].map(|axis| 2.0 * coefficients[(2, axis)]))
+}
+
+/// Fits to the trajectory `path` at the given track indices, on each axis, a quadratic in (t − `t0`) / `scale`. Returns
+/// the coefficients, one column per axis, and the factor of the normal matrix; `None` if there are too few samples.
+pub(super) fn quadratic(
+    track: &Track,
+    path: &[[f64; 3]],
+    samples: impl IntoIterator<Item = usize>,
+    t0: f64,
+    scale: f64,
+) -> Option<(Matrix3<f64>, Cholesky<f64, Const<3>>)> {
+    let mut normal = Matrix3::zeros();
+    let mut right = Matrix3::zeros();
+    for i in samples {
+        let s = (track.times[i] - t0) / scale;
+        let row = Vector3::new(1.0, s, s * s);
         normal += row * row.transpose();
-        right += row * nalgebra::Vector3::from(path[i]).transpose();
+        right += row * Vector3::from(path[i]).transpose();
     }
-    let solution = normal.cholesky()?.solve(&right);
-    Some([0, 1, 2].map(|axis| 2.0 * solution[(2, axis)]))
+    let factor = normal.cholesky()?;
+    Some((factor.solve(&right), factor))
 }

@@ -2,9 +2,10 @@
 
 use std::ops::Range;
 
-use super::ThrowOptions;
+use super::cut::quadratic;
 use super::track::Track;
 use super::windows::half;
+use super::{FINEST, ThrowOptions, median};
 
 /// Difference between a sample and its prediction, in standard deviations, above which the sample counts as deviating.
 const STRANGE: f64 = 4.5;
@@ -14,8 +15,6 @@ const CONSECUTIVE: usize = 2;
 /// Rate of change of the acceleration in free flight, m/s³, that is tolerated when a sample is compared with its
 /// prediction from a quadratic.
 const JERK: f64 = 60.0;
-/// Lower bound to which an estimated standard deviation of a measured position is raised, m.
-const FINEST: f64 = 5e-5;
 
 /// Reason why a flight was not followed further; all indices are track indices.
 #[derive(Clone, Debug, PartialEq)]
@@ -145,25 +144,14 @@ fn is_predicted(
     let scale = (track.times[ends[0]] - track.times[ends[1]])
         .abs()
         .max(track.step);
-    let row = |i: usize| {
-        let s = (track.times[i] - t0) / scale;
-        nalgebra::Vector3::new(1.0, s, s * s)
-    };
-    let mut normal = nalgebra::Matrix3::zeros();
-    let mut right = nalgebra::Matrix3::zeros();
-    for &i in recent {
-        let row = row(i);
-        normal += row * row.transpose();
-        right += row * nalgebra::Vector3::from(path[i]).transpose();
-    }
-    let Some(factor) = normal.cholesky() else {
+    let fitted = quadratic(track, path, recent.iter().copied(), t0, scale);
+    let Some((coefficients, factor)) = fitted else {
         return false;
     };
-    let solution = factor.solve(&right);
     let leverage = factor.inverse()[(0, 0)];
     let ahead = (t0 - track.times[ends[1]]).abs();
     let allowed = STRANGE * noise * (1.0 + leverage).sqrt() + JERK * ahead.powi(3) / 6.0;
-    (0..3).all(|axis| (solution[(0, axis)] - path[place][axis]).abs() <= allowed)
+    (0..3).all(|axis| (coefficients[(0, axis)] - path[place][axis]).abs() <= allowed)
 }
 
 /// Robust standard deviation of a measured position in a range of track indices, m, from third differences of
@@ -182,7 +170,5 @@ fn noise(track: &Track, path: &[[f64; 3]], run: &Range<usize>) -> f64 {
         let third = |axis: usize| a[axis] - 3.0 * b[axis] + 3.0 * c[axis] - d[axis];
         sizes.extend([0, 1, 2].map(|axis| third(axis).abs() / 20.0_f64.sqrt()));
     }
-    sizes.sort_by(f64::total_cmp);
-    let median = sizes.get(sizes.len() / 2).copied().unwrap_or(0.0);
-    (1.4826 * median).max(FINEST)
+    (1.4826 * median(&mut sizes)).max(FINEST)
 }

@@ -18,12 +18,17 @@ mod windows;
 use std::ops::Range;
 
 use crate::take::Take;
-use cut::{Change, changes};
+use cut::{Change, FlightEnd, changes};
 use follow::{Checks, Stop, follow};
 pub use motion::{Motion, motion};
 use track::Track;
-pub(crate) use track::fitted;
+pub(crate) use track::{centred, fitted};
 use windows::{Window, windows};
+
+/// Standard acceleration of gravity, m/s².
+pub(crate) const GRAVITY: f64 = 9.81;
+/// Lower bound to which an estimated standard deviation of a measured position is raised, m.
+const FINEST: f64 = 5e-5;
 
 /// Limits on the duration of flights and of gaps in them, for the search for throws in a recording.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -172,8 +177,12 @@ fn throw(
     let ground = breaks::lowest(&path);
     let is_ground = breaks::is_ground(&track.times, &path, ground);
     let checks = Checks {
-        is_break: &|last, early| breaks::is_break(track, &path, last, ground, early),
-        touches: &|last| is_ground && breaks::touches(track, &path, last, ground),
+        is_break: &|last, early| {
+            breaks::is_break(&FlightEnd::new(track, &path, last, early), ground)
+        },
+        touches: &|last| {
+            is_ground && breaks::touches(&FlightEnd::new(track, &path, last, false), ground)
+        },
     };
     let (start, end) = follow(track, &path, run, options, &checks);
     let early = changes(track, &path, &start, true);
@@ -272,6 +281,17 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 
 fn norm(a: [f64; 3]) -> f64 {
     dot(a, a).sqrt()
+}
+
+/// Distance of two positions, m.
+fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    norm([b[0] - a[0], b[1] - a[1], b[2] - a[2]])
+}
+
+/// Median of values, or the upper one of the two middle values; 0 if there are none. Sorts the values.
+pub(crate) fn median(values: &mut [f64]) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(0.0)
 }
 
 impl std::fmt::Display for Cause {

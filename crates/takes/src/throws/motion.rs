@@ -1,7 +1,7 @@
 //! Height, speed and rate of rotation of a followed body over a whole take, for figures.
 
-use super::norm;
 use super::track::Track;
+use super::{distance, norm};
 use crate::take::Take;
 
 /// Maximum time between two samples, in sampling intervals, for the speed and the rate of rotation between the two
@@ -39,10 +39,10 @@ pub fn motion(take: &Take, labels: &[&str]) -> Option<Motion> {
         );
         motion.times.push(track.times[i]);
         motion.heights.push(track.centres[i][2]);
-        let moved = [0, 1, 2].map(|axis| track.centres[to][axis] - track.centres[from][axis]);
+        let moved = distance(track.centres[from], track.centres[to]);
         motion
             .speeds
-            .push(norm(moved) / (track.times[to] - track.times[from]));
+            .push(moved / (track.times[to] - track.times[from]));
         rates.push(match next > i && near(i, next) {
             true => turn(&track, i, next) / (track.times[next] - track.times[i]),
             false => f64::NAN,

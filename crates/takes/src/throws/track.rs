@@ -64,10 +64,9 @@ impl Track {
                 Some(track)
             }
             None => {
-                let names: Vec<&str> = take.labels().collect();
                 notes.push(format!(
                     "no points that move as one body are seen together, of {}",
-                    listed(names)
+                    listed(take.labels())
                 ));
                 None
             }
@@ -150,7 +149,7 @@ impl Track {
 }
 
 /// Positions of points relative to the mean of these points.
-fn centred(points: Vec<Vector3<f64>>) -> Vec<Vector3<f64>> {
+pub(crate) fn centred(points: Vec<Vector3<f64>>) -> Vec<Vector3<f64>> {
     let mean = points.iter().sum::<Vector3<f64>>() / points.len() as f64;
     points.into_iter().map(|point| point - mean).collect()
 }

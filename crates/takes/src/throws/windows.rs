@@ -5,14 +5,12 @@ use std::ops::Range;
 use nalgebra::{SMatrix, SVector};
 
 use super::track::Track;
-use super::{dot, norm};
+use super::{FINEST, GRAVITY, dot, median, norm};
 
 /// Half of the time span of the samples to which a local quadratic is fitted, s.
 const HALF: f64 = 0.042;
 /// Minimum number of samples on each side of the central sample of a local quadratic fit.
-const LEAST: usize = 4;
-/// Standard acceleration of gravity, m/s².
-pub(super) const GRAVITY: f64 = 9.81;
+const MIN_HALF: usize = 4;
 /// Speed below which a body that does not fall counts as carried or at rest, m/s.
 pub(super) const SLOW: f64 = 1.0;
 /// Constants a and b of the maximum aerodynamic acceleration a + b V² of a body in free flight at the speed V: a in
@@ -26,8 +24,6 @@ const PUSH: f64 = 2.5;
 const SMOOTH: f64 = 2.5;
 /// Prior standard deviation of each coordinate of [`Window::offset`], m.
 const OFFSET: f64 = 0.1;
-/// Lower bound to which an estimated standard deviation of a measured position is raised, m.
-const FINEST: f64 = 5e-5;
 /// Standard deviation of a measured position, m, that is assumed for the weight of the prior on [`Window::offset`].
 const TYPICAL: f64 = 1e-3;
 
@@ -69,7 +65,7 @@ pub(super) fn allowed(velocity: [f64; 3], air: [f64; 3], slack: f64) -> bool {
 
 /// Number of samples on each side of the central sample of a local quadratic fit.
 pub(super) fn half(track: &Track) -> usize {
-    ((HALF / track.step).round() as usize).max(LEAST)
+    ((HALF / track.step).round() as usize).max(MIN_HALF)
 }
 
 /// Local quadratic fit around each sample of the track; `None` where there are too few samples for a fit or the samples
@@ -147,7 +143,6 @@ pub(super) fn offset(windows: &[Option<Window>], run: &Range<usize>) -> [f64; 3]
     [0, 1, 2].map(|axis| {
         let each = windows[run.clone()].iter().flatten();
         let mut values: Vec<f64> = each.map(|window| window.offset[axis]).collect();
-        values.sort_by(f64::total_cmp);
-        values.get(values.len() / 2).copied().unwrap_or(0.0)
+        median(&mut values)
     })
 }

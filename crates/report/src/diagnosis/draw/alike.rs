@@ -9,7 +9,7 @@ use crate::figures::svg::{Svg, cut};
 use crate::fit::Drawn;
 
 /// Maximum number of coefficients drawn.
-const MOST: usize = 25;
+const MAX_COEFFICIENTS: usize = 25;
 /// Number of steps of the colour scale in the legend.
 const STEPS: usize = 40;
 
@@ -55,7 +55,7 @@ pub(super) fn alike(report: &Report) -> Option<Drawn> {
 }
 
 /// Indices, in the score correlation matrix of the report, of the coefficients with the most significant effects, in
-/// descending order of significance; at most [`MOST`].
+/// descending order of significance; at most [`MAX_COEFFICIENTS`].
 fn strongest(report: &Report) -> Vec<usize> {
     let sigmas = |name: &String| {
         let owner = report
@@ -72,7 +72,7 @@ fn strongest(report: &Report) -> Vec<usize> {
     let names = report.score_correlations.names.iter().enumerate();
     let mut order: Vec<(f64, usize)> = names.map(|(i, name)| (sigmas(name), i)).collect();
     order.sort_by(|a, b| b.0.total_cmp(&a.0));
-    order.truncate(MOST);
+    order.truncate(MAX_COEFFICIENTS);
     order.into_iter().map(|(_, i)| i).collect()
 }
 

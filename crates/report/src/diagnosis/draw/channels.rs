@@ -9,15 +9,16 @@ use crate::figures::axis::{number, range, ticks};
 use crate::figures::csv::Table;
 use crate::figures::svg::{Svg, cut};
 use crate::fit::Drawn;
+use crate::fit::draw::not_drawn;
 use crate::fit::numbers::{percent, raised};
 use crate::fit::thin::stride;
 
 /// Maximum number of load channels (force or moment components) drawn, one figure each.
-const MOST_CHANNELS: usize = 12;
+const MAX_CHANNELS: usize = 12;
 /// Maximum number of load histories (one for each flight) drawn for each load channel.
-const MOST_HISTORIES: usize = 12;
+const MAX_HISTORIES: usize = 12;
 /// Maximum number of points drawn for each load history.
-const MOST_POINTS: usize = 120;
+const MAX_POINTS: usize = 120;
 /// Height of the plot area for the load history of one flight, SVG units.
 const TALL: f64 = 84.0;
 /// Space above each plot, SVG units.
@@ -29,7 +30,7 @@ const BELOW: f64 = 24.0;
 /// component).
 pub(super) fn channels(report: &Report) -> Vec<Drawn> {
     let all = report.unattributed.iter().flat_map(|o| &o.channels);
-    let all = all.filter(|c| !c.histories.is_empty()).take(MOST_CHANNELS);
+    let all = all.filter(|c| !c.histories.is_empty()).take(MAX_CHANNELS);
     all.enumerate()
         .map(|(i, channel)| figure(i, channel))
         .collect()
@@ -41,17 +42,15 @@ fn figure(index: usize, channel: &LoadChannel) -> Drawn {
         words::site(&channel.site),
         percent(channel.explained)
     );
-    let left_out = match channel.histories.len().saturating_sub(MOST_HISTORIES) {
-        0 => String::new(),
-        n => format!(" {n} more flights are not drawn."),
-    };
+    let left_out = channel.histories.len().saturating_sub(MAX_HISTORIES);
+    let left_out = not_drawn(left_out, "more flights");
     let caption = format!(
         "Estimated history of an additional coefficient in each flight; in the title the share of the misfit that it \
          explains; shaded: ±2 standard errors. All have one scale.{left_out}"
     );
     let name = format!("channel-{:02}", index + 1);
     let mut table = Table::new(&["flight", "t_s", "value", "std_error"]);
-    for history in channel.histories.iter().take(MOST_HISTORIES) {
+    for history in channel.histories.iter().take(MAX_HISTORIES) {
         for [t, value, error] in points(history) {
             table.text(&history.file).number(t).number(value);
             table.number(error).end();
@@ -64,7 +63,7 @@ fn figure(index: usize, channel: &LoadChannel) -> Drawn {
 }
 
 /// Points (time in s, value, standard error) of a load history; points that are not finite are dropped, and the rest
-/// is thinned to at most [`MOST_POINTS`].
+/// is thinned to at most [`MAX_POINTS`].
 fn points(history: &LoadHistory) -> Vec<[f64; 3]> {
     let all = history.t.iter().zip(&history.value).zip(&history.std_error);
     let all: Vec<[f64; 3]> = all.map(|((t, v), e)| [*t, *v, *e]).collect();
@@ -72,7 +71,7 @@ fn points(history: &LoadHistory) -> Vec<[f64; 3]> {
         .into_iter()
         .filter(|p| p.iter().all(|v| v.is_finite()))
         .collect();
-    stride(&all, MOST_POINTS)
+    stride(&all, MAX_POINTS)
 }
 
 fn draw(channel: &LoadChannel, title: &str, layout: Layout) -> String {
@@ -80,7 +79,7 @@ fn draw(channel: &LoadChannel, title: &str, layout: Layout) -> String {
     let histories: Vec<(&str, Vec<[f64; 3]>)> = channel
         .histories
         .iter()
-        .take(MOST_HISTORIES)
+        .take(MAX_HISTORIES)
         .map(|h| (h.file.as_str(), points(h)))
         .collect();
     let all = || histories.iter().flat_map(|(_, points)| points);

@@ -3,15 +3,14 @@
 use diagnose::{CoefficientCurve, Report};
 
 use super::super::DiagnosisPage;
-use super::drawn;
-use crate::figures::csv::of_panels;
-use crate::figures::{Bar, Layout, Line, Panel, figure_of, symbol};
+use super::drawn_panels;
+use crate::figures::{Bar, Layout, Line, Panel, symbol};
 use crate::fit::Drawn;
-use crate::fit::numbers::unit;
-use crate::fit::thin::MOST as MOST_POINTS;
+use crate::fit::numbers::with_unit;
+use crate::fit::thin::MAX_CURVE_POINTS;
 
 /// Maximum number of curves drawn.
-const MOST: usize = 24;
+const MAX_CURVES: usize = 24;
 
 /// Whether the extension of the model changes the curve.
 fn moves(curve: &CoefficientCurve) -> bool {
@@ -29,7 +28,7 @@ pub(super) fn curves(report: &Report) -> Vec<Drawn> {
     let mut curves: Vec<&CoefficientCurve> =
         report.curves.iter().filter(|c| !c.x.is_empty()).collect();
     curves.sort_by_key(|c| !moves(c));
-    let figures = curves.into_iter().take(MOST).enumerate();
+    let figures = curves.into_iter().take(MAX_CURVES).enumerate();
     figures.map(|(i, curve)| figure(i, curve)).collect()
 }
 
@@ -37,7 +36,7 @@ fn figure(index: usize, curve: &CoefficientCurve) -> Drawn {
     let points = |values: &[f64]| {
         let all = curve.x.iter().copied().zip(values.iter().copied());
         all.filter(|p| p.0.is_finite())
-            .take(MOST_POINTS)
+            .take(MAX_CURVE_POINTS)
             .collect::<Vec<_>>()
     };
     let line = |name: &str, values: &[f64]| Line {
@@ -45,10 +44,7 @@ fn figure(index: usize, curve: &CoefficientCurve) -> Drawn {
         points: points(values),
     };
     let over = symbol(&curve.over);
-    let across = match unit(&curve.unit).as_str() {
-        "" => over.clone(),
-        unit => format!("{over}, {unit}"),
-    };
+    let across = with_unit(&over, &curve.unit);
     let bars = bars(curve);
     let moved = moves(curve);
     let lines = if moved {
@@ -85,19 +81,13 @@ fn figure(index: usize, curve: &CoefficientCurve) -> Drawn {
     } else {
         "The same without and with the extension; below, the number of samples."
     };
-    drawn(
-        &format!("curve-{:02}", index + 1),
-        &title,
-        [caption.into(), of_panels(&panels)],
-        Layout::SMALL,
-        |l| figure_of(l, &title, &panels),
-    )
+    let name = format!("curve-{:02}", index + 1);
+    drawn_panels(&name, &title, caption, Layout::SMALL, &panels)
 }
 
-/// Histogram bars of the number of samples; each bar extends to the midpoints between its abscissa and the
-/// neighbouring ones.
+/// Histogram bars of the number of samples; empty for fewer than two points.
 fn bars(curve: &CoefficientCurve) -> Vec<Bar> {
-    let points = curve.x.iter().zip(&curve.support).take(MOST_POINTS);
+    let points = curve.x.iter().zip(&curve.support).take(MAX_CURVE_POINTS);
     let points: Vec<(f64, f64)> = points
         .map(|(x, n)| (*x, *n as f64))
         .filter(|p| p.0.is_finite())
@@ -105,14 +95,7 @@ fn bars(curve: &CoefficientCurve) -> Vec<Bar> {
     if points.len() < 2 || !points.is_sorted_by(|a, b| a.0 < b.0) {
         return Vec::new();
     }
-    let middle = |i: usize| 0.5 * (points[i].0 + points[i + 1].0);
-    let last = points.len() - 1;
-    let bar = |i: usize| Bar {
-        from: if i == 0 { points[0].0 } else { middle(i - 1) },
-        to: if i == last { points[last].0 } else { middle(i) },
-        height: points[i].1,
-    };
-    (0..points.len()).map(bar).collect()
+    Bar::between_midpoints(&points)
 }
 
 /// Titles, such as `C_D over α`, of the coefficient curves that the extension does not change; empty if the extension

@@ -3,18 +3,17 @@
 use diagnose::{FlightGain, Report};
 use identify::dataset::Role;
 
-use super::drawn;
 use super::gain::row;
+use super::{drawn_chart, drawn_panels};
 use crate::figures::chart::{Chart, Row, Shape, axis_for};
-use crate::figures::csv::of_panels;
-use crate::figures::{Dots, Layout, Line, Look, Panel, figure_of};
+use crate::figures::{Dots, Layout, Line, Look, Panel};
 use crate::fit::Drawn;
 use crate::fit::thin::stride;
 
 /// Maximum number of flights drawn as one row each; more flights are drawn as dots in order of their residual.
-const MOST_ROWS: usize = 16;
+const MAX_ROWS: usize = 16;
 /// Maximum number of flights drawn as dots.
-const MOST_DOTS: usize = 2000;
+const MAX_DOTS: usize = 2000;
 
 /// Draws the RMS residuals of the fitted flights; `None` if the model was not extended.
 pub(super) fn flights(report: &Report) -> Option<Drawn> {
@@ -25,7 +24,7 @@ pub(super) fn flights(report: &Report) -> Option<Drawn> {
         return None;
     }
     let title = "Fitted flights";
-    if fitted.len() > MOST_ROWS {
+    if fitted.len() > MAX_ROWS {
         return Some(ranked(title, &fitted, 1e3 * report.noise.sigma_m));
     }
     let rows: Vec<Row> = fitted.iter().map(|f| row(f)).collect();
@@ -47,10 +46,7 @@ pub(super) fn flights(report: &Report) -> Option<Drawn> {
         level: Some((1e3 * report.noise.sigma_m, "noise".into())),
     };
     let caption = "RMS residuals of the fitted flights, without and with the extension.";
-    let texts = [caption.into(), chart.csv()];
-    Some(drawn("flights", title, texts, Layout::SMALL, |l| {
-        chart.draw(l)
-    }))
+    Some(drawn_chart("flights", &chart, caption, Layout::SMALL))
 }
 
 /// Draws two dots for each flight: its RMS residuals without and with the extension. Flights are ordered by the
@@ -68,7 +64,7 @@ fn ranked(title: &str, fitted: &[&FlightGain], noise: f64) -> Drawn {
         .iter()
         .enumerate()
         .map(|(i, s)| (i as f64 + 1.0, s.0, s.1));
-    let ranks = stride(&ranks.collect::<Vec<_>>(), MOST_DOTS);
+    let ranks = stride(&ranks.collect::<Vec<_>>(), MAX_DOTS);
     let before: Vec<(f64, f64)> = ranks
         .iter()
         .map(|(rank, before, _)| (*rank, *before))
@@ -103,12 +99,5 @@ fn ranked(title: &str, fitted: &[&FlightGain], noise: f64) -> Drawn {
     };
     let caption =
         "RMS residuals of the fitted flights, two dots per flight; the broken line is the noise.";
-    let csv = of_panels(std::slice::from_ref(&panel));
-    drawn(
-        "flights",
-        title,
-        [caption.into(), csv],
-        Layout::SMALL,
-        |l| figure_of(l, title, std::slice::from_ref(&panel)),
-    )
+    drawn_panels("flights", title, caption, Layout::SMALL, &[panel])
 }

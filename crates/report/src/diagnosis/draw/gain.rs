@@ -3,13 +3,14 @@
 use diagnose::{FlightGain, Report};
 use identify::dataset::Role;
 
-use super::drawn;
+use super::drawn_chart;
 use crate::figures::Layout;
 use crate::figures::chart::{Chart, Row, Shape, axis_for};
 use crate::fit::Drawn;
+use crate::fit::draw::not_drawn;
 
 /// Maximum number of flights drawn as a row.
-const MOST: usize = 12;
+const MAX_FLIGHTS: usize = 12;
 
 /// Draws the RMS prediction errors in mm: one row for all flights, and one row for each held-out flight. `None` if
 /// the out-of-sample gain was not measured.
@@ -22,10 +23,10 @@ pub(super) fn gain(report: &Report) -> Option<Drawn> {
         held_out.extend(all.filter(|f| f.role == Role::HeldOut && f.rms_after_m.is_some()));
     }
     let number = held_out.len();
-    if number > MOST {
+    if number > MAX_FLIGHTS {
         let size = |f: &FlightGain| f.rms_before_m.unwrap_or(f64::NEG_INFINITY);
         held_out.sort_by(|a, b| size(b).total_cmp(&size(a)));
-        held_out.truncate(MOST);
+        held_out.truncate(MAX_FLIGHTS);
     }
     let (before, after) = (
         mm(gain.held_out_rms_before_m),
@@ -65,19 +66,12 @@ pub(super) fn gain(report: &Report) -> Option<Drawn> {
         across: "RMS prediction error, mm".into(),
         level: Some((floor, "noise".into())),
     };
-    let left_out = match number.saturating_sub(MOST) {
-        0 => String::new(),
-        n => format!(" {n} more flights are not drawn."),
-    };
+    let left_out = not_drawn(number.saturating_sub(MAX_FLIGHTS), "more flights");
     let caption = format!(
         "Flights that were not fitted; the bar at ‘all’ is the standard error of the difference, the broken line the \
          noise per coordinate.{left_out}"
     );
-    let title = chart.title.clone();
-    let texts = [caption, chart.csv()];
-    Some(drawn("gain", &title, texts, Layout::SMALL, |l| {
-        chart.draw(l)
-    }))
+    Some(drawn_chart("gain", &chart, &caption, Layout::SMALL))
 }
 
 /// Chart row of a flight: RMS error in mm without and with the extension.

@@ -11,9 +11,11 @@ mod sigmas;
 pub(super) use curves::unmoved;
 
 use super::DiagnosisPage;
-use crate::figures::Layout;
-use crate::fit::Drawn;
+use crate::figures::chart::Chart;
+use crate::figures::csv::of_panels;
+use crate::figures::{Layout, Panel, figure_of};
 use crate::fit::draw::predictions;
+use crate::fit::{Drawn, Figure};
 
 /// Style sheet of the diagnosis figures; supplements the common style sheet of figures.
 pub(super) const STYLE: &str = r"rect.bar.cause { fill: #0072b2 } rect.bar.alarm { fill: #d9813f } rect.bar.calm { fill: #b4b9c0 }
@@ -52,18 +54,12 @@ impl Figures {
     }
 
     /// Returns all figures in the order in which they appear on the page.
-    pub(super) fn into_all(self) -> Vec<Drawn> {
-        let mut all: Vec<Drawn> = Vec::new();
-        all.extend(self.finding);
-        all.extend(self.gain);
-        all.extend(self.sigmas);
-        all.extend(self.predictions);
-        all.extend(self.residuals);
-        all.extend(self.curves);
-        all.extend(self.alike);
-        all.extend(self.flights);
-        all.extend(self.channels);
-        all
+    pub(super) fn in_order(self) -> Vec<Figure> {
+        let first = [self.finding, self.gain, self.sigmas].into_iter().flatten();
+        let first = first.chain(self.predictions).chain(self.residuals);
+        let all = first.chain(self.curves).chain(self.alike);
+        let all = all.chain(self.flights).chain(self.channels);
+        all.map(|drawn| drawn.figure).collect()
     }
 }
 
@@ -84,20 +80,37 @@ fn held_out(page: &DiagnosisPage<'_>) -> Vec<Drawn> {
     described.collect()
 }
 
-/// Creates a figure with the given caption and CSV table by calling `draw` for the layout `wide`. If `wide` is not
-/// the small layout, a second version is drawn in the small layout, for narrow screens.
+/// Creates a figure with a description for screen readers from its caption and CSV table (`texts`); see
+/// [`Drawn::in_layouts`].
 pub(super) fn drawn(
     name: &str,
     title: &str,
-    [caption, csv]: [String; 2],
+    texts: [String; 2],
     wide: Layout,
     draw: impl Fn(Layout) -> String,
 ) -> Drawn {
-    let full = described(&draw(wide), &caption);
-    let narrow = (wide != Layout::SMALL).then(|| described(&draw(Layout::SMALL), &caption));
-    let mut drawn = Drawn::new(name.into(), title.into(), [caption, full, csv]);
-    drawn.narrow = narrow;
-    drawn
+    let caption = texts[0].clone();
+    Drawn::in_layouts(name, title, texts, wide, &|layout| {
+        described(&draw(layout), &caption)
+    })
+}
+
+/// Creates a figure of panels, with a description for screen readers.
+pub(super) fn drawn_panels(
+    name: &str,
+    title: &str,
+    caption: &str,
+    wide: Layout,
+    panels: &[Panel],
+) -> Drawn {
+    let texts = [caption.to_owned(), of_panels(panels)];
+    drawn(name, title, texts, wide, |l| figure_of(l, title, panels))
+}
+
+/// Creates a figure of a chart, with a description for screen readers.
+pub(super) fn drawn_chart(name: &str, chart: &Chart, caption: &str, wide: Layout) -> Drawn {
+    let texts = [caption.to_owned(), chart.csv()];
+    drawn(name, &chart.title, texts, wide, |l| chart.draw(l))
 }
 
 /// Adds a text description for screen readers and the style sheet of the diagnosis figures to an SVG.

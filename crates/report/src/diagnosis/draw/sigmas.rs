@@ -3,13 +3,14 @@
 use diagnose::{CandidateTest, Report};
 
 use super::super::words;
-use super::drawn;
+use super::drawn_chart;
 use crate::figures::Layout;
 use crate::figures::chart::{Axis, Chart, Row, Shape};
 use crate::fit::Drawn;
+use crate::fit::draw::not_drawn;
 
 /// Maximum number of candidates drawn.
-const MOST: usize = 60;
+const MAX_CANDIDATES: usize = 60;
 
 /// Draws the equivalent z of each candidate's score test as a bar, the most significant first; `None` if there are no
 /// candidates.
@@ -20,8 +21,8 @@ pub(super) fn sigmas(report: &Report) -> Option<Drawn> {
         if c.z.is_nan() { f64::NEG_INFINITY } else { c.z }
     };
     all.sort_by(|a, b| size(b).total_cmp(&size(a)));
-    let left_out = all.len().saturating_sub(MOST);
-    all.truncate(MOST);
+    let left_out = all.len().saturating_sub(MAX_CANDIDATES);
+    all.truncate(MAX_CANDIDATES);
     if all.is_empty() {
         return None;
     }
@@ -75,10 +76,7 @@ pub(super) fn sigmas(report: &Report) -> Option<Drawn> {
             format!("significant from {}", words::sigmas(threshold)),
         )),
     };
-    let more = match left_out {
-        0 => String::new(),
-        n => format!(" {n} more with smaller z are not drawn."),
-    };
+    let more = not_drawn(left_out, "more with smaller z");
     let along = match report.causes.is_empty() {
         true => "",
         false => " Effects with a signature like that of a cause are significant with it.",
@@ -88,9 +86,5 @@ pub(super) fn sigmas(report: &Report) -> Option<Drawn> {
          of all tests is {}.{along}{more}",
         crate::fit::numbers::percent(report.threshold.alpha)
     );
-    let title = chart.title.clone();
-    let texts = [caption, chart.csv()];
-    Some(drawn("candidates", &title, texts, Layout::COLUMN, |l| {
-        chart.draw(l)
-    }))
+    Some(drawn_chart("candidates", &chart, &caption, Layout::COLUMN))
 }

@@ -18,7 +18,7 @@ const INTERVALS: usize = 32;
 /// samples of an interval at which the quantity is evaluated.
 const SAMPLES: (usize, usize) = (4, 7);
 /// Maximum number of samples, over all flights, from which the curve is computed.
-const MOST_SAMPLES: usize = 20_000;
+const MAX_SAMPLES: usize = 20_000;
 /// Quantiles of the abscissa between which the curve is drawn.
 const QUANTILES: (f64, f64) = (0.005, 0.995);
 /// Minimum change of the quantity along the curve, relative to its largest absolute value, for the curve to be drawn.
@@ -60,12 +60,22 @@ pub(in super::super) struct Point {
 }
 
 /// Variable on the abscissa of a curve.
+struct Abscissa<'m> {
+    name: &'m str,
+    /// SI unit, as text.
+    unit: String,
+    /// Documentation of an auxiliary variable; empty for other variables.
+    doc: &'m str,
+    is_angle: bool,
+    column: Column,
+}
+
+/// Where the values of a variable are found in the evidence of a flight.
 #[derive(Clone, Copy)]
-enum Abscissa {
+enum Column {
     State(usize),
-    /// Auxiliary variable: its index among the quantities of the compiled model's layout, and its index in the model's
-    /// list of auxiliary variables.
-    Quantity(usize, usize),
+    /// Index among the quantities of the compiled model's layout.
+    Quantity(usize),
     Time,
 }
 
@@ -83,32 +93,54 @@ pub(super) fn of<'n>(fits: &Fits<'_>, effects: impl IntoIterator<Item = &'n str>
         let own = model.aux_variables.iter().enumerate();
         let own = own.filter(|(_, v)| v.effect == Some(index) && v.value.shape == Shape::Scalar);
         let mut own = own.map(|(at, _)| at);
-        own.find_map(|at| curve(fits.before, after, at, abscissa(after, at, index)?))
+        own.find_map(|at| curve(fits.before, after, at, &abscissa(after, at, index)?))
     })
 }
 
 /// Scalar variable on which the auxiliary variable with index `at` of the extended model depends; `None` if there is
 /// none. Of several such variables, those listed in the declaration of the effect with index `effect` (among the
 /// effects switched on in the extended model) are preferred.
-fn abscissa(after: &Fit, at: usize, effect: usize) -> Option<Abscissa> {
+fn abscissa(after: &Fit, at: usize, effect: usize) -> Option<Abscissa<'_>> {
     let model = &after.problem().model;
     let mut found = Vec::new();
     collect(model, &model.aux_variables[at].value, effect, &mut found);
     let layout = after.problem().body.layout();
     let named = |name: &str| model.effects[effect].variables.iter().any(|v| v == name);
     let usable = found.into_iter().filter_map(|kind| match kind {
-        ExprKind::State(k) => Some((Abscissa::State(*k), model.states[*k].name.as_str())),
-        ExprKind::Time => Some((Abscissa::Time, "time")),
+        ExprKind::State(k) => {
+            let state = &model.states[*k];
+            Some(Abscissa {
+                name: &state.name,
+                unit: state.unit.to_string(),
+                doc: "",
+                is_angle: is_angle_state(state),
+                column: Column::State(*k),
+            })
+        }
+        ExprKind::Time => Some(Abscissa {
+            name: "time",
+            unit: "s".to_owned(),
+            doc: "",
+            is_angle: false,
+            column: Column::Time,
+        }),
         ExprKind::AuxVariable(k) => {
-            let name = model.aux_variables[*k].name.as_str();
-            let quantity = layout.quantities.iter().position(|q| q == name)?;
-            Some((Abscissa::Quantity(quantity, *k), name))
+            let variable = &model.aux_variables[*k];
+            let mut quantities = layout.quantities.iter();
+            let quantity = quantities.position(|name| *name == variable.name)?;
+            Some(Abscissa {
+                name: &variable.name,
+                unit: variable.value.unit.to_string(),
+                doc: &variable.doc,
+                is_angle: is_angle(&variable.value),
+                column: Column::Quantity(quantity),
+            })
         }
         _ => None,
     });
-    let usable: Vec<(Abscissa, &str)> = usable.collect();
-    let first = usable.iter().find(|(_, name)| named(name));
-    first.or(usable.first()).map(|(abscissa, _)| *abscissa)
+    let mut usable: Vec<Abscissa<'_>> = usable.collect();
+    let first = usable.iter().position(|variable| named(variable.name));
+    (!usable.is_empty()).then(|| usable.swap_remove(first.unwrap_or(0)))
 }
 
 /// Appends to `found` the scalar variables that the expression `expr` reads. A variable that is defined by the effect
@@ -135,7 +167,7 @@ struct Sample<'f> {
     x: f64,
 }
 
-fn curve(before: &Fit, after: &Fit, at: usize, over: Abscissa) -> Option<Curve> {
+fn curve(before: &Fit, after: &Fit, at: usize, over: &Abscissa<'_>) -> Option<Curve> {
     let problem = after.problem();
     let variable = &problem.model.aux_variables[at];
     let position = |fit: &Fit| {
@@ -148,24 +180,19 @@ fn curve(before: &Fit, after: &Fit, at: usize, over: Abscissa) -> Option<Curve> 
     let fitted: Vec<FlightId> = fitted.map(FlightId::new).collect();
     let evidence: Vec<_> = fitted.iter().filter_map(|&f| after.evidence(f)).collect();
     let all: usize = evidence.iter().map(|f| f.times.len()).sum();
-    let step = all.div_ceil(MOST_SAMPLES).max(1);
-    let names = (
-        over_name(&problem.model, over),
-        unit_of(&problem.model, over),
-    );
-    let in_degrees = match over {
-        Abscissa::State(k) => is_angle_state(&problem.model.states[k]),
-        Abscissa::Quantity(_, k) => is_angle(&problem.model.aux_variables[k].value),
-        Abscissa::Time => false,
+    let step = all.div_ceil(MAX_SAMPLES).max(1);
+    let scale = if over.is_angle {
+        1f64.to_degrees()
+    } else {
+        1.0
     };
-    let scale = if in_degrees { 1f64.to_degrees() } else { 1.0 };
     let mut samples = Vec::new();
     for (flight, found) in evidence.iter().enumerate() {
         for i in (0..found.times.len()).step_by(step) {
-            let x = match over {
-                Abscissa::State(k) => found.states[i][k],
-                Abscissa::Quantity(k, _) => found.quantities[i][k],
-                Abscissa::Time => found.times[i],
+            let x = match over.column {
+                Column::State(k) => found.states[i][k],
+                Column::Quantity(k) => found.quantities[i][k],
+                Column::Time => found.times[i],
             };
             samples.push(Sample {
                 flight,
@@ -183,35 +210,18 @@ fn curve(before: &Fit, after: &Fit, at: usize, over: Abscissa) -> Option<Curve> 
     if points.len() < 3 || high - low <= FLAT * low.abs().max(high.abs()) {
         return None;
     }
-    let over_doc = match over {
-        Abscissa::Quantity(_, k) => problem.model.aux_variables[k].doc.as_str(),
-        _ => "",
-    };
     Some(Curve {
         quantity: variable.name.clone(),
         doc: variable.doc.clone(),
         unit: variable.value.unit.to_string(),
-        over: names.0,
-        over_doc: over_doc.split(',').next().unwrap_or_default().to_owned(),
-        over_unit: if in_degrees { "°".into() } else { names.1 },
+        over: over.name.to_owned(),
+        over_doc: over.doc.split(',').next().unwrap_or_default().to_owned(),
+        over_unit: match over.is_angle {
+            true => "°".into(),
+            false => over.unit.clone(),
+        },
         points,
     })
-}
-
-fn over_name(model: &Model, over: Abscissa) -> String {
-    match over {
-        Abscissa::State(k) => model.states[k].name.clone(),
-        Abscissa::Quantity(_, k) => model.aux_variables[k].name.clone(),
-        Abscissa::Time => "time".to_owned(),
-    }
-}
-
-fn unit_of(model: &Model, over: Abscissa) -> String {
-    match over {
-        Abscissa::State(k) => model.states[k].unit.to_string(),
-        Abscissa::Quantity(_, k) => model.aux_variables[k].value.unit.to_string(),
-        Abscissa::Time => "s".to_owned(),
-    }
 }
 
 /// Computes one point of the curve for each interval of the abscissa with enough samples; `samples` are sorted by the

@@ -2,29 +2,20 @@
 
 use diagnose::{CandidateTest, Report, Verdict};
 
-use super::super::draw::drawn;
+use super::super::draw::{drawn_chart, drawn_panels};
 use super::super::words;
 use super::curve::Curve;
 use crate::figures::chart::{Axis, Chart, Row, Shape};
-use crate::figures::csv::of_panels;
-use crate::figures::{Bar, Layout, Line, Panel, figure_of, symbol};
+use crate::figures::{Bar, Layout, Line, Panel, symbol};
 use crate::fit::Drawn;
-use crate::fit::numbers::{Digits, unit};
+use crate::fit::numbers::{Digits, unit, with_unit};
 
 /// File name, without suffix, of the figure in the opening section.
 const NAME: &str = "finding";
 /// Maximum number of rows of a chart.
-const MOST_ROWS: usize = 10;
+const MAX_ROWS: usize = 10;
 /// Half width of a 95 % confidence interval, in standard errors.
 const WIDTH_95: f64 = 1.96;
-
-/// Label of an axis: the name `name` and the unit `of`.
-fn with_unit(name: &str, of: &str) -> String {
-    match unit(of).as_str() {
-        "" => name.to_owned(),
-        unit => format!("{name}, {unit}"),
-    }
-}
 
 /// Draws the quantity of `curve` in the model under test and in the extended model, over the variable on which the
 /// quantity depends. The 95 % confidence band of the extended model and the number of samples are drawn as well.
@@ -47,13 +38,7 @@ pub(super) fn curve(curve: &Curve) -> Drawn {
         "" => with_unit(&over, &curve.over_unit),
         doc => with_unit(&format!("{doc} {over}"), &curve.over_unit),
     };
-    let middle = |i: usize| 0.5 * (curve.points[i].x + curve.points[i + 1].x);
-    let last = curve.points.len() - 1;
-    let bars = curve.points.iter().enumerate().map(|(i, p)| Bar {
-        from: if i == 0 { p.x } else { middle(i - 1) },
-        to: if i == last { p.x } else { middle(i) },
-        height: p.samples as f64,
-    });
+    let samples = curve.points.iter().map(|p| (p.x, p.samples as f64));
     let panels = [
         Panel {
             title: with_unit(&curve.quantity, &curve.unit),
@@ -65,7 +50,7 @@ pub(super) fn curve(curve: &Curve) -> Drawn {
         Panel {
             title: "Samples".into(),
             across,
-            bars: bars.collect(),
+            bars: Bar::between_midpoints(&samples.collect::<Vec<_>>()),
             height: Some(44.0),
             ..Panel::default()
         },
@@ -73,10 +58,7 @@ pub(super) fn curve(curve: &Curve) -> Drawn {
     let title = format!("{} over {over}", curve.quantity);
     let caption = "Before: the model as it was, fitted. Extended: with the effect, fitted; shaded: its 95\u{a0}% band from \
                    the covariance of the fit, mostly narrower than the line. Below: how many samples of the fitted flights support each part.";
-    let texts = [caption.to_owned(), of_panels(&panels)];
-    drawn(NAME, &title, texts, Layout::COLUMN, |l| {
-        figure_of(l, &title, &panels)
-    })
+    drawn_panels(NAME, &title, caption, Layout::COLUMN, &panels)
 }
 
 /// Draws the estimates of the first explanation, in units of their smallest sizes of interest if all are declared,
@@ -86,7 +68,7 @@ pub(super) fn estimates(report: &Report) -> Option<Drawn> {
     let all = effects.flat_map(|e| &e.estimates);
     let all: Vec<_> = all
         .filter(|(_, e)| e.value.is_finite() && e.std_error > 0.0)
-        .take(MOST_ROWS)
+        .take(MAX_ROWS)
         .collect();
     let interest = |e: &diagnose::Estimate| e.smallest_of_interest.filter(|s| *s > 0.0);
     let by_interest = !all.is_empty() && all.iter().all(|(_, e)| interest(e).is_some());
@@ -130,7 +112,7 @@ pub(super) fn estimates(report: &Report) -> Option<Drawn> {
         level: Some(level),
     };
     let caption = "Dot and bar: the estimate, without its sign, and its 95\u{a0}% interval; at 0 the effect is absent.";
-    Some(charted(&chart, caption))
+    Some(drawn_chart(NAME, &chart, caption, Layout::COLUMN))
 }
 
 /// Draws the most significant score tests with the significance threshold; `None` if there are no candidates.
@@ -138,7 +120,7 @@ pub(super) fn strongest(report: &Report) -> Option<Drawn> {
     let mut all: Vec<&CandidateTest> = report.candidates.iter().collect();
     all.retain(|c| c.z.is_finite());
     all.sort_by(|a, b| b.z.total_cmp(&a.z));
-    all.truncate(MOST_ROWS);
+    all.truncate(MAX_ROWS);
     if all.is_empty() {
         return None;
     }
@@ -169,10 +151,5 @@ pub(super) fn strongest(report: &Report) -> Option<Drawn> {
         }
         _ => "The effects with the largest test statistics.",
     };
-    Some(charted(&chart, caption))
-}
-
-fn charted(chart: &Chart, caption: &str) -> Drawn {
-    let texts = [caption.to_owned(), chart.csv()];
-    drawn(NAME, &chart.title, texts, Layout::COLUMN, |l| chart.draw(l))
+    Some(drawn_chart(NAME, &chart, caption, Layout::COLUMN))
 }

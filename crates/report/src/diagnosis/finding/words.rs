@@ -19,7 +19,7 @@ const USUAL: f64 = 0.05;
 
 /// Minimum fraction of the samples that must lie on either side of a point of the curve (the point included) for the
 /// point to be named in a sentence.
-const LEAST_SHARE: f64 = 0.025;
+const MIN_SHARE: f64 = 0.025;
 
 /// Sentences that state which effect the model lacks, and the size of this effect.
 pub(super) fn what(report: &Report, curve: Option<&Curve>) -> String {
@@ -138,7 +138,7 @@ fn article(noun: &str) -> &'static str {
 
 /// Point of the curve at which the model under test and the extended model differ most; `None` if no point can be
 /// considered. Points near an end of the curve are not considered: on each side of a point must lie at least the
-/// fraction [`LEAST_SHARE`] of the samples.
+/// fraction [`MIN_SHARE`] of the samples.
 fn farthest(curve: &Curve) -> Option<Point> {
     let size = |p: &Point| match p.before.is_finite() {
         true => (p.after - p.before).abs(),
@@ -149,7 +149,7 @@ fn farthest(curve: &Curve) -> Option<Point> {
     let supported = curve.points.iter().filter(|p| {
         below += p.samples;
         let (low, high) = (below as f64, (all - below + p.samples) as f64);
-        low.min(high) >= LEAST_SHARE * all as f64
+        low.min(high) >= MIN_SHARE * all as f64
     });
     let known = supported.filter(|p| p.after.is_finite() && p.error.is_finite());
     known.copied().max_by(|a, b| size(a).total_cmp(&size(b)))
@@ -241,15 +241,7 @@ pub(super) fn sure(report: &Report) -> String {
                 },
             format!(
                 "Which it is, is open: {}.",
-                names(
-                    report
-                        .causes
-                        .iter()
-                        .map(words::cause)
-                        .collect::<Vec<_>>()
-                        .iter()
-                        .map(String::as_str)
-                )
+                names(&report.causes.iter().map(words::cause).collect::<Vec<_>>())
             ),
         ]),
         Verdict::Negligible => joined([

@@ -8,12 +8,12 @@ use crate::figures::svg::{Svg, cut};
 const WIDTH: f64 = 360.0;
 const LETTERS: f64 = 13.0;
 /// Maximum number of coefficients in the drawn correlation matrix.
-const MOST: usize = 40;
+const MAX_COEFFICIENTS: usize = 40;
 /// Maximum number of coefficients for which the values are printed in the cells.
-const MOST_WRITTEN: usize = 12;
+const MAX_WRITTEN: usize = 12;
 /// Maximum number of coefficients for which the diagonal shows the names of the coefficients; for more coefficients, it
 /// shows their row indices.
-const MOST_NAMED: usize = 8;
+const MAX_NAMED: usize = 8;
 
 /// Draws the lower triangle of the correlation matrix of the estimated coefficients; `None` for fewer than two.
 pub(in super::super) fn correlations(page: &FitPage<'_>) -> Option<Drawn> {
@@ -21,12 +21,12 @@ pub(in super::super) fn correlations(page: &FitPage<'_>) -> Option<Drawn> {
     let estimated = |name: &&String| report.coefficients.get(*name).is_none_or(|c| !c.held);
     let mut names: Vec<&String> = report.correlations.keys().filter(estimated).collect();
     names.sort_by_key(|name| page.place(name));
-    let names = &names[..names.len().min(MOST)];
+    let names = &names[..names.len().min(MAX_COEFFICIENTS)];
     if names.len() < 2 {
         return None;
     }
     // For few coefficients, the diagonal shows their names; otherwise the columns are numbered there.
-    let named = names.len() <= MOST_NAMED;
+    let named = names.len() <= MAX_NAMED;
     let label = |i: usize| match named {
         true => names[i].clone(),
         false => format!("{} {}", names[i], i + 1),
@@ -54,7 +54,7 @@ pub(in super::super) fn correlations(page: &FitPage<'_>) -> Option<Drawn> {
             let found = report.correlations.get(*row).and_then(|r| r.get(*column));
             let value = found.copied().unwrap_or(f64::NAN);
             svg.cell(&colour(value), (across(j), y), size);
-            if names.len() <= MOST_WRITTEN {
+            if names.len() <= MAX_WRITTEN {
                 let class = if value.abs() > 0.65 { "pale" } else { "dark" };
                 let class = format!("{class} cell{}", if side > 34.0 { "" } else { " little" });
                 let place = (across(j) + 0.5 * side - 0.5, base + 4.0);

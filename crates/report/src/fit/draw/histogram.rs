@@ -4,17 +4,17 @@ use identify::FitReport;
 use identify::dataset::Role;
 
 use super::super::Drawn;
-use super::small;
-use crate::figures::{Bar, Panel};
+use super::not_drawn;
+use crate::figures::{Bar, Layout, Panel};
 
 /// Minimum number of flights for which the histogram is drawn.
-const LEAST: usize = 8;
+const MIN_FLIGHTS: usize = 8;
 
-/// Draws the histogram of the RMS residuals (mm) of the fitted flights; `None` for fewer than [`LEAST`] flights.
+/// Draws the histogram of the RMS residuals (mm) of the fitted flights; `None` for fewer than [`MIN_FLIGHTS`] flights.
 pub(in super::super) fn histogram(report: &FitReport) -> Option<Drawn> {
     let mut rms: Vec<f64> = report.used(Role::Fit).map(|f| 1e3 * f.rms()).collect();
     rms.retain(|v| v.is_finite());
-    if rms.len() < LEAST {
+    if rms.len() < MIN_FLIGHTS {
         return None;
     }
     rms.sort_by(f64::total_cmp);
@@ -45,14 +45,12 @@ pub(in super::super) fn histogram(report: &FitReport) -> Option<Drawn> {
         bars: bars.collect(),
         ..Panel::default()
     };
-    let more = match beyond {
-        0 => String::new(),
-        n => format!(" {n} with larger residuals are not drawn."),
-    };
-    Some(small(
-        "rms".into(),
-        "Residuals by flight".into(),
+    let more = not_drawn(beyond, "with larger residuals");
+    Some(Drawn::of_panels(
+        "rms",
+        "Residuals by flight",
         format!("Number of fitted flights by RMS residual.{more}"),
+        Layout::SMALL,
         &[panel],
     ))
 }

@@ -22,17 +22,16 @@ pub(super) use whiteness::whiteness;
 
 use identify::FlightEvidence;
 
-use super::Drawn;
-use crate::figures::csv::of_panels;
-use crate::figures::{Layout, Panel, figure_of};
-
 /// Maximum number of flights in a figure that shows all flights, and maximum number of figures of single flights.
-pub(crate) const MOST_FLIGHTS: usize = 12;
+pub(crate) const MAX_FLIGHTS: usize = 12;
 
-/// Draws the panels in the small layout as a figure with CSV data.
-pub(crate) fn small(name: String, title: String, caption: String, panels: &[Panel]) -> Drawn {
-    let svg = figure_of(Layout::SMALL, &title, panels);
-    Drawn::new(name, title, [caption, svg, of_panels(panels)])
+/// Sentence on the number of items that a figure leaves out, with a leading space; empty if it leaves out none. `what`
+/// describes the items, such as `more flights`.
+pub(crate) fn not_drawn(number: usize, what: &str) -> String {
+    match number {
+        0 => String::new(),
+        n => format!(" {n} {what} are not drawn."),
+    }
 }
 
 /// Range of sample indices for which times, measurements and predictions all exist.
@@ -41,17 +40,36 @@ fn samples(flight: &FlightEvidence) -> std::ops::Range<usize> {
     0..lengths.into_iter().fold(flight.times.len(), usize::min)
 }
 
-/// Measured position of a marker at a sample, m; `None` if missing.
-fn seen(flight: &FlightEvidence, sample: usize, marker: usize) -> Option<[f64; 3]> {
-    flight.measured[sample].get(marker).copied().flatten()
+/// Measured position of a marker at a sample.
+struct MeasuredPoint {
+    /// Time of the sample, s.
+    time: f64,
+    /// Index of the marker.
+    marker: usize,
+    /// Measured position, m.
+    measured: [f64; 3],
+    /// Measured − predicted position, mm; NaN if there is no prediction.
+    residual: [f64; 3],
+    /// Whether the measurement was classified as an outlier; false if unknown.
+    is_outlier: bool,
 }
 
-/// Whether a measured marker position was classified as an outlier; false if unknown.
-fn is_outlier(flight: &FlightEvidence, sample: usize, marker: usize) -> bool {
-    let row = flight.outlier.get(sample);
-    row.and_then(|row| row.get(marker))
-        .copied()
-        .unwrap_or(false)
+/// Measured positions of the first `markers` markers of a flight, in the order of the samples.
+fn points(flight: &FlightEvidence, markers: usize) -> impl Iterator<Item = MeasuredPoint> {
+    let at = move |sample: usize, marker: usize| {
+        let measured = flight.measured[sample].get(marker).copied().flatten()?;
+        let predicted = predicted(flight, sample, marker);
+        let outliers = flight.outlier.get(sample);
+        let is_outlier = outliers.and_then(|row| row.get(marker).copied());
+        Some(MeasuredPoint {
+            time: flight.times[sample],
+            marker,
+            measured,
+            residual: [0, 1, 2].map(|axis| 1e3 * (measured[axis] - predicted[axis])),
+            is_outlier: is_outlier.unwrap_or(false),
+        })
+    };
+    samples(flight).flat_map(move |sample| (0..markers).filter_map(move |k| at(sample, k)))
 }
 
 /// Predicted position of a marker at a sample, m; NaN if there is no prediction.

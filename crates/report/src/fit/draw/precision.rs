@@ -1,6 +1,7 @@
 //! First figure of the fit page: relative standard error of each coefficient.
 
 use super::super::{Drawn, FitPage};
+use super::not_drawn;
 use crate::bands::std_error;
 use crate::figures::Layout;
 use crate::figures::chart::{Axis, Chart, Row, Shape};
@@ -9,7 +10,7 @@ use crate::fit::numbers::percent;
 /// Minimum and maximum of the axis of relative standard errors, %.
 const AXIS: (f64, f64) = (0.1, 1e3);
 /// Maximum number of coefficients drawn, one row each.
-const MOST: usize = 24;
+const MAX_ROWS: usize = 24;
 
 /// Draws the relative standard error of each estimated coefficient, the smallest first; `None` if no coefficient was
 /// estimated.
@@ -20,8 +21,8 @@ pub(in super::super) fn precision(page: &FitPage<'_>) -> Option<Drawn> {
         .filter(|(_, c, size)| !c.held && size.is_finite())
         .collect();
     sizes.sort_by(|a, b| a.2.total_cmp(&b.2));
-    let left_out = sizes.len().saturating_sub(MOST);
-    sizes.truncate(MOST);
+    let left_out = sizes.len().saturating_sub(MAX_ROWS);
+    sizes.truncate(MAX_ROWS);
     if sizes.is_empty() {
         return None;
     }
@@ -42,18 +43,19 @@ pub(in super::super) fn precision(page: &FitPage<'_>) -> Option<Drawn> {
         across: "standard error, % of the value".into(),
         level: Some((100.0, "as large as the value".into())),
     };
-    let more = match left_out {
-        0 => String::new(),
-        n => format!(" {n} less precise ones are not drawn."),
-    };
+    let more = not_drawn(left_out, "less precise ones");
     let caption = format!(
         "Short bars: well determined. A bar up to the broken line: the standard error is {} of the value, so that not even the \
          sign is known. The larger of the two kinds of standard error is drawn.{more}",
         percent(1.0)
     );
+    let (wide, texts) = (Layout::COLUMN, [caption, chart.csv()]);
     let draw = |layout| chart.draw(layout);
-    let texts = [caption, draw(Layout::COLUMN), chart.csv()];
-    let mut drawn = Drawn::new("precision".into(), chart.title.clone(), texts);
-    drawn.narrow = Some(draw(Layout::SMALL));
-    Some(drawn)
+    Some(Drawn::in_layouts(
+        "precision",
+        &chart.title,
+        texts,
+        wide,
+        &draw,
+    ))
 }

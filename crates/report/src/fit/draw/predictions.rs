@@ -4,15 +4,15 @@ use identify::dataset::Role;
 use identify::{Fit, FlightEvidence, FlightId};
 
 use super::super::Drawn;
-use super::super::thin::{MOST, stride};
-use super::{is_outlier, predicted, samples, seen, small};
+use super::super::thin::{MAX_CURVE_POINTS, stride};
+use super::{points, samples};
 use crate::bands::{PredictionBand, prediction_band};
-use crate::figures::{Dots, Look, Mark, Panel};
+use crate::figures::{Dots, Layout, Look, Mark, Panel};
 
 /// Maximum number of flights drawn, one figure each.
-const MOST_FLIGHTS: usize = 6;
+const MAX_FLIGHTS: usize = 6;
 /// Maximum number of dots of a series.
-const MOST_DOTS: usize = 400;
+const MAX_DOTS: usize = 400;
 /// Half width of a 95 % confidence interval, in standard errors.
 const WIDTH_95: f64 = 1.96;
 
@@ -26,7 +26,7 @@ pub(crate) fn predictions(
     let held_out = evidence
         .iter()
         .filter(|f| f.role == Role::HeldOut && !f.markers.is_empty());
-    let figures = held_out.take(MOST_FLIGHTS).enumerate();
+    let figures = held_out.take(MAX_FLIGHTS).enumerate();
     figures
         .filter_map(|(i, flight)| {
             let index = fit
@@ -59,11 +59,11 @@ fn figure(
         let ribbon: Vec<(f64, f64, f64)> = ribbon.collect();
         let pale = before.map(|before| Dots {
             look: Look::Pale,
-            points: stride(&errors(before, axis), MOST_DOTS),
+            points: stride(&errors(before, axis), MAX_DOTS),
         });
         let own = Dots {
             look: Look::Colour(0),
-            points: stride(&errors(flight, axis), MOST_DOTS),
+            points: stride(&errors(flight, axis), MAX_DOTS),
         };
         let mark = first.map(|t| Mark {
             name: "predicted from here".into(),
@@ -77,7 +77,7 @@ fn figure(
                 String::new()
             },
             dots: pale.into_iter().chain([own]).collect(),
-            ribbon: stride(&ribbon, MOST),
+            ribbon: stride(&ribbon, MAX_CURVE_POINTS),
             marks: mark.filter(|_| axis == 0).into_iter().collect(),
             height: Some(84.0),
             ..Panel::default()
@@ -93,22 +93,12 @@ fn figure(
          of the coefficients, of the initial state (fitted to the first 30\u{a0}%) and of the noise."
     );
     let name = format!("prediction-{:02}", index + 1);
-    small(name, flight.file.clone(), caption, &panels)
+    Drawn::of_panels(name, &flight.file, caption, Layout::SMALL, &panels)
 }
 
 /// Times (s) and prediction errors (mm) along one axis, for all markers, without outliers.
 fn errors(flight: &FlightEvidence, axis: usize) -> Vec<(f64, f64)> {
-    let mut errors = Vec::new();
-    for sample in samples(flight) {
-        for marker in 0..flight.markers.len() {
-            let Some(place) = seen(flight, sample, marker) else {
-                continue;
-            };
-            let error = 1e3 * (place[axis] - predicted(flight, sample, marker)[axis]);
-            if error.is_finite() && !is_outlier(flight, sample, marker) {
-                errors.push((flight.times[sample], error));
-            }
-        }
-    }
-    errors
+    let points = points(flight, flight.markers.len()).filter(|point| !point.is_outlier);
+    let errors = points.map(|point| (point.time, point.residual[axis]));
+    errors.filter(|(_, error)| error.is_finite()).collect()
 }

@@ -5,17 +5,16 @@ use identify::FitReport;
 
 use super::super::Drawn;
 use super::super::numbers::{Digits, raised, unit};
-use super::small;
-use crate::figures::{Dots, Line, Look, Mark, Panel};
+use crate::figures::{Dots, Layout, Line, Look, Mark, Panel};
 
 /// Deviance above which a value of the coefficient is rejected at the 5 % level: 95 % quantile of χ²(1).
 const LEVEL: f64 = 3.84;
 /// Maximum number of profiles drawn.
-const MOST_PROFILES: usize = 24;
+const MAX_PROFILES: usize = 24;
 
 /// Draws one figure for each profile likelihood in the report.
 pub(in super::super) fn profiles(report: &FitReport) -> Vec<Drawn> {
-    let wanted = report.profiles.iter().take(MOST_PROFILES).enumerate();
+    let wanted = report.profiles.iter().take(MAX_PROFILES).enumerate();
     wanted
         .map(|(i, profile)| {
             let coefficient = report.coefficients.get(&profile.name);
@@ -71,12 +70,13 @@ pub(in super::super) fn profiles(report: &FitReport) -> Vec<Drawn> {
                 up: Some((-0.05 * top, 1.05 * top)),
                 ..Panel::default()
             };
-            small(
+            Drawn::of_panels(
                 format!("profile-{:02}", i + 1),
-                format!("Profile likelihood of {}", profile.name),
+                &format!("Profile likelihood of {}", profile.name),
                 format!(
                     "Broken line: 3.84, where a value is rejected at the 5\u{a0}% level. It is reached below {low}, above {high}."
                 ),
+                Layout::SMALL,
                 &[panel],
             )
         })

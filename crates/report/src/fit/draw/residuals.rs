@@ -6,70 +6,111 @@ use identify::{FlightEvidence, NoiseReport};
 
 use super::super::Drawn;
 use super::super::thin::stride;
-use super::{MOST_FLIGHTS, is_outlier, predicted, samples, seen};
+use super::{MAX_FLIGHTS, points, samples};
 use crate::figures::csv::of_panels;
 use crate::figures::{Dots, Layout, Look, Mark, Panel, figure_of};
 
 /// Maximum number of dots in a panel, over all markers.
-const MOST_DOTS: usize = 1500;
+const MAX_DOTS: usize = 1500;
 /// Maximum number of dots for each marker on a narrow screen.
 const NARROW_DOTS: usize = 150;
+
+/// Flights of one role, whose residuals are drawn in one figure.
+pub(crate) struct FlightsOfRole<'e> {
+    /// File name of the figure without suffix.
+    pub(crate) name: &'static str,
+    /// Title of the figure.
+    pub(crate) title: &'static str,
+    /// Flights among the first [`MAX_FLIGHTS`] flights; the figures show no others.
+    pub(crate) flights: Vec<&'e FlightEvidence>,
+    /// Sentences at the end of the caption: the meaning of the residuals, and the files of the flights.
+    pub(crate) notes: String,
+}
+
+impl<'e> FlightsOfRole<'e> {
+    /// The fitted flights, then the held-out flights; a role without flights is left out.
+    pub(crate) fn all(evidence: &'e [FlightEvidence]) -> impl Iterator<Item = FlightsOfRole<'e>> {
+        let kinds = [
+            (
+                Role::Fit,
+                "residuals",
+                "Residuals of the fitted flights",
+                "",
+            ),
+            (
+                Role::HeldOut,
+                "residuals-held-out",
+                "Residuals of the held-out flights",
+                " The first 30\u{a0}% of each were used for its initial state; the rest is a prediction.",
+            ),
+        ];
+        let of_kind = |(role, name, title, meaning)| {
+            let flights = flights_of(evidence, role);
+            let files = flights.iter().enumerate();
+            let files: Vec<String> = files
+                .map(|(i, f)| format!("{} {}", i + 1, f.file))
+                .collect();
+            FlightsOfRole {
+                name,
+                title,
+                flights,
+                notes: format!("{meaning} Flights: {}.", files.join(", ")),
+            }
+        };
+        let all = kinds.into_iter().map(of_kind);
+        all.filter(|of| !of.flights.is_empty())
+    }
+
+    /// Role of the flights.
+    pub(crate) fn role(&self) -> Role {
+        self.flights[0].role
+    }
+}
+
+/// Flights with the given role among the first [`MAX_FLIGHTS`] flights.
+pub(crate) fn flights_of(evidence: &[FlightEvidence], role: Role) -> Vec<&FlightEvidence> {
+    let drawn = evidence.iter().take(MAX_FLIGHTS);
+    drawn.filter(|f| f.role == role).collect()
+}
+
+/// Draws panels of residuals; in any layout but the widest with at most `dots` dots of each series.
+pub(crate) fn residual_figure(
+    layout: Layout,
+    title: &str,
+    panels: &[Panel],
+    dots: usize,
+) -> String {
+    if layout == Layout::WIDE {
+        return figure_of(layout, title, panels);
+    }
+    let mut fewer = panels.to_vec();
+    for series in fewer.iter_mut().flat_map(|panel| &mut panel.dots) {
+        series.points = stride(&series.points, dots);
+    }
+    figure_of(layout, title, &fewer)
+}
 
 /// Draws one figure for the residuals of the fitted flights and one for the held-out flights; no figure for a role
 /// without flights.
 pub(in super::super) fn residuals(evidence: &[FlightEvidence], noise: &NoiseReport) -> Vec<Drawn> {
-    let of = |role: Role| {
-        let flights = evidence.iter().take(MOST_FLIGHTS);
-        flights.filter(move |f| f.role == role).collect::<Vec<_>>()
-    };
-    let kinds = [
-        (Role::Fit, "residuals", "Residuals of the fitted flights"),
-        (
-            Role::HeldOut,
-            "residuals-held-out",
-            "Residuals of the held-out flights",
-        ),
-    ];
-    let figure = |(role, name, title): (Role, &str, &str)| {
-        let flights = of(role);
-        if flights.is_empty() {
-            return None;
-        }
-        let axes = ["x", "y", "z"].iter().enumerate();
-        let mut panels: Vec<Panel> = axes
-            .map(|(i, axis)| {
-                let sigma = noise.axes.get(*axis).map_or(noise.sigma_m, |n| n.sigma_m);
-                panel(&flights, i, axis, sigma)
-            })
-            .collect();
-        let files: Vec<String> = flights
-            .iter()
-            .enumerate()
-            .map(|(i, f)| format!("{} {}", i + 1, f.file))
-            .collect();
-        let meaning = match role {
-            Role::Fit => "",
-            Role::HeldOut => {
-                " The first 30\u{a0}% of each were used for its initial state; the rest is a prediction."
-            }
-        };
+    let figure = |of: FlightsOfRole<'_>| {
+        let axes = ["x", "y", "z"].into_iter().enumerate();
+        let panels = axes.map(|(i, axis)| {
+            let sigma = noise.axes.get(axis).map_or(noise.sigma_m, |n| n.sigma_m);
+            panel(&of.flights, i, axis, sigma)
+        });
+        let panels: Vec<Panel> = panels.collect();
         let caption = format!(
             "Residuals (measured − predicted), one flight after the other, one colour per marker; shaded: ±2 standard \
-             deviations of the noise; crosses: outliers, at the edge if they are beyond it.{meaning} Flights: {}.",
-            files.join(", ")
+             deviations of the noise; crosses: outliers, at the edge if they are beyond it.{}",
+            of.notes
         );
-        let svg = figure_of(Layout::WIDE, title, &panels);
-        let mut drawn = Drawn::new(
-            name.into(),
-            title.into(),
-            [caption, svg, of_panels(&panels)],
-        );
-        let dots = panels.iter_mut().flat_map(|panel| &mut panel.dots);
-        dots.for_each(|dots| dots.points = stride(&dots.points, NARROW_DOTS));
-        drawn.narrow = Some(figure_of(Layout::SMALL, title, &panels));
-        Some(drawn)
+        let texts = [caption, of_panels(&panels)];
+        Drawn::in_layouts(of.name, of.title, texts, Layout::WIDE, &|layout| {
+            residual_figure(layout, of.title, &panels, NARROW_DOTS)
+        })
     };
-    kinds.into_iter().filter_map(figure).collect()
+    FlightsOfRole::all(evidence).map(figure).collect()
 }
 
 /// Panel of the residuals (measured − predicted, mm) along `axis` (0 x, 1 y, 2 z), with the flights one after the other
@@ -85,25 +126,20 @@ pub(crate) fn panel(flights: &[&FlightEvidence], axis: usize, name: &str, sigma:
             name: format!("{}", number + 1),
             at: (start, f64::NAN),
         });
-        for sample in samples(flight) {
-            for (marker, dots) in dots.iter_mut().enumerate() {
-                let Some(place) = seen(flight, sample, marker) else {
-                    continue;
-                };
-                let residual = 1e3 * (place[axis] - predicted(flight, sample, marker)[axis]);
-                let point = (start + flight.times[sample] - flight.times[0], residual);
-                if is_outlier(flight, sample, marker) {
-                    outliers.push(point);
-                } else if point.1.is_finite() {
-                    dots.push(point);
-                }
+        for measured in points(flight, markers) {
+            let time = start + measured.time - flight.times[0];
+            let point = (time, measured.residual[axis]);
+            if measured.is_outlier {
+                outliers.push(point);
+            } else if point.1.is_finite() {
+                dots[measured.marker].push(point);
             }
         }
         let last = samples(flight).last().map_or(0.0, |s| flight.times[s]);
         let first = flight.times.first().copied().unwrap_or(0.0);
         start += (last - first).max(0.0);
     }
-    let each = MOST_DOTS / markers.max(1);
+    let each = MAX_DOTS / markers.max(1);
     let largest = dots.iter().flatten().map(|p| p.1.abs()).fold(0.0, f64::max);
     let band = Some(2e3 * sigma).filter(|b| b.is_finite() && *b > 0.0);
     let reach = 1.08 * largest.max(band.unwrap_or(0.0)).max(1e-9);

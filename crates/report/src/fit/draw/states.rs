@@ -5,15 +5,15 @@ use identify::FlightEvidence;
 use model_spec::model::Model;
 
 use super::super::Drawn;
-use super::super::thin::{MOST, curve};
-use super::{MOST_FLIGHTS, samples, small};
-use crate::figures::{Line, Panel, StateLabel, groups, symbol, what};
+use super::super::thin::{MAX_CURVE_POINTS, curve};
+use super::{MAX_FLIGHTS, samples};
+use crate::figures::{Layout, Line, Panel, StateLabel, panels_of_states, symbol};
 
 /// Maximum ratio of the peak magnitudes of two states that share a panel. In a small panel, the nutation of the
 /// angular rates must remain visible next to the spin.
 const APART: f64 = 3.0;
 /// Maximum number of states drawn in a figure.
-const MOST_LINES: usize = 24;
+const MAX_LINES: usize = 24;
 /// Quantities that are drawn in addition to the states if the model defines them: name, title and unit.
 const QUANTITIES: [(&str, &str, &str); 3] = [
     ("alpha", "Angle of attack α", "rad"),
@@ -23,7 +23,7 @@ const QUANTITIES: [(&str, &str, &str); 3] = [
 
 /// Draws the fitted states of each flight over time, one figure for each flight.
 pub(in super::super) fn states(evidence: &[FlightEvidence], model: &Model) -> Vec<Drawn> {
-    let flights = evidence.iter().take(MOST_FLIGHTS).enumerate();
+    let flights = evidence.iter().take(MAX_FLIGHTS).enumerate();
     let figures = flights.filter_map(|(i, flight)| state_figure(i, flight, model));
     figures.collect()
 }
@@ -33,12 +33,15 @@ fn state_figure(index: usize, flight: &FlightEvidence, model: &Model) -> Option<
     for (name, title, unit) in QUANTITIES {
         let at = flight.quantity_names.iter().position(|n| n == name);
         let Some(at) = at else { continue };
-        let line = column(flight, &flight.quantities, at, name);
-        if line.points.iter().any(|p| p.1.is_finite()) {
+        let points = column(flight, &flight.quantities, at);
+        if points.iter().any(|p| p.1.is_finite()) {
             panels.push(Panel {
                 title: format!("{title}, {unit}"),
                 across: "time, s".into(),
-                lines: vec![line],
+                lines: vec![Line {
+                    name: symbol(name),
+                    points,
+                }],
                 ..Panel::default()
             });
         }
@@ -46,10 +49,11 @@ fn state_figure(index: usize, flight: &FlightEvidence, model: &Model) -> Option<
     if panels.is_empty() {
         return None;
     }
-    Some(small(
+    Some(Drawn::of_panels(
         format!("states-{:02}", index + 1),
-        flight.file.clone(),
+        &flight.file,
         "States of the fitted flight over time.".into(),
+        Layout::SMALL,
         &panels,
     ))
 }
@@ -59,7 +63,7 @@ fn state_panels(flight: &FlightEvidence, model: &Model) -> Vec<Panel> {
         let state = model.states.iter().find(|s| s.name == name);
         state.map_or("", |s| s.unit_text.as_str())
     };
-    let names = flight.state_names.iter().take(MOST_LINES);
+    let names = flight.state_names.iter().take(MAX_LINES);
     let labels: Vec<StateLabel<'_>> = names
         .map(|name| StateLabel {
             name,
@@ -76,34 +80,15 @@ fn state_panels(flight: &FlightEvidence, model: &Model) -> Vec<Panel> {
     if rows.is_empty() {
         return Vec::new();
     }
-    let panel = |group: Vec<usize>| {
-        let unit = labels[group[0]].unit;
-        let names: Vec<String> = group.iter().map(|i| symbol(labels[*i].name)).collect();
-        let suffix = match unit {
-            "" | "1" => String::new(),
-            unit => format!(", {unit}"),
-        };
-        let line = |i: &usize| column(flight, &flight.states, *i, labels[*i].name);
-        Panel {
-            title: format!("{} {}{suffix}", what(unit), names.join(", ")),
-            across: "time, s".into(),
-            lines: group.iter().map(line).collect(),
-            ..Panel::default()
-        }
-    };
-    groups(&labels, &rows, APART)
-        .into_iter()
-        .map(panel)
-        .collect()
+    panels_of_states(&labels, &rows, APART, &|i| {
+        column(flight, &flight.states, i)
+    })
 }
 
-/// Line of column `at` of a table (rows are samples) over time in s, labelled with the symbol of `name`.
-fn column(flight: &FlightEvidence, table: &[Vec<f64>], at: usize, name: &str) -> Line {
+/// Points (time in s, value) of column `at` of a table (rows are samples).
+fn column(flight: &FlightEvidence, table: &[Vec<f64>], at: usize) -> Vec<(f64, f64)> {
     let value = |s: usize| table.get(s).and_then(|row| row.get(at)).copied();
     let points = samples(flight).map(|s| (flight.times[s], value(s).unwrap_or(f64::NAN)));
     let points: Vec<(f64, f64)> = points.collect();
-    Line {
-        name: symbol(name),
-        points: curve(&points, MOST * 3 / 4),
-    }
+    curve(&points, MAX_CURVE_POINTS * 3 / 4)
 }

@@ -3,20 +3,20 @@
 use identify::FlightEvidence;
 
 use super::super::Drawn;
-use super::super::thin::{MOST, stride};
-use super::{MOST_FLIGHTS, is_outlier, predicted, samples, seen, small};
+use super::super::thin::{MAX_CURVE_POINTS, stride};
+use super::{MAX_FLIGHTS, MeasuredPoint, not_drawn, points, predicted, samples};
 use crate::figures::axis::range;
-use crate::figures::{Dots, Line, Look, Panel};
+use crate::figures::{Dots, Layout, Line, Look, Panel};
 
 /// Maximum number of markers drawn: the number of distinct line colours.
-const MOST_MARKERS: usize = 4;
+const MAX_MARKERS: usize = 4;
 /// Maximum number of dots for each marker; more dots would hide the line.
-const MOST_DOTS: usize = 80;
+const MAX_DOTS: usize = 80;
 
 /// Draws the measured and predicted marker paths of each flight: top view, and height over time.
 pub(in super::super) fn tracks(evidence: &[FlightEvidence]) -> Vec<Drawn> {
-    let flights = evidence.iter().take(MOST_FLIGHTS).enumerate();
-    let maps: Vec<Panel> = evidence.iter().take(MOST_FLIGHTS).map(map).collect();
+    let flights = evidence.iter().take(MAX_FLIGHTS).enumerate();
+    let maps: Vec<Panel> = evidence.iter().take(MAX_FLIGHTS).map(map).collect();
     // All top views have equal height, so that figures in a row are aligned.
     let shapes = maps.iter().map(shape).filter(|shape| shape.is_finite());
     let height = (shapes.fold(0.0, f64::max) * 300.0).clamp(80.0, 190.0);
@@ -55,17 +55,13 @@ fn track(index: usize, flight: &FlightEvidence, map: Panel, tall: f64) -> Drawn 
         height: Some(130.0),
         ..panel(flight, height)
     };
-    let left_out = flight.markers.len().saturating_sub(MOST_MARKERS);
-    let more = match left_out {
-        0 => String::new(),
-        n => format!(" {n} more markers are not drawn."),
-    };
-    small(
+    let left_out = flight.markers.len().saturating_sub(MAX_MARKERS);
+    let caption = "Dots: measured; lines: predicted; crosses: outliers. Long flights are drawn with fewer samples.";
+    Drawn::of_panels(
         format!("tracks-{:02}", index + 1),
-        flight.file.clone(),
-        format!(
-            "Dots: measured; lines: predicted; crosses: outliers. Long flights are drawn with fewer samples.{more}"
-        ),
+        &flight.file,
+        caption.to_owned() + &not_drawn(left_out, "more markers"),
+        Layout::SMALL,
         &[above, side],
     )
 }
@@ -78,28 +74,25 @@ fn panel(flight: &FlightEvidence, at: impl Fn(f64, [f64; 3]) -> (f64, f64)) -> P
         ..Panel::default()
     };
     let mut outliers = Vec::new();
-    for (marker, name) in flight.markers.iter().take(MOST_MARKERS).enumerate() {
+    let measured: Vec<MeasuredPoint> = points(flight, MAX_MARKERS).collect();
+    for (marker, name) in flight.markers.iter().take(MAX_MARKERS).enumerate() {
         let mut dots = Vec::new();
-        for sample in samples(flight) {
-            let Some(place) = seen(flight, sample, marker) else {
-                continue;
-            };
-            let point = at(flight.times[sample], place);
-            if is_outlier(flight, sample, marker) {
-                outliers.push(point);
-            } else {
-                dots.push(point);
+        for measured in measured.iter().filter(|point| point.marker == marker) {
+            let point = at(measured.time, measured.measured);
+            match measured.is_outlier {
+                true => outliers.push(point),
+                false => dots.push(point),
             }
         }
         let line = samples(flight).map(|s| at(flight.times[s], predicted(flight, s, marker)));
         let line: Vec<(f64, f64)> = line.collect();
         panel.lines.push(Line {
             name: name.clone(),
-            points: stride(&line, MOST),
+            points: stride(&line, MAX_CURVE_POINTS),
         });
         panel.dots.push(Dots {
             look: Look::Colour(marker),
-            points: stride(&dots, MOST_DOTS),
+            points: stride(&dots, MAX_DOTS),
         });
     }
     // Outliers far outside the predicted range are not drawn.
@@ -113,7 +106,7 @@ fn panel(flight: &FlightEvidence, at: impl Fn(f64, [f64; 3]) -> (f64, f64)) -> P
     outliers.retain(|p| x.0 <= p.0 && p.0 <= x.1 && y.0 <= p.1 && p.1 <= y.1);
     panel.dots.push(Dots {
         look: Look::Cross,
-        points: stride(&outliers, MOST_DOTS),
+        points: stride(&outliers, MAX_DOTS),
     });
     panel
 }

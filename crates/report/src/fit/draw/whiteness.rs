@@ -3,9 +3,8 @@
 use identify::{AxisResiduals, FitReport};
 
 use super::super::Drawn;
-use super::super::thin::{MOST, stride};
-use super::small;
-use crate::figures::{Dots, Line, Look, Panel};
+use super::super::thin::{MAX_CURVE_POINTS, stride};
+use crate::figures::{Dots, Layout, Line, Look, Panel};
 
 /// Draws the autocorrelation and the normal Q–Q plot of the residuals, one figure for each axis.
 pub(in super::super) fn whiteness(report: &FitReport) -> Vec<Drawn> {
@@ -18,7 +17,7 @@ fn figure(index: usize, axis: &str, found: &AxisResiduals) -> Option<Drawn> {
     let mut panels = Vec::new();
     // The autocorrelation at lag 0 is 1 by definition and is omitted.
     let lags = |values: &[f64]| {
-        let values = values.iter().enumerate().skip(1).take(MOST);
+        let values = values.iter().enumerate().skip(1).take(MAX_CURVE_POINTS);
         values.map(|(lag, v)| (lag as f64, *v)).collect::<Vec<_>>()
     };
     // The dashed line is drawn over the solid one, so that both are visible if they coincide.
@@ -51,7 +50,7 @@ fn figure(index: usize, axis: &str, found: &AxisResiduals) -> Option<Drawn> {
             across: "theoretical quantiles".into(),
             dots: vec![Dots {
                 look: Look::Colour(0),
-                points: stride(&quantiles, MOST),
+                points: stride(&quantiles, MAX_CURVE_POINTS),
             }],
             map: true,
             diagonal: true,
@@ -61,12 +60,13 @@ fn figure(index: usize, axis: &str, found: &AxisResiduals) -> Option<Drawn> {
     if panels.is_empty() {
         return None;
     }
-    Some(small(
+    Some(Drawn::of_panels(
         format!("noise-{}", index + 1),
-        format!("Residuals along {axis}"),
+        &format!("Residuals along {axis}"),
         "Above: autocorrelation of the residuals, as they are and whitened by the noise model; the whitened one should be \
          within the shaded 95 % band. Below: normal Q–Q plot; the points should be on the line."
             .into(),
+        Layout::SMALL,
         &panels,
     ))
 }

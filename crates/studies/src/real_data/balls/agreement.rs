@@ -5,6 +5,7 @@ use rand::SeedableRng;
 use rand::seq::SliceRandom;
 use rand_chacha::ChaCha12Rng;
 use rand_distr::{Distribution, StandardNormal};
+use serde::Serialize;
 
 use super::lift::Lift;
 
@@ -18,7 +19,7 @@ const ROTATIONS: usize = 2_000;
 const ROTATED_PERMUTATIONS: usize = 20;
 
 /// Agreement between the lift directions of flights and their stated spins, with a permutation test.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Agreement {
     /// Number of flights to which the permutation test is applied.
     pub flights: usize,

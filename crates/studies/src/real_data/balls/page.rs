@@ -81,13 +81,8 @@ struct FitSummary {
 #[derive(Serialize)]
 struct AgreementRow {
     files: String,
-    flights: usize,
-    cosine: f64,
-    permuted: f64,
-    permuted_deviation: f64,
-    p_value: f64,
-    rotated: f64,
-    rotated_permuted: f64,
+    #[serde(flatten)]
+    agreement: Agreement,
 }
 
 #[derive(Serialize)]
@@ -136,7 +131,8 @@ pub(in super::super) fn balls_section(balls: &Balls) -> Result<String, StudyErro
     let outside = || balls.lifts.iter().filter(|lift| !is_agreeing(&lift.file));
     let least = inside().map(Lift::cosine).fold(f64::INFINITY, f64::min);
     let stretches = AGREEING.map(|(first, last)| format!("{first} to {last}"));
-    let [all, agreeing, others] = &balls.agreement;
+    let files = ["all".into(), stretches.join(", "), "the others".into()];
+    let agreement = files.into_iter().zip(balls.agreement);
     let square_names: Vec<&String> = balls.lift_by_spin[2].coefficients.keys().collect();
     let section = Section {
         flights: report.flights.len(),
@@ -151,11 +147,9 @@ pub(in super::super) fn balls_section(balls: &Balls) -> Result<String, StudyErro
         free_lift: fit_summary("", &balls.free_lift, &["C_D"]),
         time_error: median(time_errors),
         stretches: stretches.join(" and "),
-        agreement: vec![
-            agreement_row("all".into(), all),
-            agreement_row(stretches.join(", "), agreeing),
-            agreement_row("the others".into(), others),
-        ],
+        agreement: agreement
+            .map(|(files, agreement)| AgreementRow { files, agreement })
+            .collect(),
         greatest_angle: least.acos().to_degrees(),
         same_side: outside().filter(|lift| lift.cosine() > 0.9).count(),
         opposite_side: outside().filter(|lift| lift.cosine() < -0.9).count(),
@@ -193,19 +187,6 @@ fn common_fits(balls: &Balls) -> Vec<FitSummary> {
         fit_summary(&effects.join(", "), report, &["C_D"])
     });
     fits.collect()
-}
-
-fn agreement_row(files: String, agreement: &Agreement) -> AgreementRow {
-    AgreementRow {
-        files,
-        flights: agreement.flights,
-        cosine: agreement.cosine,
-        permuted: agreement.permuted,
-        permuted_deviation: agreement.permuted_deviation,
-        p_value: agreement.p_value,
-        rotated: agreement.rotated,
-        rotated_permuted: agreement.rotated_permuted,
-    }
 }
 
 fn lift_rows(balls: &Balls) -> Vec<LiftRow> {

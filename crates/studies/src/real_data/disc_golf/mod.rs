@@ -13,4 +13,4 @@ pub use launch_fit::LaunchFit;
 pub(super) use page::disc_golf_section;
 pub(crate) use read::throws as filmed_throws;
 pub(super) use results::DiscGolf;
-pub(crate) use throw::{LAUNCH_NAMES, Launch, UNCERTAINTY, rms_distance};
+pub(crate) use throw::{LAUNCH_NAMES, Launch, UNCERTAINTY, axis_and_velocity, rms_distance};

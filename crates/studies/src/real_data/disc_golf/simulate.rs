@@ -4,7 +4,7 @@ use model_spec::model::Model;
 use nalgebra::{Matrix3, Vector3};
 use oracle::{Physical, Point, Quaternion, Reference};
 
-use super::throw::{Disc, Launch, Throw};
+use super::throw::{Disc, Launch, Throw, axis_and_velocity};
 use crate::error::StudyError;
 use crate::oracle_flights::{
     CurveCoefficients, angle_of_attack, integrate_with_constants, reference_of,
@@ -149,26 +149,14 @@ impl<'a> Simulator<'a> {
     }
 }
 
-/// State of the disc at the release. As in the simulation of Giljarhus and others (2022), the disc is first rolled, and
-/// the launch pitch then changes the attitude of the rolled disc.
+/// State of the disc at the release.
 fn release(throw: &Throw, launch: &Launch) -> Physical<f64> {
-    let [speed, pitch, roll, nose, yaw, ..] = *launch;
-    let turned = |v: Vector3<f64>| {
-        let (sin, cos) = yaw.sin_cos();
-        Vector3::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y, v.z)
-    };
-    let bank = roll + roll.sin() * nose.sin() * pitch;
-    let rise = nose + roll.cos() * pitch;
-    let axis = turned(Vector3::new(
-        -rise.sin(),
-        bank.sin() * rise.cos(),
-        bank.cos() * rise.cos(),
-    ));
+    let (axis, velocity) = axis_and_velocity(launch);
     let first = Vector3::x().cross(&axis).cross(&axis).normalize();
     let matrix = Matrix3::from_columns(&[first, axis.cross(&first), axis]);
     Physical {
         position: Vector3::new(0.0, 0.0, throw.height),
-        velocity: turned(Vector3::new(speed * pitch.cos(), 0.0, speed * pitch.sin())),
+        velocity,
         attitude: Quaternion::from_matrix(&matrix),
         // A right-hander's backhand: clockwise, seen from above.
         angular_velocity: axis * -throw.spin,

@@ -1,5 +1,7 @@
 //! Data types of the disc-golf study: discs, throws and tracks.
 
+use nalgebra::Vector3;
+
 use crate::real_data::wind_tunnel::Measured;
 
 /// Conversion factor from degrees to radians.
@@ -67,6 +69,26 @@ impl Throw {
         let points = (1..=POINTS).filter_map(|k| self.track.get(k * last / POINTS));
         points.copied().collect()
     }
+}
+
+/// Axis of the disc (unit vector) and velocity (m/s) at a launch, in axes with x along the launch direction and z up.
+/// As in the simulation of Giljarhus and others (2022), the disc is first rolled, and the launch pitch then changes the
+/// attitude of the rolled disc.
+pub(crate) fn axis_and_velocity(launch: &Launch) -> (Vector3<f64>, Vector3<f64>) {
+    let [speed, pitch, roll, nose, yaw, ..] = *launch;
+    let turned = |v: Vector3<f64>| {
+        let (sin, cos) = yaw.sin_cos();
+        Vector3::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y, v.z)
+    };
+    let bank = roll + roll.sin() * nose.sin() * pitch;
+    let rise = nose + roll.cos() * pitch;
+    let axis = Vector3::new(
+        -rise.sin(),
+        bank.sin() * rise.cos(),
+        bank.cos() * rise.cos(),
+    );
+    let velocity = Vector3::new(speed * pitch.cos(), 0.0, speed * pitch.sin());
+    (turned(axis), turned(velocity))
 }
 
 /// RMS difference per coordinate between simulated positions and measured track points over the ground, m.
