@@ -1,5 +1,6 @@
-//! Scalar types of the oracle: real numbers, derivatives, error bounds, and a prime field.
+//! Scalar types of the oracle: real numbers, derivatives, error bounds, 256-bit numbers, and a prime field.
 
+mod big;
 mod complex;
 mod dual;
 mod error_bound;
@@ -11,6 +12,7 @@ mod prime;
 mod real;
 mod table;
 
+pub use big::{Big, PRECISION, with_numbers};
 pub use complex::{ComplexStep, STEP};
 pub use dual::Dual;
 pub use error_bound::ErrorBound;

@@ -4,14 +4,13 @@
 
 use super::function_rows::{differences, functions, law, variables};
 use crate::random::Random;
-use crate::rounding::big::{Big, with_numbers};
 use crate::rounding::program::{Inputs, magnitudes, outputs};
 use crate::sample;
 use codegen::Compiled;
 use codegen::program::Function;
 use model_spec::model::Model;
 use oracle::Point;
-use oracle::scalar::{Dual, ErrorBound, Lockstep, Real};
+use oracle::scalar::{Big, Dual, ErrorBound, Lockstep, Real, with_numbers};
 
 /// Number of points at which the functions are compared. It is more than one so that functions with branches are likely
 /// to be compared on every branch.

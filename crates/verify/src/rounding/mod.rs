@@ -6,7 +6,6 @@
 //! error of a backend. The model statement that causes it is listed separately, with the number of bits lost (see
 //! [`statements`]).
 
-pub(crate) mod big;
 mod points;
 pub(crate) mod program;
 pub mod statements;
@@ -18,11 +17,10 @@ use crate::random::Random;
 use crate::row::{Measure, Row, Verdict};
 use crate::sample;
 use crate::subject::Subject;
-use big::{Big, with_numbers};
 use codegen::Compiled;
 use codegen::program::Function;
 use oracle::Point;
-use oracle::scalar::{ErrorBound, Real};
+use oracle::scalar::{Big, ErrorBound, Real, with_numbers};
 use program::{Inputs, magnitudes, outputs};
 use serde::Serialize;
 use statements::{Loss, REPORTED_BITS};
@@ -103,7 +101,7 @@ pub struct Rounding {
 const MEASURE: &str =
     "ulp of the magnitude: spacing of f64 at the sum of the magnitudes of the terms of a value";
 
-/// Results of a compiled function at one point, computed with [`big::PRECISION`] bits.
+/// Results of a compiled function at one point, computed with [`PRECISION`](oracle::scalar::PRECISION) bits.
 struct Exact {
     /// Index of the function in [`Compiled::functions`].
     function: usize,

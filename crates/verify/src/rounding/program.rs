@@ -1,11 +1,10 @@
 //! Evaluates programs of the compiler with any scalar type of the oracle.
 
-use super::big::Big;
 use codegen::functions::MathFunction;
 use codegen::program::{Binary, Fused, Op, Operand, Program, Unary};
 use num_traits::Zero;
 use oracle::Point;
-use oracle::scalar::{Elementary, ErrorBound, Real};
+use oracle::scalar::{Big, Elementary, ErrorBound, Real};
 
 /// Inputs of a compiled program at a point, in the order of the compiled model's variables: time, states, parameters,
 /// marker position.

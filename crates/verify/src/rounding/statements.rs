@@ -5,7 +5,6 @@
 //! correctly rounded inputs, and in 256-bit arithmetic from exact inputs. The difference is lost in this statement, by
 //! its own rounding or because it amplifies the rounding of its inputs.
 
-use super::big::{Big, with_numbers};
 use super::program::{Inputs, outputs};
 use crate::engine;
 use codegen::compile_every_value;
@@ -14,7 +13,7 @@ use model_spec::diagnostic::Span;
 use model_spec::location::trimmed_line;
 use model_spec::model::{AuxVariable, Expr, ExprKind, Input, Model, Parameter, Shape};
 use oracle::Point;
-use oracle::scalar::Real;
+use oracle::scalar::{Big, Real, with_numbers};
 use serde::Serialize;
 use std::path::Path;
 

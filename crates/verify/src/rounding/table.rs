@@ -25,7 +25,7 @@ impl Rounding {
         let mut text = format!(
             "Rounding errors against arithmetic of {} bits, in {MEASURE}.\n{random} random points and {flown} states of \
              flights; {} left out, where rounding may decide a branch.\n",
-            super::big::PRECISION,
+            oracle::scalar::PRECISION,
             self.left_out
         );
         let mut groups: Vec<(Vec<&str>, Vec<&Error>)> = Vec::new();

@@ -1,16 +1,17 @@
-//! 256-bit floating-point numbers as a scalar of the oracle.
+//! 256-bit floating-point numbers.
 //!
-//! The oracle's scalars are `Copy`, but a 256-bit number is not. A value is therefore an index into a thread-local list
+//! Scalars are `Copy`, but a 256-bit number is not. A value is therefore an index into a thread-local list
 //! of numbers, which [`with_numbers`] creates and drops. The list also has the function values that were computed: a
 //! comparison differentiates a model by each variable in turn, and so calls a function with the same argument many times.
 
 use astro_float_num::{BigFloat, Consts, RoundingMode, Sign, WORD_BIT_SIZE};
 use num_traits::{One, Zero};
-use oracle::scalar::{Elementary, Field, Real};
 use std::cell::RefCell;
 use std::cmp::Ordering;
 use std::collections::HashMap;
 use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use super::{Elementary, Field, Real};
 
 /// Precision of the numbers, bits.
 pub const PRECISION: usize = 256;
@@ -188,7 +189,7 @@ impl Div for Big {
     }
 }
 
-oracle::assign_ops!([] Big);
+crate::assign_ops!([] Big);
 
 impl Neg for Big {
     type Output = Self;
@@ -295,9 +296,9 @@ impl Big {
 
 #[cfg(test)]
 mod tests {
+    use super::super::{Elementary, Real};
     use super::{Big, with_numbers};
     use num_traits::Zero;
-    use oracle::scalar::{Elementary, Real};
 
     #[test]
     fn a_number_goes_there_and_back() {
