@@ -4,22 +4,13 @@
 use crate::attitude::Quaternion;
 use crate::error::Unsupported;
 use crate::frames::{ElementaryRotation, PlacedFrame, elementary_rotations};
-use crate::physical::Motion;
+use crate::physical::{MassProperties, Motion};
 use crate::point::Point;
 use crate::rigid::{angular_acceleration, inertia_in_n, solve};
 use crate::scalar::{Field, Real};
 use crate::tree::Tree;
 use model_spec::model::{Body, FrameKind, Model, Rotation};
 use nalgebra::{Matrix3, Vector3};
-
-/// Mass and inertia of a body.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MassProperties<T> {
-    /// Mass, kg.
-    pub mass: T,
-    /// Inertia tensor in the frame of its declaration, kg·m²; `None` for a point mass.
-    pub inertia: Option<Matrix3<T>>,
-}
 
 /// Computes the derivative of every state of a model at a point with respect to recorded time (the time stamps of the
 /// measurements, which may run at another rate than true time).

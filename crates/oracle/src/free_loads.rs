@@ -1,8 +1,9 @@
 //! Equations of motion of a rigid body under given loads, for scalars of any field.
 
-use crate::dynamics::{MassProperties, newton_euler, state_derivatives};
+use crate::dynamics::{newton_euler, state_derivatives};
 use crate::error::Unsupported;
 use crate::frames::place_frames;
+use crate::physical::MassProperties;
 use crate::point::Point;
 use crate::scalar::Field;
 use model_spec::model::{Body, Expr, ExprKind, Model};

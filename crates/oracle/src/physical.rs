@@ -1,10 +1,18 @@
 //! State of a body, independent of the coordinates that a model chooses for it.
 
 use crate::attitude::Quaternion;
-use crate::dynamics::MassProperties;
 use crate::rigid::{angular_acceleration, inertia_in_n};
 use crate::scalar::{Field, Real};
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
+
+/// Mass and inertia of a body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MassProperties<T> {
+    /// Mass, kg.
+    pub mass: T,
+    /// Inertia tensor in the frame of its declaration, kg·m²; `None` for a point mass.
+    pub inertia: Option<Matrix3<T>>,
+}
 
 /// Physical state of a body; all vectors are in inertial components.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,4 +1,4 @@
-//! Parsing of one table cell as a number.
+//! Numbers from outside: a table cell as a number, and the bounds of a frame rate.
 
 /// Parses a table cell as a finite number. Returns `None` for a missing value (an empty cell or NaN), and for any other
 /// text an error message that states what was expected.
@@ -29,6 +29,19 @@ fn hint(cell: &str) -> Option<&'static str> {
     } else {
         None
     }
+}
+
+/// Maximum frame rate, Hz; a greater one is an error.
+const MAX_RATE: f64 = 1e6;
+
+/// Checks that a frame rate (Hz) is positive and at most [`MAX_RATE`]; the error contains the texts of what was found
+/// and what was expected.
+pub(crate) fn checked_rate(rate: f64) -> Result<f64, (String, String)> {
+    if rate > 0.0 && rate <= MAX_RATE {
+        return Ok(rate);
+    }
+    let expected = format!("frames per second above 0, at most {MAX_RATE}");
+    Err((format!("the rate {rate}"), expected))
 }
 
 #[cfg(test)]

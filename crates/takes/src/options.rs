@@ -2,6 +2,7 @@
 
 use crate::error::{Fault, Place};
 use crate::format::Format;
+use crate::number::checked_rate;
 use crate::unit::{LengthUnit, TimeUnit};
 
 /// User-supplied properties of a recording file. They supplement the properties specified in the file, and override
@@ -16,19 +17,6 @@ pub struct ReadOptions {
     pub time: Option<TimeUnit>,
     /// Frames per second; if `None`, the file must specify the rate or contain times.
     pub rate: Option<f64>,
-}
-
-/// Maximum frame rate, Hz; a greater one is an error.
-const MAX_RATE: f64 = 1e6;
-
-/// Checks that a frame rate (Hz) is positive and at most [`MAX_RATE`]; the error contains the texts of what was found
-/// and what was expected.
-pub(crate) fn checked_rate(rate: f64) -> Result<f64, (String, String)> {
-    if rate > 0.0 && rate <= MAX_RATE {
-        return Ok(rate);
-    }
-    let expected = format!("frames per second above 0, at most {MAX_RATE}");
-    Err((format!("the rate {rate}"), expected))
 }
 
 impl ReadOptions {

@@ -6,7 +6,6 @@ use crate::checks::identities::body_properties;
 use crate::integration::{self, RightHandSide};
 use crate::random::Random;
 use crate::row::{Row, Worst};
-use crate::same_motion::relative_difference;
 use crate::sample::is_valid;
 use crate::subject::Subject;
 use nalgebra::{Matrix3, Vector3};
@@ -332,4 +331,10 @@ fn loads(
     let tree = Tree::new(model, point);
     let (force, moment) = (tree.total(&model.forces), tree.total(&model.moments));
     Some((force, moment, body_properties(&tree, body)))
+}
+
+/// Norm of the difference of two vectors, in SI units, relative to the sum of their norms and 1. Positions, velocities
+/// and accelerations of flights are of order 1 to 1000; the added 1 is far below a typical fault.
+pub(crate) fn relative_difference(a: Vector3<f64>, b: Vector3<f64>) -> f64 {
+    (a - b).norm() / (a.norm() + b.norm() + 1.0)
 }

@@ -1,12 +1,12 @@
 //! Compares several models of the same body: accelerations at equal physical states, and flights from equal releases.
 
+use crate::flights::relative_difference;
 use crate::random::Random;
 use crate::row::{Row, Verdict, Worst};
 use crate::sample;
 use crate::subject::Subject;
 use crate::table::plain_table;
 use crate::{Options, TOLERANCE};
-use nalgebra::Vector3;
 use oracle::PhysicalRate;
 use serde::Serialize;
 
@@ -113,10 +113,4 @@ pub(crate) fn rate_differences(a: &PhysicalRate, b: &PhysicalRate) -> [(&'static
         ("angular acceleration", turning),
     ]
     .map(|(what, (a, b))| (what, relative_difference(a, b)))
-}
-
-/// Norm of the difference of two vectors, in SI units, relative to the sum of their norms and 1. Positions, velocities
-/// and accelerations of flights are of order 1 to 1000; the added 1 is far below a typical fault.
-pub(crate) fn relative_difference(a: Vector3<f64>, b: Vector3<f64>) -> f64 {
-    (a - b).norm() / (a.norm() + b.norm() + 1.0)
 }

@@ -220,7 +220,7 @@ impl Parser<'_> {
         if self.eat(Token::Close) {
             return Ok(());
         }
-        let found = super::token::name_of(self.lexeme(), self.slice_all());
+        let found = super::lexer::name_of(self.lexeme(), self.slice_all());
         let help = match self.peek() {
             Token::Name | Token::Number | Token::Open => {
                 Some("a product is written with `*` or `·`".to_owned())

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::token::{Token, first_token, leading_space};
+use super::token::{Token, clip, first_token, leading_space};
 use crate::diagnostic::{Diagnostic, Kind, Span};
 
 /// A token with its byte range in the source text.
@@ -206,6 +206,17 @@ fn instead(c: char) -> Option<String> {
         _ => return None,
     };
     Some(text.to_owned())
+}
+
+/// Description of a token for error messages.
+pub(super) fn name_of(lexeme: Lexeme, text: &str) -> String {
+    let raw = &text[lexeme.start as usize..lexeme.end as usize];
+    match lexeme.token {
+        Token::End => "the end of the file".to_owned(),
+        Token::Number => format!("the number {}", clip(raw)),
+        Token::Text | Token::OpenText => format!("the text {}", clip(raw)),
+        _ => format!("`{}`", clip(raw)),
+    }
 }
 
 #[cfg(test)]

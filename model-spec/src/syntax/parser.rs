@@ -3,7 +3,7 @@
 use super::ast::{File, Name};
 use super::lexer::{self, Lexed, Lexeme};
 use super::spelling;
-use super::token::{self, Token};
+use super::token::Token;
 use crate::diagnostic::{Diagnostic, Kind, MAX_SHOWN, Span};
 use crate::suggest;
 
@@ -215,7 +215,7 @@ impl<'a> Parser<'a> {
     }
 
     pub fn expected_help<T>(&mut self, what: &str, help: Option<String>) -> Read<T> {
-        let found = token::name_of(self.lexeme(), self.text);
+        let found = lexer::name_of(self.lexeme(), self.text);
         if !self.reported_by_lexer() {
             let message = format!("expected {what}, found {found}");
             let fault = Diagnostic::new(Kind::Grammar, self.here(), message).help_if(help);

@@ -1,7 +1,5 @@
 //! Tokens: their kinds, their spelling, and the longest one that a text begins with.
 
-use super::lexer::Lexeme;
-
 /// Kinds of token.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Token {
@@ -155,17 +153,6 @@ fn number(text: &str) -> usize {
         }
     }
     end
-}
-
-/// Description of a token for error messages.
-pub(super) fn name_of(lexeme: Lexeme, text: &str) -> String {
-    let raw = &text[lexeme.start as usize..lexeme.end as usize];
-    match lexeme.token {
-        Token::End => "the end of the file".to_owned(),
-        Token::Number => format!("the number {}", clip(raw)),
-        Token::Text | Token::OpenText => format!("the text {}", clip(raw)),
-        _ => format!("`{}`", clip(raw)),
-    }
 }
 
 /// Maximum length of a source excerpt in a message, characters; longer excerpts are truncated.

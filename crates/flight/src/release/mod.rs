@@ -3,6 +3,7 @@
 mod fault;
 mod read;
 mod read_throw;
+mod text;
 mod values;
 
 use std::sync::Arc;
@@ -13,7 +14,8 @@ use crate::wind::WindField;
 
 pub use fault::{Fault, ReleaseError, suggestion};
 pub(crate) use read::MAX_FILE_BYTES;
-pub use read::{Reader, Value, read, read_file, read_file_in_wind, read_in_wind, read_text};
+pub use read::{Reader, Value, read, read_file, read_file_in_wind, read_in_wind};
+pub use text::read_text;
 pub use values::number_of;
 
 /// Initial conditions, parameters, wind and end of a flight.

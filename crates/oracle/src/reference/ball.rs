@@ -1,6 +1,6 @@
 //! Ball as a point mass with weight and drag.
 
-use crate::dynamics::MassProperties;
+use crate::physical::MassProperties;
 use crate::physical::{Load, Physical};
 use crate::scalar::Real;
 use crate::tree::norm;

@@ -8,8 +8,8 @@ mod discus;
 pub(crate) mod spinning;
 
 use crate::chart::Chart;
-use crate::dynamics::MassProperties;
 use crate::error::BindError;
+use crate::physical::MassProperties;
 use crate::physical::{Load, Motion, Physical};
 use crate::point::Point;
 use crate::scalar::Real;

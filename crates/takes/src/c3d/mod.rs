@@ -16,7 +16,7 @@ use self::bytes::{BLOCK, Bytes, Order};
 use self::frames::{Extent, frames};
 use self::parameters::Parameters;
 use crate::axes::Axis;
-use crate::options::checked_rate;
+use crate::number::checked_rate;
 use crate::unit::LengthUnit;
 use crate::words::shown;
 

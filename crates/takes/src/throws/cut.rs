@@ -2,9 +2,10 @@
 
 use std::ops::Range;
 
-use nalgebra::{Cholesky, Const, DMatrix, DVector, Matrix3, Vector3};
+use nalgebra::{DMatrix, DVector};
 
 use super::follow::Stop;
+use super::quadratic::quadratic;
 use super::track::Track;
 use super::windows::half;
 
@@ -236,25 +237,4 @@ pub(super) fn mean_acceleration(
     let t0 = track.times[samples.start];
     let (coefficients, _) = quadratic(track, path, samples, t0, 1.0)?;
     Some([0, 1, 2].map(|axis| 2.0 * coefficients[(2, axis)]))
-}
-
-/// Fits to the trajectory `path` at the given track indices, on each axis, a quadratic in (t − `t0`) / `scale`. Returns
-/// the coefficients, one column per axis, and the factor of the normal matrix; `None` if there are too few samples.
-pub(super) fn quadratic(
-    track: &Track,
-    path: &[[f64; 3]],
-    samples: impl IntoIterator<Item = usize>,
-    t0: f64,
-    scale: f64,
-) -> Option<(Matrix3<f64>, Cholesky<f64, Const<3>>)> {
-    let mut normal = Matrix3::zeros();
-    let mut right = Matrix3::zeros();
-    for i in samples {
-        let s = (track.times[i] - t0) / scale;
-        let row = Vector3::new(1.0, s, s * s);
-        normal += row * row.transpose();
-        right += row * Vector3::from(path[i]).transpose();
-    }
-    let factor = normal.cholesky()?;
-    Some((factor.solve(&right), factor))
 }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::cut::quadratic;
+use super::quadratic::quadratic;
 use super::track::Track;
 use super::windows::half;
 use super::{FINEST, ThrowOptions, median};

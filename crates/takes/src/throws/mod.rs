@@ -12,6 +12,7 @@ mod cluster;
 mod cut;
 mod follow;
 mod motion;
+mod quadratic;
 mod track;
 mod windows;
 

@@ -5,7 +5,7 @@
 //!
 //! Quaternions are varied on the unit sphere only, because other quaternions represent no attitude.
 
-use super::function_rows::{direction, row_name};
+use super::function_rows::{direction, row_name, tree_column};
 use crate::random::Random;
 use crate::row::{Row, Worst};
 use crate::sample;
@@ -14,7 +14,7 @@ use crate::{Options, TOLERANCE};
 use model_spec::Layout;
 use model_spec::model::Model;
 use oracle::scalar::{ComplexStep, Dual, ErrorBound, Lockstep, NumDual, Real};
-use oracle::{Point, Reference, Tree, derivatives_of};
+use oracle::{Point, Reference, Tree};
 
 /// Names of the checks of the Jacobians against three methods of differentiation and against the reference
 /// implementation. Each check has one row of the report.
@@ -236,17 +236,6 @@ fn size(point: &Point<f64>, variable: usize) -> f64 {
     let parameters = point.parameters();
     let mut all = point.states.iter().chain(&parameters);
     all.nth(variable).map_or(0.0, |v| v.abs())
-}
-
-/// State derivatives, followed by the observation, from the model's vector expressions; `None` if these cannot be
-/// evaluated.
-pub(super) fn tree_column<T: Real>(model: &Model, point: &Point<T>) -> Option<Vec<T>> {
-    let tree = Tree::new(model, point);
-    let mut out = derivatives_of(&tree).ok()?;
-    if let Some(observed) = &model.observation {
-        out.extend(tree.vector(&observed.value).iter());
-    }
-    Some(out)
 }
 
 /// Derivatives of the states with respect to recorded time (the time stamps of the measurements), followed by the

@@ -1,11 +1,10 @@
 //! Rows and directions for the comparison of compiled functions with the model's vector expressions.
 
-use super::derivatives::tree_column;
 use codegen::Compiled;
 use codegen::program::Function;
 use model_spec::model::{FrameKind, Model};
-use oracle::Point;
 use oracle::scalar::{Dual, Field, Real};
+use oracle::{Point, Tree, derivatives_of};
 use std::ops::Range;
 
 /// Compiled functions that are compared: state derivatives and observation, each also with its Jacobians.
@@ -176,4 +175,15 @@ pub(super) fn row_name(model: &Model, row: usize) -> String {
         Some(state) => format!("der({})", state.name),
         None => format!("observation {}", row - model.states.len() + 1),
     }
+}
+
+/// State derivatives, followed by the observation, from the model's vector expressions; `None` if these cannot be
+/// evaluated.
+pub(super) fn tree_column<T: Real>(model: &Model, point: &Point<T>) -> Option<Vec<T>> {
+    let tree = Tree::new(model, point);
+    let mut out = derivatives_of(&tree).ok()?;
+    if let Some(observed) = &model.observation {
+        out.extend(tree.vector(&observed.value).iter());
+    }
+    Some(out)
 }

@@ -1,0 +1,26 @@
+//! Fit of a quadratic in time to a part of a trajectory.
+
+use nalgebra::{Cholesky, Const, Matrix3, Vector3};
+
+use super::track::Track;
+
+/// Fits to the trajectory `path` at the given track indices, on each axis, a quadratic in (t − `t0`) / `scale`. Returns
+/// the coefficients, one column per axis, and the factor of the normal matrix; `None` if there are too few samples.
+pub(super) fn quadratic(
+    track: &Track,
+    path: &[[f64; 3]],
+    samples: impl IntoIterator<Item = usize>,
+    t0: f64,
+    scale: f64,
+) -> Option<(Matrix3<f64>, Cholesky<f64, Const<3>>)> {
+    let mut normal = Matrix3::zeros();
+    let mut right = Matrix3::zeros();
+    for i in samples {
+        let s = (track.times[i] - t0) / scale;
+        let row = Vector3::new(1.0, s, s * s);
+        normal += row * row.transpose();
+        right += row * Vector3::from(path[i]).transpose();
+    }
+    let factor = normal.cholesky()?;
+    Some((factor.solve(&right), factor))
+}
