@@ -68,7 +68,7 @@ pub(super) fn recover(parent: &Path, name: &str, target: &Path) {
         // If this fails, the next run tries again.
         let _ = match (is_old, target.exists()) {
             (true, false) => fs::rename(&folder, target),
-            // A folder without a manifest was never completed, so all its files were written by this program.
+            // A folder without a manifest was never completed: its files are new results and copies of the user's files.
             _ if !folder.join(MANIFEST).is_file() => fs::remove_dir_all(&folder),
             (_, true) => discard(&folder, target),
             (false, false) => fs::remove_dir_all(&folder),

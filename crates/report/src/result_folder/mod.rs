@@ -169,14 +169,16 @@ impl ResultFolder {
             }
             write_synced(&path, &file.contents)?;
         }
-        // The manifest is written last: a folder without a manifest is known to be incomplete.
-        std::fs::write(part.join(MANIFEST), Manifest::of(files).text())?;
-        if !self.target.exists() {
+        let is_new = !self.target.exists();
+        if !is_new {
+            keep_foreign(&self.target, &Manifest::read(&self.target), part)?;
+        }
+        // The manifest is written last, and never in part: a folder without one is known to be incomplete.
+        write_atomic(&part.join(MANIFEST), Manifest::of(files).text())?;
+        if is_new {
             return std::fs::rename(part, &self.target);
         }
-        let earlier = Manifest::read(&self.target);
         std::fs::set_permissions(part, std::fs::metadata(&self.target)?.permissions())?;
-        keep_foreign(&self.target, &earlier, part)?;
         let old = exchange(part, &self.target)?;
         // The new results are complete; the next run removes remains of the earlier ones if this fails.
         let _ = discard(&old, &self.target);

@@ -159,6 +159,30 @@ fn remains_of_interrupted_runs_are_removed_and_an_earlier_folder_is_given_back()
 }
 
 #[test]
+fn a_manifest_is_never_seen_in_part() {
+    let around = tempfile::tempdir().unwrap();
+    let folder = open(&around.path().join("found"));
+    let complete = Manifest::of(&files(&[("a.csv", "1")])).text();
+    let manifest = folder.part.clone().unwrap().join(MANIFEST);
+    let done = std::sync::atomic::AtomicBool::new(false);
+    let is_done = || done.load(std::sync::atomic::Ordering::Relaxed);
+    std::thread::scope(|scope| {
+        let reader = scope.spawn(|| {
+            while !is_done() {
+                if let Ok(text) = fs::read_to_string(&manifest) {
+                    assert_eq!(text, complete);
+                }
+            }
+        });
+        for _ in 0..500 {
+            folder.replace(&files(&[("a.csv", "1")])).unwrap();
+        }
+        done.store(true, std::sync::atomic::Ordering::Relaxed);
+        reader.join().unwrap();
+    });
+}
+
+#[test]
 fn a_manifest_leads_nowhere_else() {
     let around = tempfile::tempdir().unwrap();
     fs::write(around.path().join("precious"), "x").unwrap();
