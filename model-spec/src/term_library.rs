@@ -229,10 +229,15 @@ impl TermLibrary {
             .map(|entry| Variable::new(entry, &loads))
             .collect();
         let products = file.products.iter().map(|names| {
-            factors(names, &variables).map_err(|factor| TermLibraryError::UnknownVariable {
-                name: name.to_owned(),
-                factor,
-            })
+            let known = |factor: &String| {
+                let found = variables.position(|variable| variable.name == *factor);
+                found.ok_or_else(|| TermLibraryError::UnknownVariable {
+                    name: name.to_owned(),
+                    factor: factor.clone(),
+                })
+            };
+            let ids: Result<Vec<VariableId>, TermLibraryError> = names.iter().map(known).collect();
+            ids.map(|ids| powers(&ids))
         });
         let channels = file
             .channels
@@ -394,22 +399,14 @@ impl Channel {
     }
 }
 
-/// Converts the variable names of a product to factors; adjacent equal names become a power. Returns the first unknown
-/// name as error.
-fn factors(
-    names: &[String],
-    variables: &IndexVec<VariableId, Variable>,
-) -> Result<Vec<Factor>, String> {
-    let mut factors: Vec<Factor> = Vec::new();
-    for name in names {
-        let variable = variables.position(|variable| variable.name == *name);
-        let variable = variable.ok_or_else(|| name.clone())?;
-        match factors.last_mut() {
-            Some(last) if last.variable == variable => last.power += 1,
-            _ => factors.push(Factor { variable, power: 1 }),
-        }
-    }
-    Ok(factors)
+/// Factors of a product of variables; adjacent equal variables become a power.
+fn powers(variables: &[VariableId]) -> Vec<Factor> {
+    let runs = variables.chunk_by(|a, b| a == b);
+    runs.map(|run| Factor {
+        variable: run[0],
+        power: i32::try_from(run.len()).unwrap_or(i32::MAX),
+    })
+    .collect()
 }
 
 /// Copy of a statement of the effect [`Channel::template`], in which `name` replaces the placeholder `NAME` and `term`

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use anyhow::Context;
 use model_spec::model::Model;
 use report::CertificateNote;
-use verify::certificate::{Certificate, folder_of};
+use verify::certificate::{Certificate, CertificateError, folder_of};
 use verify::report::Outcome;
 
 use crate::{Answer, output};
@@ -50,7 +50,7 @@ pub fn check(
 
 /// The certificate of a model that a report cites: path and content, or the reason why the content cannot be read.
 /// `None` if there is no certificate.
-pub struct Found(Option<(PathBuf, Result<Certificate, String>)>);
+pub struct Found(Option<(PathBuf, Result<Certificate, CertificateError>)>);
 
 impl Found {
     /// Reads the certificate file `asked`, or without one the certificate next to the file of the model `name_or_path`,
@@ -66,7 +66,7 @@ impl Found {
         if !model.is_file() || !path.is_file() {
             return Ok(Self(None));
         }
-        let read = Certificate::read(&path).map_err(|why| why.to_string());
+        let read = Certificate::read(&path);
         Ok(Self(Some((path, read))))
     }
 
@@ -80,7 +80,7 @@ impl Found {
         let file = file.to_string_lossy().into_owned();
         let status = match read {
             Ok(certificate) => certificate.status(path, model),
-            Err(why) => return CertificateNote::changed(file, None, vec![why.clone()]),
+            Err(why) => return CertificateNote::changed(file, None, vec![why.to_string()]),
         };
         let outcome = status.outcome.map(Outcome::words).map(str::to_lowercase);
         match outcome {

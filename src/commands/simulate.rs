@@ -14,6 +14,7 @@ use flight::release::{
 };
 use flight::throw::Throw;
 use flight::{CompiledModel, simulate, trajectory_csv};
+use model_spec::load::load;
 use model_spec::model::Model;
 use ode::{IntegrationOptions, Trajectory};
 use report::ResultFile;
@@ -178,8 +179,7 @@ pub(super) fn released(
     let with = super::names(with);
     let mut model = None;
     let vocabulary = |own: &str| {
-        let loaded = model_spec::load::load(named.unwrap_or(own), &with)
-            .map_err(|error| error.to_string())?;
+        let loaded = load(named.unwrap_or(own), &with)?;
         let vocabulary = Vocabulary::of(&loaded);
         model = Some(loaded);
         Ok(vocabulary)
@@ -200,11 +200,8 @@ fn released_in_wind(
     with: &[String],
 ) -> anyhow::Result<(Model, Release)> {
     let with = super::names(with);
-    let vocabulary = |own: &str| {
-        let loaded = model_spec::load::load(named.unwrap_or(own), &with);
-        let loaded = loaded.map_err(|error| error.to_string())?;
-        Ok(Vocabulary::of(&loaded))
-    };
+    let vocabulary =
+        |own: &str| load(named.unwrap_or(own), &with).map(|model| Vocabulary::of(&model));
     let (release, vocabulary) = match built_in(name) {
         Some(text) if !Path::new(name).is_file() => read_in_wind(name, text, &[], vocabulary)?,
         _ => read_file_in_wind(Path::new(name), vocabulary)?,

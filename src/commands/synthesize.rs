@@ -5,7 +5,7 @@ use std::path::Path;
 use anyhow::{Context, bail};
 use flight::release::Release;
 use identify::dataset::{Marker, write_with};
-use identify::synthesize::{Corruption, Made, Plan, Spread, flights};
+use identify::synthesize::{Corruption, Plan, Spread, SyntheticDataset, flights};
 use model_spec::model::Model;
 
 use super::number;
@@ -106,7 +106,7 @@ fn marker(text: &str) -> anyhow::Result<Marker> {
     })
 }
 
-fn summary(made: &Made, folder: &Path) -> String {
+fn summary(made: &SyntheticDataset, folder: &Path) -> String {
     let flights = &made.dataset.flights;
     let samples: usize = flights.iter().map(|flight| flight.times.len()).sum();
     let seen: usize = flights.iter().map(|flight| flight.measurements() / 3).sum();

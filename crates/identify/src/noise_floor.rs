@@ -179,7 +179,7 @@ mod tests {
         let text = built_in(name).unwrap();
         let mut model = None;
         let release = read(name, text, |named| {
-            let loaded = model_spec::load::load(named, &[]).map_err(|error| error.to_string())?;
+            let loaded = model_spec::load::load(named, &[])?;
             let vocabulary = Vocabulary::of(&loaded);
             model = Some(loaded);
             Ok(vocabulary)

@@ -17,7 +17,7 @@ use ode::Trajectory;
 use serde::Serialize;
 
 use crate::fit::page::rendered;
-use samples::{Place, flown, recorded};
+use samples::{FlightModel, flown, recorded};
 
 /// Maximum number of flights in a view of a fit.
 const MAX_FLIGHTS: usize = 24;
@@ -59,12 +59,12 @@ impl View {
             let evidence = fit.evidence(id)?;
             let (observations, _) = fit.flight(id)?;
             let parameters = observations.parameters(problem, fit.global());
-            let place = Place::new(&problem.model, &problem.body, parameters);
+            let flight_model = FlightModel::new(&problem.model, &problem.body, parameters);
             let role = match evidence.role {
                 Role::Fit => "fitted",
                 Role::HeldOut => "not fitted",
             };
-            let mut flight = recorded(&place, &evidence, MAX_SAMPLES);
+            let mut flight = recorded(&flight_model, &evidence, MAX_SAMPLES);
             if by.is_empty() {
                 flight.note = role.to_owned();
             } else {
@@ -89,11 +89,11 @@ impl View {
         release: &Release,
         trajectory: &Trajectory,
     ) -> View {
-        let place = Place::new(model, body, body.release_parameters(release));
+        let flight_model = FlightModel::new(model, body, body.release_parameters(release));
         View {
             shape: shape(model),
             radius: None,
-            flights: vec![flown(&place, name, trajectory, MAX_SAMPLES)],
+            flights: vec![flown(&flight_model, name, trajectory, MAX_SAMPLES)],
         }
     }
 

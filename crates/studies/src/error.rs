@@ -52,6 +52,15 @@ pub enum StudyError {
     /// A dataset cannot be read.
     #[error(transparent)]
     Dataset(#[from] identify::InputError),
+    /// A take (recording) cannot be read.
+    #[error(transparent)]
+    Take(#[from] takes::TakeError),
+    /// The import of a take does not follow all of its markers; contains the labels of those that it follows.
+    #[error("the points {0:?} are followed")]
+    Labels(Vec<String>),
+    /// No template of markers can be estimated from the flights of a session.
+    #[error(transparent)]
+    Template(#[from] takes::TemplateError),
     /// A dataset cannot be fitted.
     #[error(transparent)]
     Fit(#[from] identify::FitError),

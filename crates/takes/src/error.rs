@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 /// Location of an error in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum Location {
     /// The error concerns the whole file.
     File,
     /// A line of a text file, counted from 1.
@@ -18,19 +18,19 @@ pub enum Place {
 
 /// A malformed recording: its location, what was found and what was expected.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{}{place}: found {found}, expected {expected}", file.display())]
+#[error("{}{location}: found {found}, expected {expected}", file.display())]
 pub struct TakeError {
     /// File that contains the error.
     pub file: PathBuf,
     /// Location of the error in the file.
-    pub place: Place,
+    pub location: Location,
     /// What was found at this location.
     pub found: String,
     /// What was expected instead.
     pub expected: String,
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for Location {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::File => Ok(()),
@@ -44,15 +44,15 @@ impl fmt::Display for Place {
 /// An error without the path of its file, which the caller adds by `Fault::of`.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Fault {
-    pub place: Place,
+    pub location: Location,
     pub found: String,
     pub expected: String,
 }
 
 impl Fault {
-    pub fn new(place: Place, found: impl Into<String>, expected: impl Into<String>) -> Self {
+    pub fn new(location: Location, found: impl Into<String>, expected: impl Into<String>) -> Self {
         Self {
-            place,
+            location,
             found: found.into(),
             expected: expected.into(),
         }
@@ -61,7 +61,7 @@ impl Fault {
     pub fn of(self, file: &Path) -> TakeError {
         TakeError {
             file: file.to_path_buf(),
-            place: self.place,
+            location: self.location,
             found: self.found,
             expected: self.expected,
         }

@@ -3,7 +3,7 @@
 use std::io::{ErrorKind, Read};
 use std::path::Path;
 
-use crate::error::{Fault, Place, TakeError};
+use crate::error::{Fault, Location, TakeError};
 
 /// Reads a regular file of at most `largest` bytes; `what` describes the expected file in the error message.
 ///
@@ -11,7 +11,8 @@ use crate::error::{Fault, Place, TakeError};
 /// [`TakeError`] for the whole file if it does not exist, cannot be read, is not a regular file or is larger than
 /// `largest`.
 pub fn bytes(file: &Path, largest: u64, what: &str) -> Result<Vec<u8>, TakeError> {
-    let refused = |found: String, expected: &str| Fault::new(Place::File, found, expected).of(file);
+    let refused =
+        |found: String, expected: &str| Fault::new(Location::File, found, expected).of(file);
     let unreadable = |error: std::io::Error| {
         let found = match error.kind() {
             // Operating systems word these errors differently.
@@ -50,16 +51,20 @@ pub fn bytes(file: &Path, largest: u64, what: &str) -> Result<Vec<u8>, TakeError
 pub(crate) fn text(bytes: &[u8]) -> Result<&str, Fault> {
     if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
         let found = "the byte-order mark of UTF-16";
-        return Err(Fault::new(Place::Line(1), found, "UTF-8 text"));
+        return Err(Fault::new(Location::Line(1), found, "UTF-8 text"));
     }
     let line = |offset: usize| 1 + bytes[..offset].iter().filter(|&&b| b == b'\n').count();
     let text = std::str::from_utf8(bytes).map_err(|error| {
         let offset = error.valid_up_to();
         let found = format!("the byte {:#04x}", bytes[offset]);
-        Fault::new(Place::Line(line(offset)), found, "UTF-8 text")
+        Fault::new(Location::Line(line(offset)), found, "UTF-8 text")
     })?;
     match text.find('\0') {
-        Some(offset) => Err(Fault::new(Place::Line(line(offset)), "a NUL byte", "text")),
+        Some(offset) => Err(Fault::new(
+            Location::Line(line(offset)),
+            "a NUL byte",
+            "text",
+        )),
         None => Ok(text.strip_prefix('\u{feff}').unwrap_or(text)),
     }
 }

@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::c3d::is_c3d;
 use crate::columns::{Column, Quantity};
-use crate::error::{Fault, Place};
+use crate::error::{Fault, Location};
 use crate::words::shown;
 
 /// File format of a recording.
@@ -65,14 +65,14 @@ impl Format {
         }
         if bytes.starts_with(b"PK\x03\x04") {
             let expected = "a recording; a workbook is exported as CSV first";
-            return Err(Fault::new(Place::Byte(0), "a ZIP archive", expected));
+            return Err(Fault::new(Location::Byte(0), "a ZIP archive", expected));
         }
         let text = crate::file::text(bytes)?;
         let lines = || text.lines().zip(1..);
         let filled = |line: &str| !line.trim_matches([',', ';', '\t', ' ', '\r']).is_empty();
         let Some((first, line)) = lines().find(|(line, _)| filled(line) && !line.starts_with('#'))
         else {
-            return Err(Fault::new(Place::Line(1), "an empty file", EXPECTED));
+            return Err(Fault::new(Location::Line(1), "an empty file", EXPECTED));
         };
         let keyword = first.split([',', ';', '\t']).next().unwrap_or_default();
         match keyword.trim().trim_matches('"') {
@@ -92,7 +92,7 @@ impl Format {
             "PathFileType" => {
                 let found = "a TRC file";
                 let expected = "another export of the recording, as C3D or CSV";
-                Err(Fault::new(Place::Line(line), found, expected))
+                Err(Fault::new(Location::Line(line), found, expected))
             }
             _ => by_columns(first).ok_or_else(|| {
                 let found = if first.contains("speedMph") {
@@ -100,7 +100,7 @@ impl Format {
                 } else {
                     format!("the first line {}", shown(first))
                 };
-                Fault::new(Place::Line(line), found, EXPECTED)
+                Fault::new(Location::Line(line), found, EXPECTED)
             }),
         }
     }

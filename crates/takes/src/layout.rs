@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::error::{Fault, Place};
+use crate::error::{Fault, Location};
 use crate::format::Format;
 use crate::sheet::Sheet;
 use crate::take::{Body, Point, Pose, Take};
@@ -98,13 +98,17 @@ impl Layout {
         ends: impl Fn(&Sheet<'_>) -> bool,
     ) -> Result<Take, Fault> {
         let labels = self.points.len() + self.bodies.len();
-        let place = Place::Line(sheet.line());
+        let location = Location::Line(sheet.line());
         if labels == 0 {
-            return Err(Fault::new(place, "no points", "at least one tracked point"));
+            return Err(Fault::new(
+                location,
+                "no points",
+                "at least one tracked point",
+            ));
         }
         if labels > MAX_LABELS {
             let expected = format!("at most {MAX_LABELS}");
-            return Err(Fault::new(place, format!("{labels} points"), expected));
+            return Err(Fault::new(location, format!("{labels} points"), expected));
         }
         let point = |(label, _): &(String, [usize; 3])| Point {
             label: label.clone(),
@@ -147,8 +151,8 @@ impl Layout {
     fn finish(self, mut take: Take, zeros: usize, sheet: &Sheet<'_>) -> Result<Take, Fault> {
         let rows = take.times.len();
         if rows == 0 {
-            let place = Place::Line(sheet.line());
-            return Err(Fault::new(place, "no rows", "at least one sample"));
+            let location = Location::Line(sheet.line());
+            return Err(Fault::new(location, "no rows", "at least one sample"));
         }
         if let Some(stated) = self.stated
             && stated != rows

@@ -27,7 +27,7 @@ pub mod words;
 mod z_up;
 
 pub use axes::Axis;
-pub use error::{Place, TakeError};
+pub use error::{Location, TakeError};
 pub use format::Format;
 pub use options::ReadOptions;
 pub use quaternion::rotated;

@@ -1,6 +1,6 @@
 //! Options that supply what the file of a recording does not state.
 
-use crate::error::{Fault, Place};
+use crate::error::{Fault, Location};
 use crate::format::Format;
 use crate::number::checked_rate;
 use crate::unit::{LengthUnit, TimeUnit};
@@ -21,11 +21,11 @@ pub struct ReadOptions {
 
 impl ReadOptions {
     /// Unit of length: the user's unit if it is given, otherwise the unit `stated`, which is specified in the file.
-    /// Adds a note if both are given and differ. Fails if neither is given, with `place` as the location of the error.
+    /// Adds a note if both are given and differ. Fails if neither is given, with `location` as the location of the error.
     pub(crate) fn length(
         &self,
         stated: Option<LengthUnit>,
-        place: Place,
+        location: Location,
         notes: &mut Vec<String>,
     ) -> Result<LengthUnit, Fault> {
         match (self.length, stated) {
@@ -37,7 +37,7 @@ impl ReadOptions {
             }
             (Some(unit), _) | (None, Some(unit)) => Ok(unit),
             (None, None) => Err(Fault::new(
-                place,
+                location,
                 "no unit of length",
                 "a unit in the file, or the option --length m, cm, mm, in or ft",
             )),
@@ -45,12 +45,12 @@ impl ReadOptions {
     }
 
     /// Frames per second: the user's rate if it is given, otherwise the rate `stated`, which is specified in the file.
-    /// Adds a note if both are given and differ. Fails if neither is given or the rate is out of range, with `place` as
+    /// Adds a note if both are given and differ. Fails if neither is given or the rate is out of range, with `location` as
     /// the location of the error.
     pub(crate) fn rate(
         &self,
         stated: Option<f64>,
-        place: Place,
+        location: Location,
         notes: &mut Vec<String>,
     ) -> Result<f64, Fault> {
         let rate = match (self.rate, stated) {
@@ -63,9 +63,9 @@ impl ReadOptions {
             (Some(rate), _) | (None, Some(rate)) => rate,
             (None, None) => {
                 let expected = "times in the file, or the option --rate with the frames per second";
-                return Err(Fault::new(place, "no times", expected));
+                return Err(Fault::new(location, "no times", expected));
             }
         };
-        checked_rate(rate).map_err(|(found, expected)| Fault::new(place, found, expected))
+        checked_rate(rate).map_err(|(found, expected)| Fault::new(location, found, expected))
     }
 }

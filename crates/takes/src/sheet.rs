@@ -2,7 +2,7 @@
 
 use csv::{Reader, ReaderBuilder, StringRecord};
 
-use crate::error::{Fault, Place};
+use crate::error::{Fault, Location};
 use crate::number::number;
 use crate::words::shown;
 
@@ -63,7 +63,7 @@ impl<'t> Sheet<'t> {
             let place = self.record.position();
             let line = place.map_or(self.line, |place| place.line() as usize);
             let read = read.map_err(|error| {
-                Fault::new(Place::Line(line), error.to_string(), "a readable table")
+                Fault::new(Location::Line(line), error.to_string(), "a readable table")
             })?;
             if !read {
                 return Ok(false);
@@ -158,6 +158,6 @@ impl<'t> Sheet<'t> {
         found: impl Into<String>,
         expected: impl Into<String>,
     ) -> Fault {
-        Fault::new(Place::Cell(self.line, index + 1), found, expected)
+        Fault::new(Location::Cell(self.line, index + 1), found, expected)
     }
 }

@@ -10,6 +10,7 @@ use crate::row::{Row, Worst};
 use crate::sample::{is_valid, typical, within_limits};
 use crate::subject::Subject;
 use nalgebra::Vector3;
+use ode::IntegrationError;
 use oracle::{ClaimedBody, Point, Quaternion, Tree};
 
 /// Maximum number of draws of a release (initial state of a flight) until one is within the model's validity limits.
@@ -172,7 +173,7 @@ fn fly_with_sums(
     subject: &Subject<'_>,
     from: &Point<f64>,
     duration: f64,
-) -> Result<(Point<f64>, Vec<f64>), String> {
+) -> Result<(Point<f64>, Vec<f64>), IntegrationError> {
     let count = from.states.len();
     let mut at = from.clone();
     let mut moving = |t: f64, x: &[f64], dx: &mut [f64]| {

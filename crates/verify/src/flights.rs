@@ -9,7 +9,7 @@ use crate::row::{Row, Worst};
 use crate::sample::is_valid;
 use crate::subject::Subject;
 use nalgebra::{Matrix3, Vector3};
-use ode::IntegrationOptions;
+use ode::{IntegrationError, IntegrationOptions};
 use oracle::{MassProperties, Physical, Point, Quaternion, Reference, Tree, inertia_in_n, solve};
 
 /// Name in reports of the check of energy and angular momentum without air.
@@ -54,7 +54,7 @@ pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
             Err(why) if subject.reference.is_none() => {
                 return Row::unverified(INVARIANTS, format!("without air it cannot fly: {why}"));
             }
-            Err(why) => return Row::counted(INVARIANTS, RELEASES, &[why], ""),
+            Err(why) => return Row::counted(INVARIANTS, RELEASES, &[why.to_string()], ""),
         };
         if !is_valid(subject.model, &point) || !is_valid(subject.model, &end) {
             return Row::skipped(INVARIANTS, "without air it leaves the limits of the model");
@@ -101,7 +101,9 @@ pub fn momenta(subject: &Subject<'_>, options: &Options) -> Row {
         }
         let (end, other) = match (fly(subject, &point), fly_by_momenta(reference, &point)) {
             (Ok(end), Ok(other)) => (reference.chart.physical(&end.states), other),
-            (Err(why), _) | (_, Err(why)) => return Row::counted(MOMENTA, RELEASES, &[why], ""),
+            (Err(why), _) | (_, Err(why)) => {
+                return Row::counted(MOMENTA, RELEASES, &[why.to_string()], "");
+            }
         };
         compare(&mut worst, &end, &other);
     }
@@ -128,7 +130,9 @@ pub fn same_flights(a: &Subject<'_>, b: &Subject<'_>, options: &Options) -> Row 
                 let (one, other) = (&one.states, &other.states);
                 compare(&mut worst, &chart_a.physical(one), &chart_b.physical(other));
             }
-            (Err(why), _) | (_, Err(why)) => return Row::counted(FLIGHTS, RELEASES, &[why], ""),
+            (Err(why), _) | (_, Err(why)) => {
+                return Row::counted(FLIGHTS, RELEASES, &[why.to_string()], "");
+            }
         }
     }
     Row::judged(FLIGHTS, RELEASES, &worst, TOLERANCE)
@@ -212,17 +216,19 @@ pub(crate) fn airless(subject: &Subject<'_>, point: &mut Point<f64>) {
     }
 }
 
-/// Integrates the model equations from a point for [`DURATION`] and returns the final point. The error is the
-/// integrator's message.
-fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Result<Point<f64>, String> {
+/// Integrates the model equations from a point for [`DURATION`] and returns the final point.
+fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Result<Point<f64>, IntegrationError> {
     let rates = |at: &Point<f64>| subject.equations.rates(at);
     let options = IntegrationOptions::with_tolerance(RTOL);
-    integration::fly(&rates, from, DURATION, &options).map_err(|fault| fault.to_string())
+    integration::fly(&rates, from, DURATION, &options)
 }
 
 /// Integrates the reference law in position, momentum, attitude and angular momentum, and returns the final physical
-/// state. The error is the integrator's message.
-fn fly_by_momenta(reference: &Reference, point: &Point<f64>) -> Result<Physical<f64>, String> {
+/// state.
+fn fly_by_momenta(
+    reference: &Reference,
+    point: &Point<f64>,
+) -> Result<Physical<f64>, IntegrationError> {
     let properties = reference.mass_properties(point);
     let read = |y: &[f64]| -> Physical<f64> {
         let vector = |i: usize| Vector3::new(y[i], y[i + 1], y[i + 2]);
@@ -265,14 +271,14 @@ fn fly_by_momenta(reference: &Reference, point: &Point<f64>) -> Result<Physical<
 }
 
 /// Integrates differential equations from the state `start` over a duration (s), see [`integration::integrate`], with
-/// the tolerance of all flight checks. The error is the integrator's message.
+/// the tolerance of all flight checks.
 pub(crate) fn integrate(
     rhs: &mut RightHandSide<'_>,
     start: &[f64],
     duration: f64,
-) -> Result<Vec<f64>, String> {
+) -> Result<Vec<f64>, IntegrationError> {
     let options = IntegrationOptions::with_tolerance(RTOL);
-    integration::integrate(rhs, start, duration, &options).map_err(|fault| fault.to_string())
+    integration::integrate(rhs, start, duration, &options)
 }
 
 fn compare(worst: &mut Worst, a: &Physical<f64>, b: &Physical<f64>) {

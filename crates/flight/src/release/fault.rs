@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use model_spec::load::LoadError;
+
 /// Error for an invalid release file, with all of its faults.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ReleaseError {
@@ -38,6 +40,17 @@ impl fmt::Display for ReleaseError {
 }
 
 impl std::error::Error for ReleaseError {}
+
+/// Reason why a model cannot fly in the wind of a release.
+#[derive(Debug, thiserror::Error)]
+pub(super) enum WindError {
+    /// The release names a model of which only the names are known.
+    #[error("found a wind by height or gusts, and no model that could fly in it")]
+    NoModel,
+    /// The wind cannot be added to the model.
+    #[error("the model {name} cannot fly in this wind: {source}")]
+    Model { name: String, source: LoadError },
+}
 
 /// End of an error message on an unknown name: `; did you mean "…"?` if a valid name is similar, otherwise the list of
 /// all valid names.

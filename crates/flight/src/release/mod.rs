@@ -12,6 +12,7 @@ use model_spec::model::{Model, Parameter};
 
 use crate::wind::WindField;
 
+use fault::WindError;
 pub use fault::{Fault, ReleaseError, suggestion};
 pub(crate) use read::MAX_FILE_BYTES;
 pub use read::{Reader, Value, read, read_file, read_file_in_wind, read_in_wind};
@@ -122,17 +123,14 @@ pub struct Name {
 }
 
 impl Vocabulary {
-    /// Names that the model defines after the wind `field` has been added to it; if this wind cannot be added to the
-    /// model, the result is an error message with the reason.
-    fn in_wind(&self, field: &WindField) -> Result<Vocabulary, String> {
-        let model = self.model.as_ref();
-        let model =
-            model.ok_or("found a wind by height or gusts, and no model that could fly in it")?;
-        let model = field.compose(model).map_err(|error| {
-            let name = &model.name;
-            format!("the model {name} cannot fly in this wind: {error}")
+    /// Names that the model defines after the wind `field` has been added to it.
+    fn in_wind(&self, field: &WindField) -> Result<Vocabulary, WindError> {
+        let model = self.model.as_ref().ok_or(WindError::NoModel)?;
+        let composed = field.compose(model).map_err(|source| WindError::Model {
+            name: model.name.clone(),
+            source,
         })?;
-        Ok(Vocabulary::of(&model))
+        Ok(Vocabulary::of(&composed))
     }
 
     /// Collects the names and bounds that a model defines and that its release files may use.

@@ -4,6 +4,7 @@ use super::fault::suggestion;
 use super::text::read_text;
 use super::{Fault, Name, Release, ReleaseError, Stop, Vocabulary};
 use crate::wind::WindField;
+use model_spec::load::LoadError;
 use model_spec::location::line_and_column;
 use std::ops::Range;
 use std::path::Path;
@@ -19,7 +20,7 @@ pub(crate) const MAX_FILE_BYTES: u64 = 1 << 20;
 /// [`ReleaseError`] with all faults of the file, also if it cannot be read or is larger than 1 MiB.
 pub fn read_file(
     path: &Path,
-    vocabulary: impl FnOnce(&str) -> Result<Vocabulary, String>,
+    vocabulary: impl FnOnce(&str) -> Result<Vocabulary, LoadError>,
 ) -> Result<Release, ReleaseError> {
     read_text(path, "a release", MAX_FILE_BYTES, |file, text| {
         read(file, text, vocabulary)
@@ -32,7 +33,7 @@ pub fn read_file(
 /// [`ReleaseError`] as for [`read_file`].
 pub fn read_file_in_wind(
     path: &Path,
-    vocabulary: impl FnOnce(&str) -> Result<Vocabulary, String>,
+    vocabulary: impl FnOnce(&str) -> Result<Vocabulary, LoadError>,
 ) -> Result<(Release, Vocabulary), ReleaseError> {
     read_text(path, "a release", MAX_FILE_BYTES, |file, text| {
         read_in_wind(file, text, &[], vocabulary)
@@ -50,7 +51,7 @@ pub fn read_file_in_wind(
 pub fn read(
     file: &str,
     text: &str,
-    vocabulary: impl FnOnce(&str) -> Result<Vocabulary, String>,
+    vocabulary: impl FnOnce(&str) -> Result<Vocabulary, LoadError>,
 ) -> Result<Release, ReleaseError> {
     let mut reader = Reader::new(text);
     let release = reader.release(&[], false, vocabulary);
@@ -68,7 +69,7 @@ pub fn read_in_wind(
     file: &str,
     text: &str,
     own_keys: &[&str],
-    vocabulary: impl FnOnce(&str) -> Result<Vocabulary, String>,
+    vocabulary: impl FnOnce(&str) -> Result<Vocabulary, LoadError>,
 ) -> Result<(Release, Vocabulary), ReleaseError> {
     let mut reader = Reader::new(text);
     let release = reader.release(own_keys, true, vocabulary);
@@ -148,7 +149,7 @@ impl<'t> Reader<'t> {
         &mut self,
         own_keys: &[&str],
         in_wind: bool,
-        vocabulary: impl FnOnce(&str) -> Result<Vocabulary, String>,
+        vocabulary: impl FnOnce(&str) -> Result<Vocabulary, LoadError>,
     ) -> Option<(Release, Vocabulary)> {
         let document = self.document()?;
         let document = document.get_ref();
@@ -178,7 +179,7 @@ impl<'t> Reader<'t> {
         let mut vocabulary = match vocabulary(model_name) {
             Ok(vocabulary) => vocabulary,
             Err(why) => {
-                self.fault(name.span(), why);
+                self.fault(name.span(), why.to_string());
                 return None;
             }
         };
@@ -201,7 +202,7 @@ impl<'t> Reader<'t> {
             match vocabulary.in_wind(field) {
                 Ok(composed) => vocabulary = composed,
                 Err(why) => {
-                    self.fault(table.span(), why);
+                    self.fault(table.span(), why.to_string());
                     return None;
                 }
             }

@@ -1,6 +1,7 @@
 //! Releases: good ones are read, and each fault of a bad one is named with its place.
 
 use flight::release::{self, Name, Release, Stop, Vocabulary};
+use model_spec::load::LoadError;
 use proptest::prelude::*;
 
 /// The names of the disc's model.
@@ -48,9 +49,10 @@ fn read(text: &str) -> Result<Release, release::ReleaseError> {
             quaternions: vec![[0, 1, 2, 3]],
             ..disc()
         }),
-        other => Err(format!(
-            "there is no model {other:?}; did you mean \"disc\"?"
-        )),
+        other => Err(LoadError::UnknownModel {
+            wanted: other.to_owned(),
+            known: vec!["disc".to_owned()],
+        }),
     })
 }
 
@@ -176,7 +178,9 @@ fn each_fault_has_its_message() {
     
     r.toml:1:9: model is 3; expected a name or a path, as in model = "disc"
     
-    r.toml:1:9: there is no model "dics"; did you mean "disc"?
+    r.toml:1:9: there is no model `dics`: no such file, and no such model is built in
+    did you mean `disc`?
+    built in are disc
     
     r.toml: found no end; expected duration = … (s) or until = "ground"
     
@@ -286,10 +290,7 @@ proptest! {
 fn the_built_in_releases_speak_of_the_models_there_are() {
     for (name, text) in release::BUILT_IN {
         let read = release::read(name, text, |model| {
-            match model_spec::load::load(model, &[]) {
-                Ok(model) => Ok(Vocabulary::of(&model)),
-                Err(_) => Err(format!("there is no model {model:?}")),
-            }
+            model_spec::load::load(model, &[]).map(|model| Vocabulary::of(&model))
         });
         assert!(read.is_ok(), "{}", read.unwrap_err());
     }

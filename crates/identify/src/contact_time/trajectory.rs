@@ -41,7 +41,7 @@ pub struct Predicted {
 
 /// Kind of a time at which the trajectory is evaluated: its initial time, a sample, or a time between two samples.
 #[derive(Clone, Copy)]
-enum Place {
+enum EvaluationTime {
     Start,
     Sample,
     /// A time between two samples at which a contact is tried; contains the index of the later sample, counted from
@@ -63,23 +63,23 @@ impl Trajectory {
         tried: usize,
     ) -> Result<Self, FlightError> {
         let times = &observations.times;
-        let mut places = Vec::new();
+        let mut evaluations = Vec::new();
         if seen.start > 0 {
-            places.push((Place::Start, times[0]));
+            evaluations.push((EvaluationTime::Start, times[0]));
         }
         for sample in seen.clone() {
             if sample >= tried.max(1) {
                 let (before, time) = (times[sample - 1], times[sample]);
                 let at = PARTS.map(|part| before + part * (time - before));
-                places.extend(at.map(|time| (Place::Before(sample - tried), time)));
+                evaluations.extend(at.map(|time| (EvaluationTime::Before(sample - tried), time)));
             }
-            places.push((Place::Sample, times[sample]));
+            evaluations.push((EvaluationTime::Sample, times[sample]));
         }
         let manifold = StateManifold::new(&problem.model, &[]);
         let (dimension, markers) = (manifold.dimension(), observations.markers);
-        let points = places.len() * markers;
+        let points = evaluations.len() * markers;
         let evaluated = Observations {
-            times: places.iter().map(|(_, time)| *time).collect(),
+            times: evaluations.iter().map(|(_, time)| *time).collect(),
             measured: vec![Some([0.0; 3]); points],
             outlier: vec![false; points],
             stand_ins: Vec::new(),
@@ -119,10 +119,10 @@ impl Trajectory {
                     return;
                 }
                 let all = std::mem::take(&mut all);
-                match places[point.sample].0 {
-                    Place::Start => {}
-                    Place::Before(index) => trajectory.contacts[index].push(all),
-                    Place::Sample => trajectory.samples.push(all),
+                match evaluations[point.sample].0 {
+                    EvaluationTime::Start => {}
+                    EvaluationTime::Before(index) => trajectory.contacts[index].push(all),
+                    EvaluationTime::Sample => trajectory.samples.push(all),
                 }
             },
         )?;

@@ -20,8 +20,8 @@ pub(super) struct Header {
     pub channels: Vec<Vec<usize>>,
 }
 
-/// Index of a column that the header does not have.
-const ABSENT: usize = usize::MAX;
+/// Endings of the names of a marker's columns.
+const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Cell separator of a table: a semicolon or a tab if the header contains one, otherwise a comma.
 pub(super) fn separator(text: &str) -> char {
@@ -49,13 +49,13 @@ impl Header {
         sensors: &[Sensor],
     ) -> Result<Self, InputError> {
         let endings = channels(sensors).map(|(_, endings)| endings.len());
-        let mut channels: Vec<_> = endings.map(|count| vec![ABSENT; count]).collect();
+        let mut channels: Vec<_> = endings.map(|count| vec![None; count]).collect();
         let of_sensor = names_of_sensors(sensors);
         let places: BTreeMap<&str, usize> = markers.iter().copied().zip(0..).collect();
-        let mut time = ABSENT;
-        let mut columns = vec![[ABSENT; 3]; markers.len()];
+        let mut time = None;
+        let mut columns = vec![[None; 3]; markers.len()];
         for (index, name) in record.iter().map(str::trim).enumerate() {
-            let slot: &mut usize = if name == "t" {
+            let slot: &mut Option<usize> = if name == "t" {
                 &mut time
             } else if let Some(&(channel, part)) = of_sensor.get(name) {
                 &mut channels[channel][part]
@@ -70,26 +70,34 @@ impl Header {
                 };
                 &mut columns[marker][axis]
             };
-            if std::mem::replace(slot, index) != ABSENT {
+            if slot.replace(index).is_some() {
                 let found = format!("a second column {}", shown(name));
                 return Err(lines.fault(index, found, "each column once"));
             }
         }
-        if time == ABSENT {
+        let time = time.ok_or_else(|| {
             let expected = "the time of each row, s, in a column t";
-            return Err(lines.fault(0, "no column t", expected));
-        }
-        for (marker, axes) in markers.iter().zip(&columns) {
-            if let Some(axis) = axes.iter().position(|&index| index == ABSENT) {
-                let found = format!("no column {marker}_{}", ["x", "y", "z"][axis]);
-                return Err(lines.fault(0, found, "x, y and z of every marker"));
-            }
-        }
-        let mut places = of_sensor.iter();
-        if let Some((name, _)) = places.find(|(_, (c, part))| channels[*c][*part] == ABSENT) {
+            lines.fault(0, "no column t", expected)
+        })?;
+        let of_markers = markers.iter().zip(&columns).map(|(marker, found)| {
+            let column = |axis: usize| {
+                found[axis].ok_or_else(|| {
+                    let missing = format!("no column {marker}_{}", AXES[axis]);
+                    lines.fault(0, missing, "x, y and z of every marker")
+                })
+            };
+            Ok([column(0)?, column(1)?, column(2)?])
+        });
+        let columns = of_markers.collect::<Result<_, InputError>>()?;
+        let mut names = of_sensor.iter();
+        if let Some((name, _)) = names.find(|(_, (c, part))| channels[*c][*part].is_none()) {
             let found = format!("no column {name}");
             return Err(lines.fault(0, found, "every column of every sensor"));
         }
+        let channels = channels
+            .into_iter()
+            .map(|parts| parts.into_iter().flatten().collect())
+            .collect();
         Ok(Self {
             width: record.len(),
             time,
@@ -112,7 +120,7 @@ fn names_of_sensors(sensors: &[Sensor]) -> BTreeMap<String, (usize, usize)> {
 
 fn split(name: &str, places: &BTreeMap<&str, usize>) -> Option<(usize, usize)> {
     let (marker, axis) = name.rsplit_once('_')?;
-    let axis = ["x", "y", "z"].iter().position(|&known| known == axis)?;
+    let axis = AXES.iter().position(|&known| known == axis)?;
     Some((*places.get(marker)?, axis))
 }
 
@@ -121,7 +129,7 @@ fn expected_instead_of(
     markers: &[&str],
     of_sensor: &BTreeMap<String, (usize, usize)>,
 ) -> String {
-    let columns: Vec<String> = ["x", "y", "z"]
+    let columns: Vec<String> = AXES
         .iter()
         .flat_map(|axis| markers.iter().map(move |marker| format!("{marker}_{axis}")))
         .collect();

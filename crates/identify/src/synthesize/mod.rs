@@ -75,7 +75,7 @@ fn refuse<T>(why: impl Into<String>) -> Result<T, SynthesisError> {
 
 /// A synthetic dataset with its true values.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Made {
+pub struct SyntheticDataset {
     /// The simulated flights, as a dataset of the same form as a measured one.
     pub dataset: Dataset,
     /// True values from which the dataset was generated.
@@ -111,7 +111,11 @@ pub fn default_markers(model: &Model) -> Vec<Marker> {
 /// # Errors
 /// [`SynthesisError::Plan`] or [`SynthesisError::OutOfRange`] if the plan is invalid; [`SynthesisError::Flight`] if a
 /// flight cannot be simulated.
-pub fn flights(model: &Model, releases: &[Release], plan: &Plan) -> Result<Made, SynthesisError> {
+pub fn flights(
+    model: &Model,
+    releases: &[Release],
+    plan: &Plan,
+) -> Result<SyntheticDataset, SynthesisError> {
     check(model, releases, plan)?;
     let markers = if plan.markers.is_empty() {
         default_markers(model)
@@ -151,7 +155,7 @@ pub fn flights(model: &Model, releases: &[Release], plan: &Plan) -> Result<Made,
         let names = of.iter().map(|constant| constant.name.clone());
         names.zip(values.iter().copied()).collect()
     };
-    Ok(Made {
+    Ok(SyntheticDataset {
         dataset: Dataset {
             model: model.name.clone(),
             parameters: named(&model.params, parameters),

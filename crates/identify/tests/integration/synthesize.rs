@@ -2,13 +2,13 @@
 
 use flight::release::{Release, Stop, Vocabulary, built_in, read};
 use identify::dataset::{KnownValue, Role, load, write};
-use identify::synthesize::{Corruption, Made, Plan, Spread, SynthesisError, flights};
+use identify::synthesize::{Corruption, Plan, Spread, SynthesisError, SyntheticDataset, flights};
 use model_spec::model::Model;
 
 fn released(name: &str) -> (Model, Release) {
     let mut model = None;
     let release = read(name, built_in(name).expect("built in"), |named| {
-        let loaded = model_spec::load::load(named, &[]).map_err(|error| error.to_string())?;
+        let loaded = model_spec::load::load(named, &[])?;
         let vocabulary = Vocabulary::of(&loaded);
         model = Some(loaded);
         Ok(vocabulary)
@@ -16,7 +16,7 @@ fn released(name: &str) -> (Model, Release) {
     (model.expect("a model"), release.expect("a release"))
 }
 
-fn made(name: &str, plan: &Plan) -> Made {
+fn made(name: &str, plan: &Plan) -> SyntheticDataset {
     let (model, release) = released(name);
     flights(&model, &[release], plan).expect("made")
 }

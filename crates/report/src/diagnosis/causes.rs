@@ -169,7 +169,7 @@ pub(super) fn throw(next: &NextThrow) -> Throw {
             ),
             ("heading, from the x axis", degrees(next.heading)),
         ],
-        separation: words::sigmas(next.separation),
-        separation_now: words::sigmas(next.separation_now),
+        separation: words::equivalent_z(next.separation),
+        separation_now: words::equivalent_z(next.separation_now),
     }
 }

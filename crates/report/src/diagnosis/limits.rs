@@ -93,7 +93,7 @@ pub(super) fn scores(report: &Report) -> Vec<Score> {
             name: c.name.clone(),
             doc: c.doc.replace('\n', " "),
             site: words::site(&c.site).to_owned(),
-            sigmas: words::sigmas(c.z),
+            sigmas: words::equivalent_z(c.z),
             statistic: significant(c.statistic, 4),
             freedom: c.dof,
             p: words::probability_of_ln(c.ln_p),

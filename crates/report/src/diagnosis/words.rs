@@ -195,7 +195,7 @@ pub(super) fn probability_of_ln(ln_p: f64) -> String {
 }
 
 /// Formats an equivalent z (standard normal quantile).
-pub(super) fn sigmas(value: f64) -> String {
+pub(super) fn equivalent_z(value: f64) -> String {
     plain(value, usize::from(value.abs() < 99.95))
 }
 

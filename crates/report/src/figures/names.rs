@@ -58,7 +58,7 @@ impl Panel {
     pub(super) fn draw_places(&self, svg: &mut Svg, scale: &Scale, width: f64, letter: f64) {
         let places = self.lines.iter().flat_map(|line| &line.points);
         let places: Vec<(f64, f64)> = places.map(|(x, y)| (scale.x(*x), scale.y(*y))).collect();
-        let mut taken: Vec<Place> = Vec::new();
+        let mut taken: Vec<LabelBox> = Vec::new();
         for mark in self.marks.iter().filter(|mark| mark.at.1.is_finite()) {
             let (x, y) = (scale.x(mark.at.0), scale.y(mark.at.1));
             svg.dot("mark", (x, y));
@@ -69,13 +69,13 @@ impl Panel {
                 (x - 7.0 - wide, y - 6.0),
                 (x - 7.0 - wide, y + 17.0),
             ];
-            let boxes = corners.map(|(left, base)| Place {
+            let boxes = corners.map(|(left, base)| LabelBox {
                 left,
                 right: left + wide,
                 top: base - 12.0,
                 bottom: base + 4.0,
             });
-            let cost = |b: &Place| {
+            let cost = |b: &LabelBox| {
                 let outside = b.left < scale.left || b.right > width - 4.0;
                 let beyond = b.top < scale.top - 8.0 || b.bottom > scale.bottom();
                 let covered = places.iter().filter(|p| b.holds(**p)).count();
@@ -93,18 +93,18 @@ impl Panel {
 }
 
 /// Bounding box of a label, SVG units.
-struct Place {
+struct LabelBox {
     left: f64,
     right: f64,
     top: f64,
     bottom: f64,
 }
 
-impl Place {
+impl LabelBox {
     fn holds(&self, (x, y): (f64, f64)) -> bool {
         self.left < x && x < self.right && self.top < y && y < self.bottom
     }
-    fn meets(&self, other: &Place) -> bool {
+    fn meets(&self, other: &LabelBox) -> bool {
         self.left < other.right
             && other.left < self.right
             && self.top < other.bottom

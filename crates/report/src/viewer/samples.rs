@@ -60,15 +60,15 @@ struct Number {
 }
 
 /// A model with the parameter values of one flight; computes position and attitude of the body from a state.
-pub(super) struct Place<'m> {
+pub(super) struct FlightModel<'m> {
     model: &'m Model,
     body: &'m CompiledModel,
     parameters: Vec<f64>,
 }
 
-impl<'m> Place<'m> {
+impl<'m> FlightModel<'m> {
     pub(super) fn new(model: &'m Model, body: &'m CompiledModel, parameters: Vec<f64>) -> Self {
-        Place {
+        FlightModel {
             model,
             body,
             parameters,
@@ -96,9 +96,9 @@ impl<'m> Place<'m> {
         let mut kept = Vec::with_capacity(samples.len());
         let mut states = Vec::new();
         for &(t, state) in samples {
-            let seen = self.seen(&bound, t, state);
-            kept.push(seen.is_some());
-            let Some((position, attitude)) = seen else {
+            let pose = self.pose(&bound, t, state);
+            kept.push(pose.is_some());
+            let Some((position, attitude)) = pose else {
                 continue;
             };
             flight.times.push(rounded(t));
@@ -115,11 +115,11 @@ impl<'m> Place<'m> {
     /// Position and attitude of the body at a state, from the measurement equation applied to the origin and the axes
     /// of the body frame. A model without a measurement equation uses its states `x`, `y`, `z`. `None` if a value is
     /// missing or not finite.
-    fn seen(&self, bound: &BoundModel<'_>, t: f64, state: &[f64]) -> Option<([f64; 3], [f64; 9])> {
+    fn pose(&self, bound: &BoundModel<'_>, t: f64, state: &[f64]) -> Option<([f64; 3], [f64; 9])> {
         if self.model.observation.is_none() {
             let layout = self.body.layout();
-            let place = |name: &str| Some(*state.get(layout.state(name)?.index())?);
-            let origin = [place("x")?, place("y")?, place("z")?];
+            let value = |name: &str| Some(*state.get(layout.state(name)?.index())?);
+            let origin = [value("x")?, value("y")?, value("z")?];
             let is_finite = origin.iter().all(|v| v.is_finite());
             return is_finite.then_some((origin, [0.0; 9]));
         }
@@ -227,19 +227,28 @@ fn rounded(value: f64) -> f64 {
 }
 
 /// Viewer data of a simulated flight, with at most about `most` samples.
-pub(super) fn flown(place: &Place<'_>, name: &str, flown: &Trajectory, most: usize) -> Flight {
+pub(super) fn flown(
+    flight_model: &FlightModel<'_>,
+    name: &str,
+    flown: &Trajectory,
+    most: usize,
+) -> Flight {
     let length = flown.end - flown.start;
     let rate = (most.saturating_sub(2).max(1)) as f64 / length.max(f64::MIN_POSITIVE);
     let samples: Vec<(f64, Vec<f64>)> = flown.at_rate(rate).map(|(t, x)| (t, x.clone())).collect();
     let samples: Vec<(f64, &[f64])> = samples.iter().map(|(t, x)| (*t, x.as_slice())).collect();
-    let mut flight = place.flight(name, &samples).0;
+    let mut flight = flight_model.flight(name, &samples).0;
     flight.measured = vec![Vec::new(); flight.times.len()];
     flight.predicted = flight.measured.iter().map(|_| Vec::new()).collect();
     flight
 }
 
 /// Viewer data of a measured flight with its prediction, with at most `most` samples.
-pub(super) fn recorded(place: &Place<'_>, evidence: &FlightEvidence, most: usize) -> Flight {
+pub(super) fn recorded(
+    flight_model: &FlightModel<'_>,
+    evidence: &FlightEvidence,
+    most: usize,
+) -> Flight {
     let lengths = [
         evidence.states.len(),
         evidence.measured.len(),
@@ -249,7 +258,7 @@ pub(super) fn recorded(place: &Place<'_>, evidence: &FlightEvidence, most: usize
     let chosen = stride(&(0..length).collect::<Vec<_>>(), most);
     let at = |i: &usize| (evidence.times[*i], evidence.states[*i].as_slice());
     let samples: Vec<(f64, &[f64])> = chosen.iter().map(at).collect();
-    let (mut flight, kept) = place.flight(&evidence.file, &samples);
+    let (mut flight, kept) = flight_model.flight(&evidence.file, &samples);
     for (i, _) in chosen.iter().zip(&kept).filter(|(_, kept)| **kept) {
         let measured = evidence.measured[*i].iter().take(MAX_MARKERS);
         let measured: Vec<Option<[f64; 3]>> = measured.map(|p| p.map(|p| p.map(rounded))).collect();

@@ -68,7 +68,7 @@ pub fn own_models_page(outcomes: &[Outcome]) -> Result<Page, StudyError> {
     let seconds = outcomes.iter().map(|o| o.seconds);
     let results = Results {
         all: model_row("", "", &outcomes.iter().collect::<Vec<_>>()),
-        failed: outcomes.iter().filter(|o| o.failure.is_some()).count(),
+        failed: outcomes.iter().filter(|o| o.verdict.is_err()).count(),
         runs: outcomes.len(),
         median: median(seconds.clone()),
         slowest: seconds.fold(0.0, f64::max),
@@ -93,14 +93,14 @@ fn model_row(name: &'static str, kind: &'static str, of: &[&Outcome]) -> ModelRo
         site_right: count(&|o| is_clear(o) && o.is_site_right()),
         nulls: count(&|o| o.task.hidden.is_none()),
         false_alarms: count(&|o| {
-            o.task.hidden.is_none() && (o.is_detected() || o.failure.is_some())
+            o.task.hidden.is_none() && (o.is_detected() || o.verdict.is_err())
         }),
     }
 }
 
 fn row(outcome: &Outcome) -> Row {
     let judgement = match () {
-        () if outcome.failure.is_some() => "**failed**",
+        () if outcome.verdict.is_err() => "**failed**",
         () if !outcome.is_detected() && is_clear(outcome) => "**missed**",
         () if !outcome.is_detected() => "not detected",
         () if outcome.is_site_right() => "right site",

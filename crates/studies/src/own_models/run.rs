@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
-use diagnose::{DiagnosisOptions, Report, Verdict, diagnose};
+use diagnose::{DiagnosisError, DiagnosisOptions, Report, Verdict, diagnose};
 use identify::FitOptions;
 use identify::dataset::{Dataset, Flight};
 use identify::synthesize::Corruption;
@@ -48,14 +48,12 @@ impl Task {
 }
 
 /// Answer of one diagnosis, and how detectable the hidden effect was.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Outcome {
     /// Settings of the diagnosis.
     pub task: Task,
-    /// Verdict of the diagnosis; `None` if the diagnosis failed.
-    pub verdict: Option<Verdict>,
-    /// Error message of the diagnosis; `None` if it succeeded.
-    pub failure: Option<String>,
+    /// Verdict of the diagnosis, or the error that ended it.
+    pub verdict: Result<Verdict, DiagnosisError>,
     /// Effects in the diagnosis's answer, as pairs (name, site). If no effect is named: the selected terms of the term
     /// library or, without any, the missing force or moment that explains most of the misfit.
     pub answer: Vec<(String, String)>,
@@ -71,7 +69,9 @@ pub struct Outcome {
 impl Outcome {
     /// Whether the diagnosis succeeded and detected a deviation from the model (verdict other than `Verdict::None`).
     pub fn is_detected(&self) -> bool {
-        self.verdict.is_some_and(|verdict| verdict != Verdict::None)
+        self.verdict
+            .as_ref()
+            .is_ok_and(|verdict| *verdict != Verdict::None)
     }
 
     /// Whether the hidden effect has at least `times` times the minimum detectable size.
@@ -97,10 +97,9 @@ impl Outcome {
             .iter()
             .map(|(name, site)| format!("{name} ({site})"));
         let answer: Vec<String> = answer.collect();
-        match (&self.verdict, &self.failure) {
-            (Some(verdict), _) => format!("{verdict:?}: {}", answer.join(", ")),
-            (None, Some(failure)) => format!("failed: {}", failure.replace('\n', " ")),
-            (None, None) => "failed".to_owned(),
+        match &self.verdict {
+            Ok(verdict) => format!("{verdict:?}: {}", answer.join(", ")),
+            Err(error) => format!("failed: {}", error.to_string().replace('\n', " ")),
         }
     }
 }
@@ -168,27 +167,23 @@ fn outcome(task: Task, model: &Model, threads: usize) -> Outcome {
     });
     let clock = Instant::now();
     let found = bounded_diagnosis(model, &observed, threads);
-    let mut outcome = Outcome {
+    let seconds = clock.elapsed().as_secs_f64();
+    Outcome {
         task,
-        verdict: None,
-        failure: None,
-        answer: Vec::new(),
+        answer: found.as_ref().map(answer).unwrap_or_default(),
+        verdict: found.map(|report| report.verdict),
         detectability,
-        seconds: clock.elapsed().as_secs_f64(),
+        seconds,
         threads,
-    };
-    match found {
-        Ok(report) => {
-            outcome.answer = answer(&report);
-            outcome.verdict = Some(report.verdict);
-        }
-        Err(failure) => outcome.failure = Some(failure),
     }
-    outcome
 }
 
-/// Diagnoses a dataset and cancels the diagnosis after [`LIMIT`]. The error is the message of the diagnosis.
-fn bounded_diagnosis(model: &Model, observed: &Dataset, threads: usize) -> Result<Report, String> {
+/// Diagnoses a dataset and cancels the diagnosis after [`LIMIT`].
+fn bounded_diagnosis(
+    model: &Model,
+    observed: &Dataset,
+    threads: usize,
+) -> Result<Report, DiagnosisError> {
     let found = cancelled_after(LIMIT, |token| {
         let options = DiagnosisOptions {
             dataset: "hidden",
@@ -200,10 +195,7 @@ fn bounded_diagnosis(model: &Model, observed: &Dataset, threads: usize) -> Resul
         };
         diagnose(model, observed, &options)
     });
-    match found {
-        Ok(found) => Ok(found.report),
-        Err(error) => Err(error.to_string()),
-    }
+    Ok(found?.report)
 }
 
 /// Size of a hidden effect / minimum detectable size. It is the root of the χ² that remains when the model without the

@@ -229,7 +229,7 @@ fn formats(sessions: &[Session]) -> Vec<FormatRow> {
 fn examples(sessions: &[Session]) -> Vec<String> {
     let each = sessions.iter().filter_map(|session| {
         let why = match &session.result {
-            Err(why) => why,
+            Err(error) => error,
             Ok(result) => result.fits.iter().find_map(|fit| fit.as_ref().err())?,
         };
         let (seed, format, rate, markers) =

@@ -32,7 +32,7 @@ pub(super) const GIVEN: [(&str, &str); 4] = [
 ];
 
 /// Settings of one simulated recording session, and the result of importing and fitting its files.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Session {
     /// Seed from which the session is simulated.
     pub seed: u64,
@@ -44,13 +44,12 @@ pub struct Session {
     pub markers: usize,
     /// Standard deviation of the noise of a marker coordinate, m.
     pub sigma: f64,
-    /// Errors of the import and the fits against the true values, or the error message if the session could not be
-    /// processed.
-    pub result: Result<SessionResult, String>,
+    /// Errors of the import and the fits against the true values, or the error that ended the session.
+    pub result: Result<SessionResult, StudyError>,
 }
 
 /// Errors of the detected flights, of the estimated marker template and of the fits of one session.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct SessionResult {
     /// Errors (detected − true) of the release and the end of each flight, in samples; `None` for a flight that was not
     /// detected.
@@ -61,8 +60,8 @@ pub struct SessionResult {
     pub template: TemplateErrors,
     /// Errors of the marker template that is estimated from the flights between the true releases and ends.
     pub template_of_true_cuts: TemplateErrors,
-    /// Errors of the fit with each combination in `GIVEN`, or the message of a failed fit.
-    pub fits: Vec<Result<FitErrors, String>>,
+    /// Errors of the fit with each combination in `GIVEN`, or the error of a failed fit.
+    pub fits: Vec<Result<FitErrors, StudyError>>,
 }
 
 /// Errors of the estimates of one fit.
@@ -126,16 +125,17 @@ pub fn sessions(
 /// ends of all flights, and the number of detected throws that overlap no true flight.
 ///
 /// # Errors
-/// A message if a take cannot be read.
-pub fn session_cuts(seeds: &[u64], threads: usize) -> Result<SessionCuts, String> {
-    let each: Vec<Result<SessionCuts, String>> = batch::each_on(threads, seeds.len(), |index| {
-        let filmed = filmed(seeds[index]);
-        let text = |take: &FilmedTake| Writer::Vicon.text(&take.rows, filmed.rate);
-        let takes = filmed.takes.iter();
-        let imported: Result<Vec<(Take, Throws)>, String> =
-            takes.map(|take| imported(text(take).as_bytes())).collect();
-        Ok(cut_errors(&filmed, &imported?))
-    });
+/// [`StudyError::Take`] if a take cannot be read.
+pub fn session_cuts(seeds: &[u64], threads: usize) -> Result<SessionCuts, StudyError> {
+    let each: Vec<Result<SessionCuts, StudyError>> =
+        batch::each_on(threads, seeds.len(), |index| {
+            let filmed = filmed(seeds[index]);
+            let text = |take: &FilmedTake| Writer::Vicon.text(&take.rows, filmed.rate);
+            let takes = filmed.takes.iter();
+            let imported: Result<Vec<(Take, Throws)>, StudyError> =
+                takes.map(|take| imported(text(take).as_bytes())).collect();
+            Ok(cut_errors(&filmed, &imported?))
+        });
     let mut all = (Vec::new(), 0);
     for session in each {
         let (cuts, false_throws) = session?;
@@ -147,9 +147,8 @@ pub fn session_cuts(seeds: &[u64], threads: usize) -> Result<SessionCuts, String
 
 fn session(seed: u64, writer: Writer, python: Option<&Path>) -> Session {
     let filmed = filmed(seed);
-    let result = files(&filmed, writer, python, seed)
-        .map_err(|error| error.to_string())
-        .and_then(|files| round_trip(&filmed, &files));
+    let files = files(&filmed, writer, python, seed);
+    let result = files.and_then(|files| round_trip(&filmed, &files));
     Session {
         seed,
         format: writer.label(),
@@ -177,11 +176,11 @@ fn files(
     }
 }
 
-fn round_trip(filmed: &Filmed, files: &[Vec<u8>]) -> Result<SessionResult, String> {
+fn round_trip(filmed: &Filmed, files: &[Vec<u8>]) -> Result<SessionResult, StudyError> {
     let imported = files
         .iter()
         .map(|file| imported(file))
-        .collect::<Result<Vec<(Take, Throws)>, String>>()?;
+        .collect::<Result<Vec<(Take, Throws)>, StudyError>>()?;
     let (cuts, false_throws) = cut_errors(filmed, &imported);
     let labels: Vec<String> = (1..=filmed.markers.len())
         .map(|k| format!("m{k}"))
@@ -189,7 +188,7 @@ fn round_trip(filmed: &Filmed, files: &[Vec<u8>]) -> Result<SessionResult, Strin
     let [mut found, mut exact] = [0; 2].map(|_| Vec::new());
     for ((take, throws), truth) in imported.iter().zip(&filmed.takes) {
         if !throws.throws.is_empty() && labels.iter().any(|label| !throws.labels.contains(label)) {
-            return Err(format!("the points {:?} are followed", throws.labels));
+            return Err(StudyError::Labels(throws.labels.clone()));
         }
         let ranges = throws.throws.iter().map(takes::Throw::samples);
         add_flights(take, &labels, ranges, &mut found);
@@ -202,7 +201,7 @@ fn round_trip(filmed: &Filmed, files: &[Vec<u8>]) -> Result<SessionResult, Strin
             positions: &flight.positions,
         });
         let flights: Vec<FreeFlight<'_>> = flights.collect();
-        estimate_template(&labels, &flights, None).map_err(|error| error.to_string())
+        estimate_template(&labels, &flights, None)
     };
     let template = estimated(&found)?;
     let of_true_cuts = estimated(&exact)?;
@@ -213,7 +212,7 @@ fn round_trip(filmed: &Filmed, files: &[Vec<u8>]) -> Result<SessionResult, Strin
         if let Some((shift, _)) = &mut found.height {
             *shift += errors.height;
         }
-        Ok(found)
+        Ok::<_, StudyError>(found)
     };
     let fits = [
         by(&template, &found),
@@ -259,10 +258,9 @@ fn cut_errors(filmed: &Filmed, imported: &[(Take, Throws)]) -> SessionCuts {
 }
 
 /// Parses the contents of a file as a recording, converts it to axes with z up, and finds the throws in it.
-fn imported(file: &[u8]) -> Result<(Take, Throws), String> {
-    let take = takes::parse(&PathBuf::from("take"), file, &ReadOptions::default());
-    let take = take.map_err(|error| error.to_string())?;
-    let up = Axis::parse("+y").ok_or("an axis")?;
+fn imported(file: &[u8]) -> Result<(Take, Throws), StudyError> {
+    let take = takes::parse(&PathBuf::from("take"), file, &ReadOptions::default())?;
+    let up = Axis::parse("+y").expect("an axis");
     let take = take.with_z_up(up, false);
     let found = find_throws(&take, &[], &ThrowOptions::default());
     Ok((take, found))
@@ -320,7 +318,7 @@ fn fit(
     markers: &[[f64; 3]],
     origin_error: Option<[f64; 3]>,
     flights: &[Flight],
-) -> Result<FitErrors, String> {
+) -> Result<FitErrors, StudyError> {
     let model = disc();
     let markers = labels.iter().zip(markers).map(|(name, position)| Marker {
         name: name.clone(),
@@ -332,11 +330,13 @@ fn fit(
         flights: flights.to_vec(),
         ..empty(&model)
     };
-    let fitted = bounded_fit(&model, &dataset, LIMIT).result;
-    let report = fitted.map_err(|error| error.to_string())?.report;
+    let report = bounded_fit(&model, &dataset, LIMIT).result?.report;
     let each = TRUTH.iter().map(|(name, truth)| {
         let found = report.coefficients.get(*name);
-        let found = found.ok_or_else(|| format!("no coefficient {name}"))?;
+        let found = found.ok_or_else(|| StudyError::Name {
+            of: "fitted model",
+            name: (*name).to_owned(),
+        })?;
         let [low, high] = found.interval;
         Ok(CoefficientError {
             name,
@@ -346,7 +346,7 @@ fn fit(
     });
     let shift = report.coefficients.get("offset_3");
     Ok(FitErrors {
-        coefficients: each.collect::<Result<_, String>>()?,
+        coefficients: each.collect::<Result<_, StudyError>>()?,
         height: shift.map(|shift| (shift.value, shift.std_error)),
     })
 }

@@ -2,7 +2,7 @@
 
 use identify::Observations;
 use identify::dataset::{Dataset, KnownValue};
-use identify::synthesize::{Corruption as Made, corrupt};
+use identify::synthesize::{Corruption, corrupt};
 use identify::{
     AxesNoise, FitOptions, FitProblem, Loss, NoiseModel, Unknowns, initial_guesses, linearise,
 };
@@ -16,9 +16,9 @@ fn dataset() -> Dataset {
         ..TWELVE
     };
     let mut dataset = flights(&disc(), &plan, 2);
-    let noise = Made {
+    let noise = Corruption {
         dropouts: 0.1,
-        ..Made::default()
+        ..Corruption::default()
     };
     corrupt(&mut dataset.flights[0].positions, &noise, 1);
     dataset

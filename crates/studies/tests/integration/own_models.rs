@@ -20,7 +20,7 @@ fn nothing_is_found_where_nothing_is_hidden() {
     let outcomes = own_models(&all, 2, &|_, _| {});
     for outcome in &outcomes {
         assert!(
-            !outcome.is_detected() && outcome.failure.is_none(),
+            !outcome.is_detected() && outcome.verdict.is_ok(),
             "{outcome:?}"
         );
     }

@@ -77,5 +77,5 @@ fn slight_touches_that_the_cuts_miss_are_found_by_the_fit() {
 fn a_python_without_ezc3d_is_named() {
     let found = sessions(&[3], Some("no-such-python".as_ref()), 1, &quiet);
     let error = found[0].result.as_ref().expect_err("no C3D");
-    assert!(error.contains("no-such-python"), "{error}");
+    assert!(error.to_string().contains("no-such-python"), "{error}");
 }

@@ -55,6 +55,19 @@ pub enum AxisKind {
     },
 }
 
+/// Reason why a name in a plan denotes no input of a flight.
+#[derive(Debug, thiserror::Error)]
+enum NameError {
+    /// No input has this name; the hint contains similar or all valid names.
+    #[error("found nothing called {name:?} to vary{hint}")]
+    Unknown { name: String, hint: String },
+    /// The name is that of two inputs.
+    #[error(
+        "{0} is both a number of the throw and a parameter of the model; expected a plan by [initial] to vary the parameter"
+    )]
+    Ambiguous(String),
+}
+
 /// The model's layout and the plan's release and throw, in which names of a plan are looked up.
 pub(super) struct Names<'a> {
     pub layout: &'a Layout,
@@ -66,9 +79,8 @@ pub(super) struct Names<'a> {
 }
 
 impl Names<'_> {
-    /// Finds the input of a flight that `name` denotes, and its value in the plan's throw or release. The error is the
-    /// message for a name that is unknown or ambiguous.
-    fn find(&self, name: &str) -> Result<(Target, f64), String> {
+    /// Finds the input of a flight that `name` denotes, and its value in the plan's throw or release.
+    fn find(&self, name: &str) -> Result<(Target, f64), NameError> {
         let mut found = Vec::new();
         if let Some(throw) = self.throw {
             if let Some(index) = FIELDS.iter().position(|(field, ..)| *field == name) {
@@ -88,11 +100,12 @@ impl Names<'_> {
             [] => {
                 let names = self.all();
                 let hint = suggestion(name, names.iter().map(String::as_str));
-                Err(format!("found nothing called {name:?} to vary{hint}"))
+                Err(NameError::Unknown {
+                    name: name.to_owned(),
+                    hint,
+                })
             }
-            _ => Err(format!(
-                "{name} is both a number of the throw and a parameter of the model; expected a plan by [initial] to vary the parameter"
-            )),
+            _ => Err(NameError::Ambiguous(name.to_owned())),
         }
     }
 
@@ -161,8 +174,8 @@ pub(super) fn read<'t>(
         }
         let (target, own) = match names.find(name) {
             Ok(found) => found,
-            Err(why) => {
-                reader.fault(span, why);
+            Err(error) => {
+                reader.fault(span, error.to_string());
                 continue;
             }
         };

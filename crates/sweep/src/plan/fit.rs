@@ -75,8 +75,8 @@ pub(super) fn read<'t>(
     };
     let json = match open(&folder.join(path)) {
         Ok(json) => json,
-        Err(why) => {
-            reader.fault(span, format!("{path}: {why}"));
+        Err(error) => {
+            reader.fault(span, format!("{path}: {error}"));
             return (found, fixed);
         }
     };
@@ -131,11 +131,21 @@ pub(super) fn read<'t>(
     (found, fixed)
 }
 
-fn open(path: &Path) -> Result<Json, String> {
-    let size = std::fs::metadata(path).map_err(|e| e.to_string())?.len();
+/// Reason why the report of a fit cannot be read.
+#[derive(Debug, thiserror::Error)]
+enum ReportError {
+    #[error(transparent)]
+    Unreadable(#[from] std::io::Error),
+    #[error("has {0} bytes; expected at most {MAX_BYTES}")]
+    TooLong(u64),
+    #[error("is no JSON: {0}")]
+    Malformed(#[from] serde_json::Error),
+}
+
+fn open(path: &Path) -> Result<Json, ReportError> {
+    let size = std::fs::metadata(path)?.len();
     if size > MAX_BYTES {
-        return Err(format!("has {size} bytes; expected at most {MAX_BYTES}"));
+        return Err(ReportError::TooLong(size));
     }
-    let text = std::fs::read_to_string(path).map_err(|e| e.to_string())?;
-    serde_json::from_str(&text).map_err(|e| format!("is no JSON: {e}"))
+    Ok(serde_json::from_str(&std::fs::read_to_string(path)?)?)
 }

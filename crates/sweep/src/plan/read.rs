@@ -56,8 +56,7 @@ pub fn read(file: &str, text: &str, folder: &Path) -> Result<Plan, ReleaseError>
     let (release, vocabulary) = read_in_wind(file, text, &OWN_KEYS, |name| {
         let effects = effects.clone().unwrap_or_default();
         let effects: Vec<&str> = effects.iter().map(String::as_str).collect();
-        let model = load(&beside(name, folder), &effects).map_err(|e| e.to_string())?;
-        Ok(Vocabulary::of(&model))
+        load(&beside(name, folder), &effects).map(|model| Vocabulary::of(&model))
     })?;
     // The model of the vocabulary includes the wind of the plan.
     let model = vocabulary.model.clone();

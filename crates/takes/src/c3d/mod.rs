@@ -214,7 +214,7 @@ impl<'a> Recording<'a> {
     /// [`Wrong`] if the parameter is absent or contains an unknown unit.
     pub fn unit(&self) -> Result<(LengthUnit, String), Wrong> {
         const EXPECTED: &str = "m, cm or mm in POINT:UNITS";
-        let at = self.parameters.place("POINT", "UNITS");
+        let at = self.parameters.offset("POINT", "UNITS");
         match self.parameters.first_text("POINT", "UNITS")? {
             None => wrong(at, "no POINT:UNITS", EXPECTED),
             Some(text) => match LengthUnit::parse(&text) {
@@ -235,8 +235,8 @@ impl<'a> Recording<'a> {
         self.parameters.text("POINT", "Y_SCREEN").ok().flatten()
     }
 
-    /// Position of the point with index `place` in a frame, in the file's unit; `None` if the point was not seen.
-    pub fn position(&self, frame: usize, place: usize) -> Option<[f64; 3]> {
+    /// Position of the point with index `point` in a frame, in the file's unit; `None` if the point was not seen.
+    pub fn position(&self, frame: usize, point: usize) -> Option<[f64; 3]> {
         let start = frame.checked_mul(self.frame_bytes)?;
         let points = Bytes {
             bytes: self.data.get(start..start + self.frame_bytes)?,
@@ -245,11 +245,11 @@ impl<'a> Recording<'a> {
         // The sign of the fourth word states whether the point was seen; its bytes encode the cameras and the residual.
         let (raw, seen) = match self.storage {
             Storage::Float => {
-                let word = |i: usize| f64::from(points.f32(16 * place + 4 * i));
+                let word = |i: usize| f64::from(points.f32(16 * point + 4 * i));
                 ([word(0), word(1), word(2)], word(3) >= 0.0)
             }
             Storage::Integer(scale) => {
-                let word = |i: usize| f64::from(points.i16(8 * place + 2 * i));
+                let word = |i: usize| f64::from(points.i16(8 * point + 2 * i));
                 (
                     [word(0), word(1), word(2)].map(|x| x * scale),
                     word(3) >= 0.0,

@@ -7,7 +7,7 @@ use crate::words::shown;
 /// A C3D parameter whose value is not decoded yet.
 pub(super) struct Parameter<'a> {
     /// Byte offset of the parameter's type in the file.
-    pub place: usize,
+    pub offset: usize,
     pub kind: i8,
     pub dimensions: &'a [u8],
     pub data: Bytes<'a>,
@@ -18,7 +18,7 @@ pub(super) struct Shape<'a> {
     kind: i8,
     dimensions: &'a [u8],
     /// Byte offset of the parameter's type in the file.
-    place: usize,
+    offset: usize,
     /// Byte offset of the parameter's data in the parameter section; the field `size` is the length of these data,
     /// bytes.
     at: usize,
@@ -27,14 +27,14 @@ pub(super) struct Shape<'a> {
 
 impl<'a> Shape<'a> {
     pub fn read(section: &'a [u8], start: usize, at: usize, name: &str) -> Result<Self, Wrong> {
-        let place = start + at;
+        let offset = start + at;
         let &[kind, count] = part(section, start, at, 2)? else {
-            return wrong(place, "half a parameter", "a whole one");
+            return wrong(offset, "half a parameter", "a whole one");
         };
         let kind = kind.cast_signed();
         if ![-1, 1, 2, 4].contains(&kind) || count > 7 {
             return wrong(
-                place,
+                offset,
                 format!(
                     "the parameter {} of type {kind} with {count} dimensions",
                     shown(name)
@@ -49,7 +49,7 @@ impl<'a> Shape<'a> {
         Ok(Self {
             kind,
             dimensions,
-            place,
+            offset,
             at: at + 2 + usize::from(count),
             size: usize::try_from(size).unwrap_or(usize::MAX),
         })
@@ -67,7 +67,7 @@ impl<'a> Shape<'a> {
         order: Order,
     ) -> Result<Parameter<'a>, Wrong> {
         Ok(Parameter {
-            place: self.place,
+            offset: self.offset,
             kind: self.kind,
             dimensions: self.dimensions,
             data: Bytes {

@@ -112,9 +112,9 @@ impl<'a> Parameters<'a> {
     }
 
     /// Byte offset in the file of a parameter, or of the parameter section if the parameter is absent.
-    pub fn place(&self, group: &str, name: &str) -> usize {
+    pub fn offset(&self, group: &str, name: &str) -> usize {
         let parameter = self.get(group, name);
-        parameter.map_or(self.start, |parameter| parameter.place)
+        parameter.map_or(self.start, |parameter| parameter.offset)
     }
 
     /// First value of a numeric parameter; `None` if the parameter is absent, an error if it is not numeric.
@@ -127,7 +127,7 @@ impl<'a> Parameters<'a> {
             (4, 4..) => Ok(Some(f64::from(parameter.data.f32(0)))),
             (1, 1..) => Ok(Some(f64::from(parameter.data.bytes[0]))),
             _ => wrong(
-                parameter.place,
+                parameter.offset,
                 format!("{group}:{name} without a number"),
                 "a number",
             ),
@@ -146,7 +146,7 @@ impl<'a> Parameters<'a> {
                 Ok(Some(number as u64))
             }
             Some(number) => wrong(
-                self.place(group, name),
+                self.offset(group, name),
                 format!("{group}:{name} = {number}"),
                 "a number of frames",
             ),
@@ -163,7 +163,7 @@ impl<'a> Parameters<'a> {
                 Ok(Some(low | high << 16))
             }
             Some(parameter) => wrong(
-                parameter.place,
+                parameter.offset,
                 format!("{group}:{name} of another kind"),
                 "two integers",
             ),
@@ -177,7 +177,7 @@ impl<'a> Parameters<'a> {
             None => Ok(None),
             Some(parameter) if parameter.kind == -1 => Ok(Some(text(parameter.data.bytes))),
             Some(parameter) => wrong(
-                parameter.place,
+                parameter.offset,
                 format!("{group}:{name} of another kind"),
                 "a text",
             ),
@@ -209,7 +209,7 @@ impl<'a> Parameters<'a> {
             };
             if parameter.kind != -1 {
                 return wrong(
-                    parameter.place,
+                    parameter.offset,
                     format!("POINT:{name} of another kind"),
                     "texts",
                 );

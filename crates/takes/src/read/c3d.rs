@@ -2,7 +2,7 @@
 
 use crate::axes::Axis;
 use crate::c3d::{Recording, Wrong};
-use crate::error::{Fault, Place};
+use crate::error::{Fault, Location};
 use crate::format::Format;
 use crate::layout::{MAX_COORDINATE, MAX_LABELS, MAX_POSITIONS, unique};
 use crate::options::ReadOptions;
@@ -10,7 +10,7 @@ use crate::take::{Point, Take};
 use crate::words::shown;
 
 fn fault(wrong: Wrong) -> Fault {
-    Fault::new(Place::Byte(wrong.byte), wrong.found, wrong.expected)
+    Fault::new(Location::Byte(wrong.byte), wrong.found, wrong.expected)
 }
 
 pub(super) fn read(bytes: &[u8], options: &ReadOptions) -> Result<Take, Fault> {
@@ -24,10 +24,10 @@ pub(super) fn read(bytes: &[u8], options: &ReadOptions) -> Result<Take, Fault> {
     }
     let length = length(&recording, options, &mut notes)?;
     let rate = match (recording.rate(), options.rate) {
-        (Ok(rate), _) => options.rate(Some(rate), Place::Byte(20), &mut notes)?,
+        (Ok(rate), _) => options.rate(Some(rate), Location::Byte(20), &mut notes)?,
         (Err(wrong), Some(_)) => {
             notes.push(format!("found {}: the option --rate was used", wrong.found));
-            options.rate(None, Place::Byte(20), &mut notes)?
+            options.rate(None, Location::Byte(20), &mut notes)?
         }
         (Err(wrong), None) => {
             let mut fault = fault(wrong);
@@ -36,33 +36,33 @@ pub(super) fn read(bytes: &[u8], options: &ReadOptions) -> Result<Take, Fault> {
         }
     };
     let named = recording.points().min(recording.labels().len());
-    let places: Vec<usize> = (0..named)
-        .filter(|&place| !recording.labels()[place].is_empty())
+    let labelled: Vec<usize> = (0..named)
+        .filter(|&index| !recording.labels()[index].is_empty())
         .collect();
-    let unnamed = recording.points() - places.len();
+    let unnamed = recording.points() - labelled.len();
     if unnamed > 0 {
         notes.push(format!("{unnamed} points without a label were left out"));
     }
     let frames = recording.frames();
-    let cells = frames.checked_mul(places.len().max(1));
-    if places.len() > MAX_LABELS || cells.is_none_or(|cells| cells > MAX_POSITIONS) {
-        let found = format!("{frames} frames of {} points", places.len());
+    let cells = frames.checked_mul(labelled.len().max(1));
+    if labelled.len() > MAX_LABELS || cells.is_none_or(|cells| cells > MAX_POSITIONS) {
+        let found = format!("{frames} frames of {} points", labelled.len());
         let expected = format!("at most {MAX_POSITIONS} positions of at most {MAX_LABELS} points");
-        return Err(Fault::new(Place::Byte(0), found, expected));
+        return Err(Fault::new(Location::Byte(0), found, expected));
     }
     let first = f64::from(recording.first_frame());
-    let mut points = Vec::with_capacity(places.len());
-    for place in places {
-        let label = recording.labels()[place].clone();
+    let mut points = Vec::with_capacity(labelled.len());
+    for index in labelled {
+        let label = recording.labels()[index].clone();
         let mut positions = Vec::with_capacity(frames);
         for frame in 0..frames {
-            let position = recording.position(frame, place);
+            let position = recording.position(frame, index);
             let position = position.map(|raw| raw.map(|x| x * length.metres()));
             let is_far = |x: &f64| x.is_nan() || x.abs() > MAX_COORDINATE;
             if let Some(far) = position.iter().flatten().find(|x| is_far(x)) {
                 let found = format!("{} at {far} m", shown(&label));
                 let expected = format!("at most {MAX_COORDINATE} m (another unit?)");
-                let byte = Place::Byte(recording.byte_of_frame(frame));
+                let byte = Location::Byte(recording.byte_of_frame(frame));
                 return Err(Fault::new(byte, found, expected));
             }
             positions.push(position);
@@ -115,7 +115,7 @@ fn length(
             if !crate::LengthUnit::is_whole_name(&text) {
                 notes.push(format!("the unit {} was read as {unit}", shown(&text)));
             }
-            options.length(Some(unit), Place::Byte(0), notes)
+            options.length(Some(unit), Location::Byte(0), notes)
         }
         (Err(wrong), Some(unit)) => {
             notes.push(format!(

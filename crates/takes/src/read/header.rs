@@ -1,7 +1,7 @@
 //! Reader of tables with one header line that names every column: points, poses, and files of DLTdv8.
 
 use crate::columns::{Column, Quantity};
-use crate::error::{Fault, Place};
+use crate::error::{Fault, Location};
 use crate::format::{Format, is_digitised};
 use crate::layout::{Attitude, Clock, Layout, Tracks};
 use crate::options::ReadOptions;
@@ -32,10 +32,10 @@ pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<
     let mut sheet = Sheet::new(text, separator(first.unwrap_or_default()));
     if !sheet.advance()? {
         let expected = "a header that names the columns";
-        return Err(Fault::new(Place::Line(1), "no header", expected));
+        return Err(Fault::new(Location::Line(1), "no header", expected));
     }
     let header = Header::new(&sheet)?;
-    let line = Place::Line(sheet.line());
+    let line = Location::Line(sheet.line());
     if format == Format::Dltdv
         && let Some((index, name)) = foreign(&sheet)
     {
@@ -154,7 +154,7 @@ impl Header {
 
     fn clock(
         &self,
-        line: Place,
+        line: Location,
         options: &ReadOptions,
         notes: &mut Vec<String>,
     ) -> Result<Clock, Fault> {

@@ -8,7 +8,7 @@ mod vicon;
 
 use std::path::Path;
 
-use crate::error::{Fault, Place, TakeError};
+use crate::error::{Fault, Location, TakeError};
 use crate::format::Format;
 use crate::options::ReadOptions;
 use crate::take::Take;
@@ -54,7 +54,7 @@ fn checked(bytes: &[u8], options: &ReadOptions) -> Result<Take, Fault> {
     let mut poses = take.bodies.iter().flat_map(|body| &body.poses);
     if seen.next().is_none() && !poses.any(std::option::Option::is_some) {
         let expected = "a point that is seen at least once";
-        return Err(Fault::new(Place::File, "positions of nothing", expected));
+        return Err(Fault::new(Location::File, "positions of nothing", expected));
     }
     Ok(take)
 }

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::error::{Fault, Place};
+use crate::error::{Fault, Location};
 use crate::format::Format;
 use crate::layout::{Attitude, Clock, Layout, Tracks};
 use crate::options::ReadOptions;
@@ -29,7 +29,7 @@ struct Heads {
 pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Take, Fault> {
     let mut sheet = Sheet::new(text, separator(text.lines().next().unwrap_or_default()));
     let properties = properties(&mut sheet)?;
-    let line = Place::Line(1);
+    let line = Location::Line(1);
     let property = |name: &str| properties.get(name).map(String::as_str);
     if let Some(space) = property("Coordinate Space")
         && !space.eq_ignore_ascii_case("global")
@@ -76,8 +76,8 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Take, Fault> {
     };
     fill(&mut layout, &tracks, property("Rotation Type"), &sheet)?;
     if !sheet.advance()? {
-        let place = Place::Line(sheet.line());
-        return Err(Fault::new(place, "no rows", "at least one sample"));
+        let location = Location::Line(sheet.line());
+        return Err(Fault::new(location, "no rows", "at least one sample"));
     }
     let mut take = layout.samples(&mut sheet, |_| false)?;
     take.left_handed = Some(false);
@@ -89,7 +89,7 @@ fn properties(sheet: &mut Sheet<'_>) -> Result<BTreeMap<String, String>, Fault> 
     if !sheet.advance()? || sheet.cell(0) != "Format Version" {
         let found = shown(sheet.cell(0));
         let expected = "the line of properties, from Format Version on";
-        return Err(Fault::new(Place::Line(1), found, expected));
+        return Err(Fault::new(Location::Line(1), found, expected));
     }
     let cells = sheet.cells();
     let pairs = cells.chunks_exact(2);
@@ -104,8 +104,8 @@ fn heads(sheet: &mut Sheet<'_>) -> Result<Heads, Fault> {
     let mut heads = Heads::default();
     for _ in 0..MAX_HEADER_LINES {
         if !sheet.advance()? {
-            let place = Place::Line(sheet.line());
-            return Err(Fault::new(place, "the end of the file", EXPECTED));
+            let location = Location::Line(sheet.line());
+            return Err(Fault::new(location, "the end of the file", EXPECTED));
         }
         if sheet.cell(0).eq_ignore_ascii_case("frame") {
             if !sheet.cell(1).to_ascii_lowercase().starts_with("time (s") {
@@ -113,10 +113,10 @@ fn heads(sheet: &mut Sheet<'_>) -> Result<Heads, Fault> {
                 return Err(sheet.fault(1, found, "a column Time (Seconds)"));
             }
             heads.axes = sheet.cells();
-            let place = |what: &str| {
+            let missing = |what: &str| {
                 let expected = format!("a line {what} above the axes");
                 Fault::new(
-                    Place::Line(sheet.line()),
+                    Location::Line(sheet.line()),
                     format!("no line {what}"),
                     expected,
                 )
@@ -126,9 +126,9 @@ fn heads(sheet: &mut Sheet<'_>) -> Result<Heads, Fault> {
                 heads.names.is_empty(),
                 heads.kinds.is_empty(),
             ) {
-                (true, ..) => Err(place("Type")),
-                (_, true, _) => Err(place("Name")),
-                (.., true) => Err(place("of Position and Rotation")),
+                (true, ..) => Err(missing("Type")),
+                (_, true, _) => Err(missing("Name")),
+                (.., true) => Err(missing("of Position and Rotation")),
                 _ => Ok(heads),
             };
         }
@@ -205,8 +205,8 @@ fn fill(
         }
         let [Some(x), Some(y), Some(z)] = track.position else {
             let found = format!("no position of {}", shown(name));
-            let place = Place::Line(sheet.line());
-            return Err(Fault::new(place, found, "X, Y and Z of each position"));
+            let location = Location::Line(sheet.line());
+            return Err(Fault::new(location, found, "X, Y and Z of each position"));
         };
         if is_solved {
             let name = shown(name);
@@ -227,9 +227,9 @@ fn fill(
             _ => {
                 let kind = rotation.unwrap_or("another type");
                 let found = format!("rotations of {} as {}", shown(name), shown(kind));
-                let place = Place::Line(sheet.line());
+                let location = Location::Line(sheet.line());
                 return Err(Fault::new(
-                    place,
+                    location,
                     found,
                     "an export with Rotation Type Quaternion",
                 ));

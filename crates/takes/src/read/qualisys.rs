@@ -7,7 +7,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::error::{Fault, Place};
+use crate::error::{Fault, Location};
 use crate::format::{Format, QUALISYS_HEADER as HEADER};
 use crate::layout::{Attitude, Clock, Layout};
 use crate::options::ReadOptions;
@@ -49,7 +49,7 @@ pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<
             break;
         }
     }
-    let end = Place::Line(sheet.line());
+    let end = Location::Line(sheet.line());
     let (keyword, parts) = match has_bodies {
         true => ("BODY_NAMES", BODY),
         false => ("MARKER_NAMES", 3),
@@ -64,8 +64,12 @@ pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<
     let named = labels.iter().rposition(|label| !label.is_empty());
     let labels = &labels[..named.map_or(0, |last| last + 1)];
     if let Some(at) = labels.iter().position(String::is_empty) {
-        let place = Place::Cell(*line, at + 2);
-        return Err(Fault::new(place, "an empty label", "a label of each track"));
+        let location = Location::Cell(*line, at + 2);
+        return Err(Fault::new(
+            location,
+            "an empty label",
+            "a label of each track",
+        ));
     }
     let mut notes = Vec::new();
     let count = |keyword: &str| count(&keywords, keyword);
@@ -77,10 +81,10 @@ pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<
     if let Some(stated) = tracks
         && stated != labels.len()
     {
-        let place = Place::Line(*line);
+        let location = Location::Line(*line);
         let found = format!("{} labels", labels.len());
         return Err(Fault::new(
-            place,
+            location,
             found,
             format!("{stated}, as stated above"),
         ));
@@ -89,8 +93,8 @@ pub(super) fn read(text: &str, format: Format, options: &ReadOptions) -> Result<
         Some((line, values)) => {
             let text = values.first().map_or("", String::as_str);
             let Ok(rate) = text.replace(',', ".").parse::<f64>() else {
-                let place = Place::Cell(*line, 2);
-                return Err(Fault::new(place, shown(text), "the frames per second"));
+                let location = Location::Cell(*line, 2);
+                return Err(Fault::new(location, shown(text), "the frames per second"));
             };
             Some(rate)
         }
@@ -149,7 +153,7 @@ fn count(
     let text = values.first().map_or("", String::as_str);
     match text.parse() {
         Ok(count) => Ok(Some(count)),
-        Err(_) => Err(Fault::new(Place::Cell(*line, 2), shown(text), "a count")),
+        Err(_) => Err(Fault::new(Location::Cell(*line, 2), shown(text), "a count")),
     }
 }
 

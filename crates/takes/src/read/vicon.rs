@@ -1,6 +1,6 @@
 //! Reader of CSV tables of Vicon Nexus: sections that consist of a name, a rate, labels, column names, units and rows.
 
-use crate::error::{Fault, Place};
+use crate::error::{Fault, Location};
 use crate::format::Format;
 use crate::layout::{Clock, Layout};
 use crate::options::ReadOptions;
@@ -19,7 +19,7 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Take, Fault> {
     let mut sheet = Sheet::new(text, separator(header.unwrap_or(",")));
     let mut notes = Vec::new();
     find_section(&mut sheet, &mut notes)?;
-    let at = |sheet: &Sheet<'_>| Place::Line(sheet.line());
+    let at = |sheet: &Sheet<'_>| Location::Line(sheet.line());
     let next = |sheet: &mut Sheet<'_>, what: &str| match sheet.advance()? {
         true => Ok(()),
         false => {
@@ -87,8 +87,12 @@ fn find_section(sheet: &mut Sheet<'_>, notes: &mut Vec<String>) -> Result<(), Fa
         true => "no section".to_owned(),
         false => format!("the sections {}", listed(&skipped)),
     };
-    let place = Place::Line(sheet.line());
-    Err(Fault::new(place, found, format!("the section {SECTION}")))
+    let location = Location::Line(sheet.line());
+    Err(Fault::new(
+        location,
+        found,
+        format!("the section {SECTION}"),
+    ))
 }
 
 /// Labels and column indices of the points. A subject name with which all labels begin is removed from the labels.
@@ -119,8 +123,12 @@ fn points(
         .count()
         .saturating_sub(3 * found.len());
     if found.is_empty() {
-        let place = Place::Line(labels_line);
-        return Err(Fault::new(place, "no labels", "a label over each X, Y, Z"));
+        let location = Location::Line(labels_line);
+        return Err(Fault::new(
+            location,
+            "no labels",
+            "a label over each X, Y, Z",
+        ));
     }
     if unlabelled > 0 {
         notes.push(format!(

@@ -112,9 +112,9 @@ fn extend(
                 to: next,
             };
         }
-        let follows = |place: usize| is_predicted(track, path, recent, place, noise);
+        let follows = |index: usize| is_predicted(track, path, recent, index, noise);
         let following = (1..=CONSECUTIVE).filter_map(|by| step(last, by));
-        let good = following.clone().find(|&place| follows(place));
+        let good = following.clone().find(|&index| follows(index));
         let good = good.or_else(|| (!(checks.is_break)(last, !forward)).then_some(next));
         let Some(good) = good else {
             return match is_gap {
@@ -129,17 +129,17 @@ fn extend(
     }
 }
 
-/// Whether the sample of the trajectory `path` (m) at the track index `place` agrees with its prediction: the
+/// Whether the sample of the trajectory `path` (m) at the track index `index` agrees with its prediction: the
 /// extrapolation of a quadratic in time fitted to the samples with the track indices `recent`. `noise` is the standard
 /// deviation of a measured position, m.
 fn is_predicted(
     track: &Track,
     path: &[[f64; 3]],
     recent: &[usize],
-    place: usize,
+    index: usize,
     noise: f64,
 ) -> bool {
-    let t0 = track.times[place];
+    let t0 = track.times[index];
     let ends = [recent[0], recent[recent.len() - 1]];
     let scale = (track.times[ends[0]] - track.times[ends[1]])
         .abs()
@@ -151,7 +151,7 @@ fn is_predicted(
     let leverage = factor.inverse()[(0, 0)];
     let ahead = (t0 - track.times[ends[1]]).abs();
     let allowed = STRANGE * noise * (1.0 + leverage).sqrt() + JERK * ahead.powi(3) / 6.0;
-    (0..3).all(|axis| (coefficients[(0, axis)] - path[place][axis]).abs() <= allowed)
+    (0..3).all(|axis| (coefficients[(0, axis)] - path[index][axis]).abs() <= allowed)
 }
 
 /// Robust standard deviation of a measured position in a range of track indices, m, from third differences of

@@ -1,6 +1,7 @@
 //! Compares what a certificate covers with the present state of models and program.
 
-use super::{Certificate, CertifiedCheck, CertifiedModel, Fingerprint, Origin, Program, pairs};
+use super::{Certificate, CertifiedCheck, CertifiedModel, Fingerprint, Program, pairs};
+use crate::certificate::origin::OriginError;
 use crate::report::{Report, Verdict};
 use model_spec::load::{Loaded, inspect};
 use model_spec::model::Model;
@@ -87,7 +88,7 @@ impl CertifiedModel {
         };
         let loaded = match self.load(folder) {
             Ok(loaded) => loaded,
-            Err(why) => return vec![change(why)],
+            Err(why) => return vec![change(why.to_string())],
         };
         let Some(model) = &loaded.model else {
             return vec![change(String::from("its text is refused by the checker"))];
@@ -100,19 +101,12 @@ impl CertifiedModel {
             .collect()
     }
 
-    fn load(&self, folder: &Path) -> Result<Loaded, String> {
+    fn load(&self, folder: &Path) -> Result<Loaded, OriginError> {
         let name = self.from.found(folder)?;
-        let with: Result<Vec<String>, String> =
-            self.with.iter().map(|w: &Origin| w.found(folder)).collect();
-        let with = with?;
-        let with: Vec<&str> = with.iter().map(String::as_str).collect();
-        inspect(&name, &with).map_err(|why| {
-            let why = why.to_string();
-            format!(
-                "cannot be loaded: {}",
-                why.lines().next().unwrap_or_default()
-            )
-        })
+        let effects = self.with.iter().map(|origin| origin.found(folder));
+        let effects = effects.collect::<Result<Vec<String>, OriginError>>()?;
+        let effects: Vec<&str> = effects.iter().map(String::as_str).collect();
+        Ok(inspect(&name, &effects)?)
     }
 }
 

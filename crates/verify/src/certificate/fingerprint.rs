@@ -19,15 +19,20 @@ use std::path::Path;
 #[serde(try_from = "String")]
 pub struct Hash(String);
 
-impl TryFrom<String> for Hash {
-    type Error = String;
+/// Error for a text that is no [`Hash`].
+#[derive(Clone, Copy, Debug, thiserror::Error)]
+#[error("expected 64 hexadecimal digits of a SHA-256")]
+pub struct HashError;
 
-    fn try_from(text: String) -> Result<Self, String> {
+impl TryFrom<String> for Hash {
+    type Error = HashError;
+
+    fn try_from(text: String) -> Result<Self, HashError> {
         let is_digit = |b: u8| b.is_ascii_digit() || (b'a'..=b'f').contains(&b);
         if text.len() == 64 && text.bytes().all(is_digit) {
             Ok(Self(text))
         } else {
-            Err(String::from("expected 64 hexadecimal digits of a SHA-256"))
+            Err(HashError)
         }
     }
 }

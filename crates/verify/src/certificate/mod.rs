@@ -12,7 +12,7 @@ mod read;
 mod status;
 
 pub use change::Change;
-pub use fingerprint::{Fingerprint, Hash, HashedSource};
+pub use fingerprint::{Fingerprint, Hash, HashError, HashedSource};
 pub use origin::{Origin, folder_of};
 pub use read::{CertificateError, MAX_BYTES};
 pub use status::Status;

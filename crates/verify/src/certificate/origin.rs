@@ -1,5 +1,6 @@
 //! File or name from which a model or an effect is loaded.
 
+use model_spec::load::LoadError;
 use serde::{Deserialize, Serialize};
 use std::path::{Component, Path, PathBuf};
 
@@ -24,20 +25,36 @@ impl Origin {
         }
     }
 
-    /// Name or full path of a model or effect, to be passed to the loader of models. Returns an error message if the
-    /// file does not exist. `folder` is the folder of the certificate.
-    pub(super) fn found(&self, folder: &Path) -> Result<String, String> {
+    /// Name or full path of a model or effect, to be passed to the loader of models. `folder` is the folder of the
+    /// certificate.
+    pub(super) fn found(&self, folder: &Path) -> Result<String, OriginError> {
         match self {
             Self::Name(name) => Ok(name.clone()),
             Self::File(path) => {
                 let full = folder.join(path);
                 match full.to_str() {
                     Some(full) if Path::new(full).is_file() => Ok(full.to_owned()),
-                    _ => Err(format!("{path} is not there")),
+                    _ => Err(OriginError::Missing(path.clone())),
                 }
             }
         }
     }
+}
+
+/// Reason why a model of a certificate cannot be loaded.
+#[derive(Debug, thiserror::Error)]
+pub(super) enum OriginError {
+    /// The file at this path, relative to the folder of the certificate, does not exist.
+    #[error("{0} is not there")]
+    Missing(String),
+    /// The model or one of its effects cannot be loaded; the message is the first line of the loader's.
+    #[error("cannot be loaded: {}", first_line(.0))]
+    Load(#[from] LoadError),
+}
+
+fn first_line(error: &LoadError) -> String {
+    let text = error.to_string();
+    text.lines().next().unwrap_or_default().to_owned()
 }
 
 /// Path of a file relative to a folder. The path is returned unchanged if it cannot be resolved or has no common root

@@ -6,7 +6,8 @@ use crate::integration;
 use crate::random::Random;
 use crate::sample::{self, is_valid};
 use flight::release::{self, Vocabulary};
-use ode::IntegrationOptions;
+use model_spec::load::LoadError;
+use ode::{IntegrationError, IntegrationOptions};
 use oracle::{Chart, Point};
 use serde::Serialize;
 
@@ -37,6 +38,16 @@ pub struct FlightShift {
     /// Reason why one of the flights could not be simulated; `old` and `new` are then 0. `None` if both flights were
     /// simulated.
     pub failed: Option<String>,
+}
+
+impl FlightShift {
+    /// Records that the flight of `model` (the old or the new one) failed, with the first line of the error.
+    fn with_failure(mut self, model: &str, error: &IntegrationError) -> FlightShift {
+        let text = error.to_string();
+        let line = text.lines().next().unwrap_or_default();
+        self.failed = Some(format!("{model}: {line}"));
+        self
+    }
 }
 
 /// Simulates flights of `seconds` with both models from the same launch conditions (releases), chosen for the old
@@ -80,7 +91,10 @@ fn named(old: &Everything<'_>, own: bool) -> Vec<(String, Point<f64>, Vec<usize>
     let read = |&(name, text): &(&str, &str)| {
         let vocabulary = |of: &str| match !own || of == model.name {
             true => Ok(Vocabulary::of(model)),
-            false => Err(String::from("another model")),
+            false => Err(LoadError::UnknownModel {
+                wanted: of.to_owned(),
+                known: vec![model.name.clone()],
+            }),
         };
         let release = release::read(name, text, vocabulary).ok()?;
         let mut point = Point::defaults(model);
@@ -130,14 +144,8 @@ fn shift(
     };
     let (a, b) = match (fly(old, here, seconds), fly(new, &there, seconds)) {
         (Ok(a), Ok(b)) => (a, b),
-        (Err(why), _) => {
-            out.failed = Some(format!("the old model: {why}"));
-            return out;
-        }
-        (_, Err(why)) => {
-            out.failed = Some(format!("the new model: {why}"));
-            return out;
-        }
+        (Err(error), _) => return out.with_failure("the old model", &error),
+        (_, Err(error)) => return out.with_failure("the new model", &error),
     };
     let ends = position(old, &a, here).zip(position(new, &b, &there));
     out.distance_m = ends.map(|(p, q)| {
@@ -172,16 +180,16 @@ fn position(model: &Everything<'_>, states: &[f64], point: &Point<f64>) -> Optio
     (model.code.observed == 3).then(|| values[count..count + 3].to_vec())
 }
 
-fn fly(model: &Everything<'_>, from: &Point<f64>, seconds: f64) -> Result<Vec<f64>, String> {
+fn fly(
+    model: &Everything<'_>,
+    from: &Point<f64>,
+    seconds: f64,
+) -> Result<Vec<f64>, IntegrationError> {
     let rates = |at: &Point<f64>| {
         let mut all = model.numbers(at);
         all.truncate(from.states.len());
         all
     };
     let options = IntegrationOptions::with_tolerance(TOLERANCE);
-    let end = integration::fly(&rates, from, seconds, &options);
-    end.map(|end| end.states).map_err(|fault| {
-        let text = fault.to_string();
-        text.lines().next().unwrap_or_default().to_owned()
-    })
+    Ok(integration::fly(&rates, from, seconds, &options)?.states)
 }

@@ -1,12 +1,12 @@
 //! Figures of the diagnosis report, one kind of figure per file.
 
-mod alike;
 mod channels;
 mod curves;
 mod flights;
 mod gain;
 mod residuals;
-mod sigmas;
+mod score_correlations;
+mod score_tests;
 
 pub(super) use curves::unmoved;
 
@@ -29,8 +29,8 @@ path.history { stroke: #0072b2; stroke-width: 1.4 } path.dots-after { stroke: #0
 pub(super) struct Figures {
     pub(super) finding: Option<Drawn>,
     pub(super) gain: Option<Drawn>,
-    pub(super) sigmas: Option<Drawn>,
-    pub(super) alike: Option<Drawn>,
+    pub(super) score_tests: Option<Drawn>,
+    pub(super) score_correlations: Option<Drawn>,
     pub(super) predictions: Vec<Drawn>,
     pub(super) residuals: Vec<Drawn>,
     pub(super) curves: Vec<Drawn>,
@@ -43,8 +43,8 @@ impl Figures {
         Figures {
             finding,
             gain: gain::gain(page.report),
-            sigmas: sigmas::sigmas(page.report),
-            alike: alike::alike(page.report),
+            score_tests: score_tests::score_tests(page.report),
+            score_correlations: score_correlations::score_correlations(page.report),
             predictions: held_out(page),
             residuals: residuals::residuals(page),
             curves: curves::curves(page.report),
@@ -55,9 +55,11 @@ impl Figures {
 
     /// Returns all figures in the order in which they appear on the page.
     pub(super) fn in_order(self) -> Vec<Figure> {
-        let first = [self.finding, self.gain, self.sigmas].into_iter().flatten();
+        let first = [self.finding, self.gain, self.score_tests]
+            .into_iter()
+            .flatten();
         let first = first.chain(self.predictions).chain(self.residuals);
-        let all = first.chain(self.curves).chain(self.alike);
+        let all = first.chain(self.curves).chain(self.score_correlations);
         let all = all.chain(self.flights).chain(self.channels);
         all.map(|drawn| drawn.figure).collect()
     }

@@ -134,7 +134,7 @@ pub(super) fn strongest(report: &Report) -> Option<Drawn> {
             name: words::readable(&c.name),
             class: "tick",
             shapes: vec![Shape::Bar(c.z.max(0.0), bar)],
-            words: words::sigmas(c.z),
+            words: words::equivalent_z(c.z),
         }
     });
     let chart = Chart {

@@ -180,7 +180,7 @@ fn clearest(cause: &Cause) -> Option<(&CauseEffect, &String, f64)> {
 /// another candidate effect could also explain the flights.
 pub(super) fn sure(report: &Report) -> String {
     let tested = count(report.candidates.len(), "effect");
-    let threshold = words::sigmas(report.threshold.z);
+    let threshold = words::equivalent_z(report.threshold.z);
     let first = report.causes.first();
     let far = first.and_then(clearest).map(|(_, name, z)| {
         format!(
@@ -221,7 +221,7 @@ pub(super) fn sure(report: &Report) -> String {
                 format!(
                     "None of the {tested} tested is significant: the largest test statistic is z = {}, and {threshold} would be \
                      needed.",
-                    words::sigmas(strongest)
+                    words::equivalent_z(strongest)
                 ),
                 "An effect below its minimum detectable size could still be there; the sizes are listed under the limits \
                  of these flights."

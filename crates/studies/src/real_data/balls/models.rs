@@ -1,7 +1,7 @@
 //! Fits and diagnoses the ball with effects of the catalogue and of this study.
 
 use diagnose::Report as Diagnosis;
-use diagnose::{DiagnosisOptions, diagnose};
+use diagnose::{DiagnosisError, DiagnosisOptions, diagnose};
 use identify::dataset::Dataset;
 use identify::{FitOptions, FitReport, fit};
 use model_spec::compose::{EffectTree, ModelTree};
@@ -53,18 +53,17 @@ pub(super) fn fitted(
 }
 
 /// Diagnoses the flights with the ball model and the effects of the built-in effects catalogue. The outer error means
-/// that the model cannot be built; the inner error is the message of a failed diagnosis, for the page.
+/// that the model cannot be built; the inner error is that of a failed diagnosis, for the page.
 pub(super) fn diagnosed(
     model: &Model,
     flights: &Dataset,
     with: &[String],
-) -> Result<Result<Diagnosis, String>, StudyError> {
+) -> Result<Result<Diagnosis, DiagnosisError>, StudyError> {
     let names: Vec<&str> = with.iter().map(String::as_str).collect();
     let model = with_effects(model, &names)?;
     let asked = DiagnosisOptions {
         dataset: "spindoe",
         ..DiagnosisOptions::default()
     };
-    let diagnosed = diagnose(&model, flights, &asked).map(|found| found.report);
-    Ok(diagnosed.map_err(|error| error.to_string()))
+    Ok(diagnose(&model, flights, &asked).map(|found| found.report))
 }

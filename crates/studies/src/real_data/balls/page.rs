@@ -256,7 +256,7 @@ fn diagnosis_rows(balls: &Balls) -> Vec<DiagnosisRow> {
         },
         Err(error) => DiagnosisRow {
             what,
-            failure: Some(error.lines().next().unwrap_or_default().to_owned()),
+            failure: error.to_string().lines().next().map(str::to_owned),
             magnus: None,
             summary: String::new(),
         },

@@ -1,6 +1,6 @@
 //! Runs all fits, tests and diagnoses of the balls.
 
-use diagnose::Report as Diagnosis;
+use diagnose::{DiagnosisError, Report as Diagnosis};
 use identify::FitReport;
 use identify::dataset::Dataset;
 use model_spec::model::Model;
@@ -66,7 +66,7 @@ pub(in super::super) struct Balls {
     /// Diagnoses of three cases: all flights; the flights of the recording's parts in which every lift agrees with the
     /// stated spin; and these latter flights with the effect `magnus` in the model. An error is the message of a failed
     /// diagnosis.
-    pub(super) diagnoses: [Result<Diagnosis, String>; 3],
+    pub(super) diagnoses: [Result<Diagnosis, DiagnosisError>; 3],
 }
 
 impl Balls {

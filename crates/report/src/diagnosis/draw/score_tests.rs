@@ -14,7 +14,7 @@ const MAX_CANDIDATES: usize = 60;
 
 /// Draws the equivalent z of each candidate's score test as a bar, the most significant first; `None` if there are no
 /// candidates.
-pub(super) fn sigmas(report: &Report) -> Option<Drawn> {
+pub(super) fn score_tests(report: &Report) -> Option<Drawn> {
     let mut all: Vec<&CandidateTest> = report.candidates.iter().collect();
     // Candidates without a finite z-equivalent come last.
     let size = |c: &CandidateTest| {
@@ -40,7 +40,7 @@ pub(super) fn sigmas(report: &Report) -> Option<Drawn> {
             name: c.name.clone(),
             class,
             shapes: vec![Shape::Bar(c.z.max(0.0), bar)],
-            words: words::sigmas(c.z),
+            words: words::equivalent_z(c.z),
         }
     };
     let rows: Vec<Row> = all.iter().map(row).collect();
@@ -73,7 +73,7 @@ pub(super) fn sigmas(report: &Report) -> Option<Drawn> {
         across: "equivalent z".into(),
         level: Some((
             threshold,
-            format!("significant from {}", words::sigmas(threshold)),
+            format!("significant from {}", words::equivalent_z(threshold)),
         )),
     };
     let more = not_drawn(left_out, "more with smaller z");

@@ -15,7 +15,7 @@ const STEPS: usize = 40;
 
 /// Draws the score correlations of the coefficients of the most significant effects; `None` for fewer than two
 /// coefficients.
-pub(super) fn alike(report: &Report) -> Option<Drawn> {
+pub(super) fn score_correlations(report: &Report) -> Option<Drawn> {
     let all = &report.score_correlations.names;
     let order = strongest(report);
     let left_out = all.len().saturating_sub(order.len());
@@ -57,7 +57,7 @@ pub(super) fn alike(report: &Report) -> Option<Drawn> {
 /// Indices, in the score correlation matrix of the report, of the coefficients with the most significant effects, in
 /// descending order of significance; at most [`MAX_COEFFICIENTS`].
 fn strongest(report: &Report) -> Vec<usize> {
-    let sigmas = |name: &String| {
+    let equivalent_z = |name: &String| {
         let owner = report
             .candidates
             .iter()
@@ -70,7 +70,7 @@ fn strongest(report: &Report) -> Vec<usize> {
         }
     };
     let names = report.score_correlations.names.iter().enumerate();
-    let mut order: Vec<(f64, usize)> = names.map(|(i, name)| (sigmas(name), i)).collect();
+    let mut order: Vec<(f64, usize)> = names.map(|(i, name)| (equivalent_z(name), i)).collect();
     order.sort_by(|a, b| b.0.total_cmp(&a.0));
     order.truncate(MAX_COEFFICIENTS);
     order.into_iter().map(|(_, i)| i).collect()
