@@ -119,10 +119,14 @@ pub(crate) fn rendered(template: &str, context: Value) -> String {
     for (name, sheet) in [("css", include_str!("page.css")), ("style", STYLE)] {
         environment.add_global(name, Value::from_safe_string(sheet.to_owned()));
     }
-    let faults = environment.add_template("data_faults.html", include_str!("../data_faults.html"));
-    let figure = environment.add_template("figure.html", include_str!("../figure.html"));
-    faults
-        .and(figure)
+    let shared = [
+        ("data_faults.html", include_str!("../data_faults.html")),
+        ("document.html", include_str!("../document.html")),
+        ("macros.html", include_str!("../macros.html")),
+    ];
+    let mut added = shared.into_iter();
+    added
+        .try_for_each(|(name, text)| environment.add_template(name, text))
         .and_then(|()| environment.render_str(template, context))
         .unwrap_or_else(|fault| {
             panic!("the page's own template, which its tests render: {fault:#}")
