@@ -52,7 +52,8 @@ pub struct Minimum {
 }
 
 impl Minimum {
-    /// Factorises `normal`, whose ridge is relative to the entries of `diagonal`; `None` if it is singular.
+    /// Factorises the matrix `normal` after adding [`RIDGE`] × `diagonal(i)` to its diagonal entry `i`, or 1 if
+    /// `diagonal(i)` is 0; `None` if the matrix is singular.
     pub fn new(
         mut normal: DMatrix<f64>,
         diagonal: impl Fn(usize) -> f64,

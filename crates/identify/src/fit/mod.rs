@@ -195,13 +195,14 @@ fn fit_within(
 struct Screened<'a> {
     dataset: &'a Dataset,
     data_faults: Vec<DataFault>,
-    /// Results of the search for contacts, by index of the flight in the dataset; may be empty.
+    /// Results of the search for ground contacts, by index of the flight in the dataset; empty if the fit did not
+    /// screen the data.
     contacts: Vec<Option<ContactSearch>>,
     /// Held-out flights without faults.
     held_out: Vec<FlightId>,
     /// Flights excluded because of their faults.
     faulty: Vec<ExcludedFlight>,
-    /// Time at which the fit started.
+    /// Time at which the fit started, from which computing times are measured.
     clock: Instant,
 }
 

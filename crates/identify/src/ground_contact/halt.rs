@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::motion::Point;
 
 /// Maximum number of points (samples with a pose) within which a hand stops a body, counted from an interval in which a
-/// contact is suspected. A disc that slides on the ground takes longer to stop.
+/// contact with the ground is suspected. A disc that slides on the ground takes longer to stop.
 const WITHIN: usize = 24;
 /// Number of points at the end of the period in which a hand must stop the body (the `WITHIN` points after a suspected
 /// contact); the final speed is computed from them.

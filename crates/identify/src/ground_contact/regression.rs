@@ -20,11 +20,11 @@ pub struct Row<const N: usize> {
     pub value: Vector3<f64>,
 }
 
-/// Measured vectors of the rows of a design, relative to the first one and whitened.
+/// Measured vectors of the rows of a regression matrix, relative to the first vector and whitened.
 #[derive(Clone, Debug)]
 pub struct Whitened {
     origin: Vector3<f64>,
-    /// Vectors with a fourth component of 0, so that they fill the registers of the processor.
+    /// Whitened vectors, each with a fourth component of 0, so that they fill the registers of the processor.
     vectors: Vec<[f64; 4]>,
 }
 
@@ -81,7 +81,7 @@ impl<const N: usize> Regression<N> {
     }
 }
 
-/// Whitened basis functions of a regression, with their factorized normal equations.
+/// Whitened basis functions of a regression (its regression matrix), with their factorized normal equations.
 #[derive(Clone, Debug)]
 pub struct Design<const N: usize> {
     whitenings: Vec<Whitening>,
@@ -95,10 +95,10 @@ pub struct Design<const N: usize> {
 }
 
 impl<const N: usize> Design<N> {
-    /// Computes the design of some rows, whose measured vectors are not used. `precisions` are the ratios of the noise
-    /// variance to the prior variance of each coefficient about 0; 0 for a coefficient without prior. `correlation` is
-    /// the correlation of the noise between successive samples, 0 to 0.9. `None` if the rows do not determine the
-    /// coefficients.
+    /// Computes the regression matrix of some rows, whose measured vectors are not used, and factorizes its normal
+    /// equations. `precisions` are the ratios of the noise variance to the prior variance of each coefficient about 0;
+    /// 0 for a coefficient without prior. `correlation` is the correlation of the noise between successive samples, 0
+    /// to 0.9. `None` if the rows do not determine the coefficients.
     pub fn new(rows: &[Row<N>], precisions: &[f64; N], correlation: f64) -> Option<Self> {
         let whitened = rows.iter().enumerate().map(|(index, row)| {
             let previous = index.checked_sub(1).map(|previous| &rows[previous]);
@@ -233,7 +233,7 @@ impl<const N: usize> Design<N> {
     }
 }
 
-/// Whitened residuals of the rows of a design, with a fourth component of 0.
+/// Whitened residuals of the rows of a regression matrix, each with a fourth component of 0.
 #[derive(Clone, Debug)]
 pub struct Residuals(Vec<[f64; 4]>);
 
@@ -245,7 +245,7 @@ pub struct Extension<const N: usize, const K: usize> {
     rows: Vec<[f64; K]>,
     /// Coefficients of the least-squares fit of the functions of the design to each of the further functions.
     explained: SMatrix<f64, N, K>,
-    /// Inverse of the Schur complement.
+    /// Inverse of the Schur complement of the normal equations for the further functions.
     inverse: SMatrix<f64, K, K>,
     /// Degrees of freedom of the residuals; a value below 3 is replaced by 3.
     freedom: f64,

@@ -8,7 +8,7 @@ use crate::least_squares::NormalBlock;
 /// Number of rows that are summed in one batch; few enough to stay in the first-level cache.
 const BATCH: usize = 64;
 
-/// Rows are padded to a multiple of this length, the number of lanes of the widest vectors.
+/// Rows are padded to a multiple of this length, the number of lanes of the widest SIMD vectors.
 const PADDING: usize = 8;
 
 /// Accumulates the Gram matrix of the Jacobian rows of one flight. A row contains the derivatives with respect to the
@@ -135,7 +135,8 @@ struct AddSquares<'a> {
     sums: &'a mut [f64],
 }
 
-/// Size (rows, vectors) of a tile of sums that is computed at once, so that each loaded value is reused.
+/// Size (rows, SIMD vectors) of a tile of the Gram matrix whose sums are computed at once, so that each loaded value is
+/// reused.
 const TILE: (usize, usize) = (4, 3);
 
 impl Kernel for AddSquares<'_> {
