@@ -17,8 +17,8 @@ pub(crate) struct BaseFit {
     pub fit: Fit,
     /// The model with every candidate effect switched on at its null value.
     pub encompassing: EncompassingModel,
-    /// Whether every flight has a data fault, and the flights are nevertheless used because a missing effect may
-    /// explain the faults.
+    /// Whether every flight has a data fault, and the flights are nevertheless used because a physical effect that the
+    /// model lacks may explain the faults.
     pub is_despite_faults: bool,
 }
 
@@ -63,7 +63,8 @@ impl BaseFit {
     }
 }
 
-/// Whether the data faults may be the consequence of a missing effect: true if no fault is a wrong label, unit or axis.
+/// Whether data faults may be the consequence of a physical effect that the model lacks: true if no fault is a wrong
+/// label, unit or axis.
 fn may_be_an_effect(faults: &[DataFault]) -> bool {
     faults.iter().all(|fault| fault.fault == FaultKind::Other)
 }

@@ -13,7 +13,7 @@ use crate::parallel::join;
 use crate::report::{self, Report};
 use crate::validation::{ApplyTo, PredictiveGain, cross_validate, gain_of_fits};
 
-/// Extended model that was chosen as the extension, before its fit and out-of-sample gain are completed.
+/// Model extended by the effects that the diagnosis chose, before its fit and out-of-sample gain are completed.
 pub(crate) struct ChosenExtension {
     /// The extended model.
     pub extension: ExtendedModel,
@@ -21,7 +21,7 @@ pub(crate) struct ChosenExtension {
     pub fit: Option<Fit>,
     /// Out-of-sample gain; `None` if not yet measured.
     pub gain: Option<PredictiveGain>,
-    /// Decrease of the weighted sum of squares, χ², by effects generated from library terms; 0 for other effects.
+    /// Decrease of the weighted sum of squares, χ², by effects created from library terms; 0 for other effects.
     pub chi2_decrease: f64,
 }
 

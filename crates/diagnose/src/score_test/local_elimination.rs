@@ -28,7 +28,8 @@ pub(super) struct PerFlightCandidate {
     pub dof: usize,
 }
 
-/// Normal equations of the global columns, summed over all flights.
+/// Normal equations of the global unknowns (parameters and library-term coefficients), summed over all flights, with
+/// the local parameters (initial states) eliminated.
 #[derive(Clone, Debug)]
 pub(super) struct LocalElimination {
     /// Normal equations under the null hypothesis: the states of all tested candidates are fixed at their null values.

@@ -19,8 +19,8 @@ pub(crate) const MIN_TOLERANCE: f64 = 1e-8;
 /// Seed of the simulated null distribution from which thresholds are computed.
 const THRESHOLD_SEED: u64 = 1;
 
-/// Score tests of candidates and library terms. The parameters of the model under test, and of candidates that are
-/// included in the null hypothesis, are nuisance parameters.
+/// Score tests of candidate effects and library terms. The parameters of the model under test, and of candidates that
+/// are included in the null hypothesis, are nuisance parameters.
 #[derive(Clone, Debug)]
 pub(crate) struct ScoreTests {
     /// Test of each candidate; `None` if the parameters of the candidate are nuisance parameters.
