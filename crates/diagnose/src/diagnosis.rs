@@ -164,8 +164,8 @@ struct Analysis<'a> {
 }
 
 /// Searches for missing effects with the flights that can be tested. If the samples of a flight do not determine its
-/// initial state, or its trajectory cannot be integrated, the flight is removed from the score-test model, its file name
-/// is added to `set_aside`, and the search starts again with the other flights.
+/// initial state, or its trajectory cannot be integrated, the flight is removed from the score-test model, its file
+/// name is added to `set_aside`, and the search starts again with the other flights.
 fn search_testable(
     model: &mut ScoreTestModel<'_>,
     base: &mut Iterate,

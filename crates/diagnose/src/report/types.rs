@@ -131,8 +131,8 @@ pub struct Cause {
     /// explanation.
     #[serde(default)]
     pub remaining_m: f64,
-    /// The most significant candidate outside this explanation, tested with the effects of this explanation included in
-    /// the model; `None` if no such candidate can be tested.
+    /// The most significant candidate effect outside this explanation, tested with the effects of this explanation
+    /// included in the model; `None` if no such candidate can be tested.
     #[serde(rename = "rival")]
     pub strongest_remaining: Option<RemainingEffect>,
 }
@@ -300,7 +300,7 @@ pub struct Consensus {
     /// explanation accounts for; `None` if the explanations account for the entire misfit of the concordant flights.
     #[serde(rename = "part")]
     pub explained: Option<f64>,
-    /// p-value of the sign-flip test, familywise over all candidates and library terms.
+    /// p-value of the sign-flip test, familywise over all candidate effects and library terms.
     #[serde(rename = "chance")]
     pub p_value: f64,
     /// File names of the discordant fitted flights, which are excluded from all other results of the report.

@@ -34,8 +34,8 @@ pub(super) struct PerFlightCandidate {
 pub(super) struct LocalElimination {
     /// Normal equations under the null hypothesis: the states of all tested candidates are fixed at their null values.
     pub null: GlobalEquations,
-    /// For each tested per-flight candidate: normal equations in which the states of this candidate are estimated;
-    /// `None` for all other candidates.
+    /// For each tested candidate effect with one value for each flight: normal equations in which the states of this
+    /// candidate are estimated; `None` for all other candidates.
     pub candidates: IndexVec<CandidateId, Option<PerFlightCandidate>>,
 }
 

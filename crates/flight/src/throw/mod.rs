@@ -236,7 +236,8 @@ pub struct ThrownModel {
 impl ThrownModel {
     /// Prepares a model for the conversion between throws and states.
     ///
-    /// # Errors [`ThrowError::NoBody`] if the model neither declares a body nor states that its equations describe one.
+    /// # Errors
+    /// [`ThrowError::NoBody`] if the model neither declares a body nor states that its equations describe one.
     pub fn new(model: &Model) -> Result<ThrownModel, ThrowError> {
         let name = model.name.clone();
         match MotionModel::new(model) {

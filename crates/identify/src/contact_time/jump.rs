@@ -35,11 +35,11 @@ pub struct Comparison {
 pub struct Jumps {
     /// Index of the first sample for which a jump in the preceding interval is tested.
     tried: usize,
-    /// For each sample before which a jump is tested, free motion fitted to all earlier samples; then free motion fitted
-    /// to all samples.
+    /// For each sample before which a jump is tested, free motion fitted to all earlier samples; then free motion
+    /// fitted to all samples.
     free: Vec<Minimum>,
-    /// `comparisons[i][k]` tests a jump just before sample `tried + i`, with the samples up to `tried + i + k`; empty if
-    /// no jump, tested with all samples in reach, has a gain above `MIN_ROUGH_GAIN`.
+    /// `comparisons[i][k]` tests a jump just before sample `tried + i`, with the samples up to `tried + i + k`; empty
+    /// if no jump, tested with all samples in reach, has a gain above `MIN_ROUGH_GAIN`.
     comparisons: Vec<Vec<Comparison>>,
 }
 
@@ -139,9 +139,9 @@ struct SampleSum<'a> {
     sum: Quadratic,
 }
 
-/// Sum of squared residuals of the samples after a jump, as a quadratic function of two vectors: the initial state before
-/// the jump, and the change of the initial state that represents the jump. The terms with the initial state alone are
-/// those of free motion, and are not stored here.
+/// Sum of squared residuals of the samples after a jump, as a quadratic function of two vectors: the initial state
+/// before the jump, and the change of the initial state that represents the jump. The terms with the initial state
+/// alone are those of free motion, and are not stored here.
 struct JumpSum {
     /// Block of the normal matrix that couples the initial state (rows) and its change (columns).
     cross: DMatrix<f64>,

@@ -41,18 +41,18 @@ const MIN_GAIN: f64 = 60.0;
 /// before it, for the jump to count as a contact with the ground or an object. Deviations due to a wrong model grow
 /// smoothly and stay below this ratio.
 const MIN_GROWTH: f64 = 4.0;
-/// An earlier jump is preferred to the best jump if its decrease of the sum of squares is smaller by at most this
-/// value, the 90 % quantile of χ² with one degree of freedom. A contact time that is too late leaves disturbed samples
-/// in the data; this is worse than the loss of undisturbed samples due to a contact time that is too early.
+/// An earlier velocity jump is preferred to the best one if its decrease of the sum of squares is smaller by at most
+/// this value, the 90 % quantile of χ² with one degree of freedom. If the contact with the ground is dated too late,
+/// disturbed samples remain in the data; this is worse than the loss of undisturbed samples if it is dated too early.
 const UNDECIDED_GAIN: f64 = 2.71;
-/// Numbers for the confirmation of a contact by later samples. The velocity jump is tested again with this number of
-/// additional samples (first value). If its gain (decrease of the sum of squares) increased abruptly before (see
-/// `OUTLIER_GAIN`), the additional samples must increase the gain by this factor (second value). They do not increase a
-/// gain that an outlier causes.
+/// Numbers for confirming a contact with the ground or an object by later samples. The velocity jump is tested again
+/// with this number of additional samples (first value). If its gain (decrease of the sum of squares) increased
+/// abruptly before (see `OUTLIER_GAIN`), the additional samples must increase the gain by this factor (second value).
+/// They do not increase a gain that an outlier causes.
 const CONFIRMING: (usize, f64) = (2, 1.2);
-/// Gain: decrease of the sum of squares by a velocity jump. If one additional sample increases the gain by more than
-/// this value, that sample is considered to contain an outlier, unless the following samples confirm a contact (see
-/// `CONFIRMING`).
+/// Maximum increase of the gain (decrease of the sum of squares by a velocity jump) due to one additional sample. If
+/// the increase is greater, that sample is considered to contain an outlier, unless the following samples confirm a
+/// contact with the ground or an object (see `CONFIRMING`).
 const OUTLIER_GAIN: f64 = 26.0;
 /// Maximum number of marker positions before the first tried velocity jump that are excluded as outliers. Also the
 /// maximum number of passes of the search for a contact with the ground or an object; a pass that finds an outlier
@@ -62,7 +62,7 @@ const MAX_OUTLIERS: usize = 12;
 /// A contact with the ground or another object.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Onset {
-    /// Index of the first sample after the contact.
+    /// Index of the first sample after the contact with the ground or the object.
     pub sample: usize,
     /// Jump of the mean velocity of the markers, m/s.
     pub jump: Vector3<f64>,

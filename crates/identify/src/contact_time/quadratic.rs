@@ -78,9 +78,10 @@ impl Minimum {
         unknowns
     }
 
-    /// Schur complement: minimises a sum of squares over the unknowns of `self`. The sum also depends on other unknowns:
-    /// `others` are its terms with these alone, and `cross` is the block of the normal matrix that couples the unknowns
-    /// of `self` (rows) with the others (columns). Returns the minimum as a function of the other unknowns.
+    /// Schur complement: minimises a sum of squares over the unknowns of `self`. The sum also depends on other
+    /// unknowns: `others` are its terms with these alone, and `cross` is the block of the normal matrix that couples
+    /// the unknowns of `self` (rows) with the others (columns). Returns the minimum as a function of the other
+    /// unknowns.
     pub fn eliminated(&self, cross: &DMatrix<f64>, others: &Quadratic) -> Quadratic {
         let mut solved = cross.clone();
         let lower = self.factor.l_dirty();

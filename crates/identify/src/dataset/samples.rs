@@ -49,8 +49,8 @@ pub(super) fn time(first: Option<&f64>, before: Option<&f64>, time: f64) -> Resu
     Ok(())
 }
 
-/// Returns an error if `value`, a coordinate of a marker position, m, exceeds [`MAX_COORDINATE`] in magnitude; `name` is the
-/// column's name in the error.
+/// Returns an error if `value`, a coordinate of a marker position, m, exceeds [`MAX_COORDINATE`] in magnitude; `name`
+/// is the column's name in the error.
 pub(super) fn coordinate(name: &dyn Display, value: f64) -> Result<(), Wrong> {
     if value.abs() <= MAX_COORDINATE {
         return Ok(());

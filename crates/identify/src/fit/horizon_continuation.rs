@@ -216,8 +216,8 @@ fn until(horizon: f64, constraints: &[Constraint]) -> impl Fn(&State<'_>, &mut O
 }
 
 /// Fits the first samples of all flights, up to `horizon`, s. The fit is repeated with a smaller scale of the robust
-/// loss until the residuals are small enough for a longer horizon, or no longer decrease. `spread` computes the scale of
-/// the loss, m, from the residuals of all flights.
+/// loss until the residuals are small enough for a longer horizon, or no longer decrease. `spread` computes the scale
+/// of the loss, m, from the residuals of all flights.
 pub fn fit_horizon(
     state: &mut State<'_>,
     horizon: f64,

@@ -46,7 +46,7 @@ pub struct PathPoint {
 /// The first contact of a flight with the ground or an object.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contact {
-    /// Index of the first sample after the contact.
+    /// Index of the first sample after the contact with the ground or the object.
     pub sample: usize,
     /// Description of the evidence for the contact, as text for messages.
     pub why: String,
@@ -55,15 +55,16 @@ pub struct Contact {
 /// Result of a search for the first contact of a flight with the ground or an object.
 #[derive(Clone, Debug, Default)]
 pub struct ContactSearch {
-    /// The first contact; `None` if the search found none.
+    /// The first contact with the ground or an object; `None` if the search found none.
     pub contact: Option<Contact>,
-    /// Pose in each sample of the flight, from which the contact was searched. Empty for a point mass, and if no poses
-    /// were computed.
+    /// Pose in each sample of the flight, from which the contact with the ground was searched. Empty for a point mass,
+    /// and if no poses were computed.
     pub poses: Vec<Option<Pose>>,
 }
 
 impl ContactSearch {
-    /// The result for a part of the flight: the `samples` samples that follow its first `unseen` samples.
+    /// The result of the search for the part of the flight that consists of the `samples` samples after its first
+    /// `unseen` samples.
     pub fn of_part(&self, unseen: usize, samples: usize) -> Self {
         let poses = self
             .poses
@@ -118,8 +119,8 @@ fn contact_of(
     contact(&path(&observations.times, poses, of_point_mass, &points))
 }
 
-/// Path of the body's origin: from the pose in each sample, or, if `of_point_mass` gives the markers of a point mass, from
-/// the measured positions of these markers, which `points` returns for each sample.
+/// Path of the body's origin: from the pose in each sample, or, if `of_point_mass` gives the markers of a point mass,
+/// from the measured positions of these markers, which `points` returns for each sample.
 pub fn path<'p>(
     times: &[f64],
     poses: &[Option<Pose>],

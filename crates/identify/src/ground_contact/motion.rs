@@ -94,8 +94,8 @@ impl Character {
         )
     }
 
-    /// Prior precisions of the coefficients of the position in `free_rows`, each as the ratio of the noise variance to the
-    /// prior variance.
+    /// Prior precisions of the coefficients of the position in `free_rows`, each as the ratio of the noise variance to
+    /// the prior variance.
     pub fn position_precisions(&self) -> [f64; 7] {
         let snap = self.precision(0, SNAP * SCALE.powi(4) / 24.0);
         let wobble = self.precision(0, WOBBLE);

@@ -127,8 +127,8 @@ impl MotionFits {
     }
 
     /// Removes up to `MAX_OUTLIERS` points without which free motion fits far better. An outlier is such a point; a
-    /// contact affects all later points, so that the removal of one point does not help. Returns the remaining points
-    /// and the free motion through them; `None` if the points do not determine free motion.
+    /// ground contact affects all later points, so that the removal of one point does not help. Returns the remaining
+    /// points and the free motion through them; `None` if the points do not determine free motion.
     fn robust<'p>(
         &mut self,
         points: &'p [Point],

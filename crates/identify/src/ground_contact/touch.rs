@@ -52,9 +52,10 @@ const ROUGH_STEP: usize = 2;
 /// A contact of a body with the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Touch {
-    /// Index of the first sample after the contact.
+    /// Index of the first sample after the contact with the ground.
     pub sample: usize,
-    /// Upward component of the velocity jump at the contact, fitted to the samples before and after it, m/s.
+    /// Upward component of the velocity jump at the contact with the ground, fitted to the samples before and after it,
+    /// m/s.
     pub jump: f64,
 }
 

@@ -6,7 +6,7 @@ use identify::synthesize::{Corruption, Plan, flights};
 use identify::{Estimate, Fit, FitError, FitOptions, fit};
 use nalgebra::DVector;
 
-/// Fit of the disc model to simulated flights with outliers, the last of which is held out.
+/// Fit of the disc model to simulated flights with outliers; the last flight is held out.
 fn fitted() -> Fit {
     let model = model_spec::load::load("disc", &[]).expect("built in");
     let backhand = built_in("backhand").expect("built in");
