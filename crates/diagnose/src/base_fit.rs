@@ -9,7 +9,8 @@ use crate::context::{Context, EncompassingModel};
 use crate::error::DiagnosisError;
 use crate::parallel::join;
 
-/// Fit of the model under test, and the encompassing model, which includes all candidate effects.
+/// Fit of the model under test, and the encompassing model, which includes all candidate effects (effects that the
+/// model under test may lack).
 pub(crate) struct BaseFit {
     /// Computing time of the stages up to this fit.
     pub clock: Clock,
@@ -23,7 +24,8 @@ pub(crate) struct BaseFit {
 }
 
 impl BaseFit {
-    /// Fits the model under test and composes the encompassing model, which includes all candidate effects.
+    /// Fits the model under test and composes the encompassing model, which includes all candidate effects (effects
+    /// that the model under test may lack).
     ///
     /// # Errors
     /// [`DiagnosisError`] if the flights cannot be fitted, the encompassing model cannot be composed, or the caller

@@ -23,7 +23,7 @@ pub struct CompiledModel {
     is_generated: bool,
 }
 
-/// Sparsity patterns with `usize` indices, as the solver requires.
+/// Sparsity patterns of the model's Jacobians, with `usize` indices, as the solver requires.
 #[derive(Clone, Debug)]
 pub(crate) struct Patterns {
     pub jacobian: Vec<(usize, usize)>,

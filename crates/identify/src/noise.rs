@@ -202,8 +202,9 @@ impl Moments {
         self.pairs += other.pairs;
     }
 
-    /// Estimates the noise from the sums of residuals of a fit with `unknowns` unknowns, for the sampling interval
-    /// `interval` (s). If the standard deviation is `given` (m), it replaces the estimated one.
+    /// Estimates the noise from the sums of squares and products of the residuals of a fit with `unknowns` unknowns,
+    /// for the sampling interval `interval` (s). If the standard deviation is `given` (m), it replaces the estimated
+    /// one.
     pub fn noise(&self, unknowns: usize, interval: f64, given: Option<f64>) -> AxesNoise {
         let measured = 3 * self.count;
         let spread = measured as f64 / measured.saturating_sub(unknowns).max(1) as f64;

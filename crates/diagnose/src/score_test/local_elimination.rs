@@ -17,7 +17,7 @@ pub(crate) struct GlobalEquations {
     pub gradient: DVector<f64>,
 }
 
-/// Normal equations of the global columns after eliminating, in each flight, the local parameters and also the states
+/// Normal equations of the global unknowns after eliminating, in each flight, the local parameters and also the states
 /// of one tested candidate effect (a state with one value for each flight).
 #[derive(Clone, Debug)]
 pub(super) struct PerFlightCandidate {

@@ -184,8 +184,8 @@ fn a_flat_throw_along_x_has_the_states_of_the_disc_by_name() {
     }
 }
 
-/// Tests that the axis of a disc without loads describes a cone of the half angle `wobble`, whose axis is ahead of the
-/// body's axis at first.
+/// Tests that the axis of a disc without aerodynamic loads describes a cone of the half angle `wobble`, whose axis is
+/// ahead of the body's axis at first.
 #[test]
 fn the_wobble_is_half_the_angle_of_the_cone() {
     let text = "model = \"disc_quaternion\"\nduration = 0.2\n[parameters]\nrho = 0\n[coefficients]\nC_Nr = 0\n\

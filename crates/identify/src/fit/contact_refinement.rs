@@ -327,7 +327,7 @@ impl Search<'_> {
     }
 }
 
-/// Whether the velocity jump of a contact is upward, as at the ground.
+/// Whether the velocity jump of a contact is mainly upward, as at a contact with the ground.
 fn is_upward(onset: &Onset) -> bool {
     onset.jump.z > MIN_UPWARD_PART * onset.jump.norm()
 }

@@ -291,8 +291,8 @@ impl Screened<'_> {
 }
 
 /// Performs the stages of a fit from the initial guesses up to the estimation of the noise. `doubtful` contains flights
-/// excluded for a suspected fault, which later stages may include again. Returns the state and its residuals, at the
-/// minimum or near it.
+/// excluded for a suspected fault, which later stages may include again. Returns the fit in progress and its residuals,
+/// at the minimum or near it.
 fn from_guesses<'a>(
     dataset: &Dataset,
     guesses: InitialGuesses<'a>,
