@@ -52,7 +52,7 @@ pub struct Minimum {
 }
 
 impl Minimum {
-    /// Factorises the matrix `normal` after adding [`RIDGE`] × `diagonal(i)` to its diagonal entry `i`, or 1 if
+    /// Factorises the matrix `normal` after adding `RIDGE` × `diagonal(i)` to its diagonal entry `i`, or 1 if
     /// `diagonal(i)` is 0; `None` if the matrix is singular.
     pub fn new(
         mut normal: DMatrix<f64>,
