@@ -9,7 +9,8 @@ use crate::context::{Context, EncompassingModel};
 use crate::error::DiagnosisError;
 use crate::parallel::join;
 
-/// Fit of the model under test, and the encompassing model, which includes all candidate effects.
+/// Fit of the model under test, and the encompassing model, which includes all candidate effects (effects that the
+/// model under test may lack).
 pub(crate) struct BaseFit {
     /// Computing time of the stages up to this fit.
     pub clock: Clock,
@@ -17,13 +18,14 @@ pub(crate) struct BaseFit {
     pub fit: Fit,
     /// The model with every candidate effect switched on at its null value.
     pub encompassing: EncompassingModel,
-    /// Whether every flight has a data fault, and the flights are nevertheless used because a missing effect may
-    /// explain the faults.
+    /// Whether every flight has a data fault, and the flights are nevertheless used because a physical effect that the
+    /// model lacks may explain the faults.
     pub is_despite_faults: bool,
 }
 
 impl BaseFit {
-    /// Fits the model under test and composes the encompassing model, which includes all candidate effects.
+    /// Fits the model under test and composes the encompassing model, which includes all candidate effects (effects
+    /// that the model under test may lack).
     ///
     /// # Errors
     /// [`DiagnosisError`] if the flights cannot be fitted, the encompassing model cannot be composed, or the caller
@@ -63,7 +65,8 @@ impl BaseFit {
     }
 }
 
-/// Whether the data faults may be the consequence of a missing effect: true if no fault is a wrong label, unit or axis.
+/// Whether data faults may be the consequence of a physical effect that the model lacks: true if no fault is a wrong
+/// label, unit or axis.
 fn may_be_an_effect(faults: &[DataFault]) -> bool {
     faults.iter().all(|fault| fault.fault == FaultKind::Other)
 }

@@ -26,7 +26,7 @@ use crate::validation::{Validated, predictive_terms};
 /// Maximum number of unknowns with which a hypothesis of a single effect is accepted without comparison by BIC.
 const FREE_UNKNOWNS: usize = 6;
 
-/// Result of a diagnosis: the report, the fits, and the extended model if there is one.
+/// Result of a diagnosis: the report, the fits, and the model extended by the effects found, if any.
 pub struct Diagnosis {
     /// Report of the diagnosis, as written to `report.json`.
     pub report: Report,
@@ -100,14 +100,14 @@ pub fn diagnose_with<R: Send>(
     analysis.finish(&on_extension)
 }
 
-/// Discordant flights, which contradict the explanation that holds for all other flights.
+/// Discordant flights: they contradict the explanation (the missing effects) that holds for all other flights.
 struct Discordant {
     files: Vec<String>,
     p_value: f64,
 }
 
-/// Repeats a diagnosis without the discordant flights, which contradict the explanation of the others; `None` if the
-/// repeated diagnosis finds no explanation either.
+/// Repeats a diagnosis without the discordant flights, which contradict the missing effects that explain the other
+/// flights; `None` if the repeated diagnosis finds no explanation either.
 fn without_discordant<R: Send>(
     context: Context<'_>,
     discordant: &Discordant,
@@ -144,7 +144,8 @@ fn without_discordant<R: Send>(
     Ok(Some(found))
 }
 
-/// State of a diagnosis whose explanations are found but not yet validated.
+/// State of a diagnosis in which explanations (hypotheses about the effects that the model lacks) are found but not yet
+/// validated.
 struct Analysis<'a> {
     clock: Clock,
     before: Fit,
@@ -163,8 +164,8 @@ struct Analysis<'a> {
 }
 
 /// Searches for missing effects with the flights that can be tested. If the samples of a flight do not determine its
-/// initial state, or its trajectory cannot be integrated, the flight is removed from the score-test model, its file name
-/// is added to `set_aside`, and the search starts again with the other flights.
+/// initial state, or its trajectory cannot be integrated, the flight is removed from the score-test model, its file
+/// name is added to `set_aside`, and the search starts again with the other flights.
 fn search_testable(
     model: &mut ScoreTestModel<'_>,
     base: &mut Iterate,
@@ -185,8 +186,8 @@ fn search_testable(
 }
 
 impl<'a> Analysis<'a> {
-    /// Creates the state of a diagnosis: tests all candidates at the fit of the model under test, and searches for
-    /// explanations.
+    /// Creates the state of a diagnosis: tests all candidate effects at the fit of the model under test, and searches
+    /// for explanations, hypotheses about the effects that the model lacks.
     fn new(context: Context<'a>, base: BaseFit) -> Result<Self, DiagnosisError> {
         let options = context.options;
         let BaseFit {
@@ -268,7 +269,8 @@ impl<'a> Analysis<'a> {
         stepwise.is_some_and(|stepwise| stepwise.is_adequate)
     }
 
-    /// Validates the explanations, extends the model by the best one, and completes the report.
+    /// Validates the explanations (hypotheses about the effects that the model lacks), extends the model by the effects
+    /// of the best one, and completes the report.
     fn finish<R: Send>(
         mut self,
         on_extension: &(impl Fn(&ExtendedModel) -> R + Sync),
@@ -339,10 +341,11 @@ impl<'a> Analysis<'a> {
         Ok((diagnosis, made))
     }
 
-    /// Validates the best explanation by its out-of-sample gain if it is overflexible: if it has more than two effects,
-    /// or an effect with a separate value for each flight. Returns the validated explanation if it improves
-    /// predictions. Otherwise drops all overflexible explanations and returns the reason as the second value. Both
-    /// values are `None` if the best explanation is not overflexible, or the deadline has passed.
+    /// Validates the best explanation (hypothesis about missing effects) by its out-of-sample gain if it is
+    /// overflexible: if it has more than two effects, or an effect with a separate value for each flight. Returns the
+    /// validated explanation if it improves predictions. Otherwise drops all overflexible explanations and returns the
+    /// reason as the second value. Both values are `None` if the best explanation is not overflexible, or the deadline
+    /// has passed.
     fn validate_overflexible(
         &mut self,
     ) -> Result<(Option<Validated>, Option<String>), DiagnosisError> {
@@ -369,9 +372,9 @@ impl<'a> Analysis<'a> {
         Ok((None, refused))
     }
 
-    /// Chooses the extension: the best explanation, or selected library terms if there is no explanation. Library terms
-    /// are also added to the report. `None` if there is neither, or if the extended model is not yet fitted and the
-    /// deadline has passed.
+    /// Chooses the effects by which the model is extended: those of the best explanation (accepted hypothesis), or
+    /// selected library terms if there is no explanation. Library terms are also added to the report. `None` if there
+    /// is neither, or if the extended model is not yet fitted and the deadline has passed.
     fn choose(
         &mut self,
         validated: Option<Validated>,
@@ -425,7 +428,8 @@ mod tests {
     use crate::test_support::mystery;
     use identify::FitOptions;
 
-    /// Four flights of `examples/mystery`, with the hypothesis that the model lacks the seeded effect and another one.
+    /// State of a diagnosis of four flights of `examples/mystery`, with the hypothesis that the model lacks two
+    /// effects: the one with which the flights were simulated, and another one.
     fn analysis_of_two_effects(context: Context<'_>) -> Analysis<'_> {
         let mut analysis = Analysis::new(context, BaseFit::new(context).unwrap()).unwrap();
         // An accepted explanation by fewer unknowns would end the selection of terms.

@@ -13,25 +13,25 @@ use crate::parallel::join;
 use crate::report::{self, Report};
 use crate::validation::{ApplyTo, PredictiveGain, cross_validate, gain_of_fits};
 
-/// Extended model that was chosen as the extension, before its fit and out-of-sample gain are completed.
+/// Model extended by the effects that the diagnosis chose, before its fit and out-of-sample gain are completed.
 pub(crate) struct ChosenExtension {
     /// The extended model.
     pub extension: ExtendedModel,
     /// Fit of the extended model; `None` if not yet fitted.
     pub fit: Option<Fit>,
-    /// Out-of-sample gain; `None` if not yet measured.
+    /// Out-of-sample gain (reduction of the prediction error); `None` if not yet measured.
     pub gain: Option<PredictiveGain>,
-    /// Decrease of the weighted sum of squares, χ², by effects generated from library terms; 0 for other effects.
+    /// Decrease of the weighted sum of squares, χ², by effects created from library terms; 0 for other effects.
     pub chi2_decrease: f64,
 }
 
-/// An extended model with its fit and its out-of-sample gain.
+/// An extended model with its fit and its out-of-sample gain (reduction of the prediction error).
 pub(crate) struct MeasuredExtension<R> {
     extension: ExtendedModel,
     fit: Fit,
     gain: Option<PredictiveGain>,
     chi2_decrease: f64,
-    /// Indices of the held-out flights to which the extension is not applied.
+    /// Indices of the held-out flights that are predicted without the added effects, because they contradict these.
     not_applied: Vec<usize>,
     /// Result of the caller's function `on_extension` for the extended model.
     callback_result: R,
@@ -40,9 +40,9 @@ pub(crate) struct MeasuredExtension<R> {
 /// An extended model and its fit, with the result of the caller's function `on_extension` for the extended model.
 pub(crate) type OfferedExtension<R> = ((ExtendedModel, Fit), R);
 
-/// Fits the extended model if it is not yet fitted, measures its out-of-sample gain, and calls `on_extension`. If
-/// `is_consensus` (the effects were found by the agreement of most flights), flights that contradict the extension are
-/// predicted without it. `noise_floor` is the noise of one coordinate, m.
+/// Fits the extended model if it is not yet fitted, measures its out-of-sample gain (reduction of the prediction
+/// error), and calls `on_extension`. If `is_consensus` (the effects were found by the agreement of most flights),
+/// flights that contradict the extension are predicted without it. `noise_floor` is the noise of one coordinate, m.
 ///
 /// # Errors
 /// [`DiagnosisError::Fit`] if the extended model cannot be fitted, or the caller cancelled.
@@ -114,8 +114,9 @@ impl<R> MeasuredExtension<R> {
         gain.is_some_and(PredictiveGain::changes_nothing)
     }
 
-    /// Adds the extension and its out-of-sample gain to the report. Returns the extended model, its fit and the result
-    /// of `on_extension`; `None` if the extended model predicts worse than the model under test.
+    /// Adds the extension and its out-of-sample gain (reduction of the prediction error) to the report. Returns the
+    /// extended model, its fit and the result of `on_extension`; `None` if the extended model predicts worse than the
+    /// model under test.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if the caller cancelled.

@@ -18,13 +18,13 @@ const GRAVITY: f64 = 9.81;
 const DRAG: f64 = 1.2 / 2.0 * std::f64::consts::PI / 4.0 * 0.066 * 0.066 * 0.52;
 const SIGMA: f64 = 0.0015;
 
-/// Weight, drag and a force to the left across the path, over the mass.
+/// Acceleration, m/s²: gravity, drag, and `side` to the left of the velocity.
 fn acceleration(velocity: V, side: f64) -> V {
     let left = V::z().cross(&velocity).normalize();
     -V::z() * GRAVITY - velocity * (velocity.norm() * DRAG / MASS) + left * side
 }
 
-/// Positions at 120 Hz, by the classical Runge-Kutta method.
+/// Simulated positions at 120 Hz, m, by the classical Runge–Kutta method; `side` is the acceleration to the left, m/s².
 fn flown(mut velocity: V, side: f64, samples: usize) -> Vec<V> {
     let (mut position, mut seen) = (V::new(0.0, 0.0, 2.0), Vec::new());
     let steps = 20;
@@ -43,7 +43,8 @@ fn flown(mut velocity: V, side: f64, samples: usize) -> Vec<V> {
     seen
 }
 
-/// Eight flights of the shuttlecock in a folder, read as any other.
+/// Dataset of eight simulated flights of a shuttlecock, written to a folder and read from it. `side` is the
+/// acceleration to the left that the model lacks, m/s².
 fn shuttlecock(side: f64, seed: u64) -> Dataset {
     let name = format!("hyzer-own-{}-{seed}", std::process::id());
     let folder: PathBuf = std::env::temp_dir().join(name);

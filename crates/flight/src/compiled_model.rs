@@ -23,7 +23,7 @@ pub struct CompiledModel {
     is_generated: bool,
 }
 
-/// Sparsity patterns with `usize` indices, as the solver requires.
+/// Sparsity patterns of the model's Jacobians, with `usize` indices, as the solver requires.
 #[derive(Clone, Debug)]
 pub(crate) struct Patterns {
     pub jacobian: Vec<(usize, usize)>,
@@ -50,13 +50,13 @@ impl Patterns {
 }
 
 impl CompiledModel {
-    /// Uses the generated code for this model if its source hash matches; otherwise compiles the model to a tape, which
-    /// is interpreted bytecode.
+    /// Uses the generated Rust code for this model if its source hash matches; otherwise compiles the model to a tape,
+    /// which is interpreted bytecode.
     pub fn new(model: &Model) -> CompiledModel {
         CompiledModel::generated(model).unwrap_or_else(|| CompiledModel::interpreted(model))
     }
 
-    /// Compiled model from generated code; `None` if there is no generated code whose source hash is that of the model.
+    /// Compiled model from generated Rust code; `None` if there is no such code with the source hash of the model.
     fn generated(model: &Model) -> Option<CompiledModel> {
         let is_same = |code: &&generated::Model| code.source_hash == source_hash(model);
         let code = generated::model(&model.name).filter(is_same)?;
@@ -66,7 +66,7 @@ impl CompiledModel {
         })
     }
 
-    /// Compiles the model to a tape (interpreted bytecode), even if generated code for it exists.
+    /// Compiles the model to a tape (interpreted bytecode), even if generated Rust code for it exists.
     pub fn interpreted(model: &Model) -> CompiledModel {
         // With all derivatives, as in generated code, so that `prepare` hoists the same invariants and results agree
         // to the bit.

@@ -31,10 +31,11 @@ pub struct Channel {
     pub components: usize,
     /// Index of the noise group of the channel. All channels of a group share the parameters of one noise process.
     pub group: usize,
-    /// Standard deviation of one component if the dataset gives it, in the unit of the channel.
+    /// Standard deviation of the noise of one component, in the unit of the channel; `None` if the dataset does not
+    /// give it.
     pub sigma: Option<f64>,
-    /// Factor by which residuals are multiplied, metres per unit of the channel; 1 for markers. All channels then have
-    /// about the same noise level, so that one scale serves for losses and tolerances.
+    /// Factor by which the residuals of the channel are multiplied, metres per unit of the channel; 1 for markers. All
+    /// channels then have about the same noise level, so that one scale serves for losses and tolerances.
     pub scale: f64,
     /// Unit of one component of the measured value.
     pub unit: &'static str,

@@ -78,8 +78,8 @@ impl ChannelObservers<'_> {
         [0, 1, 2].map(|axis| (y[axis] - measured[axis]) * own.scale)
     }
 
-    /// Returns the residual of [`residual`](Self::residual) and writes its derivatives into `rows`, one row per axis.
-    /// `derive` converts the Jacobians of an observation into rows.
+    /// Returns the residual as [`residual`](Self::residual) does, and writes its derivatives into `rows`, one row per
+    /// axis. `derive` converts the Jacobians with respect to states and parameters into these rows.
     pub fn linearise(
         &mut self,
         (t, x): (f64, &[f64]),

@@ -151,7 +151,8 @@ impl AxesNoise {
     }
 }
 
-/// Sums over residuals from which the noise of a group is estimated. Sums of several flights can be added.
+/// Sums of squares and products of residuals, from which the noise of a group is estimated. Sums of several flights can
+/// be added.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Moments {
     /// Sum of squared residuals along each axis, m².
@@ -190,7 +191,7 @@ impl Moments {
         }
     }
 
-    /// Adds the sums of `other`, such as those of other flights.
+    /// Adds the sums of `other`, such as those of other flights, to the sums of `self`.
     pub fn join(&mut self, other: &Moments) {
         for axis in 0..3 {
             self.squares[axis] += other.squares[axis];
@@ -201,8 +202,9 @@ impl Moments {
         self.pairs += other.pairs;
     }
 
-    /// Estimates the noise from the sums of residuals of a fit with `unknowns` unknowns, for the sampling interval
-    /// `interval` (s). If the standard deviation is `given` (m), it replaces the estimated one.
+    /// Estimates the noise from the sums of squares and products of the residuals of a fit with `unknowns` unknowns,
+    /// for the sampling interval `interval` (s). If the standard deviation is `given` (m), it replaces the estimated
+    /// one.
     pub fn noise(&self, unknowns: usize, interval: f64, given: Option<f64>) -> AxesNoise {
         let measured = 3 * self.count;
         let spread = measured as f64 / measured.saturating_sub(unknowns).max(1) as f64;

@@ -186,8 +186,9 @@ impl FitProblem {
         self.channels.iter().map(|channel| channel.group).collect()
     }
 
-    /// Estimates the noise of each group from the sums `moments` over its residuals after a fit of `unknowns` unknowns,
-    /// for a sampling interval in s. Standard deviations that the dataset gives replace the estimated ones.
+    /// Estimates the noise of each group from `moments`, the sums of squares and products of its residuals after a fit
+    /// of `unknowns` unknowns, for a sampling interval in s. Standard deviations that the dataset gives replace the
+    /// estimated ones.
     pub fn noise_of(&self, moments: &[Moments], unknowns: usize, interval: f64) -> NoiseModel {
         let all: usize = moments.iter().map(|sum| sum.count).sum();
         let groups = moments.iter().enumerate().map(|(group, sum)| {
@@ -205,8 +206,8 @@ impl FitProblem {
         vec![Moments::default(); group_count(&self.noise_groups())]
     }
 
-    /// Whether positions of the body are measured. Otherwise, the data do not determine the initial position and
-    /// heading of the body, which then have weak priors.
+    /// Whether positions of the body are measured. If not, the data do not determine the initial position and heading
+    /// of the body, which then have weak priors.
     pub(crate) fn sees_positions(&self) -> bool {
         self.channels.iter().any(Channel::is_position)
     }

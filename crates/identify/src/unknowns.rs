@@ -14,10 +14,12 @@ use crate::problem::measured;
 use crate::unknown_vertical;
 use crate::vertical;
 
-/// Effect that displaces all markers together on the body: its name and the names of its coefficients, m.
+/// Effect (model extension) that displaces all markers together on the body: its name and the names of its
+/// coefficients, m.
 const OFFSET: (&str, [&str; 3]) = ("marker_offset", ["offset_1", "offset_2", "offset_3"]);
 
-/// Effect that displaces the accelerometer on the body: its name and the names of its coefficients, m.
+/// Effect (model extension) that displaces the accelerometer on the body: its name and the names of its coefficients,
+/// m.
 const LEVER: (&str, [&str; 3]) = (
     "accelerometer_misplaced",
     [
@@ -31,26 +33,27 @@ const LEVER: (&str, [&str; 3]) = (
 /// body.
 const UNKNOWN: f64 = 0.1;
 
-/// A model and a dataset without unknown sensor positions, origin or vertical direction: effects of the model with
-/// estimated coefficients describe these instead.
+/// A model and a dataset in which sensor positions, origin and vertical direction count as known: where the original
+/// dataset declares them unknown, effects (model extensions) with estimated coefficients represent them.
 pub struct Resolved<'d> {
-    /// The model, with a quantity for each kind of instrument of the dataset and with an effect for each unknown of the
-    /// dataset.
+    /// The model, with the quantity that each kind of instrument in the dataset measures, and with an effect (model
+    /// extension) for each sensor position, origin or vertical direction that the dataset declares unknown.
     pub model: Model,
-    /// The dataset, with all its sensor positions, origin and vertical direction marked as known: errors of those that
-    /// it declares unknown are estimated as coefficients of effects of the model instead.
+    /// The dataset, with all sensor positions, the origin and the vertical direction marked as known. The errors of
+    /// those that it declared unknown are estimated as coefficients of effects (model extensions) instead.
     pub dataset: Cow<'d, Dataset>,
-    /// Priors of the fit options and of the unknowns of the dataset.
+    /// Priors given in the fit options, and priors of the coefficients that represent what the dataset declares
+    /// unknown: sensor positions and the origin.
     pub priors: Vec<Prior>,
-    /// Fixed coefficients of the fit options and of the unknowns of the dataset; `None` fixes a coefficient at the
-    /// model's value.
+    /// Fixed coefficients given in the fit options, and fixed coefficients of the effects that represent what the
+    /// dataset declares unknown; `None` fixes a coefficient at the model's value.
     pub fixed: Vec<(String, Option<f64>)>,
 }
 
 impl Resolved<'_> {
-    /// Adds to the model an effect with a name and three coefficients, which displace the markers or the accelerometer
-    /// along the axes of the body. `errors` are the prior standard deviations of the coefficients about 0, m; 0 fixes a
-    /// coefficient.
+    /// Adds to the model an effect (model extension) with a name and three coefficients, which displace the markers or
+    /// the accelerometer along the axes of the body. `errors` are the prior standard deviations of the coefficients
+    /// about 0, m; 0 fixes a coefficient.
     fn free(
         &mut self,
         (effect, coefficients): &(&str, [&str; 3]),
@@ -87,8 +90,8 @@ impl Resolved<'_> {
     }
 }
 
-/// Adds to the model an effect for each unknown of the dataset: sensor positions, origin of the markers' positions on
-/// the body, direction of the vertical.
+/// Adds to the model an effect (model extension) for each quantity that the dataset declares unknown: sensor positions,
+/// origin of the markers' positions on the body, direction of the vertical.
 ///
 /// # Errors
 /// [`FitError::Sensor`] if a sensor or an uncertain origin does not fit the model; the errors of [`fit`](fn@fit) if no
@@ -121,9 +124,9 @@ pub fn resolve<'d>(
     Ok(resolved)
 }
 
-/// Adds to the model an effect for each sensor whose position on the body is unknown, so that the fit estimates this
-/// position, and marks the position as known in the dataset. Sensors whose readings do not depend on their position get
-/// no effect.
+/// Adds to the model an effect (model extension) for each sensor whose position on the body is unknown, so that the fit
+/// estimates this position, and marks the position as known in the dataset. Sensors whose readings do not depend on
+/// their position get no effect.
 fn place_sensors(resolved: &mut Resolved<'_>) -> Result<(), FitError> {
     let sensors = resolved.dataset.sensors.iter();
     let unplaced: Vec<Sensor> = sensors

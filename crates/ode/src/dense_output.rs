@@ -5,7 +5,7 @@ use crate::method::{Method, ROWS};
 use crate::rhs::StateVector;
 use std::ops::Range;
 
-/// Dense output of one step: x(t + s h) = Σ weight(s) · row, with s from 0 to 1.
+/// Dense output of one step: x(t + s h) = Σ weight(s) · row over the coefficient vectors `rows`, with s from 0 to 1.
 #[derive(Clone, Copy)]
 pub(crate) struct DenseOutput<'a> {
     pub method: Method,

@@ -22,9 +22,9 @@ type Scalar<'a, X> = Box<dyn FnMut(f64, &X) -> f64 + 'a>;
 
 /// Event function g(t, x).
 enum EventFunction<'a, X> {
-    /// State component (by index) minus a level.
+    /// Value of a state component minus a level; contains the index of the component and the level.
     Component(usize, f64),
-    /// Time derivative of a state component (by index).
+    /// Time derivative of a state component; contains the index of the component.
     Derivative(usize),
     /// User function g(t, x).
     Function(Scalar<'a, X>),

@@ -195,7 +195,7 @@ fn count_at_start(start: f64, times: &[f64]) -> usize {
     at_start
 }
 
-/// Step observer that stores the dense output of all steps.
+/// Step observer that stores the dense output of all accepted steps.
 struct Recorder {
     /// Start time and size of each step.
     steps: Vec<(f64, f64)>,
@@ -216,7 +216,7 @@ impl StepObserver for Recorder {
     }
 }
 
-/// Step observer that writes the states at the output times.
+/// Step observer that writes the states at the output times to an array.
 struct Sampler<'a> {
     times: &'a [f64],
     /// Index of the next output time.

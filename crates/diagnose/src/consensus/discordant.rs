@@ -4,7 +4,8 @@
 use super::sign_flip_test::SignFlipTest;
 use crate::context::ColumnId;
 
-/// Maximum number of iterations that alternate between the common estimate and the set of concordant flights.
+/// Maximum number of iterations that alternate between the value estimated from the concordant flights, which agree
+/// with it, and the set of these flights.
 const MAX_ITERATIONS: usize = 20;
 
 /// A flight can be discordant only if the common estimate is expected to change its weighted sum of squares, χ², by at

@@ -12,14 +12,15 @@ use crate::context::{CandidateId, ColumnId, ScoreTestModel, TermId};
 use crate::error::{DiagnosisError, if_possible};
 use crate::selection::{Hypothesis, Search};
 
-/// Familywise significance level of the sign-flip test: the flights agree on a candidate if its p-value is below this
-/// level.
+/// Familywise significance level of the sign-flip test: the flights agree on a candidate effect (one that the model may
+/// lack) if its p-value is below this level.
 const ALPHA_AGREE: f64 = 0.01;
 
-/// Familywise significance level at which the flights' agreement on a further candidate rejects a hypothesis.
+/// Familywise significance level at which the flights' agreement on a further candidate effect rejects a hypothesis.
 const ALPHA_REJECT: f64 = 0.002;
 
-/// Minimum number of flights for a test of agreement; with fewer flights the sign-flip test cannot be significant.
+/// Minimum number of flights for a test of whether they agree on an effect; with fewer flights the sign-flip test
+/// cannot be significant.
 const MIN_FLIGHTS: usize = 20;
 
 /// Minimum fraction of the excess χ² that a hypothesis must explain to be accepted. The excess χ² is the weighted sum
@@ -29,7 +30,7 @@ const MIN_EXPLAINED: f64 = 0.5;
 /// Minimum fraction of concordant flights for the diagnosis to be repeated without the discordant flights.
 const MIN_CONCORDANT: f64 = 0.5;
 
-/// Result of the search for hypotheses on which the flights agree.
+/// Result of the search for hypotheses (effects that the model may lack) on which the flights agree.
 pub(crate) struct Consensus {
     /// Hypotheses that explain at least half of the excess χ² of all flights, best fit first. May be empty: then one
     /// hypothesis explains at least half of the excess χ² of the flights outside `discordant`, but none explains half
@@ -87,8 +88,9 @@ struct Agreed {
     p_value: f64,
 }
 
-/// Fits each single candidate on which the flights agree, and returns the hypotheses, best fit first. A hypothesis is
-/// omitted if, once it is included, the flights still agree on a further candidate or library term.
+/// Fits each single candidate effect on which the flights agree, and returns the hypotheses, best fit first. A
+/// hypothesis is omitted if, once its effect is included, the flights still agree on a further candidate or library
+/// term.
 fn agreed_hypotheses(
     model: &ScoreTestModel<'_>,
     search: &Search,
@@ -174,8 +176,8 @@ fn sign_flip_test(
 }
 
 /// Groups of columns of the normal equations, to be tested by [`SignFlipTest::p_values`]: first the columns of each
-/// candidate's coefficients (an empty group for the candidates in `conditioned_on`), then the column of each library
-/// term.
+/// candidate effect's coefficients (an empty group for the candidates in `conditioned_on`), then the column of each
+/// library term.
 fn groups(model: &ScoreTestModel<'_>, conditioned_on: &[CandidateId]) -> Vec<Vec<ColumnId>> {
     let of_candidates = model
         .candidates()

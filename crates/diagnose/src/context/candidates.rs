@@ -24,7 +24,7 @@ pub(crate) struct Candidate {
     pub states: Vec<CandidateParameter<StateId>>,
 }
 
-/// A coefficient (`ParamId`) or a state (`StateId`) of a candidate.
+/// A coefficient (`ParamId`) or a state (`StateId`) of a candidate effect.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct CandidateParameter<Id> {
     /// Name of the coefficient or state.
@@ -53,7 +53,7 @@ pub fn identifier(display_name: &str) -> String {
 }
 
 impl Candidate {
-    /// Creates the candidate for an effect that is switched on in `model`.
+    /// Creates the candidate for the effect (model extension) `effect`, which is switched on in `model`.
     pub fn new(model: &Model, layout: &Layout, effect: &AppliedEffect) -> Self {
         let coefficients = effect.coefficients.iter().map(|own| {
             let constant = &model.coefficients[own.index];

@@ -12,7 +12,8 @@ use model_spec::term_library::TermLibrary;
 use super::candidates::{Candidate, identifier};
 use super::ids::CandidateId;
 
-/// A model extended by all candidate effects and, where compatible, by the loads of a term library.
+/// A model extended by all candidate effects (effects that it may lack) and, where compatible, by the loads of a term
+/// library.
 #[derive(Clone, Debug)]
 pub(crate) struct EncompassingModel {
     /// The model with every candidate effect switched on.
@@ -67,7 +68,7 @@ impl EncompassingModel {
     }
 }
 
-/// Effects that can be added to the model and are not excluded by `without`.
+/// Effects that can be added to the model and are not named in `without`.
 fn candidate_effects(model: &Model, without: &[String]) -> Vec<EffectTree> {
     let is_excluded = |name: &str| without.iter().any(|w| identifier(w) == name);
     known_effects(model)

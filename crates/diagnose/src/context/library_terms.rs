@@ -15,7 +15,8 @@ use ode::DifferentiableRhs;
 use super::basis_load::BasisLoads;
 use super::ids::TermId;
 
-/// All terms of a library, with the indices of their load coefficients and variables in the layout of a model.
+/// All terms of a term library (products of variables that are added to loads), with the indices of their load
+/// coefficients and variables in the layout of a model.
 #[derive(Clone, Debug)]
 pub(crate) struct LibraryTerms {
     /// The term library.
@@ -104,8 +105,8 @@ impl LibraryTerms {
         self.library.name(self.terms[term])
     }
 
-    /// Generates the effect that adds a term with one coefficient to the model; `doc` is the doc comment of the
-    /// effect.
+    /// Creates the effect (model extension) that adds a library term with one coefficient to the model; `doc` is the
+    /// doc comment of the effect.
     pub fn effect(&self, term: TermId, doc: &str) -> EffectTree {
         self.library.effect(self.terms[term], doc)
     }

@@ -18,16 +18,18 @@ use super::candidates::identifier;
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct DiagnosisOptions<'a> {
-    /// Name of the dataset, as shown in the report and in the comments of generated effects.
+    /// Name of the dataset, as shown in the report and in the comments of the effects that are created from library
+    /// terms.
     pub dataset: &'a str,
-    /// Names of effects that are excluded from the candidates.
+    /// Names of effects that are excluded from the candidates, the effects that the model may lack.
     pub without: &'a [String],
     /// Options of every fit in the diagnosis. Threads, progress and cancellation apply to the whole diagnosis.
     pub fit: FitOptions<'a>,
-    /// Probability that any effect is detected although the model is correct, familywise over all candidates; default
-    /// 0.004.
+    /// Probability that any candidate effect is detected although the model is correct, familywise over all candidates;
+    /// default 0.004.
     pub alpha_detect: f64,
-    /// Probability that the correct explanation is rejected, familywise over all tests; default 0.002.
+    /// Probability that the correct explanation (the effects that the model truly lacks) is rejected, familywise over
+    /// all tests; default 0.002.
     pub alpha_reject: f64,
     /// Ranges of feasible launch conditions, within which the next throw is chosen.
     pub throws: ThrowRanges,

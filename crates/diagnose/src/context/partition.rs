@@ -5,7 +5,8 @@ use nalgebra::{DMatrix, DVector};
 
 use super::ids::ColumnId;
 
-/// Partition of the global columns under a null hypothesis. A fixed unknown has no column.
+/// Partition of the columns of the normal equations under a null hypothesis into nuisance and tested columns. A fixed
+/// unknown has no column.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Partition {
     /// Columns of the nuisance parameters: unknowns that are estimated under the null hypothesis.
@@ -16,8 +17,8 @@ pub(crate) struct Partition {
 }
 
 impl Partition {
-    /// Creates the partition of the global columns `0..columns` of the normal equations: the columns in `nuisance`
-    /// belong to nuisance parameters, all other columns are tested.
+    /// Creates the partition of the columns `0..columns` of the normal equations: the columns in `nuisance` belong to
+    /// nuisance parameters, all other columns are tested.
     pub fn new(nuisance: Vec<ColumnId>, columns: usize) -> Self {
         let all = (0..columns).map(ColumnId::new);
         Self {

@@ -213,7 +213,7 @@ impl<'a> ScoreTestModel<'a> {
         }
     }
 
-    /// Copy of an iterate with the candidate `dropped` set to its null value.
+    /// Copy of an iterate with the coefficients and states of the candidate `dropped` set to their null values.
     pub fn at_null_value(&self, iterate: &Iterate, dropped: CandidateId) -> Iterate {
         let candidate = self.candidate(dropped);
         let mut iterate = iterate.clone();
@@ -228,8 +228,8 @@ impl<'a> ScoreTestModel<'a> {
         iterate
     }
 
-    /// Converts the result of `fit`, a fit of the model under test with some candidates, to an iterate in the unknowns
-    /// of this model. `None` if `fit` used other flights than this model.
+    /// Converts the result of `fit`, a fit of the model under test with some candidate effects, to an iterate in the
+    /// unknowns of this model. `None` if `fit` used other flights than this model.
     pub fn iterate_of(&self, fit: &Fit) -> Option<Iterate> {
         let (flights, local) = fitted_flights(&self.problem, self.context.dataset, fit).ok()?;
         let global = fitted_globals(&self.problem, fit);

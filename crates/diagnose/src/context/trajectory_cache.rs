@@ -4,7 +4,8 @@ use std::sync::Mutex;
 
 use identify::{FitProblem, Iterate};
 
-/// Maximum size of one cache in bytes; trajectories of flights that do not fit are integrated again at each use.
+/// Maximum size of one cache in bytes; trajectories of flights for which the cache has no space are integrated again at
+/// each use.
 const MAX_CACHE_BYTES: usize = 128 << 20;
 
 /// States and sensitivities of one flight at its sample times, in the memory layout of `identify::linearise_with`;

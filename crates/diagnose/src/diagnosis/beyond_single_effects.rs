@@ -8,8 +8,8 @@ use crate::report::Consensus;
 use crate::selection::{MAX_EFFECTS, MAX_SELECTED, StepwiseModel};
 
 impl Analysis<'_> {
-    /// Searches for explanations if no single candidate is adequate: several candidates together, library terms, or
-    /// effects on which the flights agree. Library terms replace candidates if they explain as much with fewer
+    /// Searches for explanations if no single candidate effect is adequate: several candidates together, library terms,
+    /// or effects on which the flights agree. Library terms replace candidates if they explain as much with fewer
     /// unknowns.
     pub(super) fn search_beyond_single_effects(&mut self) -> Result<(), DiagnosisError> {
         let few = |effects: &[_]| self.model.unknowns_of(effects) <= FREE_UNKNOWNS;
@@ -45,9 +45,9 @@ impl Analysis<'_> {
 
     /// Adds library terms to the stepwise regression, as alternatives to the hypotheses. If a hypothesis is accepted,
     /// the number of terms remains below the number of its unknowns; it may reach this number if all effects of the
-    /// hypothesis act at one site, because they may then approximate a law of this load that is not in the catalogue.
-    /// Otherwise up to `most` terms are selected, but none is added if the next term is expected to explain much less
-    /// than the best rejected hypothesis.
+    /// hypothesis change the same load, because they may then approximate a law of this load that is not in the
+    /// catalogue. Otherwise up to `most` terms are selected, but none is added if the next term is expected to explain
+    /// much less than the best rejected hypothesis.
     fn extend_terms(&mut self, most: usize) -> Result<(), DiagnosisError> {
         let (search, Some(stepwise)) = (&self.search, &mut self.stepwise) else {
             return Ok(());
@@ -71,8 +71,8 @@ impl Analysis<'_> {
         stepwise.extend(&self.model, search, &self.before, most)
     }
 
-    /// Selects library terms with the candidates `effects` included in the model. Of this selection and the earlier one
-    /// without these candidates, the better is stored, as determined by [`StepwiseModel::better`].
+    /// Selects library terms with the candidate effects `effects` included in the model. Of this selection and the
+    /// earlier one without these effects, the better is stored, as determined by [`StepwiseModel::better`].
     fn search_terms_beside(&mut self, effects: &[CandidateId]) -> Result<(), DiagnosisError> {
         let (model, search) = (&self.model, &self.search);
         let Some(single) = model.fit_hypothesis(effects, &self.base, &search.noise) else {
@@ -84,7 +84,7 @@ impl Analysis<'_> {
     }
 
     /// Searches for hypotheses whose effect has the same sign in most flights, and stores them as accepted. Also stores
-    /// the discordant flights, which contradict such an effect.
+    /// the discordant flights, in which the effect has the opposite sign.
     fn search_consensus(&mut self) -> Result<(), DiagnosisError> {
         let found = consensus(&self.model, &self.search, &self.base)?;
         let Some(found) = found else {

@@ -8,18 +8,19 @@ use model_spec::model::Model;
 #[derive(Clone, Debug)]
 pub struct ExtendedModel {
     /// Identifiers of the added effects: first existing effects (built in or from the model's file), then effects
-    /// generated from library terms.
+    /// created from library terms.
     pub effects: Vec<String>,
     /// The model with the added effects switched on.
     pub model: Model,
-    /// Source texts of the generated effects, in the order of their identifiers at the end of `effects`.
+    /// Source texts, in the model language, of the effects created from library terms, in the order of their
+    /// identifiers in `effects`, where they come last.
     pub written: Vec<String>,
     tree: ModelTree,
 }
 
 impl ExtendedModel {
     /// Extends the model `base` by the effects in `names`, from the model's own file or built in, and then by the
-    /// generated effects in `written`.
+    /// effects `written`, which are created from library terms.
     ///
     /// # Errors
     /// [`LoadError`] if the effects cannot be combined with the model or with one another.

@@ -17,7 +17,7 @@ pub struct SmoothMisfit {
     pub file: String,
     /// Measured coordinate, as the column name of the flight's table: marker or sensor and axis, such as `m1_z`.
     pub coordinate: String,
-    /// Begin of the interval in which the deviation exceeds half its maximum, s after the first sample.
+    /// Start of the interval in which the deviation exceeds half its maximum, s after the first sample.
     pub from_s: f64,
     /// End of the interval in which the deviation exceeds half its maximum, s after the first sample.
     pub to_s: f64,

@@ -15,8 +15,8 @@ use crate::score_test::{ScoreTests, keep_directions};
 /// variance low and distort the autocorrelation.
 const MIN_SCORE: f64 = 4.0;
 
-/// Maximum log p-value of the score test of a candidate with states (one value for each flight) at which the states are
-/// estimated along with the other parameters, before the noise is estimated.
+/// Maximum log p-value of the score test of a candidate effect with states (one value for each flight) at which the
+/// states are estimated along with the other parameters, before the noise is estimated.
 const MAX_LN_P_OF_STATES: f64 = -14.0;
 
 /// Damping added to JᵀJ, the normal matrix of a flight's local parameters (its initial state), when these parameters
@@ -24,9 +24,9 @@ const MAX_LN_P_OF_STATES: f64 = -14.0;
 const DAMPING: f64 = 1e-12;
 
 impl ScoreTestModel<'_> {
-    /// Estimates the noise of the residuals and marks outliers. The candidates in `conditioned_on` are estimated at
-    /// the linearization point; significant contributions of other candidates are removed from the residuals to first
-    /// order. `noise` is the noise model that weights the residuals.
+    /// Estimates the noise of the residuals and marks outliers. The candidate effects in `conditioned_on` are estimated
+    /// at the linearization point; significant contributions of other candidates are removed from the residuals to
+    /// first order. `noise` is the noise model that weights the residuals.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated; [`DiagnosisError::UndeterminedInitialState`] if
@@ -59,8 +59,8 @@ impl ScoreTestModel<'_> {
         Ok(self.noise_of(&remaining, unknowns, noise.interval))
     }
 
-    /// The candidates in `conditioned_on`, followed by the significant candidates whose effect is a state with one
-    /// value for each flight.
+    /// The candidates in `conditioned_on`, followed by the significant candidate effects that are represented by a
+    /// state with one value for each flight.
     fn with_significant_states(
         &self,
         tests: &ScoreTests,

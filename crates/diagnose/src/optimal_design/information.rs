@@ -10,8 +10,9 @@ use crate::selection::Hypothesis;
 /// are eliminated; relative to the diagonal of JᵀJ.
 const DAMPING: f64 = 1e-12;
 
-/// Information matrix of the global columns from the given normal equations, with the local parameters (initial states)
-/// eliminated; `None` if a flight does not determine its local parameters.
+/// Information matrix of the global unknowns (parameters and library-term coefficients) from the given normal
+/// equations, with the local parameters (initial states) eliminated; `None` if a flight does not determine its local
+/// parameters.
 pub(super) fn information(
     model: &ScoreTestModel<'_>,
     blocks: &[NormalBlock],

@@ -48,7 +48,7 @@ pub struct MinDetectableEffect {
     pub unit: String,
 }
 
-/// Returns the candidates that are not identifiable, and the minimum detectable sizes of the coefficients of the
+/// Returns the candidate effects that are not identifiable, and the minimum detectable sizes of the coefficients of the
 /// identifiable candidates. `detect` is the log p-value below which a test is significant.
 pub(crate) fn detectable(
     model: &ScoreTestModel<'_>,
@@ -102,9 +102,9 @@ fn detectable_size<Id>(
     (size.is_finite() && size < MAX_FRACTION_OF_BOUNDS * width).then_some(size)
 }
 
-/// Names of the model parameters that are most confounded with the candidate `id`, in descending order of confounding:
-/// the length of the projection of the candidate's Jacobian columns on the column of the parameter. If the initial
-/// states of the flights reproduce a column of the candidate entirely, the result is only `initial states`.
+/// Names of the model parameters that are most confounded with the candidate effect `id`, in descending order of
+/// confounding: the length of the projection of the candidate's Jacobian columns on the column of the parameter. If the
+/// initial states of the flights reproduce a column of the candidate entirely, the result is only `initial states`.
 fn confounded_with(model: &ScoreTestModel<'_>, tests: &ScoreTests, id: CandidateId) -> Vec<String> {
     let own = model.columns_of(id);
     let mut shares: Vec<(&str, f64)> = Vec::new();

@@ -4,7 +4,7 @@ use identify::{FlightEvidence, median};
 use model_spec::model::{Model, Shape};
 use serde::{Deserialize, Serialize};
 
-/// Number of equal intervals into which the abscissa of a curve is divided.
+/// Number of equal intervals into which the abscissa of a curve (angle of attack or speed) is divided.
 const INTERVALS: usize = 24;
 
 /// Minimum number of samples in an interval of the abscissa for the curve to have a point in this interval.
@@ -19,8 +19,8 @@ const ABSCISSAE: [&str; 2] = ["alpha", "V"];
 /// Prefix of the names of auxiliary variables that are coefficients.
 const COEFFICIENT_PREFIX: &str = "C_";
 
-/// A coefficient of the model over an abscissa, without and with the extension. Each value is the median of the
-/// samples within one interval of the abscissa.
+/// A coefficient of the model as a function of the abscissa, the angle of attack or the speed, without and with the
+/// extension of the model. Each value is the median of the samples within one interval of the abscissa.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CoefficientCurve {
     /// Name of the coefficient, such as `C_D`.
@@ -85,8 +85,9 @@ struct Interval {
     support: usize,
 }
 
-/// The intervals of the abscissa that contain enough samples, with the medians in each interval; `None` if all abscissae are equal or there are no samples. The arguments are samples (abscissa, value) of the models without
-/// and with the extension.
+/// Intervals of the abscissa that contain enough samples, with the medians in each interval; `None` if all abscissae
+/// are equal or there are no samples. The arguments are samples (abscissa, value) of the models without and with the
+/// extension.
 fn medians(mut before: Vec<(f64, f64)>, mut after: Vec<(f64, f64)>) -> Option<Vec<Interval>> {
     if before.is_empty() || after.is_empty() {
         return None;

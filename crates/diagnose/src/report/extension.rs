@@ -8,7 +8,8 @@ use crate::context::display_name;
 use crate::extension::ExtendedModel;
 use crate::selection::{FittedTerms, Search};
 
-/// Adds the library terms `terms` as a further explanation, which the data do not distinguish from the others.
+/// Adds the library terms `terms` to the report as a further explanation of the lack of fit, which the data do not
+/// distinguish from the other explanations.
 pub(crate) fn add_alternative(report: &mut Report, terms: &FittedTerms, search: &Search) {
     let chi2_decrease = (search.at_base.squares - terms.squares).max(0.0);
     let mut cause = cause(&terms.extension, &terms.fit, chi2_decrease);
@@ -19,8 +20,8 @@ pub(crate) fn add_alternative(report: &mut Report, terms: &FittedTerms, search: 
     report.verdict = verdict(true, &report.causes);
 }
 
-/// Adds the fit of the extended model. If the report contains no explanation (`causes`) yet, the effects generated from
-/// library terms are added as an explanation; `chi2_decrease` is their decrease of χ².
+/// Adds the fit of the extended model to the report. If the report contains no explanation (`causes`) yet, the effects
+/// created from library terms are added as an explanation; `chi2_decrease` is their decrease of χ².
 pub(crate) fn add_extension(
     report: &mut Report,
     (extension, chi2_decrease): (&ExtendedModel, f64),
@@ -37,7 +38,7 @@ pub(crate) fn add_extension(
     }
 }
 
-/// Explanation by the effects of an extension; its share of the excess χ² is not computed.
+/// Explanation of the lack of fit by the effects of an extension; its share of the excess χ² is not computed.
 fn cause(extension: &ExtendedModel, fit: &Fit, chi2_decrease: f64) -> Cause {
     Cause {
         effects: extension_effects(extension, fit),
@@ -79,7 +80,7 @@ fn extension_effects(extension: &ExtendedModel, after: &Fit) -> Vec<CauseEffect>
 
 /// Replaces standard errors in the report by cluster-robust (by flight) standard errors where these are larger, because
 /// misfit that the extension does not explain is correlated within a flight. Also replaces the estimates of the first
-/// cause by those of `after`, the fit of the extended model.
+/// explanation (`causes`) by those of `after`, the fit of the extended model.
 pub(crate) fn use_clustered_errors(report: &mut Report, after: &Fit) {
     let fitted = |name: &str| {
         let found = after.report.coefficients.get(name)?;

@@ -5,7 +5,8 @@ use crate::selection::{StepwiseModel, StepwiseTerm};
 use crate::text::{millimetres, three_figures};
 use crate::validation::{PredictiveGain, Validated};
 
-/// Minimum bias of a coefficient caused by the missing effect, in standard errors, for the summary to name it.
+/// Minimum bias of a coefficient caused by the missing effect, in standard errors, for the summary to name the
+/// coefficient.
 const MIN_BIAS: f64 = 3.0;
 
 /// Maximum number of flights named in a sentence.
@@ -90,7 +91,7 @@ fn unattributed_answer(report: &Report) -> String {
     }
 }
 
-/// Sentences on the flights that agree on the first explanation, and on the discordant flights.
+/// Sentences on the flights that agree on the first explanation (missing effects), and on the discordant flights.
 fn agreement(consensus: &Consensus) -> String {
     let mut text = format!(
         " {} flights agree on it (sign-flip test, p ≤ {}).",

@@ -79,8 +79,8 @@ pub(crate) fn build_report(
     report
 }
 
-/// Derives the outcome of the diagnosis (verdict) from the accepted explanations `causes`. `is_significant` states
-/// whether the model under test has a significant candidate effect or lack of fit.
+/// Derives the outcome of the diagnosis (verdict) from `causes`, the accepted explanations of the lack of fit.
+/// `is_significant` states whether a candidate effect or the lack of fit of the model under test is significant.
 pub(super) fn verdict(is_significant: bool, causes: &[Cause]) -> Verdict {
     let is_negligible = |cause: &Cause| cause.effects.iter().all(|effect| effect.negligible);
     match causes {

@@ -10,8 +10,8 @@ use crate::text::{millimetres, three_figures};
 const MAX_DEPARTURES: usize = 3;
 
 /// Replaces the lack-of-fit test in the report by `residuals`, the test of the extended model; `None` leaves the report
-/// unchanged. Also updates the fraction of the misfit beyond noise that the first cause explains, and the RMS residual
-/// in excess of the noise that remains.
+/// unchanged. Also updates, for the first explanation (`causes`), the fraction of the misfit beyond noise that it
+/// explains, and the RMS residual in excess of the noise that remains.
 pub(crate) fn add_residuals(report: &mut Report, residuals: Option<LackOfFit>) {
     if let (Some(before), Some(after)) = (&report.lack_of_fit, &residuals)
         && let Some(first) = report.causes.first_mut()
@@ -88,8 +88,8 @@ pub(crate) fn display_names(effects: &[String]) -> String {
     names.join(" with ")
 }
 
-/// Adds a note to the report: the extended model is not offered, because it predicts other flights worse than the model
-/// under test.
+/// Adds a note to the report that the extended model is not proposed, because it predicts other flights worse than the
+/// model under test.
 pub(crate) fn note_not_offered(report: &mut Report, extension: &ExtendedModel) {
     let names = display_names(&extension.effects);
     report.notes.push(format!(

@@ -23,13 +23,14 @@ pub struct Report {
     pub dataset: String,
     /// Name of the model under test.
     pub model: String,
-    /// Names of the effects that were switched on in the model under test.
+    /// Names of the effects (optional extensions) that were switched on in the model under test.
     pub effects: Vec<String>,
     /// Outcome of the diagnosis.
     pub verdict: Verdict,
     /// Summary of the result, one paragraph of text.
     pub summary: String,
-    /// Model confidence set: every explanation that the data do not reject, the best fit first.
+    /// Model confidence set: every explanation (set of effects that the model may lack) that the data do not reject,
+    /// the best fit first.
     pub causes: Vec<Cause>,
     /// Estimated noise of the measured coordinates.
     pub noise: NoiseSummary,
@@ -42,7 +43,7 @@ pub struct Report {
     pub undetectable: Vec<NotIdentifiable>,
     /// Minimum detectable sizes of the identifiable candidates' coefficients, for power 0.9.
     pub smallest_detectable: Vec<MinDetectableEffect>,
-    /// Throw that would best distinguish the accepted explanations; `None` if fewer than two are accepted.
+    /// Throw that would best distinguish the accepted explanations (`causes`); `None` if fewer than two are accepted.
     pub next_throw: Option<NextThrow>,
     /// File name of the extended model, in the folder of the report; `None` if the model is not extended.
     pub extended_model: Option<String>,
@@ -99,20 +100,21 @@ fn converged_by_default() -> bool {
 pub enum Verdict {
     /// No error of the model is detected: no candidate effect is significant, and the residuals are noise.
     None,
-    /// Exactly one explanation is accepted, and its effects are not negligible.
+    /// Exactly one explanation (set of missing effects) is accepted, and its effects are not negligible.
     Named,
-    /// Several explanations are accepted, not all of them negligible, and these flights cannot distinguish them.
+    /// Several explanations (sets of missing effects) are accepted, not all of them negligible, and these flights
+    /// cannot distinguish them.
     Ambiguous,
     /// There is a significant lack of fit, and no candidate effect explains it.
     #[serde(rename = "outside")]
     Unattributed,
-    /// Every accepted explanation is significant but negligible: all estimates are below the smallest effect size of
-    /// interest.
+    /// Every accepted explanation (set of missing effects) is significant but negligible: all estimates are below the
+    /// smallest effect size of interest.
     #[serde(rename = "immaterial")]
     Negligible,
 }
 
-/// One explanation of the misfit: a single effect, or several effects together.
+/// One explanation of the misfit: a single effect that the model lacks, or several such effects together.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Cause {
     /// The effects that the model lacks according to this explanation.
@@ -129,8 +131,8 @@ pub struct Cause {
     /// explanation.
     #[serde(default)]
     pub remaining_m: f64,
-    /// The most significant candidate outside this explanation, tested with the effects of this explanation included in
-    /// the model; `None` if no such candidate can be tested.
+    /// The most significant candidate effect outside this explanation, tested with the effects of this explanation
+    /// included in the model; `None` if no such candidate can be tested.
     #[serde(rename = "rival")]
     pub strongest_remaining: Option<RemainingEffect>,
 }
@@ -147,7 +149,7 @@ pub struct RemainingEffect {
 /// One effect of an explanation (a [`Cause`]), with the estimates of its coefficients.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CauseEffect {
-    /// Display name, with hyphens, of the candidate effect or of the effect generated from library terms.
+    /// Display name, with hyphens, of the candidate effect or of the effect created from library terms.
     pub name: String,
     /// Description of the effect; for candidates, according to the sign of the estimate.
     pub doc: String,
@@ -157,7 +159,7 @@ pub struct CauseEffect {
     pub variables: Vec<String>,
     /// Estimates of the effect's coefficients by name; for a state, the root mean square over the flights.
     pub estimates: BTreeMap<String, Estimate>,
-    /// Score statistic of the effect, χ², tested at the fit of the model under test; 0 for an effect generated from
+    /// Score statistic of the effect, χ², tested at the fit of the model under test; 0 for an effect created from
     /// library terms.
     pub statistic: f64,
     /// Whether every estimate is below the smallest effect size of interest.
@@ -247,7 +249,7 @@ pub struct Threshold {
     pub z: f64,
 }
 
-/// Correlation matrix of the effective scores of the candidates' coefficients.
+/// Correlation matrix of the effective scores of the candidate effects' coefficients.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ScoreCorrelations {
     /// Names of the coefficients, in the order of the rows and columns.
@@ -288,8 +290,8 @@ pub struct Unattributed {
     pub terms: Vec<StepwiseTerm>,
 }
 
-/// Agreement of the flights on the accepted explanations. The explanations leave part of the misfit unexplained, and
-/// this part differs from flight to flight.
+/// Agreement of the flights on the accepted explanations (missing effects). The explanations leave part of the misfit
+/// unexplained, and this part differs from flight to flight.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Consensus {
     /// Number of fitted flights on whose agreement the explanations are based; discordant flights are not counted.
@@ -298,7 +300,7 @@ pub struct Consensus {
     /// explanation accounts for; `None` if the explanations account for the entire misfit of the concordant flights.
     #[serde(rename = "part")]
     pub explained: Option<f64>,
-    /// p-value of the sign-flip test, familywise over all candidates and library terms.
+    /// p-value of the sign-flip test, familywise over all candidate effects and library terms.
     #[serde(rename = "chance")]
     pub p_value: f64,
     /// File names of the discordant fitted flights, which are excluded from all other results of the report.

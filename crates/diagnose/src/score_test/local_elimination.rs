@@ -17,7 +17,7 @@ pub(crate) struct GlobalEquations {
     pub gradient: DVector<f64>,
 }
 
-/// Normal equations of the global columns after eliminating, in each flight, the local parameters and also the states
+/// Normal equations of the global unknowns after eliminating, in each flight, the local parameters and also the states
 /// of one tested candidate effect (a state with one value for each flight).
 #[derive(Clone, Debug)]
 pub(super) struct PerFlightCandidate {
@@ -28,13 +28,14 @@ pub(super) struct PerFlightCandidate {
     pub dof: usize,
 }
 
-/// Normal equations of the global columns, summed over all flights.
+/// Normal equations of the global unknowns (parameters and library-term coefficients), summed over all flights, with
+/// the local parameters (initial states) eliminated.
 #[derive(Clone, Debug)]
 pub(super) struct LocalElimination {
     /// Normal equations under the null hypothesis: the states of all tested candidates are fixed at their null values.
     pub null: GlobalEquations,
-    /// For each tested per-flight candidate: normal equations in which the states of this candidate are estimated;
-    /// `None` for all other candidates.
+    /// For each tested candidate effect with one value for each flight: normal equations in which the states of this
+    /// candidate are estimated; `None` for all other candidates.
     pub candidates: IndexVec<CandidateId, Option<PerFlightCandidate>>,
 }
 

@@ -19,15 +19,15 @@ pub(crate) const MIN_TOLERANCE: f64 = 1e-8;
 /// Seed of the simulated null distribution from which thresholds are computed.
 const THRESHOLD_SEED: u64 = 1;
 
-/// Score tests of candidates and library terms. The parameters of the model under test, and of candidates that are
-/// included in the null hypothesis, are nuisance parameters.
+/// Score tests of candidate effects and library terms. The parameters of the model under test, and of candidates that
+/// are included in the null hypothesis, are nuisance parameters.
 #[derive(Clone, Debug)]
 pub(crate) struct ScoreTests {
-    /// Test of each candidate; `None` if the parameters of the candidate are nuisance parameters.
+    /// Test of each candidate effect; `None` if the parameters of the candidate are nuisance parameters.
     pub candidates: IndexVec<CandidateId, Option<ScoreTest>>,
     /// Test of each library term; empty if the normal equations have no columns for terms.
     pub terms: IndexVec<TermId, ScoreTest>,
-    /// Partition of the global columns into nuisance and tested columns.
+    /// Partition of the columns of the normal equations into nuisance and tested columns.
     pub partition: Partition,
     /// Effective information of the tested columns, with rows and columns multiplied by `scale`. The diagonal would be
     /// 1 if the nuisance parameters were not projected out.
@@ -47,7 +47,8 @@ pub(crate) struct ScoreTests {
     /// For each test with at least one degree of freedom: matrix that maps the effective scores of all tested columns
     /// to independent standard normal variables; one matrix column for each tested column.
     whitenings: Vec<DMatrix<f64>>,
-    /// Number of tests of per-flight candidates, whose states are not among the tested columns.
+    /// Number of tests of candidate effects with one value for each flight, whose states are not among the tested
+    /// columns.
     state_tests: usize,
 }
 
@@ -312,8 +313,9 @@ impl ScoreTests {
 }
 
 impl PerFlightCandidate {
-    /// Test of the candidate's states. `nuisance_decrease` is the decrease of the sum of squares by the nuisance
-    /// parameters with the states estimated, minus the decrease with the states at their null values.
+    /// Test of the candidate effect's states, one value for each flight. `nuisance_decrease` is the decrease of the sum
+    /// of squares by the nuisance parameters with the states estimated, minus the decrease with the states at their
+    /// null values.
     fn test(&self, nuisance_decrease: f64) -> ScoreTest {
         let statistic = (self.decrease + nuisance_decrease).max(0.0);
         ScoreTest {

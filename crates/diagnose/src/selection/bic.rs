@@ -7,8 +7,8 @@ use crate::context::ScoreTestModel;
 /// Maximum difference of a hypothesis' BIC from the smallest BIC at which the hypothesis is retained.
 const MAX_BIC_DIFFERENCE: f64 = 12.0;
 
-/// Maximum amount by which the BIC of library terms may be below the smallest BIC of the hypotheses while the
-/// hypotheses are still preferred.
+/// Maximum amount by which the BIC of the model with library terms may be below the smallest BIC of the hypotheses
+/// while the hypotheses are still preferred.
 const TERM_BIC_MARGIN: f64 = 1.0;
 
 /// Returns the hypotheses whose BIC is near the smallest, without changing their order. Hypotheses with at most `free`

@@ -14,7 +14,7 @@ const MAX_EFFECTS_UNVALIDATED: usize = 2;
 pub(crate) struct Hypothesis {
     /// The candidate effects that the hypothesis adds to the model under test.
     pub effects: Vec<CandidateId>,
-    /// Estimation problem in which the candidates of this hypothesis are estimated.
+    /// Estimation problem in which the candidate effects of this hypothesis are estimated.
     pub problem: FitProblem,
     /// Fitted values of all unknowns of `problem`.
     pub iterate: Iterate,
@@ -39,14 +39,14 @@ impl Hypothesis {
         }
     }
 
-    /// The candidate with the smallest p-value once this hypothesis is included, and its log p-value; `None` if no
-    /// candidate can be tested.
+    /// The candidate effect with the smallest p-value once this hypothesis is included, and its log p-value; `None` if
+    /// no candidate can be tested.
     pub fn strongest_remaining(&self) -> Option<(CandidateId, f64)> {
         let strongest = self.tests.strongest_candidate();
         strongest.map(|(id, test)| (id, test.ln_p))
     }
 
-    /// Whether there are several effects, and all of them act at the same site, such as lift.
+    /// Whether there are several effects, and all of them change the same load or equation, such as lift.
     pub fn combines_one_site(&self, model: &ScoreTestModel<'_>) -> bool {
         let mut sites = self.effects.iter().map(|&id| &model.candidate(id).site);
         let first = sites.next();
@@ -64,8 +64,8 @@ impl Hypothesis {
 }
 
 impl ScoreTestModel<'_> {
-    /// Fits the candidates `effects` together with the model under test, starting at `from`; `None` if the fit or the
-    /// score tests fail.
+    /// Fits the candidate effects `effects` together with the model under test, starting at `from`; `None` if the fit
+    /// or the score tests fail.
     pub fn fit_hypothesis(
         &self,
         effects: &[CandidateId],

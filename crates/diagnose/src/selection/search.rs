@@ -45,7 +45,7 @@ pub(crate) struct Search {
     pub rejected: Vec<Hypothesis>,
 }
 
-/// Score tests at a linearization point.
+/// Score tests of candidate effects and library terms at a linearization point.
 pub(crate) struct TestsAtPoint {
     pub tests: ScoreTests,
     /// Familywise thresholds of log p-values, for detection and rejection.
@@ -64,8 +64,8 @@ pub(crate) enum Weights<'n> {
 }
 
 impl ScoreTestModel<'_> {
-    /// Score tests of all candidates and library terms at the linearization point `at`. Only the parameters of the
-    /// model under test are nuisance parameters.
+    /// Score tests of all candidate effects and library terms at the linearization point `at`. Only the parameters of
+    /// the model under test are nuisance parameters.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if a trajectory cannot be integrated.
@@ -399,7 +399,7 @@ mod tests {
     use super::*;
     use crate::test_support::{Fixture, fixture};
 
-    /// Calls `with` with the fixture and with a search at its fit, from which the accepted hypotheses are removed.
+    /// Calls `with` with the test fixture and with a search at its fit, from which the accepted hypotheses are removed.
     fn searched(with: impl FnOnce(&Fixture, Search)) {
         let mut fixture = fixture();
         let noise = fixture.fit.noise().clone();

@@ -26,7 +26,7 @@ const MAX_REPORTED: usize = 12;
 /// Result for one library term in a report.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StepwiseTerm {
-    /// Display name of the effect that is generated from the term.
+    /// Display name of the effect that is created from the term.
     pub name: String,
     /// Site of the term: the load to which it is added.
     pub site: String,
@@ -53,9 +53,9 @@ pub(crate) struct StepwiseModel {
     selected: Vec<TermId>,
     /// Library terms listed in the report: those with the largest statistics, and the selected ones.
     pub terms: Vec<StepwiseTerm>,
-    /// Score tests of all library terms before the first one is selected.
+    /// Score test of each library term before the first term is selected.
     first: IndexVec<TermId, StepwiseTerm>,
-    /// The extended models with the first term, the first two terms, and so on, with their fits.
+    /// Models extended by the first selected term, by the first two terms, and so on, with their fits.
     pub fitted: Vec<FittedTerms>,
     /// Weighted sum of squares of the residuals of the model with the selected terms; the weights follow from the noise
     /// that the search estimated.
@@ -247,9 +247,9 @@ impl StepwiseModel {
     }
 }
 
-/// Generates effects for the selected terms, fits the model extended by them, and computes the score tests at the
-/// fit. `None` if the model cannot be composed, or the fit used other flights than `model`. The fit starts at `before`;
-/// if it does not converge, the model is also fitted from initial values estimated from the samples.
+/// Creates effects from the selected terms, fits the model extended by them, and computes the score tests at the fit.
+/// `None` if the model cannot be composed, or the fit used other flights than `model`. The fit starts at `before`; if
+/// it does not converge, the model is also fitted from initial values estimated from the samples.
 fn fit_terms(
     model: &ScoreTestModel<'_>,
     search: &Search,
@@ -328,14 +328,14 @@ fn next_term(tests: &ScoreTests, reject: f64, selected: &[TermId]) -> Option<(Te
     (test.ln_p < reject && !selected.contains(&term)).then_some((term, test.statistic))
 }
 
-/// Results of all terms, from their score tests.
+/// Reported results of all library terms, from their score tests.
 fn reported(terms: &LibraryTerms, tests: &ScoreTests) -> IndexVec<TermId, StepwiseTerm> {
     let each = tests.terms.iter_enumerated();
     each.map(|(id, test)| StepwiseTerm::new(terms, id, test))
         .collect()
 }
 
-/// The terms with the largest statistics, in descending order; at most [`MAX_REPORTED`].
+/// The library terms with the largest score statistics, in descending order; at most [`MAX_REPORTED`].
 fn strongest_terms(terms: &LibraryTerms, tests: &ScoreTests) -> Vec<StepwiseTerm> {
     let each = tests.terms.iter_enumerated();
     let mut order: Vec<(TermId, &ScoreTest)> = each.filter(|(_, test)| test.dof > 0).collect();
@@ -361,7 +361,7 @@ impl StepwiseTerm {
     }
 }
 
-/// Doc comment of the effect generated for a library term. It names the dataset and the number of flights in which the
+/// Doc comment of the effect created from a library term. It names the dataset and the number of flights in which the
 /// term was found; score statistic and estimate are added if `term` is given.
 fn evidence(dataset: &str, flights: usize, term: Option<&StepwiseTerm>) -> String {
     let test = term.map_or_else(String::new, |term| {

@@ -12,18 +12,20 @@ use crate::error::DiagnosisError;
 use crate::extension::ExtendedModel;
 use crate::selection::Hypothesis;
 
-/// The model extended by a hypothesis, with its fit and out-of-sample gain.
+/// The model extended by the effects of a hypothesis, with its fit and out-of-sample gain (reduction of the prediction
+/// error).
 pub(crate) struct Validated {
     /// The model extended by the effects of the hypothesis.
     pub extension: ExtendedModel,
     /// Fit of the extended model.
     pub fit: Fit,
-    /// Out-of-sample gain of the extension; `None` if no flight can be predicted.
+    /// Out-of-sample gain of the extension (reduction of the prediction error); `None` if no flight can be predicted.
     pub gain: Option<PredictiveGain>,
 }
 
 impl Validated {
-    /// Fits the model extended by a hypothesis and measures its out-of-sample gain.
+    /// Fits the model extended by the effects of a hypothesis and measures its out-of-sample gain (reduction of the
+    /// prediction error).
     ///
     /// # Errors
     /// [`DiagnosisError`] if the effects cannot be combined, the flights cannot be fitted, or the caller cancelled.

@@ -44,7 +44,7 @@ impl std::error::Error for ReleaseError {}
 /// Reason why a model cannot fly in the wind of a release.
 #[derive(Debug, thiserror::Error)]
 pub(super) enum WindError {
-    /// The release names a model of which only the names are known.
+    /// Only the names that the model defines are known, not the model itself, to which the wind would be added.
     #[error("found a wind by height or gusts, and no model that could fly in it")]
     NoModel,
     /// The wind cannot be added to the model.

@@ -90,7 +90,8 @@ pub enum ThrowError {
         "found wobble without spin; expected a spin other than 0, about which the axis can turn"
     )]
     NoSpin,
-    /// The model neither declares a body nor claims to describe one, so that the meaning of its states is unknown.
+    /// The model neither declares a body nor states that its equations describe one, so that the meaning of its states
+    /// is unknown.
     #[error(
         "the model {model} has neither a body nor a claim of one, so that its states cannot be found from a throw; expected \
          [initial] with every state"
@@ -236,7 +237,7 @@ impl ThrownModel {
     /// Prepares a model for the conversion between throws and states.
     ///
     /// # Errors
-    /// [`ThrowError::NoBody`] if the model neither declares a body nor claims to describe one.
+    /// [`ThrowError::NoBody`] if the model neither declares a body nor states that its equations describe one.
     pub fn new(model: &Model) -> Result<ThrownModel, ThrowError> {
         let name = model.name.clone();
         match MotionModel::new(model) {

@@ -26,19 +26,20 @@ pub struct Motion {
 /// Attitude and angular velocity of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Turning {
-    /// Axes of the body, as columns, in the inertial frame. If the model claims to describe a body of revolution by its
-    /// axis alone, only the third axis is fixed in the body.
+    /// Axes of the body, as columns, in the inertial frame. If the model defines only the axis of a body of revolution,
+    /// only the third axis is fixed in the body.
     pub axes: Matrix3<f64>,
     /// Angular velocity in the inertial frame, rad/s.
     pub rates: Vector3<f64>,
 }
 
-/// Compiled motion of a model's body as a function of state and parameters.
+/// Motion of a model's body as a compiled function of state and parameters.
 pub struct MotionModel {
     pub(super) compiled: CompiledModel,
     has_attitude: bool,
     pub(super) is_revolution: bool,
-    /// Indices of the states on which the motion of the body does not depend, such as those that effects add.
+    /// Indices of the states on which the motion of the body does not depend, such as those that effects (optional
+    /// model extensions) add.
     pub(super) added: Vec<usize>,
     /// Indices of the states that are angles of frames.
     pub(super) angles: Vec<usize>,
@@ -53,7 +54,8 @@ pub(super) const VECTORS: usize = 12;
 pub(super) const POINT_VECTORS: usize = 2;
 
 impl MotionModel {
-    /// Compiles the motion of a model's body; `None` if the model neither declares a body nor claims to describe one.
+    /// Compiles the motion of a model's body; `None` if the model neither declares a body nor states that its equations
+    /// describe one.
     pub fn new(model: &Model) -> Option<MotionModel> {
         let (vectors, is_revolution) = vectors(model)?;
         let mut own = model.clone();
@@ -109,7 +111,7 @@ impl MotionModel {
 
 /// Copy of the model whose observation has three components: the speed of the mass centre over the ground (m/s), the
 /// spin as in a [`Throw`](super::Throw) (rpm; 0 for a point mass), and 0. `None` if the model neither declares a body
-/// nor claims to describe one.
+/// nor states that its equations describe one.
 pub fn speed_and_spin(model: &Model) -> Option<Model> {
     let (vectors, _) = vectors(model)?;
     let scalar = |kind| Expr {
@@ -216,8 +218,8 @@ impl BoundMotion<'_> {
 }
 
 /// Expressions of the vectors that describe the motion, in the inertial frame and in the order of [`VECTORS`]; and
-/// whether the model claims to describe a body of revolution by its axis alone, without a frame that rotates with the
-/// body. `None` if the model neither declares a body nor claims to describe one.
+/// whether the model defines only the axis of a body of revolution, without a frame that rotates with the body. `None`
+/// if the model neither declares a body nor states that its equations describe one.
 fn vectors(model: &Model) -> Option<(Vec<Expr>, bool)> {
     let vector = |kind, frame, unit| Expr {
         kind,

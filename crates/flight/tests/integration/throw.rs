@@ -7,7 +7,8 @@ use flight::{CompiledModel, simulate};
 use model_spec::model::Model;
 use proptest::prelude::*;
 
-/// A body of a user: other names, another order of frames, velocity in the body, an inertia of three values.
+/// Source text of a user's model of a rigid body, with other names, another order of rotations, velocities in body
+/// axes, and three principal moments of inertia.
 const OWN: &str = "model slab;
 param mass = 0.3 kg;
 param J_1 = 1e-3 kg*m^2;
@@ -119,7 +120,8 @@ fn throws_of_a_body_of_ones_own_return() {
     round_trips("slab", 64);
 }
 
-/// Stated equations with a claim: the states are found from the expressions of the claim.
+/// Tests the conversion of throws for a model that states its equations directly and states that they describe a point:
+/// the states follow from the stated expressions of its motion.
 #[test]
 fn a_throw_of_a_claimed_point_returns() {
     let text = "model glider;\nparam m = 3 g;\nframe N;\nstate range = 0 m;\nstate height = 2 m;\nstate V = 4 m/s;\n\
@@ -182,7 +184,8 @@ fn a_flat_throw_along_x_has_the_states_of_the_disc_by_name() {
     }
 }
 
-/// The axis of a disc without loads describes a cone of the half angle `wobble`, whose axis starts ahead of it.
+/// Tests that the axis of a disc without aerodynamic loads describes a cone of the half angle `wobble`, whose axis is
+/// ahead of the body's axis at first.
 #[test]
 fn the_wobble_is_half_the_angle_of_the_cone() {
     let text = "model = \"disc_quaternion\"\nduration = 0.2\n[parameters]\nrho = 0\n[coefficients]\nC_Nr = 0\n\

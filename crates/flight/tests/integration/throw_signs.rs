@@ -6,7 +6,7 @@ use model_spec::model::Model;
 use nalgebra::Vector3;
 use oracle::{Chart, Physical, Point, derivatives};
 
-/// Models whose states differ most: three angles, a quaternion, another body.
+/// Names of models with different states: attitude by three angles, attitude by a quaternion, and another body.
 const MODELS: [&str; 3] = ["disc", "disc_quaternion", "discus"];
 
 fn model(name: &str) -> Model {

@@ -11,20 +11,21 @@ use super::rows::Point;
 use super::trajectory::{Trajectory, over_noise};
 use crate::noise::NoiseModel;
 
-/// Maximum number of samples after a tried contact that are used to test for it.
+/// Maximum number of samples after a possible contact with the ground or an object that are used to test for it.
 const MAX_SAMPLES_AFTER: usize = 40;
-/// Prior standard deviation of the displacement of a marker by the contact itself, in units of the noise of a marker
-/// coordinate. It is small, because a contact changes velocities and not positions.
+/// Prior standard deviation of the displacement of a marker by a contact with the ground or an object, in units of the
+/// noise of a marker coordinate. It is small, because a contact changes velocities and not positions.
 const DISPLACEMENT_SIGMA: f64 = 0.3;
 
-/// Decrease of the whitened sum of squares by a jump, tested with all samples in reach, below which no jump is tested
-/// with fewer samples. It is far below that of a contact, and samples after a contact increase it further.
+/// Decrease of the whitened sum of squares by a velocity jump, tested with all samples in reach, below which no jump is
+/// tested with fewer samples. It is far below the decrease by a contact with the ground, which samples after the
+/// contact increase further.
 const MIN_ROUGH_GAIN: f64 = 30.0;
 
 /// Result of the comparison of free motion with motion whose velocities jump just before a sample.
 #[derive(Clone, Debug)]
 pub struct Comparison {
-    /// Decrease of the whitened sum of squares if the jump is allowed.
+    /// Decrease of the whitened sum of squares if the velocities may jump.
     pub gain: f64,
     /// Difference between the initial state of the motion after the jump and that of the motion before it.
     pub change: DVector<f64>,
@@ -34,11 +35,11 @@ pub struct Comparison {
 pub struct Jumps {
     /// Index of the first sample for which a jump in the preceding interval is tested.
     tried: usize,
-    /// For each sample before which a jump is tested, free motion fitted to all earlier samples; then free motion fitted
-    /// to all samples.
+    /// For each sample before which a jump is tested, free motion fitted to all earlier samples; then free motion
+    /// fitted to all samples.
     free: Vec<Minimum>,
-    /// `comparisons[i][k]` tests a jump just before sample `tried + i`, with the samples up to `tried + i + k`; empty if
-    /// no jump, tested with all samples in reach, has a gain above `MIN_ROUGH_GAIN`.
+    /// `comparisons[i][k]` tests a jump just before sample `tried + i`, with the samples up to `tried + i + k`; empty
+    /// if no jump, tested with all samples in reach, has a gain above `MIN_ROUGH_GAIN`.
     comparisons: Vec<Vec<Comparison>>,
 }
 
@@ -124,8 +125,8 @@ impl Jumps {
         each.filter_map(move |(contact, by)| Some((contact, by.get(last - contact)?)))
     }
 
-    /// Change of the initial state, relative to that of the predicted trajectory, for which free motion best fits the
-    /// samples before the sample of index `contact`.
+    /// Change of the initial state of the predicted trajectory with which free motion best fits the samples before the
+    /// one with the index `contact`.
     pub fn before(&self, contact: usize) -> DVector<f64> {
         self.free[contact - self.tried].unknowns()
     }
@@ -138,9 +139,9 @@ struct SampleSum<'a> {
     sum: Quadratic,
 }
 
-/// Sum of squared residuals of the samples after a jump, as a quadratic function of two vectors: the initial state before
-/// the jump, and the change of the initial state that represents the jump. The terms with the initial state alone are
-/// those of free motion, and are not stored here.
+/// Sum of squared residuals of the samples after a jump, as a quadratic function of two vectors: the initial state
+/// before the jump, and the change of the initial state that represents the jump. The terms with the initial state
+/// alone are those of free motion, and are not stored here.
 struct JumpSum {
     /// Block of the normal matrix that couples the initial state (rows) and its change (columns).
     cross: DMatrix<f64>,
@@ -155,7 +156,7 @@ impl JumpSum {
         }
     }
 
-    /// Adds a sample after a jump just before sample `contact`.
+    /// Adds the residuals of `sample`, which follows a jump just before the sample with the index `contact`.
     fn add(&mut self, sample: &SampleSum<'_>, contact: usize) {
         let is_first = |point: &Point| point.previous.is_none_or(|previous| previous < contact);
         if !sample.points.iter().any(is_first) {
@@ -176,8 +177,8 @@ impl JumpSum {
         }
     }
 
-    /// Compares the motion that jumps with `free` motion, both fitted to the samples up to the last one added. `held`
-    /// are the normal matrices of the displacement by the jump, one for each time of contact that is tried.
+    /// Compares motion with a velocity jump and `free` motion, both fitted to the samples up to the last one added.
+    /// `held` are the normal matrices of the displacement by the jump, one for each time at which the jump is tried.
     fn compare(&self, free: &Minimum, held: &[DMatrix<f64>]) -> Option<Comparison> {
         let rest = free.eliminated(&self.cross, &self.change);
         let found = held.iter().filter_map(|held| {

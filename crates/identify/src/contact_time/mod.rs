@@ -26,48 +26,51 @@ use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 
-/// Number of samples before the first sample at which a velocity jump is tried; the free flight is fitted to them.
+/// Number of samples before the first sample at which a velocity jump is tried; free motion is fitted to them.
 const FREE_SAMPLES: usize = 24;
-/// Number of samples before the range searched for a contact at which velocity jumps are also tried. The decrease of
-/// the sum of squares by a jump there is the reference for free flight.
+/// Number of samples before the range searched for a contact with the ground or an object at which velocity jumps are
+/// also tried. The decrease of the sum of squares by a jump there is the reference for free flight.
 const REFERENCE_SAMPLES: usize = 8;
-/// Maximum number of samples by which a detected contact may precede the range searched for a contact. An earlier
-/// deviation is attributed to an inaccurate model, not to a contact.
+/// Maximum number of samples by which a detected contact with the ground or an object may precede the range searched
+/// for it. An earlier deviation is attributed to an inaccurate model, not to a contact.
 const MAX_LEAD: usize = 2;
-/// Minimum decrease of the whitened sum of squares by a velocity jump for the jump to be a contact. Noise exceeds it at
-/// one sample in 10⁹.
+/// Minimum decrease of the whitened sum of squares by a velocity jump for the jump to count as a contact with the
+/// ground or an object. Noise exceeds it at one sample in 10⁹.
 const MIN_GAIN: f64 = 60.0;
 /// Minimum ratio of the decrease of the sum of squares by a velocity jump to the largest decrease by the jumps tried
-/// before it, for the jump to be a contact. Deviations due to a wrong model grow smoothly and stay below this ratio.
+/// before it, for the jump to count as a contact with the ground or an object. Deviations due to a wrong model grow
+/// smoothly and stay below this ratio.
 const MIN_GROWTH: f64 = 4.0;
-/// An earlier jump is preferred to the best jump if its decrease of the sum of squares is smaller by at most this
-/// value, the 90 % quantile of χ² with one degree of freedom. A contact time that is too late leaves disturbed samples
-/// in the data; this is worse than the loss of undisturbed samples due to a contact time that is too early.
+/// An earlier velocity jump is preferred to the best one if its decrease of the sum of squares is smaller by at most
+/// this value, the 90 % quantile of χ² with one degree of freedom. If the contact with the ground is dated too late,
+/// disturbed samples remain in the data; this is worse than the loss of undisturbed samples if it is dated too early.
 const UNDECIDED_GAIN: f64 = 2.71;
-/// Confirmation of a contact by later samples. The jump is tested again with this number of additional samples (first
-/// value). If its gain (decrease of the sum of squares) increased abruptly before (see `OUTLIER_GAIN`), the additional
-/// samples must increase the gain by this factor (second value). They do not increase a gain that an outlier causes.
+/// Numbers for confirming a contact with the ground or an object by later samples. The velocity jump is tested again
+/// with this number of additional samples (first value). If its gain (decrease of the sum of squares) increased
+/// abruptly before (see `OUTLIER_GAIN`), the additional samples must increase the gain by this factor (second value).
+/// They do not increase a gain that an outlier causes.
 const CONFIRMING: (usize, f64) = (2, 1.2);
-/// Gain: decrease of the sum of squares by a velocity jump. If one additional sample increases the gain by more than
-/// this value, that sample is considered to contain an outlier, unless the following samples confirm a contact (see
-/// `CONFIRMING`).
+/// Maximum increase of the gain (decrease of the sum of squares by a velocity jump) due to one additional sample. If
+/// the increase is greater, that sample is considered to contain an outlier, unless the following samples confirm a
+/// contact with the ground or an object (see `CONFIRMING`).
 const OUTLIER_GAIN: f64 = 26.0;
-/// Maximum number of marker positions before the first tried jump that are excluded as outliers. Also the maximum
-/// number of passes of the search for a contact; a pass that finds an outlier instead of a contact excludes it.
+/// Maximum number of marker positions before the first tried velocity jump that are excluded as outliers. Also the
+/// maximum number of passes of the search for a contact with the ground or an object; a pass that finds an outlier
+/// instead of a contact excludes it.
 const MAX_OUTLIERS: usize = 12;
 
 /// A contact with the ground or another object.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Onset {
-    /// Index of the first sample after the contact.
+    /// Index of the first sample after the contact with the ground or the object.
     pub sample: usize,
     /// Jump of the mean velocity of the markers, m/s.
     pub jump: Vector3<f64>,
 }
 
-/// Finds the first contact within the range `tried` of samples, as a deviation from the flight that is predicted from
-/// `unknowns`, the global parameters and the fitted initial state. `None` if no contact is found or the trajectory
-/// cannot be computed. Uses `threads` threads.
+/// Finds the first contact with the ground or an object within the range `tried` of samples, as a deviation from the
+/// flight that is predicted from `unknowns`, the global parameters and the fitted initial state. `None` if no contact
+/// is found or the trajectory cannot be computed. Uses `threads` threads.
 pub fn contact_time(
     problem: &FitProblem,
     observations: &Observations,
@@ -118,8 +121,8 @@ enum Departure<'a> {
     Outlier(usize),
 }
 
-/// First deviation from free motion at the samples `tried`, a contact or an outlier; `None` if there is none. `is_seen`
-/// returns whether a sample has measured markers.
+/// First deviation from free motion at the samples `tried`: a velocity jump or an outlier; `None` if there is none.
+/// `is_seen` returns whether a sample has measured markers.
 fn departure(
     jumps: &Jumps,
     tried: Range<usize>,
@@ -149,7 +152,7 @@ fn departure(
     None
 }
 
-/// Jump of the mean velocity of the markers at a contact just before `sample`, m/s.
+/// Jump of the mean velocity of the markers just before the sample with the index `sample`, m/s.
 fn jump_of_velocity(
     trajectory: &Trajectory,
     observations: &Observations,

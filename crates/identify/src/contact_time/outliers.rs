@@ -42,7 +42,8 @@ pub fn leave_out_displaced(
 }
 
 /// Marks as outliers at most `most` marker positions that are far from free motion, one after another, each time the
-/// farthest one. Examines only samples before `trajectory.tried`, the first sample at which a contact is tried.
+/// farthest one. Examines only samples before `trajectory.tried`, the first sample before which a velocity jump is
+/// tried.
 pub fn leave_out_before(
     observations: &mut Observations,
     trajectory: &Trajectory,

@@ -52,7 +52,8 @@ pub struct Minimum {
 }
 
 impl Minimum {
-    /// Factorises `normal`, whose ridge is relative to the entries of `diagonal`; `None` if it is singular.
+    /// Factorises the matrix `normal` after adding `RIDGE` × `diagonal(i)` to its diagonal entry `i`, or 1 if
+    /// `diagonal(i)` is 0; `None` if the matrix is singular.
     pub fn new(
         mut normal: DMatrix<f64>,
         diagonal: impl Fn(usize) -> f64,
@@ -77,9 +78,10 @@ impl Minimum {
         unknowns
     }
 
-    /// Schur complement: minimises a sum of squares over the unknowns of `self`. The sum also depends on other unknowns:
-    /// `others` are its terms with these alone, and `cross` is the block of the normal matrix that couples the unknowns
-    /// of `self` (rows) with the others (columns). Returns the minimum as a function of the other unknowns.
+    /// Schur complement: minimises a sum of squares over the unknowns of `self`. The sum also depends on other
+    /// unknowns: `others` are its terms with these alone, and `cross` is the block of the normal matrix that couples
+    /// the unknowns of `self` (rows) with the others (columns). Returns the minimum as a function of the other
+    /// unknowns.
     pub fn eliminated(&self, cross: &DMatrix<f64>, others: &Quadratic) -> Quadratic {
         let mut solved = cross.clone();
         let lower = self.factor.l_dirty();

@@ -13,11 +13,11 @@ use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::synthesize::{Corruption, Plan, flights};
 
-/// Number of samples to which the flight is fitted before contacts are searched.
+/// Number of samples to which the flight is fitted before contacts with the ground are searched.
 const SHOWN: usize = 30;
 
-/// First contact found in each of 12 simulated flights, with the true parameter values of the model. The flights are
-/// simulated with the named model and launch conditions, and then modified by `change`.
+/// First contact with the ground or an object found in each of 12 simulated flights, with the true parameter values of
+/// the model. The flights are simulated with the named model and launch conditions, and then modified by `change`.
 fn contacts(
     (model, release): (&str, &str),
     noise: Corruption,
@@ -61,7 +61,7 @@ fn contacts(
     each.collect()
 }
 
-/// Correlated noise with outliers and missing markers.
+/// Measurement errors that make the detection hard: correlated noise with outliers and missing markers.
 const HARD: Corruption = Corruption {
     sigma: 0.0015,
     ar1: 0.6,

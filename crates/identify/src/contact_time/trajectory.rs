@@ -10,8 +10,8 @@ use crate::predict::each_residual;
 use crate::problem::FitProblem;
 use crate::state_manifold::StateManifold;
 
-/// Trial times of a contact between two successive samples, as fractions of the interval from the earlier to the later
-/// sample.
+/// Trial times of a velocity jump between two successive samples, as fractions of the interval from the earlier to the
+/// later sample.
 const PARTS: [f64; 4] = [0.125, 0.375, 0.625, 0.875];
 
 /// Predicted marker positions of a flight, with derivatives with respect to the initial state.
@@ -20,7 +20,7 @@ pub struct Trajectory {
     pub dimension: usize,
     /// Index of the first evaluated sample.
     pub first: usize,
-    /// Index of the first sample for which a contact in the preceding interval is tried.
+    /// Index of the first sample for which a velocity jump in the preceding interval is tried.
     pub tried: usize,
     /// Predicted markers at each sample from `first` on, indexed by the sample counted from `first`, and the marker.
     pub samples: Vec<Vec<Predicted>>,
@@ -44,8 +44,8 @@ pub struct Predicted {
 enum EvaluationTime {
     Start,
     Sample,
-    /// A time between two samples at which a contact is tried; contains the index of the later sample, counted from
-    /// `tried`.
+    /// A time between two samples at which a velocity jump is tried; contains the index of the later sample, counted
+    /// from `tried`.
     Before(usize),
 }
 

@@ -101,7 +101,7 @@ pub struct Flight {
     pub known: BTreeMap<String, KnownValue>,
     /// Times of the samples, s, increasing.
     pub times: Vec<f64>,
-    /// `positions[sample][marker]`, m, in the inertial frame; `None` if the marker was not seen.
+    /// `positions[sample][marker]`, m, in the inertial frame; `None` if the marker was not measured.
     pub positions: Vec<Vec<Option<[f64; 3]>>>,
     /// `readings[sample][channel]` of the sensors. A channel is one measured quantity (a pose sensor has two: position
     /// and attitude); the channels of all sensors follow one another. `None` for a missing reading. Empty without

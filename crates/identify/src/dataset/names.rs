@@ -5,7 +5,7 @@ use std::path::{Component, Path};
 /// Maximum length of a marker name, bytes; file paths may be eight times as long.
 const MAX_BYTES: usize = 255;
 
-/// Checks a marker's name. Returns a text of what is expected if the name is invalid, otherwise `None`.
+/// Checks a marker's name. Returns a description of valid names if the name is invalid, otherwise `None`.
 pub(super) fn wrong_with_marker(name: &str) -> Option<&'static str> {
     let separates =
         |c: char| c.is_whitespace() || c.is_control() || [',', ';', '"', '#'].contains(&c);
@@ -18,8 +18,8 @@ pub(super) fn wrong_with_marker(name: &str) -> Option<&'static str> {
     }
 }
 
-/// Checks a flight's file name. Returns a text of what is expected if the name is invalid or outside the folder,
-/// otherwise `None`.
+/// Checks a flight's file name. Returns a description of valid names if the name is invalid or leads out of the
+/// dataset's folder, otherwise `None`.
 pub(super) fn wrong_with_file(file: &str) -> Option<&'static str> {
     let parts = || Path::new(file).components();
     let inside = parts().all(|part| matches!(part, Component::Normal(_)));

@@ -14,8 +14,9 @@ const MAX_COORDINATE: f64 = 1e4;
 const MAX_SECONDS: f64 = flight::release::Release::MAX_DURATION;
 /// Maximum median speed of a marker over half of a flight, m/s; larger values suggest millimetres.
 const MAX_SPEED: f64 = 1e3;
-/// Maximum plausible ratio of the measured to the declared distance of two markers. If the ratio exceeds this value and
-/// the measured distance exceeds `MIN_REJECTED`, m, the coordinates are rejected as not being in metres.
+/// Maximum plausible ratio of the measured distance between two markers to their distance according to `dataset.toml`.
+/// If the ratio exceeds this value and the measured distance exceeds `MIN_REJECTED`, m, the coordinates are rejected as
+/// not being in metres.
 const MAX_STRETCH: f64 = 30.0;
 const MIN_REJECTED: f64 = 1.0;
 /// Maximum product of the number of samples of a flight and the number of its markers and sensor channels; it bounds
@@ -48,8 +49,8 @@ pub(super) fn time(first: Option<&f64>, before: Option<&f64>, time: f64) -> Resu
     Ok(())
 }
 
-/// Returns an error if `value`, a coordinate of a marker position, m, exceeds [`MAX_COORDINATE`] in magnitude; `name` is the
-/// column's name in the error.
+/// Returns an error if `value`, a coordinate of a marker position, m, exceeds [`MAX_COORDINATE`] in magnitude; `name`
+/// is the column's name in the error.
 pub(super) fn coordinate(name: &dyn Display, value: f64) -> Result<(), Wrong> {
     if value.abs() <= MAX_COORDINATE {
         return Ok(());
@@ -92,8 +93,8 @@ pub(super) fn whole(file: &Path, flight: &Flight, markers: &[Marker]) -> Result<
     Ok(())
 }
 
-/// Median measured distance and declared distance of the first two markers, m; `None` for fewer than two markers or if
-/// no sample shows both.
+/// Median measured distance between the first two markers, and their distance according to `dataset.toml`, m; `None`
+/// for fewer than two markers or if no sample shows both.
 fn first_distance(flight: &Flight, markers: &[Marker]) -> Option<(f64, f64)> {
     let [first, second, ..] = markers else {
         return None;

@@ -177,8 +177,8 @@ fn is_read_back(dataset: &Dataset, files: &[(String, String)]) -> io::Result<()>
     }
 }
 
-/// Reads the dataset of the text of `dataset.toml`, without files: `table` returns the text of a flight's table, given
-/// the flight's index and file name.
+/// Reads a dataset from the text `manifest` of `dataset.toml`, without access to files: `table` returns the text of a
+/// flight's table, given the flight's index and file name.
 pub(super) fn read_back<'t>(
     manifest: &str,
     table: impl Fn(usize, &Path) -> Result<Cow<'t, str>, InputError> + Sync,

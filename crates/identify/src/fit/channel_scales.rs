@@ -36,8 +36,8 @@ pub fn set_scales<'o>(
     }
 }
 
-/// Noise of a channel in one flight, estimated by a smoother, in the unit of the channel; `None` for fewer than four
-/// values.
+/// Standard deviation of the noise of a channel in one flight, estimated by a smoother, in the unit of the channel;
+/// `None` for fewer than four values.
 fn noise(flight: &Observations, channel: usize, is_attitude: bool) -> Option<f64> {
     let samples = flight.times.iter().enumerate();
     let values = samples.filter_map(|(sample, time)| {
@@ -56,8 +56,8 @@ fn noise(flight: &Observations, channel: usize, is_attitude: bool) -> Option<f64
     Some(noise.max(least))
 }
 
-/// Noise of an attitude about one axis, rad, estimated from the rotation between each attitude and the interpolation of
-/// its neighbours.
+/// Standard deviation of the noise of an attitude about one axis, rad, estimated from the rotation between each
+/// attitude and the interpolation of its neighbours.
 fn attitude_noise(values: &[(f64, Vector3<f64>)]) -> f64 {
     let turn = |value: &Vector3<f64>| UnitQuaternion::from_scaled_axis(*value);
     let mut sizes = Vec::new();

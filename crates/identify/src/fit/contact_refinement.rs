@@ -25,27 +25,28 @@ use crate::ids::FlightId;
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 
-/// Range in which the contact of a truncated flight is searched again: numbers of samples before and after its present
-/// end, which was found from the samples alone, without the fitted model.
+/// Range in which the ground contact of a truncated flight is searched again: numbers of samples before and after its
+/// present end, which was found from the samples alone, without the fitted model.
 const SEARCH_RANGE: (usize, usize) = (12, 14);
-/// Number of samples by which the ranges of two successive searches for a contact in one flight overlap.
+/// Number of samples by which the ranges of two successive searches for a ground contact in one flight overlap.
 const OVERLAP: usize = 8;
 /// Minimum ratio of the vertical component to the magnitude of the velocity jump at a contact with the ground.
 const MIN_UPWARD_PART: f64 = 0.3;
 /// Ratio of a flight's residual scale (robust standard deviation of its residuals) to the median over the flights,
-/// above which the flight is left out of the reference fit, because it may contain a contact. The whole length of a
-/// truncated flight is restored if the ratio for the whole length is at most this value.
+/// above which the flight is left out of the reference fit, because it may contain a ground contact. The whole length
+/// of a truncated flight is restored if the ratio for the whole length is at most this value.
 const LEFT_OUT_RATIO: f64 = 1.2;
-/// Second condition for a flight to be left out of the reference fit, besides `LEFT_OUT_RATIO`: minimum number of standard
-/// errors by which its residual scale must exceed the median scale.
+/// Second condition for a flight to be left out of the reference fit, besides `LEFT_OUT_RATIO`: minimum number of
+/// standard errors by which its residual scale must exceed the median scale.
 const LEFT_OUT_SIGNIFICANCE: f64 = 4.0;
-/// Limits for the residual scale of a flight in the reference fit, which leaves out flights that may contain contacts:
-/// its ratio to the median scale (first value), and its excess over the median scale in standard errors (second value).
-/// A flight that exceeds both limits is searched for a contact.
+/// Limits for the residual scale (robust standard deviation of the residuals) of a flight in the reference fit, which
+/// leaves out flights that may contain ground contacts: its ratio to the median scale (first value), and its excess
+/// over the median scale in standard errors (second value). A flight that exceeds both limits is searched for a ground
+/// contact.
 const SUSPECT_LIMITS: (f64, f64) = (1.05, 3.0);
 /// Maximum median over the flights of their residual scales (robust standard deviations of the residuals), in units of
 /// the initial noise estimate `sigma0`, at which the model is considered accurate. Only an accurate model reveals
-/// contacts that were not found from the poses.
+/// ground contacts that were not found from the poses.
 const ACCURATE_RATIO: f64 = 1.3;
 
 /// Observations of a flight whose last used sample was changed, with the initial state fitted to them.
@@ -54,9 +55,9 @@ struct Retruncated {
     local: DVector<f64>,
 }
 
-/// Searches flights for contacts with the fitted model, and truncates each of them at its contact or restores its whole
-/// length. `cache` contains the residuals at `state`, which was fitted to the flights as they were truncated before.
-/// Returns the residuals at the new state.
+/// Uses the fitted model to search the flights for ground contacts, and truncates each flight at its contact or
+/// restores its whole length. `cache` contains the residuals at `state`, which was fitted to the flights as they were
+/// truncated before. Returns the residuals at the new state.
 ///
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
@@ -172,7 +173,7 @@ fn fitted_without<'a>(
     Ok(Some((others, residuals)))
 }
 
-/// Data for the search for contacts: global parameters and noise of the reference fit.
+/// Data for the search for ground contacts: global parameters and noise of the reference fit.
 struct Search<'a> {
     at: FixedGlobal<'a>,
     noise: &'a NoiseModel,
@@ -182,10 +183,10 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Searches a fitted flight for its contact, and returns the flight truncated there. `present` are the observations
-    /// used so far and `local` the initial state fitted to them. If the search does not confirm the contact at which
-    /// `present` is truncated, the flight is returned with its whole length. `None` if the last used sample of the
-    /// flight does not change.
+    /// Searches a fitted flight for its ground contact, and returns the flight truncated there. `present` are the
+    /// observations used so far and `local` the initial state fitted to them. If the search does not confirm the
+    /// contact at which `present` is truncated, the flight is returned with its whole length. `None` if the last used
+    /// sample of the flight does not change.
     fn retruncated(
         &self,
         flight: &Flight,
@@ -215,9 +216,9 @@ impl Search<'_> {
         is_contact.then_some(moved)
     }
 
-    /// Restores the whole length of a flight that was truncated at a supposed contact. `whole` are the observations
-    /// without the truncation; their initial state is fitted from the initial guess `local`. `None` if the fitted model
-    /// does not predict all samples.
+    /// Restores the whole length of a flight that was truncated at a supposed ground contact. `whole` are the
+    /// observations without the truncation; their initial state is fitted from the initial guess `local`. `None` if the
+    /// fitted model does not predict all samples.
     fn restored(&self, whole: Observations, local: &DVector<f64>) -> Option<Retruncated> {
         let local = self.fitted(&whole, whole.times.len(), local)?;
         let moved = Retruncated {
@@ -227,8 +228,8 @@ impl Search<'_> {
         self.is_within(LEFT_OUT_RATIO, &moved).then_some(moved)
     }
 
-    /// Truncates an excluded flight at its contact. The flight was excluded because no fit predicts its whole length.
-    /// `None` if no contact is found or if the residuals before the contact are larger than those of the fitted
+    /// Truncates an excluded flight at its ground contact. The flight was excluded because no fit predicts its whole
+    /// length. `None` if no contact is found or if the residuals before the contact are larger than those of the fitted
     /// flights.
     fn excluded_until_contact(&self, flight: &Flight) -> Option<Retruncated> {
         let whole = Observations::new(self.at.problem, flight).ok()?;
@@ -251,9 +252,9 @@ impl Search<'_> {
         scale.is_some_and(|scale| scale <= ratio * self.usual)
     }
 
-    /// Searches the samples `from..to` of the flight `whole` for the first contact, in successive ranges. Returns the
-    /// contact and the initial state fitted to the samples before the range in which it was found; `None` if no contact
-    /// was found. `local` is the initial guess of the initial state.
+    /// Searches the samples `from..to` of the flight `whole` for the first ground contact, in successive ranges.
+    /// Returns the contact and the initial state fitted to the samples before the range in which it was found; `None`
+    /// if no contact was found. `local` is the initial guess of the initial state.
     fn contact(
         &self,
         whole: &Observations,
@@ -289,8 +290,8 @@ impl Search<'_> {
         None
     }
 
-    /// Truncates the flight `whole` at a contact and fits its initial state to the remaining samples, starting from
-    /// `local`; `None` if these samples do not determine it.
+    /// Truncates the flight `whole` at the contact `onset` and fits its initial state to the remaining samples,
+    /// starting from `local`; `None` if these samples do not determine it.
     fn truncated(
         &self,
         mut whole: Observations,
@@ -326,7 +327,7 @@ impl Search<'_> {
     }
 }
 
-/// Whether the velocity jump of a contact is upward, as at the ground.
+/// Whether the velocity jump of a contact is mainly upward, as at a contact with the ground.
 fn is_upward(onset: &Onset) -> bool {
     onset.jump.z > MIN_UPWARD_PART * onset.jump.norm()
 }

@@ -12,7 +12,8 @@ use crate::options::FitOptions;
 use crate::problem::FitProblem;
 
 /// State and residuals at the estimates of an earlier fit, with its flights, truncations and outliers. `None` if the
-/// earlier fit lacks a flight, if its states differ, or if a flight cannot be integrated from its estimates.
+/// earlier fit lacks a flight, if its model has another number of states, or if a flight cannot be integrated from its
+/// estimates.
 pub fn continued<'a>(
     problem: &'a FitProblem,
     dataset: &Dataset,

@@ -7,9 +7,10 @@ use super::state::State;
 use crate::least_squares::{Solution, SolveError, StoppingCriteria, solve_after};
 use crate::predict::Loss;
 
-/// Minimises the sum of squares over the flights of a state, and returns the solution, which the caller applies with
-/// [`State::take`]. Flights that cannot be predicted from their values in the state are excluded first. `configure` may
-/// change the objective, and `previous` is the predicted reduction of the last step of a preceding iteration.
+/// Minimises the sum of squares over the flights of `state`, a fit in progress, and returns the solution, which the
+/// caller applies with [`State::take`]. Flights that cannot be predicted from their values in `state` are excluded
+/// first. `configure` may change the objective, and `previous` is the predicted reduction of the last step of a
+/// preceding iteration.
 ///
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
@@ -32,7 +33,8 @@ pub fn solve_flights(
     }
 }
 
-/// Excludes the flights whose trajectories could not be computed, from `state` and from the residuals `cache`.
+/// Excludes the flights whose trajectories could not be computed, from the fit in progress `state` and from the
+/// residuals `cache`.
 ///
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.

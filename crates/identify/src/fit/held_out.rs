@@ -24,8 +24,8 @@ use crate::report::{FlightOutcome, FlightReport};
 pub const CONDITIONING_FRACTION: f64 = 0.3;
 
 /// Fits the initial states of held-out flights to their conditioning segments (the first samples of each flight), and
-/// predicts the later samples. `contacts` are the results of the search for contacts in the flights of the dataset;
-/// empty if there was none.
+/// predicts the later samples. `contacts` are the results of the search for ground contacts in the flights of the
+/// dataset; empty if there was none.
 ///
 /// # Errors
 /// [`FitError::Interrupted`] if the work is cancelled.

@@ -36,8 +36,8 @@ const MAX_STARTS: usize = 3;
 /// fitted next.
 const HORIZON_SCALE: f64 = 5.0;
 
-/// Scale of the robust loss of a single step that may end at noise level, in units of the initial noise estimate
-/// `sigma0`. The scale of the residuals before the step would cost another integration.
+/// Scale of the robust loss for a single step after which the residuals may be at noise level, in units of the initial
+/// noise estimate `sigma0`. To compute the scale of the residuals before the step would cost another integration.
 const STEP_SCALE: f64 = 2.0;
 
 /// Maximum median over the flights of their residual scales (robust standard deviations of the residuals), in units of
@@ -116,8 +116,8 @@ fn fit_undistorted(state: &mut State<'_>, horizon: f64) -> Result<(), FitError> 
     Ok(())
 }
 
-/// Tries one step of all unknowns. Returns the residuals after the step if they are at noise level. Otherwise
-/// undoes the step and returns `None`. `configure` may change the objective, which includes all samples.
+/// Tries one least-squares step of all unknowns. Returns the residuals after the step if they are at noise level.
+/// Otherwise undoes the step and returns `None`. `configure` may change the objective, which includes all samples.
 fn step_to_noise(
     state: &mut State<'_>,
     configure: &dyn Fn(&State<'_>, &mut OutputError<'_>),
@@ -141,7 +141,8 @@ fn are_noise(residuals: &ResidualCache, sigma0: f64) -> bool {
         && scales.all(|scale| scale.is_some_and(|scale| scale <= limit))
 }
 
-/// A least-squares step, with the residuals after it. They cost far less than the derivatives at the new iterate.
+/// A least-squares step, with the residuals after it. The residuals cost far less than the derivatives at the new
+/// iterate.
 pub struct UnevaluatedStep {
     /// Residuals after the step.
     pub residuals: ResidualCache,
@@ -150,8 +151,8 @@ pub struct UnevaluatedStep {
     pub predicted_reduction: Option<f64>,
 }
 
-/// Performs one step of all unknowns. `configure` may change the objective, which includes all samples. `None` if a
-/// flight cannot be predicted before the step.
+/// Performs one least-squares step of all unknowns. `configure` may change the objective, which includes all samples.
+/// `None` if a flight cannot be predicted before the step.
 fn single_step(
     state: &mut State<'_>,
     loss: Loss<'_>,
@@ -172,9 +173,9 @@ fn single_step(
     }))
 }
 
-/// Performs one step of all unknowns over whole flights and accepts it according to the residuals after it. `before` are
-/// the residuals before the step. `None` if the residuals grew or a flight cannot be predicted; the state is then
-/// unchanged.
+/// Performs one least-squares step of all unknowns over whole flights and accepts it according to the residuals after
+/// it. `before` are the residuals before the step. `None` if the residuals grew or a flight cannot be predicted; the
+/// state is then unchanged.
 pub fn unevaluated_step(
     state: &mut State<'_>,
     loss: Loss<'_>,
@@ -215,8 +216,8 @@ fn until(horizon: f64, constraints: &[Constraint]) -> impl Fn(&State<'_>, &mut O
 }
 
 /// Fits the first samples of all flights, up to `horizon`, s. The fit is repeated with a smaller scale of the robust
-/// loss until the residuals are small enough for a longer horizon, or no longer decrease. `spread` computes the scale of
-/// the loss, m, from the residuals of all flights.
+/// loss until the residuals are small enough for a longer horizon, or no longer decrease. `spread` computes the scale
+/// of the loss, m, from the residuals of all flights.
 pub fn fit_horizon(
     state: &mut State<'_>,
     horizon: f64,

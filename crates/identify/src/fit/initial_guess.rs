@@ -68,7 +68,7 @@ pub fn first_segment(observations: &Observations) -> usize {
 }
 
 /// Extracts the observations of the given flights and estimates their noise. `contacts` contains, by index of the
-/// flight in the dataset, the results of an earlier search for contacts; it may be empty.
+/// flight in the dataset, the results of an earlier search for ground contacts; empty if there was none.
 pub fn observe(
     problem: &FitProblem,
     dataset: &Dataset,
@@ -178,8 +178,8 @@ pub fn spin_note(turns: i32) -> String {
     )
 }
 
-/// Observations of a flight, truncated at its first contact, with the pose in each sample if the body has an attitude.
-/// The contact is searched for unless `search` is given.
+/// Observations of a flight, truncated at its first ground contact, with the pose in each sample if the body has an
+/// attitude. The contact is searched for unless `search` is given.
 ///
 /// # Errors
 /// The errors of [`Observations::new`]; [`FlightError::TooFewCoordinates`] if the samples do not determine the initial

@@ -195,13 +195,14 @@ fn fit_within(
 struct Screened<'a> {
     dataset: &'a Dataset,
     data_faults: Vec<DataFault>,
-    /// Results of the search for contacts, by index of the flight in the dataset; may be empty.
+    /// Results of the search for ground contacts, by index of the flight in the dataset; empty if the fit did not
+    /// screen the data.
     contacts: Vec<Option<ContactSearch>>,
     /// Held-out flights without faults.
     held_out: Vec<FlightId>,
     /// Flights excluded because of their faults.
     faulty: Vec<ExcludedFlight>,
-    /// Time at which the fit started.
+    /// Time at which the fit started, from which computing times are measured.
     clock: Instant,
 }
 
@@ -290,8 +291,8 @@ impl Screened<'_> {
 }
 
 /// Performs the stages of a fit from the initial guesses up to the estimation of the noise. `doubtful` contains flights
-/// excluded for a suspected fault, which later stages may include again. Returns the state and its residuals, at the
-/// minimum or near it.
+/// excluded for a suspected fault, which later stages may include again. Returns the fit in progress and its residuals,
+/// at the minimum or near it.
 fn from_guesses<'a>(
     dataset: &Dataset,
     guesses: InitialGuesses<'a>,

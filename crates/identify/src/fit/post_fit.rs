@@ -13,15 +13,18 @@ use crate::report::{FlightEvidence, ResidualPool, SensorEvidence};
 
 /// Residual statistics of one flight, and the minimum and maximum of each state and auxiliary variable.
 pub struct PostFit {
-    /// Sums over the residuals of the flight for the residual diagnostics.
+    /// Sums of lagged products of the flight's residuals, and histograms of its whitened residuals, for the residual
+    /// diagnostics.
     pub pool: ResidualPool,
-    /// Sums over the residuals of each channel, in the order of the channels.
+    /// For each channel, the sum of squared residuals and the numbers of values and outliers, in the order of the
+    /// channels.
     pub channels: Vec<ChannelSum>,
     /// Minimum and maximum over the flight of each of the model's auxiliary variables, followed by those of its states.
     pub ranges: Vec<(f64, f64)>,
 }
 
-/// Sums over the residuals of one channel, in the unit of the channel: the factor `Channel::scale` is not applied.
+/// Sum of squared residuals of one channel, and its numbers of values and outliers. Residuals are in the unit of the
+/// channel: the factor `Channel::scale` is not applied.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ChannelSum {
     /// Sum of squared residuals over all components, outliers excluded.

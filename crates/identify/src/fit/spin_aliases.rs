@@ -60,8 +60,9 @@ pub fn resolve_spin_aliases<'a>(
     }
 }
 
-/// Copy of the state in which the initial state of each flight is its initial guess with `alias` additional turns per
-/// sampling interval. Flights without such a guess retain their initial state, as do all flights if `alias` is 0.
+/// Copy of a fit in progress in which the initial state of each flight is its initial guess with `alias` additional
+/// turns per sampling interval. Flights without such a guess retain their initial state, as do all flights if `alias`
+/// is 0.
 fn with_alias<'a>(state: &State<'a>, alternatives: &[Vec<InitialGuess>], alias: i32) -> State<'a> {
     let mut state = state.clone();
     for (index, guesses) in alternatives.iter().enumerate() {

@@ -41,7 +41,7 @@ pub(crate) struct State<'a> {
 }
 
 impl<'a> State<'a> {
-    /// Creates a state without flights, for given global parameters and sampling interval (s).
+    /// Creates a fit in progress without flights, for given global parameters and sampling interval (s).
     pub fn new(
         problem: &'a FitProblem,
         options: &'a FitOptions<'a>,
@@ -63,7 +63,7 @@ impl<'a> State<'a> {
         }
     }
 
-    /// State with the present global parameters, but without flights.
+    /// Fit in progress with the present global parameters, but without flights.
     pub fn without_flights(&self) -> Self {
         Self::new(
             self.problem,
@@ -73,7 +73,7 @@ impl<'a> State<'a> {
         )
     }
 
-    /// Values of all unknowns as an iterate of the least squares.
+    /// Global parameters and initial states as an iterate of the least-squares problem.
     pub fn iterate(&self) -> Iterate {
         Iterate {
             global: self.global.clone(),
@@ -81,7 +81,7 @@ impl<'a> State<'a> {
         }
     }
 
-    /// Sets the values of all unknowns.
+    /// Sets the values of all unknowns: the global parameters and the initial states.
     pub fn set(&mut self, iterate: Iterate) {
         (self.global, self.local) = (iterate.global, iterate.local);
     }
@@ -128,7 +128,8 @@ impl<'a> State<'a> {
         }
     }
 
-    /// Excludes the flights of `failures`, given by their indices in this state. The indices of later flights change.
+    /// Excludes the flights of `failures`, given by their indices among the fitted flights. The indices of later
+    /// flights change.
     ///
     /// # Errors
     /// [`FitError::NoUsableFlight`] if no flight is left.
@@ -156,7 +157,7 @@ impl<'a> State<'a> {
     }
 }
 
-/// Retains the values whose flag is set.
+/// Retains the values for which the entry of `is_kept` is true.
 pub(super) fn retain<T>(values: &mut Vec<T>, is_kept: &[bool]) {
     let mut flags = is_kept.iter();
     values.retain(|_| flags.next().is_none_or(|kept| *kept));

@@ -26,8 +26,9 @@ impl<D> Designs<D> {
         }
     }
 
-    /// Returns the design of a range of points, with times relative to `about`, s: a stored design for the same times,
-    /// or the result of `make`, which is then stored. `None` if `make` returns `None` or there are no points.
+    /// Returns the design (factorised regression matrix) of a range of points, with times relative to `about`, s: a
+    /// stored design for the same times, or the result of `make`, which is then stored. `None` if `make` returns `None`
+    /// or there are no points.
     pub fn of<'p>(
         &mut self,
         points: impl ExactSizeIterator<Item = &'p Point> + Clone,

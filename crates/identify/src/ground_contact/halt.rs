@@ -5,13 +5,13 @@ use nalgebra::Vector3;
 use super::motion::Point;
 
 /// Maximum number of points (samples with a pose) within which a hand stops a body, counted from an interval in which a
-/// contact is suspected. A disc that slides on the ground takes longer to stop.
+/// contact with the ground is suspected. A disc that slides on the ground takes longer to stop.
 const WITHIN: usize = 24;
 /// Number of points at the end of the period in which a hand must stop the body (the `WITHIN` points after a suspected
-/// contact); the final speed is computed from them.
+/// ground contact); the final speed is computed from them.
 const LAST: usize = 3;
-/// Maximum ratio of the final speed to the speed before the contact for a body to be considered at rest. The limit
-/// allows for noise and for samples that end shortly before a caught body is at rest.
+/// Maximum ratio of the final speed to the speed before the suspected ground contact for a body to be considered at
+/// rest. The limit allows for noise and for samples that end shortly before a caught body is at rest.
 const REST: f64 = 0.2;
 
 /// Whether a body that has the given velocity (m/s) before point `index` comes to rest within the next `WITHIN` points.

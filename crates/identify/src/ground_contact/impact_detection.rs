@@ -44,7 +44,7 @@ const MAX_OUTLIERS: usize = 2;
 /// is compared with their median (see `MIN_RATIO`).
 const REFERENCE_INTERVALS: usize = 24;
 
-/// An impact on a path: a velocity jump between two of its points.
+/// An impact on the measured path of a body: a velocity jump between two points of the path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Impact {
     /// Index of the first point of the path after the impact.
@@ -53,7 +53,7 @@ pub struct Impact {
     pub jump: Vector3<f64>,
 }
 
-/// Finds the first impact on a path; `None` if there is none or the path is too short.
+/// Finds the first impact on the measured path of a body; `None` if there is none or the path is too short.
 pub fn impact(path: &[PathPoint]) -> Option<Impact> {
     if path.len() < MIN_SIDES.0 + MIN_SIDES.1 {
         return None;

@@ -26,8 +26,8 @@ const MAX_VARIANCE_RATIO: f64 = 25.0;
 /// considered to contain an outlier.
 const MIN_OUTLIER_VARIANCE: f64 = 1e-8;
 
-/// Maximum difference, in samples, between a contact detected from the path and one detected from the attitude, for
-/// both to be the same contact.
+/// Maximum difference, in samples, between a ground contact detected from the path of the body and one detected from
+/// its attitude, for both to be the same contact.
 const MAX_SAMPLE_DIFFERENCE: usize = 4;
 
 /// Measured pose or position of the body's origin in one sample.
@@ -43,27 +43,28 @@ pub struct PathPoint {
     pub attitude: Option<UnitQuaternion<f64>>,
 }
 
-/// The first contact of a flight.
+/// The first contact of a flight with the ground or an object.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contact {
-    /// Index of the first sample after the contact.
+    /// Index of the first sample after the contact with the ground or the object.
     pub sample: usize,
     /// Description of the evidence for the contact, as text for messages.
     pub why: String,
 }
 
-/// Result of a search for the first contact of a flight.
+/// Result of a search for the first contact of a flight with the ground or an object.
 #[derive(Clone, Debug, Default)]
 pub struct ContactSearch {
-    /// The first contact; `None` if the search found none.
+    /// The first contact with the ground or an object; `None` if the search found none.
     pub contact: Option<Contact>,
-    /// Pose in each sample of the flight, from which the contact was searched. Empty for a point mass, and if no poses
-    /// were computed.
+    /// Pose in each sample of the flight, from which the contact with the ground was searched. Empty for a point mass,
+    /// and if no poses were computed.
     pub poses: Vec<Option<Pose>>,
 }
 
 impl ContactSearch {
-    /// The same result for a flight of `samples` samples without the first `unseen` ones of this flight.
+    /// The result of the search for the part of the flight that consists of the `samples` samples after its first
+    /// `unseen` samples.
     pub fn of_part(&self, unseen: usize, samples: usize) -> Self {
         let poses = self
             .poses
@@ -79,8 +80,9 @@ impl ContactSearch {
     }
 }
 
-/// Truncates a flight before its first contact. The contact is searched for unless `search` contains the result of a
-/// search in the samples of `observations`. Returns the poses in the remaining samples; empty for a point mass.
+/// Truncates a flight before its first contact with the ground or an object. The contact is searched for unless
+/// `search` contains the result of a search in the samples of `observations`. Returns the poses in the remaining
+/// samples; empty for a point mass.
 pub fn truncate_at_contact(
     problem: &FitProblem,
     observations: &mut Observations,
@@ -117,8 +119,8 @@ fn contact_of(
     contact(&path(&observations.times, poses, of_point_mass, &points))
 }
 
-/// Path of the body's origin: from the pose in each sample, or, if `of_point_mass` gives the markers of a point mass, from
-/// the measured positions of these markers, which `points` returns for each sample.
+/// Path of the body's origin: from the pose in each sample, or, if `of_point_mass` gives the markers of a point mass,
+/// from the measured positions of these markers, which `points` returns for each sample.
 pub fn path<'p>(
     times: &[f64],
     poses: &[Option<Pose>],
@@ -149,7 +151,8 @@ fn variance_limit(variances: impl Iterator<Item = f64>) -> f64 {
     (MAX_VARIANCE_RATIO * usual).max(MIN_OUTLIER_VARIANCE)
 }
 
-/// Finds the first contact of a body from the path of its origin and from its attitude; `None` if there is none.
+/// Finds the first contact of a body with the ground or an object, from the path of its origin and from its attitude;
+/// `None` if there is none.
 pub fn contact(path: &[PathPoint]) -> Option<Contact> {
     let of_path = impact_detection::impact(path).map(|impact| Contact {
         sample: path[impact.index].sample,

@@ -47,8 +47,8 @@ pub struct Character {
     pub noise: [f64; 2],
 }
 
-/// Result of testing one interval between two points for a contact: comparison of free motion with motion that is
-/// disturbed within the interval, so that its velocity and wobble change.
+/// Result of testing one interval between two points for a ground contact: comparison of free motion with motion that
+/// is disturbed within the interval, so that its velocity and wobble change.
 #[derive(Clone, Copy, Debug)]
 pub struct Comparison {
     /// Index of the first point after the interval that is tested.
@@ -94,8 +94,8 @@ impl Character {
         )
     }
 
-    /// Prior precisions of the coefficients of the position in `free_rows`, each as the ratio of the noise variance to the
-    /// prior variance.
+    /// Prior precisions of the coefficients of the position in `free_rows`, each as the ratio of the noise variance to
+    /// the prior variance.
     pub fn position_precisions(&self) -> [f64; 7] {
         let snap = self.precision(0, SNAP * SCALE.powi(4) / 24.0);
         let wobble = self.precision(0, WOBBLE);
@@ -123,9 +123,9 @@ impl Character {
         [0, 1].map(|part| of.gains[part] * there[part] / here[part])
     }
 
-    /// Values, at a point, of the functions by which a contact at the time `about`, s, changes the position and the
-    /// axis. The contact changes the velocity and the acceleration of the position, and the drift and the wobble of the
-    /// axis.
+    /// Values, at a point, of the functions by which a ground contact at the time `about`, s, changes the position and
+    /// the axis. The contact changes the velocity and the acceleration of the position, and the drift and the wobble of
+    /// the axis.
     pub fn disturbance(&self, point: &Point, about: f64) -> (SVector<f64, 2>, SVector<f64, 3>) {
         let since = (point.time - about).max(0.0);
         let (u, (sine, cosine)) = (since / SCALE, (self.rate * since).sin_cos());

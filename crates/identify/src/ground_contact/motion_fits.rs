@@ -9,14 +9,15 @@ use super::motion::{Character, Comparison, Point, SCALE};
 use super::regression::{Design, Extended, Extension, Regression, Residuals};
 
 /// Maximum numbers of points (samples with a pose) that are used before and after an interval between two successive
-/// points that is tested for a contact.
+/// points that is tested for a ground contact.
 pub const SIDES: (usize, usize) = (20, 8);
 /// Maximum numbers of samples, with or without a pose, that the points used before and after an interval tested for a
-/// contact may span.
+/// ground contact may span.
 const SPANS: (usize, usize) = (26, 16);
-/// Minimum numbers of points (samples with a pose) that are required before and after an interval tested for a contact.
+/// Minimum numbers of points (samples with a pose) that are required before and after an interval tested for a ground
+/// contact.
 const MIN_SIDES: (usize, usize) = (8, 4);
-/// Maximum number of points (samples with a pose) around an interval tested for a contact that are excluded as
+/// Maximum number of points (samples with a pose) around an interval tested for a ground contact that are excluded as
 /// outliers.
 const MAX_OUTLIERS: usize = 2;
 /// Sum of the squared residuals of a point's position and axis, each divided by its noise variance, above which the
@@ -36,18 +37,18 @@ pub struct FreeMotion {
     removals: [Vec<f64>; 2],
 }
 
-/// Designs of the regressions of position and axis over some points.
+/// Factorised regression matrices (designs) for the positions and the axes of some points.
 #[derive(Debug)]
 struct MotionDesigns {
     position: Design<7>,
     axis: Design<6>,
-    /// Functions by which a contact changes position and axis; `None` if the points do not determine the change.
+    /// Functions by which a ground contact changes position and axis; `None` if the points do not determine the change.
     disturbance: Option<(Extension<7, 2>, Extension<6, 3>)>,
 }
 
 impl MotionDesigns {
-    /// Designs of the points, for motion that may change at the time `about`, s; `None` if the points do not determine
-    /// free motion.
+    /// Factorises the regression matrices of the points, for motion that may change at the time `about`, s; `None` if
+    /// the points do not determine free motion.
     fn new(of: &Character, points: &[&Point], about: f64) -> Option<Self> {
         let rows = points.iter().map(|point| of.free_rows(point, about));
         let (positions, axes): (Vec<_>, Vec<_>) = rows.unzip();
@@ -81,8 +82,8 @@ impl MotionFits {
         }
     }
 
-    /// Designs of the given points, with times relative to `about`, s; `None` if the points do not determine free
-    /// motion.
+    /// Factorised regression matrices of the given points, with times relative to `about`, s; `None` if the points do
+    /// not determine free motion.
     fn designs(&mut self, points: &[&Point], about: f64) -> Option<&MotionDesigns> {
         let of = &self.character;
         self.designs.of(points.iter().copied(), about, || {
@@ -126,8 +127,8 @@ impl MotionFits {
     }
 
     /// Removes up to `MAX_OUTLIERS` points without which free motion fits far better. An outlier is such a point; a
-    /// contact affects all later points, so that the removal of one point does not help. Returns the remaining points
-    /// and the free motion through them; `None` if the points do not determine free motion.
+    /// ground contact affects all later points, so that the removal of one point does not help. Returns the remaining
+    /// points and the free motion through them; `None` if the points do not determine free motion.
     fn robust<'p>(
         &mut self,
         points: &'p [Point],
@@ -161,9 +162,9 @@ impl MotionFits {
         Some(self.robust(points, range, about)?.0)
     }
 
-    /// Tests the interval before point `index` for a contact: compares free motion with motion whose velocity and
-    /// wobble change at the time `at`, s; for `None`, in the middle of the interval. Returns `None` if there are too
-    /// few points.
+    /// Tests the interval before point `index` for a ground contact: compares free motion with motion whose velocity
+    /// and wobble change at the time `at`, s; for `None`, in the middle of the interval. Returns `None` if there are
+    /// too few points.
     pub fn compare(
         &mut self,
         points: &[Point],

@@ -20,11 +20,11 @@ pub struct Row<const N: usize> {
     pub value: Vector3<f64>,
 }
 
-/// Measured vectors of the rows of a design, relative to the first one and whitened.
+/// Measured vectors of the rows of a regression matrix, relative to the first vector and whitened.
 #[derive(Clone, Debug)]
 pub struct Whitened {
     origin: Vector3<f64>,
-    /// Vectors with a fourth component of 0, so that they fill the registers of the processor.
+    /// Whitened vectors, each with a fourth component of 0, so that they fill the registers of the processor.
     vectors: Vec<[f64; 4]>,
 }
 
@@ -81,13 +81,13 @@ impl<const N: usize> Regression<N> {
     }
 }
 
-/// Whitened basis functions of a regression, with their factorized normal equations.
+/// Whitened basis functions of a regression (its regression matrix), with their factorized normal equations.
 #[derive(Clone, Debug)]
 pub struct Design<const N: usize> {
     whitenings: Vec<Whitening>,
-    /// Values of the whitened basis functions, one array per row.
+    /// Values of the whitened basis functions, one array per row of the regression matrix.
     rows: Vec<[f64; N]>,
-    /// 1 − leverage of each row.
+    /// 1 − leverage of each row of the regression matrix.
     free_parts: Vec<f64>,
     inverse: SMatrix<f64, N, N>,
     precisions: [f64; N],
@@ -95,10 +95,10 @@ pub struct Design<const N: usize> {
 }
 
 impl<const N: usize> Design<N> {
-    /// Computes the design of some rows, whose measured vectors are not used. `precisions` are the ratios of the noise
-    /// variance to the prior variance of each coefficient about 0; 0 for a coefficient without prior. `correlation` is
-    /// the correlation of the noise between successive samples, 0 to 0.9. `None` if the rows do not determine the
-    /// coefficients.
+    /// Computes the regression matrix of some rows, whose measured vectors are not used, and factorizes its normal
+    /// equations. `precisions` are the ratios of the noise variance to the prior variance of each coefficient about 0;
+    /// 0 for a coefficient without prior. `correlation` is the correlation of the noise between successive samples, 0
+    /// to 0.9. `None` if the rows do not determine the coefficients.
     pub fn new(rows: &[Row<N>], precisions: &[f64; N], correlation: f64) -> Option<Self> {
         let whitened = rows.iter().enumerate().map(|(index, row)| {
             let previous = index.checked_sub(1).map(|previous| &rows[previous]);
@@ -133,8 +133,8 @@ impl<const N: usize> Design<N> {
         })
     }
 
-    /// Whitens measured vectors, one for each row of the design. The result is valid for every design with the same
-    /// samples and the same correlation of the noise.
+    /// Whitens measured vectors, one for each row of the regression matrix. The result is valid for every regression
+    /// with the same samples and the same correlation of the noise.
     pub fn whiten(&self, values: impl Iterator<Item = Vector3<f64>>) -> Whitened {
         let mut whitenings = self.whitenings.iter();
         Whitened::new(values, |previous, value| match whitenings.next() {
@@ -143,20 +143,21 @@ impl<const N: usize> Design<N> {
         })
     }
 
-    /// Fits the basis functions to whitened measured vectors, one for each row of the design, by linear least squares
-    /// with the priors of the design.
+    /// Fits the basis functions to whitened measured vectors, one for each row of the regression matrix, by linear
+    /// least squares with the priors of the coefficients.
     pub fn solve(&self, values: &Whitened) -> Regression<N> {
         self.solve_rows(values, |_| {})
     }
 
-    /// Fits the basis functions as [`solve`](Self::solve) does, and returns the whitened residual of each row too.
+    /// Fits the basis functions as [`solve`](Self::solve) does, and also returns the whitened residual of each row of
+    /// the regression matrix.
     pub fn solve_with_residuals(&self, values: &Whitened) -> (Regression<N>, Residuals) {
         let mut residuals = Vec::with_capacity(self.rows.len());
         let regression = self.solve_rows(values, |residual| residuals.push(residual));
         (regression, Residuals(residuals))
     }
 
-    /// Calls `each` with the whitened residual of each row.
+    /// Fits the basis functions and calls `each` with the whitened residual of each row of the regression matrix.
     fn solve_rows(&self, values: &Whitened, mut each: impl FnMut([f64; 4])) -> Regression<N> {
         let right = products(&self.rows, &values.vectors);
         let coefficients = self.inverse * right;
@@ -186,14 +187,15 @@ impl<const N: usize> Design<N> {
         }
     }
 
-    /// Decrease of the sum of squares if a row is removed, for each row: the squared residual divided by 1 − leverage.
+    /// For each row of the regression matrix, the decrease of the sum of squares if the row is removed: its squared
+    /// residual divided by 1 − leverage.
     pub fn removals(&self, residuals: &Residuals) -> impl Iterator<Item = f64> {
         let rows = residuals.0.iter().zip(&self.free_parts);
         rows.map(|(residual, free_part)| square(residual) / free_part.max(MIN_PART))
     }
 
-    /// Extends the design by functions without priors, given by their values for each row; `None` if the rows do not
-    /// determine their coefficients.
+    /// Extends the regression by further functions without priors, given by their values for each row of the regression
+    /// matrix; `None` if the rows do not determine their coefficients.
     pub fn extended<const K: usize>(
         &self,
         functions: &[SVector<f64, K>],
@@ -233,28 +235,28 @@ impl<const N: usize> Design<N> {
     }
 }
 
-/// Whitened residuals of the rows of a design, with a fourth component of 0.
+/// Whitened residuals of the rows of a regression matrix, each with a fourth component of 0.
 #[derive(Clone, Debug)]
 pub struct Residuals(Vec<[f64; 4]>);
 
-/// `K` further basis functions of a [`Design`] with `N`. Their effect is computed from the residuals of the regression
-/// without them, by the Schur complement of the normal equations.
+/// `K` further basis functions of a regression ([`Design`]) with `N` functions. Their effect is computed from the
+/// residuals of the regression without them, by the Schur complement of the normal equations.
 #[derive(Clone, Debug)]
 pub struct Extension<const N: usize, const K: usize> {
-    /// Values of the whitened further functions, one array per row.
+    /// Values of the whitened further functions, one array per row of the regression matrix.
     rows: Vec<[f64; K]>,
-    /// Coefficients of the least-squares fit of the functions of the design to each of the further functions.
+    /// Coefficients of the least-squares fit of the original basis functions to each of the further functions.
     explained: SMatrix<f64, N, K>,
-    /// Inverse of the Schur complement.
+    /// Inverse of the Schur complement of the normal equations for the further functions.
     inverse: SMatrix<f64, K, K>,
     /// Degrees of freedom of the residuals; a value below 3 is replaced by 3.
     freedom: f64,
 }
 
-/// Least-squares fit of the functions of a design and of its extension.
+/// Least-squares fit of the `N` basis functions of a regression together with `K` further functions.
 #[derive(Clone, Debug)]
 pub struct Extended<const N: usize, const K: usize> {
-    /// Coefficients of the functions of the design; one column per component of the vector.
+    /// Coefficients of the original basis functions; one column per component of the vector.
     pub coefficients: SMatrix<f64, N, 3>,
     /// Coefficients of the further functions.
     pub further: SMatrix<f64, K, 3>,
@@ -267,7 +269,7 @@ pub struct Extended<const N: usize, const K: usize> {
 }
 
 impl<const N: usize, const K: usize> Extension<N, K> {
-    /// Adds the further functions to a regression, given with its residuals.
+    /// Extends the fit `of`, whose whitened residuals are `residuals`, by the further functions.
     pub fn solve(&self, of: &Regression<N>, residuals: &Residuals) -> Extended<N, K> {
         let right = products(&self.rows, &residuals.0);
         let further = self.inverse * right;
@@ -283,7 +285,7 @@ impl<const N: usize, const K: usize> Extension<N, K> {
     }
 }
 
-/// Sum over the rows of the products of each function with each component of the vector.
+/// Sum over the rows of the regression matrix of the products of each function with each component of the vector.
 fn products<const N: usize>(rows: &[[f64; N]], vectors: &[[f64; 4]]) -> SMatrix<f64, N, 3> {
     let mut sums = [[0.0; 4]; N];
     for (row, vector) in rows.iter().zip(vectors) {

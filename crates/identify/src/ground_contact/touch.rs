@@ -13,47 +13,49 @@ use super::wobble::{Posed, noise_correlation, points_with_axis, wobble_rate};
 use crate::path_noise::path_noise;
 use crate::statistics::{median, median_of};
 
-/// Minimum number of points (samples with a pose) before an interval that is tested for a contact. With fewer points,
-/// the model of free motion could follow any curve.
+/// Minimum number of points (samples with a pose) before an interval that is tested for a ground contact. With fewer
+/// points, the model of free motion could follow any curve.
 const MIN_BEFORE: usize = 32;
-/// Minimum number of points (samples with a pose) after an interval that is tested for a contact; the motion after a
-/// contact is fitted to them. Intervals nearer to the end of the flight are not tested.
+/// Minimum number of points (samples with a pose) after an interval that is tested for a ground contact; the motion
+/// after a contact is fitted to them. Intervals nearer to the end of the flight are not tested.
 const MIN_AFTER: usize = 4;
 /// Lower limits to which smaller usual gains of position and axis are raised. A gain is the decrease of the sum of
-/// squared residuals if a contact is assumed in an interval; the usual gain is typical of intervals of the flight
-/// without a contact. The limits differ because a contact adds different numbers of coefficients to position and axis.
+/// squared residuals if a ground contact is assumed in an interval; the usual gain is typical of intervals of the
+/// flight without a contact. The limits differ because a contact adds different numbers of coefficients to position and
+/// axis.
 const MIN_USUAL: [f64; 2] = [8.0, 12.0];
 /// Minimum number of earlier intervals for the usual gain (see `MIN_USUAL`) to be the median of the gains of these
 /// intervals. With fewer, the usual gain is the lower quartile over the whole flight.
 const EARLIER: usize = 8;
-/// Minimum gains of a contact, in units of the usual gain (see `MIN_USUAL`): the first value applies to the gain of
-/// the position and to that of the axis, the second value to the geometric mean of the two.
+/// Minimum gains of a ground contact, in units of the usual gain (see `MIN_USUAL`): the first value applies to the gain
+/// of the position and to that of the axis, the second value to the geometric mean of the two.
 const MIN_GAINS: (f64, f64) = (3.5, 5.5);
-/// Minimum upward velocity jump, m/s, of a contact detected because the position and the most steady body axis
+/// Minimum upward velocity jump, m/s, of a ground contact detected because the position and the most steady body axis
 /// both have gains above `MIN_GAINS`.
 const MIN_JUMP: f64 = 0.15;
 /// Minimum ratio of the upward component of a velocity jump at the ground to its magnitude; limited friction limits the
 /// horizontal component.
 const MIN_UPWARD_PART: f64 = 0.3;
-/// Thresholds for a contact that is evident from the position alone: minimum gain of the position, in units of the
-/// usual gain (see `MIN_USUAL`); minimum upward velocity jump, m/s; and minimum ratio of this jump to the descent
+/// Thresholds for a ground contact that is evident from the position alone: minimum gain of the position, in units of
+/// the usual gain (see `MIN_USUAL`); minimum upward velocity jump, m/s; and minimum ratio of this jump to the descent
 /// speed before it.
 const MIN_OF_PATH: (f64, f64, f64) = (7.0, 0.8, 0.3);
 
-/// Factor by which the minimum gains and velocity jumps are multiplied in a first, cheap pass with a rough noise
-/// estimate. A flight in which no interval exceeds these lower thresholds has no contact.
+/// Factor by which the minimum gains and velocity jumps of a ground contact are multiplied in a first, cheap pass with
+/// a rough noise estimate. A flight in which no interval exceeds these lower thresholds has no contact.
 const ROUGH: f64 = 0.5;
 
-/// Spacing, in points, of the intervals that are tested in the first, cheap pass. Not every interval need be tested,
-/// because a contact affects the tests of several neighbouring intervals.
+/// Spacing, in points, of the intervals that are tested for a ground contact in the first, cheap pass. Not every
+/// interval need be tested, because a contact affects the tests of several neighbouring intervals.
 const ROUGH_STEP: usize = 2;
 
 /// A contact of a body with the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Touch {
-    /// Index of the first sample after the contact.
+    /// Index of the first sample after the contact with the ground.
     pub sample: usize,
-    /// Upward component of the velocity jump at the contact, fitted to the samples before and after it, m/s.
+    /// Upward component of the velocity jump at the contact with the ground, fitted to the samples before and after it,
+    /// m/s.
     pub jump: f64,
 }
 
@@ -117,7 +119,7 @@ pub fn touch(path: &[PathPoint]) -> Option<Touch> {
 }
 
 /// Whether `comparison`, a test in the first, cheap pass, exceeds the lower thresholds (see `ROUGH`), so that the
-/// flight may have a contact. `gains` are the gains of `comparison`, converted to a better noise estimate.
+/// flight may have a ground contact. `gains` are the gains of `comparison`, converted to a better noise estimate.
 fn may_be_touch(comparison: &Comparison, gains: [f64; 2]) -> bool {
     let [position, axis] = [0, 1].map(|part| gains[part] / MIN_USUAL[part]);
     let jump = comparison.jump.z;

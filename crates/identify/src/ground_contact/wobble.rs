@@ -10,8 +10,8 @@ use crate::statistics::median;
 
 /// Maximum root mean square rotation of the axis between successive samples, rad; a tumbling body has no steady axis.
 const MAX_TURN: f64 = 0.3;
-/// Minimum spin, rad/s. The axis of a slower body drifts as fast as it wobbles, so that a contact is indistinguishable
-/// from free motion.
+/// Minimum spin, rad/s. The axis of a slower body drifts as fast as it wobbles, so that a ground contact is
+/// indistinguishable from free motion.
 const MIN_SPIN: f64 = 24.0;
 /// Reciprocal of the fraction of a flight, counted from its start, from which the spin is computed, because ground
 /// friction slows the spin later.
@@ -34,7 +34,7 @@ const CORRELATIONS: (f64, i32) = (0.05, 18);
 /// Minimum number of third differences of the positions from which the noise correlation is estimated.
 const DIFFERENCES: usize = 30;
 
-/// A point of a path, with the rotation from body components to inertial components.
+/// A point of the measured path, with the rotation from body components to inertial components.
 pub type Posed<'p> = (&'p PathPoint, UnitQuaternion<f64>);
 
 /// Position of the body and direction of its most steady axis (the body axis whose direction changes least) in each

@@ -5,10 +5,10 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::least_squares::NormalBlock;
 
-/// Number of rows that are summed in one batch; few enough to stay in the first-level cache.
+/// Number of Jacobian rows that are summed in one batch; few enough to stay in the first-level cache.
 const BATCH: usize = 64;
 
-/// Rows are padded to a multiple of this length, the number of lanes of the widest vectors.
+/// Jacobian rows are padded to a multiple of this length, the number of lanes of the widest SIMD vectors.
 const PADDING: usize = 8;
 
 /// Accumulates the Gram matrix of the Jacobian rows of one flight. A row contains the derivatives with respect to the
@@ -19,18 +19,18 @@ pub struct GramAccumulator {
     /// Column indices of the global parameters.
     global: Vec<usize>,
     width: usize,
-    /// Rows that are not summed yet, concatenated.
+    /// Jacobian rows that are not summed yet, concatenated.
     batch: Vec<f64>,
     filled: usize,
     sums: Vec<f64>,
-    /// Additional terms of the sum of squares from robust losses.
+    /// Sum of the additional terms that robust losses contribute to the sum of squares.
     extra: f64,
     count: usize,
 }
 
 impl GramAccumulator {
-    /// Creates an accumulator without rows. `local` and `global` are the column indices of the parameters, which
-    /// together are 0, 1, 2, ….
+    /// Creates an accumulator without Jacobian rows. `local` and `global` are the column indices of the parameters,
+    /// which together are 0, 1, 2, ….
     pub fn new(local: Vec<usize>, global: Vec<usize>) -> Self {
         let width = (local.len() + global.len() + 1).next_multiple_of(PADDING);
         Self {
@@ -45,18 +45,18 @@ impl GramAccumulator {
         }
     }
 
-    /// Length of a padded row.
+    /// Length of a padded Jacobian row.
     pub fn width(&self) -> usize {
         self.width
     }
 
-    /// Column index of the residual in a row.
+    /// Column index of the residual in a Jacobian row.
     pub fn residual(&self) -> usize {
         self.local.len() + self.global.len()
     }
 
-    /// Adds the row `scale * (row − phi * previous)` to the Gram matrix, where `before` is (phi, previous), or the row
-    /// `scale * row` if `before` is `None`. Adds `extra`, a term due to a robust loss, to the sum of squares.
+    /// Adds the Jacobian row `scale * (row − phi * previous)` to the Gram matrix, where `before` is (phi, previous), or
+    /// the row `scale * row` if `before` is `None`. Adds `extra`, a term due to a robust loss, to the sum of squares.
     pub fn add(&mut self, row: &[f64], before: Option<(f64, &[f64])>, scale: f64, extra: f64) {
         let to = &mut self.batch[self.filled..][..self.width];
         let row = &row[..self.width];
@@ -85,7 +85,7 @@ impl GramAccumulator {
         self.filled = 0;
     }
 
-    /// Returns the normal equations summed over all rows.
+    /// Returns the normal equations summed over all Jacobian rows.
     pub fn block(mut self) -> NormalBlock {
         self.sum();
         let (local, global, last) = (&self.local, &self.global, self.residual());
@@ -103,8 +103,8 @@ impl GramAccumulator {
     }
 }
 
-/// SIMD kernel that computes `to = scale * (row − phi * previous)`, where `kept` is phi and `before` is the previous
-/// row.
+/// SIMD kernel that computes `to = scale * (row − phi * previous)` for Jacobian rows, where `kept` is phi and `before`
+/// is the previous row.
 struct AddInnovation<'a> {
     to: &'a mut [f64],
     row: &'a [f64],
@@ -135,7 +135,8 @@ struct AddSquares<'a> {
     sums: &'a mut [f64],
 }
 
-/// Size (rows, vectors) of a tile of sums that is computed at once, so that each loaded value is reused.
+/// Size (rows, SIMD vectors) of a tile of the Gram matrix whose sums are computed at once, so that each loaded value is
+/// reused.
 const TILE: (usize, usize) = (4, 3);
 
 impl Kernel for AddSquares<'_> {
@@ -159,8 +160,8 @@ impl Kernel for AddSquares<'_> {
     }
 }
 
-/// Adds the products of the rows' elements to one tile of the Gram matrix `sums`. The tile begins at row `first` and
-/// column `column`, and is `VECTORS` SIMD vectors wide. Returns the number of columns of the tile.
+/// Adds the products of the Jacobian rows' elements to one tile of the Gram matrix `sums`. The tile begins at row
+/// `first` and column `column`, and is `VECTORS` SIMD vectors wide. Returns the number of columns of the tile.
 #[inline(always)]
 fn add_block<T: Lanes, const VECTORS: usize>(
     rows: &[f64],

@@ -213,8 +213,8 @@ fn a_slow_iteration_is_given_up_above_the_worthwhile_sum_of_squares_alone() {
     assert_ne!(reason, StopReason::GivenUp);
 }
 
-/// Test problem with the residual atan(global), from which undamped steps diverge beyond |global| = 1.39, and a constant
-/// residual `wall` where the parameter is negative.
+/// Test problem with the residual atan(global), from which undamped steps diverge beyond |global| = 1.39, and a
+/// constant residual `wall` where the parameter is negative.
 struct Diverging {
     wall: f64,
 }

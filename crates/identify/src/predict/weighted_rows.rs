@@ -5,8 +5,8 @@ use crate::channel::Channel;
 use crate::least_squares::GramAccumulator;
 use crate::noise::{AxesNoise, HUBER_LIMIT};
 
-/// Accumulates normal equations from weighted rows. It stores the previous row of each channel for the AR(1)
-/// innovations.
+/// Accumulates normal equations from weighted rows of derivatives and residuals. It stores the previous row of each
+/// channel for the AR(1) innovations.
 pub(super) struct WeightedRows<'a> {
     /// Accumulator of the normal equations.
     pub accumulator: GramAccumulator,

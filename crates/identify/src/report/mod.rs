@@ -24,7 +24,7 @@ pub struct FitReport {
     pub schema: String,
     /// Name of the model.
     pub model: String,
-    /// Names of the effects that the model includes.
+    /// Names of the effects (optional extensions) that the model includes.
     pub effects: Vec<String>,
     /// Whether the estimates and their standard errors are reliable.
     pub reliable: bool,

@@ -21,7 +21,8 @@ const HISTOGRAM_LIMIT: f64 = 10.0;
 /// Number of quantiles in the report, for a Q–Q plot.
 const QUANTILES: usize = 61;
 
-/// Sums over residuals for the residual diagnostics. Sums of several flights can be added.
+/// Sums of lagged products of residuals, and histograms of whitened residuals, for the residual diagnostics. The sums
+/// of several flights can be added.
 #[derive(Clone, Debug)]
 pub struct ResidualPool {
     axes: [Axis; 3],
@@ -82,7 +83,7 @@ impl ResidualPool {
         }
     }
 
-    /// Adds the sums of `other`, such as those of other flights.
+    /// Adds the sums and histograms of `other`, such as those of other flights.
     pub fn join(&mut self, other: ResidualPool) {
         self.points += other.points;
         for (axis, other) in self.axes.iter_mut().zip(other.axes) {

@@ -8,19 +8,22 @@ use crate::statistics::{median, median_of, robust_sigma};
 /// Maximum number of markers whose mutual distances are compared; more would add little information and much
 /// computation.
 pub const MAX_MARKERS: usize = 8;
-/// Limit for a scale error common to all pairs of markers. The ratio of measured to declared distance of each pair may
-/// deviate from the median ratio of all pairs by less than this fraction.
+/// Limit for a scale error common to all pairs of markers. The ratio of measured to declared distance between the
+/// markers of a pair may deviate from the median ratio of all pairs by less than this fraction.
 const RATIO_SPREAD: f64 = 0.1;
 /// Tolerance for recognising a wrong unit of length: maximum relative deviation of the ratio of measured to true
 /// lengths from the ratio that this unit would give.
 const UNIT_TOLERANCE: f64 = 0.05;
-/// Minimum deviation of a measured distance from the declared distance, relative to the latter, at which the measured
-/// distance counts as grossly wrong. The limits [`GROSS_DISTANCE`] and [`GROSS_NOISE`] must be exceeded too.
+/// Minimum deviation of the measured distance between two markers from their declared distance, relative to the latter,
+/// at which the measured distance counts as grossly wrong. The limits [`GROSS_DISTANCE`] and [`GROSS_NOISE`] must be
+/// exceeded too.
 const GROSS: f64 = 0.25;
-/// Minimum deviation, m, of a grossly wrong measured distance from the declared distance; see [`GROSS`].
+/// Minimum deviation, m, of the measured distance between two markers from their declared distance, at which the
+/// measured distance counts as grossly wrong; see [`GROSS`].
 const GROSS_DISTANCE: f64 = 0.02;
-/// Minimum deviation of a grossly wrong measured distance from the declared distance, in units of the standard
-/// deviation of the noise of measured distances; see [`GROSS`].
+/// Minimum deviation of the measured distance between two markers from their declared distance, in units of the
+/// standard deviation of the noise of measured distances, at which the measured distance counts as grossly wrong; see
+/// [`GROSS`].
 const GROSS_NOISE: f64 = 8.0;
 
 /// Units of length that are mistaken for metres: length in metres, and name.
@@ -48,24 +51,24 @@ pub fn marker_pairs(markers: usize) -> Vec<(usize, usize)> {
         .collect()
 }
 
-/// Measured and declared distances of pairs of markers in one flight.
+/// Distances between the markers of pairs in one flight: measured, and according to the declared marker positions.
 pub struct Distances {
-    /// Pairs of markers, by marker index; the other fields are in the order of these pairs.
+    /// Pairs of markers, by marker index. The entries of all other fields are in the order of these pairs.
     pub pairs: Vec<(usize, usize)>,
     /// Measured distances `samples[sample][pair]`, m; NaN if a marker of the pair is missing.
     pub samples: Vec<Vec<f64>>,
-    /// Distance of each pair according to the template (the declared positions of the markers), m.
+    /// Distance between the markers of each pair according to the template (the declared positions of the markers), m.
     pub declared: Vec<f64>,
-    /// Median measured distance of each pair, m; NaN for a pair that is never measured.
+    /// Median measured distance between the markers of each pair, m; NaN for a pair that is never measured.
     pub medians: Vec<f64>,
-    /// Standard deviation of a measured distance, m, estimated from differences of successive samples.
+    /// Standard deviation of the noise of a measured distance, m, estimated from differences of successive samples.
     pub noise: f64,
 }
 
 impl Distances {
-    /// Distances of the pairs of a flight's markers that the template fixes: `rigid` has an entry for each pair, in the
-    /// order of [`marker_pairs`], which is true if the distance of the pair is fixed. `None` if no such pair is
-    /// measured.
+    /// Distances between the markers of those pairs whose distance the template (the declared marker positions) fixes.
+    /// `rigid` has an entry for each pair, in the order of [`marker_pairs`], which is true if the distance of the pair
+    /// is fixed. `None` if no such pair is measured.
     pub fn of(flight: &Flight, markers: &[Marker], rigid: &[bool]) -> Option<Self> {
         let pairs = marker_pairs(markers.len()).into_iter().zip(rigid);
         let pairs: Vec<(usize, usize)> =
@@ -123,8 +126,8 @@ impl Distances {
         (agree && common > 0.0).then_some(common)
     }
 
-    /// Whether the measured distance, m, of pair number `pair` is grossly wrong: its deviation from the declared
-    /// distance exceeds all three limits [`GROSS`], [`GROSS_DISTANCE`] and [`GROSS_NOISE`].
+    /// Whether `measured`, the measured distance between the markers of pair number `pair`, m, is grossly wrong: its
+    /// deviation from the declared distance exceeds all three limits [`GROSS`], [`GROSS_DISTANCE`] and [`GROSS_NOISE`].
     pub fn is_gross(&self, measured: f64, pair: usize) -> bool {
         let declared = self.declared[pair];
         let limit = (GROSS * declared)

@@ -55,9 +55,9 @@ pub fn drag(problem: &FitProblem) -> Option<f64> {
     Some((moving - still).norm() / (SPEED * SPEED))
 }
 
-/// Acceleration of the body's origin, m/s², when it is released at rest. Its position and attitude are the default state,
-/// shifted by up to 3 `variation` (m) and turned by up to `variation` (rad) about each axis; `variation` is an entry of
-/// [`VARIATIONS`]. `None` if the simulation fails.
+/// Acceleration of the body's origin, m/s², when it is released at rest. Its position and attitude are the default
+/// state, shifted by up to 3 `variation` (m) and turned by up to `variation` (rad) about each axis; `variation` is an
+/// entry of [`VARIATIONS`]. `None` if the simulation fails.
 fn fall(problem: &FitProblem, variation: f64) -> Option<Vector3<f64>> {
     let model = &problem.model;
     let mut state = problem.body.layout().default_states();

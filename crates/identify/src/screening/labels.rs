@@ -13,17 +13,17 @@ const TEMPLATE_ERROR: f64 = 1e-3;
 /// Factor applied to the noise estimated from differences of successive samples, because correlated noise makes this
 /// estimate too small.
 const CORRELATION: f64 = 2.0;
-/// Maximum magnitude of one sample's contribution to the log-likelihood ratio of exchanged to declared labels; it
-/// limits the influence of outliers.
+/// Maximum magnitude of one sample's contribution to the log-likelihood ratio of exchanged to declared marker labels;
+/// it limits the influence of outliers.
 const MAX_OF_SAMPLE: f64 = 25.0;
-/// Minimum log-likelihood ratio of exchanged to declared labels, summed over consecutive samples, at which the labels
-/// are reported as exchanged.
+/// Minimum log-likelihood ratio of exchanged to declared marker labels, summed over consecutive samples, at which the
+/// labels are reported as exchanged.
 const MIN_EVIDENCE: f64 = 100.0;
-/// Limit for reporting labels as exchanged: maximum ratio of the squared error of the distances between markers with
-/// exchanged labels to that with the declared labels. The contribution of noise is subtracted from both errors.
+/// Limit for reporting marker labels as exchanged: maximum ratio of the squared error of the distances between markers
+/// with exchanged labels to that with the declared labels. The contribution of noise is subtracted from both errors.
 const ERROR_RATIO: f64 = 0.2;
-/// Minimum fraction of a flight's samples with exchanged labels at which the fault is reported for the whole flight
-/// instead of for a range of times.
+/// Minimum fraction of a flight's samples with exchanged marker labels at which the fault is reported for the whole
+/// flight instead of for a range of times.
 const WHOLE: f64 = 0.9;
 
 /// Range of consecutive samples in which the measured distances between markers match the declared distances better
@@ -130,8 +130,8 @@ fn permutations(count: usize) -> Vec<Vec<usize>> {
     found
 }
 
-/// Declared distance of each pair, m, if the track labelled `marker` is in truth that of marker
-/// `permutation[marker]`.
+/// Distance between the markers of each pair according to their declared positions, m, if the track labelled `marker`
+/// is in truth that of marker `permutation[marker]`.
 fn permuted(distances: &Distances, permutation: &[usize]) -> Vec<f64> {
     let declared = |a: usize, b: usize| {
         let pair = (a.min(b), a.max(b));

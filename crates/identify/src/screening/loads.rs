@@ -87,8 +87,9 @@ fn loads(
     loads
 }
 
-/// Robust regression of the accelerations of `rows` on aerodynamic loads and a constant acceleration. The constant is
-/// `gravity` (m/s²) or, if that is `None`, is fitted. The result is `None` if the rows do not determine the unknowns.
+/// Robust regression of the accelerations in the time windows `rows` on aerodynamic loads and a constant acceleration.
+/// The constant is `gravity` (m/s²) or, if that is `None`, is fitted. The result is `None` if the windows do not
+/// determine the unknowns.
 pub fn regress(rows: &[&Row], gravity: Option<Vector3<f64>>) -> Option<Regression> {
     let loads = rows.first()?.loads.len();
     let first = if gravity.is_some() { 0 } else { 3 };

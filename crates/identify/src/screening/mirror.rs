@@ -24,8 +24,8 @@ const MIN_DISTANCE: f64 = 0.003;
 /// Instruction for correcting left-handed axes, for the user.
 pub const MEND: &str = "change the sign of one horizontal axis (write -y for y)";
 
-/// Whether the mirror image of the template can be distinguished from the template, which requires four markers not
-/// in a plane.
+/// Whether the mirror image of the template (the declared marker positions) can be distinguished from the template,
+/// which requires four markers not in a plane.
 pub fn is_decided_by(markers: &[[f64; 3]]) -> bool {
     if markers.len() < 4 {
         return false;

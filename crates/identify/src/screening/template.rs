@@ -6,11 +6,11 @@ use super::fault::{DataFault, FaultKind};
 use super::labels;
 use crate::dataset::{Dataset, Flight, Marker};
 
-/// Minimum magnitude of the natural logarithm of the ratio of measured to declared distances at which a wrong unit is
-/// reported; it corresponds to a deviation of about 20 %.
+/// Minimum magnitude of the natural logarithm of the ratio of measured to declared distances between markers at which a
+/// wrong unit is reported; it corresponds to a deviation of about 20 %.
 const MIN_LOG_RATIO: f64 = 0.18;
-/// Maximum fraction of a marker's samples with grossly wrong distances at which these samples count as outliers; with a
-/// larger fraction the whole track of the marker is reported as faulty.
+/// Maximum fraction of a marker's samples with grossly wrong distances to other markers at which these samples count as
+/// outliers; with a larger fraction the whole track of the marker is reported as faulty.
 const GROSS_FRACTION: f64 = 0.15;
 
 /// First fault of a flight that the distances between markers reveal; `None` if the distances match the template (the

@@ -95,7 +95,7 @@ impl Maker<'_> {
     }
 
     /// Time after launch at which the body reaches the ground, s; or `watched`, the end of the observed time, s, if
-    /// that is earlier.
+    /// that is earlier. `watched` is `None` if the flight is observed until the ground.
     fn landing(
         &self,
         parameters: &[f64],

@@ -6,7 +6,7 @@ use identify::synthesize::{Corruption, Plan, flights};
 use identify::{Estimate, Fit, FitError, FitOptions, fit};
 use nalgebra::DVector;
 
-/// Throws with outliers, of which the last is held out.
+/// Fit of the disc model to simulated flights with outliers; the last flight is held out.
 fn fitted() -> Fit {
     let model = model_spec::load::load("disc", &[]).expect("built in");
     let backhand = built_in("backhand").expect("built in");
@@ -27,7 +27,8 @@ fn fitted() -> Fit {
     fit(&model, &made.dataset, &FitOptions::default()).expect("a fit")
 }
 
-/// The shared unknowns and the initial states of the fit, each so many of its standard errors away, to either side in turn.
+/// Global parameters and initial states of the fit, each shifted by `apart` times its standard error, with alternating
+/// sign.
 fn away(fitted: &Fit, apart: f64) -> (DVector<f64>, Vec<DVector<f64>>) {
     let plus = |(i, (value, error)): (usize, (f64, f64))| {
         value + apart * error * if i.is_multiple_of(2) { 1.0 } else { -1.0 }

@@ -82,7 +82,7 @@ fn flights_that_cannot_be_fitted_are_excluded_and_the_others_fitted() {
     );
 }
 
-/// Two short flights of the plain disc.
+/// Two short simulated flights of the disc model without effects (model extensions).
 fn two_flights() -> (Model, Dataset) {
     let (model, truth, release) = released(&[], &[]);
     let plan = Plan {
@@ -154,7 +154,7 @@ fn markers_that_are_not_where_they_are_stated_are_named() {
     );
 }
 
-/// Ten samples a second, between which the body turns by more than half a turn.
+/// Tests the noise floor for ten samples per second, between which the body turns by more than half a turn.
 #[test]
 fn residuals_of_few_samples_are_held_against_the_rigidity_of_the_markers() {
     let (model, truth, release) = released(&[], &[]);

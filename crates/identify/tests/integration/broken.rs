@@ -6,7 +6,7 @@ use std::path::Path;
 use crate::support::c3d::File;
 use crate::support::{MANIFEST, TABLE, folder, read, read_both};
 
-/// Messages under the names of what is broken.
+/// Text with the name and the error message of each case; panics if a case has no error.
 fn told(cases: Vec<(&str, Result<identify::dataset::Dataset, String>)>) -> String {
     let mut text = String::new();
     let mut names = std::collections::BTreeSet::new();
@@ -18,7 +18,7 @@ fn told(cases: Vec<(&str, Result<identify::dataset::Dataset, String>)>) -> Strin
     text
 }
 
-/// The good manifest with one text replaced.
+/// Valid text of `dataset.toml` in which `from` is replaced by `to`.
 fn changed(from: &str, to: &str) -> String {
     assert!(MANIFEST.contains(from), "{from}");
     MANIFEST.replace(from, to)

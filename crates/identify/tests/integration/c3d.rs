@@ -21,7 +21,7 @@ fn read_trial(bytes: &[u8]) -> Result<Dataset, String> {
     read(folder(&[("dataset.toml", MANIFEST.as_bytes()), ("trial.c3d", bytes)]).path())
 }
 
-/// A trial in millimetres, with a label that the dataset does not declare, and a dropout.
+/// A C3D file in millimetres, with a label that the dataset does not declare, and with a missing position.
 fn trial() -> File {
     let row = |frame: u8| {
         let x = 10.0 * f32::from(frame);
@@ -146,7 +146,7 @@ fn another_reader_reads_the_same() {
     }
 }
 
-/// Numbers that look random and are the same everywhere.
+/// Next number of a linear congruential generator with the state `seed`; the same on every machine.
 fn noise(seed: &mut u64) -> usize {
     *seed = seed
         .wrapping_mul(6364136223846793005)

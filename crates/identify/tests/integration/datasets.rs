@@ -109,7 +109,7 @@ fn large_and_crooked_files_are_refused_or_read_in_bounded_time() {
     );
 }
 
-/// A text with some of its bytes replaced, dropped or doubled.
+/// Strategy for a text in which some bytes are replaced, inserted or removed at random.
 fn spoiled(text: &'static str) -> impl Strategy<Value = Vec<u8>> {
     let edit = (
         0..text.len(),

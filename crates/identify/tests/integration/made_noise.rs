@@ -16,7 +16,7 @@ fn corrupted(noise: &Corruption, markers: usize, seed: u64) -> Positions {
     positions
 }
 
-/// The deviations of one marker along one axis; all are seen.
+/// Deviations of one marker along one axis, by sample; panics if a position is missing.
 fn along(positions: &Positions, marker: usize, axis: usize) -> Vec<f64> {
     let each = positions.iter();
     each.map(|row| row[marker].expect("seen")[axis]).collect()

@@ -3,7 +3,7 @@
 use crate::support::{MANIFEST, read_both};
 use takes::{Axis, Take};
 
-/// Positions in m along right-handed axes with z up, at times in s.
+/// Times, s, and positions, m, along right-handed axes with z up, which a correctly read table yields.
 const TRUTH: [(f64, [f64; 3]); 3] = [
     (0.0, [0.5, -1.25, 2.0]),
     (0.125, [1.5, -1.0, 2.25]),
@@ -18,7 +18,8 @@ fn manifest(recording: &str) -> String {
     )
 }
 
-/// The truth along axes of which `up` points up, and mirrored in the first horizontal one if they are left-handed.
+/// Converts a position to axes of which `up` points upwards; left-handed axes are obtained by changing the sign of y
+/// first.
 fn along(up: &str, left_handed: bool, [x, y, z]: [f64; 3]) -> [f64; 3] {
     let y = if left_handed { -y } else { y };
     match up {

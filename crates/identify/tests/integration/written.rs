@@ -113,7 +113,7 @@ fn what_would_not_be_read_back_is_not_written() {
     });
 }
 
-/// Any number that a file may hold at this size.
+/// Strategy for numbers of magnitude up to `size`, including 0, −0 and 10⁻³⁰⁰.
 fn number(size: f64) -> impl Strategy<Value = f64> {
     prop_oneof![
         -size..size,

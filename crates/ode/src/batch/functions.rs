@@ -4,8 +4,9 @@
 use super::{LanePoint, LaneRhs, LaneSizes};
 use lanes::{LaneKernel, Lanes};
 
-/// A [`LaneRhs`] on lanes of the type `T`. Each method is compiled as a separate function for the instruction set of
-/// these lanes; vectors are passed by reference, because a call without that instruction set cannot pass them by value.
+/// A [`LaneRhs`] evaluated on SIMD lanes of the type `T`. Each method is compiled as a separate function for the
+/// instruction set of these lanes; vectors are passed by reference, because a call without that instruction set cannot
+/// pass them by value.
 pub(crate) trait LaneFunctions<T> {
     fn sizes(&self) -> LaneSizes;
     fn prepare(&self, p: &[T], scratch: &mut [T], prepared: &mut [T]);

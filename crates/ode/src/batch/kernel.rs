@@ -14,7 +14,8 @@ use crate::method::{ErrorTolerance, ROWS};
 use crate::options::IntegrationOptions;
 use lanes::{Kernel, LaneKernel, Lanes};
 
-/// Kernel that integrates all flights of a queue and returns the number of vector evaluations of the right-hand side.
+/// SIMD kernel that integrates all flights of a queue and returns the number of vector evaluations of the right-hand
+/// side.
 pub(crate) struct Batch<'a, R> {
     pub rhs: &'a R,
     pub queue: &'a mut dyn FlightQueue,
@@ -37,7 +38,8 @@ impl<R: LaneRhs> Kernel for Batch<'_, R> {
     }
 }
 
-/// The step loop, which does not depend on the type of the right-hand side.
+/// SIMD kernel with the loop over the steps of a batch integration; it does not depend on the type of the right-hand
+/// side.
 struct StepLoop<'a, T> {
     lanes: Flying<'a, T>,
     queue: &'a mut dyn FlightQueue,
@@ -89,11 +91,11 @@ struct Flying<'a, T> {
 /// Point of a step whose state is the final state of a flight.
 #[derive(Clone, Copy)]
 enum EndState {
-    /// State at the start of the step.
+    /// The flight ends in the state at the start of the step.
     Start,
-    /// State at the end of the step.
+    /// The flight ends in the state at the end of the step.
     End,
-    /// State at an interior point of the step, which is stored in [`Flying::within`].
+    /// The flight ends in the state at an interior point of the step, which is stored in [`Flying::within`].
     Within,
 }
 

@@ -55,7 +55,7 @@ pub trait LaneRhs {
     fn sizes(&self) -> LaneSizes;
     /// Writes the invariants of the flights, values that depend only on the parameters `p`, to `prepared`.
     fn prepare<T: Lanes>(&self, p: &[T], scratch: &mut [T], prepared: &mut [T]);
-    /// Writes f(t, x, p) to every element of `dx`.
+    /// Writes f(t, x, p) to `dx`, in which every element must be set.
     fn derivative<T: Lanes>(&self, at: LanePoint<'_, T>, scratch: &mut [T], dx: &mut [T]);
     /// Writes the margin of each limit of validity to `margins`; the right-hand side is valid where all margins are
     /// above 0.

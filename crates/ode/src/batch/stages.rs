@@ -7,7 +7,7 @@ use lanes::Lanes;
 /// latency of the additions.
 pub(crate) const BLOCK: usize = 6;
 
-/// Stages of a step in all lanes: component i of stage s is at index `s · n + i` of `k`.
+/// Stage derivatives of a step in all lanes: component i of stage s is at index `s · n + i` of `k`.
 pub(crate) struct Stages<T> {
     pub n: usize,
     pub k: Vec<T>,
@@ -33,7 +33,7 @@ impl<T: Lanes> Stages<T> {
         &mut self.k[s * self.n..][..self.n]
     }
 
-    /// Component `i` of Σ weight · stage with the weights `row`.
+    /// Component `i` of the weighted sum of the stage derivatives, Σ weight · stage, with the weights `row`.
     #[inline(always)]
     pub(crate) fn sum(&self, row: Row, i: usize) -> T {
         let mut sum = T::splat(0.0);
@@ -43,7 +43,8 @@ impl<T: Lanes> Stages<T> {
         sum
     }
 
-    /// [`BLOCK`] consecutive components, from component `start` on, of Σ weight · stage with the weights `row`.
+    /// [`BLOCK`] consecutive components, from component `start` on, of the weighted sum of the stage derivatives with
+    /// the weights `row`.
     #[inline(always)]
     pub(crate) fn block(&self, row: Row, start: usize) -> [T; BLOCK] {
         let mut sums = [T::splat(0.0); BLOCK];
@@ -56,7 +57,7 @@ impl<T: Lanes> Stages<T> {
         sums
     }
 
-    /// Computes `to = x + h Σ weight · stage` with the weights `row`.
+    /// Computes `to = x + h Σ weight · stage` from the stage derivatives, with the weights `row`.
     #[inline(always)]
     pub(crate) fn advance(&self, to: &mut [T], x: &[T], h: T, row: Row) {
         let n = self.n;

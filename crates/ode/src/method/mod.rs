@@ -81,7 +81,7 @@ pub(crate) trait Stepper<X: StateVector> {
     /// Minimum and maximum ratio of successive step sizes.
     const STEP_FACTOR_BOUNDS: (f64, f64);
 
-    /// Allocates stages for states of the length of `like`.
+    /// Allocates the stage derivatives, each of the length of `like`.
     fn new(like: &X) -> Self;
 
     /// Computes a step of size `h` and returns its error norm, acceptable up to 1; NaN or infinite where the

@@ -5,7 +5,8 @@ use ode::{
     LaneSizes, Method, fly, fly_on,
 };
 
-/// x' = x², which is infinite at the time 1 / x(0); a limit of x is a parameter.
+/// Test right-hand side x' = x², whose solution becomes infinite at the time 1 / x(0). The parameter is an upper limit
+/// of validity of x.
 struct Square;
 
 impl LaneRhs for Square {
@@ -30,7 +31,8 @@ impl LaneRhs for Square {
     }
 }
 
-/// (start, limit) of each, and how each ended: outcome, time, state.
+/// Queue of test flights: `starts` contains the initial state and the limit of each, `ends` its outcome, final time and
+/// final state.
 struct Queue {
     next: usize,
     starts: Vec<(f64, f64)>,

@@ -9,7 +9,7 @@ use proptest::prelude::*;
 
 const METHODS: [Method; 2] = [Method::Tsit5, Method::Dop853];
 
-/// A stone: height, speed.
+/// Right-hand side of a stone in free fall; the state is its height and its vertical velocity.
 fn stone(_: f64, x: &[f64; 2], dx: &mut [f64; 2]) {
     *dx = [x[1], -9.81];
 }
@@ -145,7 +145,8 @@ fn samples_beyond_the_landing_are_the_landing() {
     assert_eq!(samples[6..8], end.state);
 }
 
-/// The error of a flight, with no NaN in it unless the flight started with one.
+/// Message of the error with which an integration failed; panics if it succeeded or if the error contains a state that
+/// is not finite.
 #[track_caller]
 fn refused<T: std::fmt::Debug>(flight: Result<T, IntegrationError>) -> String {
     let error = flight.expect_err("no such flight");

@@ -4,7 +4,7 @@ use crate::{disc, rhs};
 use ode::{IntegrationOptions, Method, integrate, integrate_at, integrate_to_end};
 use proptest::prelude::*;
 
-/// Steps of one length, whatever their error.
+/// Options for steps of one length: the tolerances are so large that the error test never rejects a step.
 fn even(method: Method, step: f64) -> IntegrationOptions {
     IntegrationOptions {
         method,
@@ -16,7 +16,7 @@ fn even(method: Method, step: f64) -> IntegrationOptions {
     }
 }
 
-/// A pendulum with friction and drive: not linear, smooth, and time matters.
+/// Right-hand side of a driven pendulum with friction: nonlinear, smooth and dependent on time.
 fn pendulum(t: f64, x: &[f64; 2], dx: &mut [f64; 2]) {
     *dx = [
         x[1],
@@ -24,7 +24,8 @@ fn pendulum(t: f64, x: &[f64; 2], dx: &mut [f64; 2]) {
     ];
 }
 
-/// Greatest error at the end and along the curve with so many steps.
+/// Errors of an integration of the pendulum with the given number of equal steps: at the final time, and the maximum of
+/// the dense output over time.
 fn errors(method: Method, steps: u32) -> (f64, f64) {
     let tight = IntegrationOptions {
         method: Method::Dop853,

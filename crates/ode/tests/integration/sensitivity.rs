@@ -6,7 +6,7 @@ use ode::{
     IntegrationOptions, Method, integrate, integrate_at, integrate_to_end, integrate_with_callback,
 };
 
-/// A driven pendulum: constants are its stiffness, friction, and one that it does not depend on.
+/// Driven pendulum with three parameters: stiffness, friction, and one on which the right-hand side does not depend.
 struct Pendulum([f64; 3]);
 
 impl Pendulum {

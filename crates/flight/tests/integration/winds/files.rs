@@ -7,7 +7,7 @@ use super::{model, released};
 
 const HEAD: &str = "model = \"ball\"\nduration = 1.0\n[throw]\nspeed = 9.0\nheading = 12\n";
 
-/// The faults of a release with this wind, each with line (from `[wind]`) and column.
+/// Faults of a release file with the text `wind`, as location and message; lines are counted from the start of `wind`.
 fn faults(wind: &str) -> Vec<((usize, usize), String)> {
     let names = |name: &str| Ok(Vocabulary::of(&model(name)));
     let text = format!("{HEAD}{wind}");

@@ -8,7 +8,7 @@ const HEIGHTS: [f64; 16] = [
     -100.0, -1.0, -0.02, -1e-9, 0.0, 1e-9, 0.003, 0.03, 0.1, 0.3, 0.999, 1.0, 2.0, 7.5, 10.0, 120.0,
 ];
 
-/// Wind of a table `[wind]` at the heights.
+/// Mean wind, m/s, at the given heights, m, for the text `table` of the TOML table `[wind]`.
 fn winds(table: &str, heights: &[f64]) -> Vec<[f64; 3]> {
     let (release, model) = released(&format!("{BALL}[wind]\n{table}"));
     let parameters = compiled(&model).release_parameters(&release);
@@ -20,7 +20,7 @@ fn winds(table: &str, heights: &[f64]) -> Vec<[f64; 3]> {
     heights.iter().map(at).collect()
 }
 
-/// Speed along a direction (deg); nothing across it.
+/// Component of the wind along a horizontal direction, deg; panics if the component across it is not 0.
 fn along(wind: [f64; 3], direction: f64) -> f64 {
     let (sin, cos) = f64::to_radians(direction).sin_cos();
     assert!((cos * wind[1] - sin * wind[0]).abs() < 1e-14 && wind[2] == 0.0);

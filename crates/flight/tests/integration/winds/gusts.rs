@@ -3,7 +3,8 @@
 use super::{compiled, released, vector};
 use flight::wind::{GUST_TERMS, gust_phases, gust_spectrum};
 
-/// The components' values at a distance in lengths, of variance 1, by the sinusoids and the phases of a flight.
+/// Gust components of variance 1 at the distance `at`, in units of the length scale, from the sinusoids and their
+/// phases in a flight.
 fn waves(seed: u64, flight: u64, at: f64) -> [f64; 3] {
     waves_of(&[0, 1, 2].map(gust_spectrum), seed, flight, at)
 }
@@ -19,7 +20,7 @@ fn waves_of(spectra: &[[(f64, f64); GUST_TERMS]; 3], seed: u64, flight: u64, at:
     })
 }
 
-/// Autocorrelation of a component at a distance in lengths (MIL-F-8785C, Dryden form).
+/// Autocorrelation of a gust component at the distance `lag`, in units of the length scale (Dryden form, MIL-F-8785C).
 fn dryden(component: usize, lag: f64) -> f64 {
     match component {
         0 => (-lag).exp(),
@@ -27,7 +28,8 @@ fn dryden(component: usize, lag: f64) -> f64 {
     }
 }
 
-/// Power between two wavenumbers (over 1/L) by the one-sided spectra, with Simpson's rule.
+/// Variance of a gust component between two wavenumbers, in units of 1/L, by Simpson's rule for the one-sided spectrum;
+/// L is the length scale.
 fn power(component: usize, low: f64, high: f64) -> f64 {
     let density = |x: f64| match component {
         0 => 2.0 / std::f64::consts::PI / (1.0 + x * x),

@@ -13,7 +13,7 @@ use ode::{IntegrationOptions, Method};
 
 const PLATE: &str = include_str!("../../../../design/tests/integration/support/plate.hyz");
 
-/// Built-in models, and a user's own, in which no `air` is named.
+/// Names of built-in models, and of the test model `plate`, which names no velocity of the air `air`.
 const MODELS: [&str; 6] = [
     "ball",
     "disc",
@@ -23,7 +23,7 @@ const MODELS: [&str; 6] = [
     "plate",
 ];
 
-/// A built-in model, or the plate.
+/// The built-in model of this name, or the test model `plate`.
 fn model(name: &str) -> Model {
     match name {
         "plate" => model_spec::load::from_text("plate.hyz", PLATE, &[]).expect("the plate"),
@@ -31,7 +31,7 @@ fn model(name: &str) -> Model {
     }
 }
 
-/// A release with the model that flies it.
+/// Release read from a TOML text, and the model with its wind added.
 fn released(text: &str) -> (Release, Model) {
     let names = |name: &str| Ok(Vocabulary::of(&model(name)));
     let (release, names) =
@@ -39,7 +39,8 @@ fn released(text: &str) -> (Release, Model) {
     (release, Model::clone(&names.model.expect("the model")))
 }
 
-/// A release of the model, without `[wind]`.
+/// TOML text of a release for the model `name`, without the table `[wind]`; `until` is the line with the end of the
+/// flight.
 fn throw(name: &str, until: &str) -> String {
     let thrown = |name: &str, more: &str| {
         format!(

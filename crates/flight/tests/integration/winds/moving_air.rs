@@ -15,13 +15,14 @@ const W: [f64; 3] = [3.0, -2.0, 0.4];
 const SECONDS: f64 = 1.2;
 const GUSTS: &str = "[wind.gusts]\nmodel = \"dryden\"\nseed = 11\nheading = 20.0\nsd = [1.5, 1.2, 0.6]\nlength = [12.0, 15.0, 4.0]\n";
 
-/// Motions of the states of a model; those of `disc_appendix`, which has no body, are those of the disc.
+/// Converter between states and motions for a model; for `disc_appendix`, which declares no body, that of the model
+/// `disc`, which has the same states.
 fn motions(model: &Model) -> ThrownModel {
     let own = ThrownModel::new(model);
     own.unwrap_or_else(|_| ThrownModel::new(&super::model("disc")).expect("the disc"))
 }
 
-/// The release with its velocity over the ground changed.
+/// Copy of a release in which the velocity over the ground is changed by `by`, m/s.
 fn moved(release: &Release, model: &Model, by: Vector3<f64>) -> Release {
     let (thrown, state) = (motions(model), release.state());
     let parameters = thrown.release_parameters(release);
@@ -44,7 +45,7 @@ fn end(release: &Release, model: &Model) -> (Motion, Trajectory) {
     (motion, flight)
 }
 
-/// Compares a flight in the wind with the flight in still air that the wind carries along.
+/// Asserts that a flight in a constant wind equals the flight in still air, shifted with the wind.
 fn is_carried(name: &str, gusts: &str) {
     let until = format!("duration = {SECONDS:?}");
     let text = throw(name, &until);
@@ -82,7 +83,7 @@ fn a_constant_wind_carries_flight_and_gusts_along() {
     MODELS.iter().for_each(|name| is_carried(name, GUSTS));
 }
 
-/// Values of a named number along a flight, at evenly spaced times.
+/// Values of the scalar auxiliary variable `name` along a flight, at `steps + 1` evenly spaced times.
 fn along(
     (release, model, flight): (&Release, &Model, &Trajectory),
     name: &str,
@@ -98,7 +99,7 @@ fn along(
     (0..=steps).map(at).collect()
 }
 
-/// Integral of evenly spaced values over a time, by Simpson's rule.
+/// Integral of evenly spaced values over `seconds`, s, by Simpson's rule.
 fn integral(values: &[f64], seconds: f64) -> f64 {
     let last = values.len() - 1;
     let weight = |k: usize| match k {

@@ -21,7 +21,8 @@ fn bounced(flight: &Flight, time: f64, change: [f64; 3]) -> Flight {
     flight
 }
 
-/// Index of the first sample after the detected impact; `None` if no impact is detected.
+/// Index of the first sample after the detected impact, at which the flight is truncated; `None` if no impact is
+/// detected.
 fn cut_at(problem: &FitProblem, flight: &Flight) -> Option<usize> {
     let (track, _) = Track::of(
         &problem.markers,

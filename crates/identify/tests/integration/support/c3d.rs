@@ -1,20 +1,21 @@
 //! A writer of small C3D files, with every count where a test can spoil it.
 
-/// What a file is to hold.
+/// Contents of a C3D file to be written.
 #[derive(Clone)]
 pub struct File {
     pub labels: Vec<String>,
     pub units: Option<String>,
     pub rate: f32,
     pub first: u16,
-    /// Above 0: integers of so many units; else floats.
+    /// Scale factor of the C3D format: if positive, coordinates are stored as integers in units of this factor,
+    /// otherwise as floating-point numbers.
     pub scale: f32,
-    /// 84 (Intel) or 86 (MIPS).
+    /// Processor type of the C3D format, which determines the byte order: 84 (Intel) or 86 (MIPS).
     pub processor: u8,
     pub analog: u16,
-    /// `frames[frame][label]`; `None` where it was not seen.
+    /// Positions as `frames[frame][label]`; `None` for a missing position.
     pub frames: Vec<Vec<Option<[f32; 3]>>>,
-    /// More parameters of the group POINT: name, type, dimensions, data.
+    /// Further parameters of the C3D group POINT: name, type, dimensions, data.
     pub more: Vec<(&'static str, i8, Vec<u8>, Vec<u8>)>,
 }
 

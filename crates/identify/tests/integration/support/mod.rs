@@ -6,7 +6,7 @@ use std::path::Path;
 
 use identify::dataset::{Dataset, load};
 
-/// A good manifest of one flight.
+/// Valid text of `dataset.toml` for a dataset of one flight.
 pub const MANIFEST: &str = r#"model = "ball"
 [parameters]
 m = 0.0027
@@ -19,10 +19,10 @@ role = "held-out"
 known = { omega = [1.0, 2.0, 3.0] }
 "#;
 
-/// Its table.
+/// Table of the flight of [`MANIFEST`].
 pub const TABLE: &str = "t,centre_x,centre_y,centre_z\n0.0,1,2,3\n0.1,1.1,2,3\n";
 
-/// A folder with these files.
+/// Temporary folder that contains the given files (name, content).
 pub fn folder(files: &[(&str, &[u8])]) -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
     for (name, bytes) in files {
@@ -33,7 +33,7 @@ pub fn folder(files: &[(&str, &[u8])]) -> tempfile::TempDir {
     folder
 }
 
-/// Reads a folder; messages name files as seen from it.
+/// Reads a dataset folder; error messages contain file names relative to this folder.
 pub fn read(folder: &Path) -> Result<Dataset, String> {
     load(folder).map_err(|mut error| {
         if let Ok(file) = error.file.strip_prefix(folder)
@@ -45,7 +45,7 @@ pub fn read(folder: &Path) -> Result<Dataset, String> {
     })
 }
 
-/// Reads a dataset of one table.
+/// Reads a dataset of one flight from the contents of `dataset.toml` and of the flight's table.
 pub fn read_both(manifest: &[u8], table: &[u8]) -> Result<Dataset, String> {
     read(folder(&[("dataset.toml", manifest), ("a.csv", table)]).path())
 }

@@ -4,21 +4,21 @@
 use lanes::Real;
 use ode::{OdeRhs, rhs_from_fn};
 
-/// The states.
+/// Names of the states of the disc: position, velocity, Euler angles and their rates.
 pub const NAMES: [&str; 12] = [
     "x", "y", "z", "u", "v", "w", "phi", "theta", "gamma", "phidot", "thetadot", "gammadot",
 ];
 
-/// m, I_a, I_d, d, A, rho, g
+/// Parameters of the disc in SI units: m, I_a, I_d, d, A, rho, g.
 pub const DISC: [f64; 7] = [0.175, 0.00235, 0.00122, 0.269, 0.057, 1.23, 9.7935];
-/// C_L0, C_La, C_D0, C_Da, C_Ma, C_Mq, C_Rr, C_Nr
+/// Aerodynamic coefficients of the disc: C_L0, C_La, C_D0, C_Da, C_Ma, C_Mq, C_Rr, C_Nr.
 pub const AIR: [f64; 8] = [0.188, 2.37, 0.15, 1.24, -0.2, -0.012, -0.0004, -3.4e-5];
-/// A full throw.
+/// Initial state of a fast throw, in the order of [`NAMES`], SI.
 pub const THROW: [f64; 12] = [
     -0.9, 0.63, 1.6, 13.1, 0.4, -2.5, -0.07, -0.2, 5.0, -1.0, 1.5, -54.0,
 ];
 
-/// Rate of change of the twelve states.
+/// Right-hand side dx/dt for the twelve states of the disc.
 #[inline(always)]
 pub fn rate<T: Real>(x: &[T; 12], disc: &[T; 7], air: &[T; 8], dx: &mut [T; 12]) {
     let [m, i_a, i_d, d, a, rho, g] = *disc;
@@ -61,7 +61,7 @@ pub fn rate<T: Real>(x: &[T; 12], disc: &[T; 7], air: &[T; 8], dx: &mut [T; 12])
     dx[11] = m3 / i_a - fdd * st - fd * td * ct;
 }
 
-/// The disc to fly.
+/// Right-hand side of a disc with the values [`DISC`] and [`AIR`].
 pub fn disc() -> impl OdeRhs<State = [f64; 12]> {
     rhs_from_fn(&NAMES, |_, x: &[f64; 12], dx: &mut [f64; 12]| {
         rate(x, &DISC, &AIR, dx);
