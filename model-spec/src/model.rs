@@ -57,8 +57,9 @@ pub struct Model {
     /// model with a body, they cover only the states whose derivatives do not follow from the body's equations of
     /// motion.
     pub equations: Vec<Equation>,
-    /// Claimed physical meaning of [`Model::equations`]: expressions for the mass, motion and loads of a body. `hyzer
-    /// verify` checks whether the equations agree with these expressions. `None` if the model file contains no claim.
+    /// Declared physical meaning of [`Model::equations`] (`claim` block): expressions for the mass, motion and loads of
+    /// a body. `hyzer verify` checks whether the equations agree with these expressions. `None` if the file has no such
+    /// block.
     pub claim: Option<Claim>,
     /// The observed point, whose coordinates are specified with each observation; `None` if the model observes no
     /// marker.
@@ -72,9 +73,9 @@ pub struct Model {
     pub limits: Vec<ValidityLimit>,
     /// Test cases that the model file states as `check "title" { … }`, each with values to set and expected results.
     pub checks: Vec<CheckCase>,
-    /// Applied effects, in order of application.
+    /// Applied effects (named changes to the model), in order of application.
     pub effects: Vec<AppliedEffect>,
-    /// Effects declared in the model's file, whether applied or not.
+    /// Effects (named changes to the model) declared in the model's file, whether applied or not.
     pub offers: Vec<OfferedEffect>,
     /// The syntax tree that was checked, with the effects applied to it.
     pub tree: Arc<ast::File>,

@@ -46,21 +46,22 @@ use crate::syntax::ast::{
     Quantity, UnitExpr,
 };
 
-/// Literature reference of every effect generated from a [`Term`], and documentation of the coefficient of the effect.
+/// Text that stands for a literature reference in every effect generated from a [`Term`], and for the documentation of
+/// its coefficient.
 const FOUND_IN_FLIGHTS: &str = "found in measured flights";
 
 index_type!(
-    /// Index into [`TermLibrary::channels`].
+    /// Index into [`TermLibrary::channels`], the quantities to which a term can be added.
     pub struct ChannelId;
 );
 
 index_type!(
-    /// Index into [`TermLibrary::variables`].
+    /// Index into [`TermLibrary::variables`], whose powers are the factors of terms.
     pub struct VariableId;
 );
 
 index_type!(
-    /// Index into [`TermLibrary::products`].
+    /// Index into [`TermLibrary::products`], the products of powers of variables.
     pub struct ProductId;
 );
 
@@ -80,13 +81,13 @@ pub struct TermLibrary {
 /// Component of a force or moment (such as drag), or derivative of a state, to which a term can be added.
 #[derive(Clone, Debug)]
 pub struct Channel {
-    /// Name of the coefficient by which the effect [`TermLibrary::loads`] adds a term to the channel.
+    /// Name of the coefficient by which the effect [`TermLibrary::loads`] adds a term to the quantity.
     pub coefficient: String,
-    /// Name of the channel in names of terms, such as `drag` in `drag-by-alpha-squared`.
+    /// Name of the quantity in names of terms, such as `drag` in `drag-by-alpha-squared`.
     pub name: String,
-    /// Component of the model that the channel's terms change: one of [`SITES`](crate::SITES).
+    /// Component of the model that terms added to the quantity change: one of [`SITES`](crate::SITES).
     pub site: String,
-    /// Effect that adds a term to the channel; it contains the placeholders `NAME` and `TERM`.
+    /// Effect that adds a term to the quantity; it contains the placeholders `NAME` and `TERM`.
     template: Effect,
 }
 

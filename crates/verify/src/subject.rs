@@ -104,28 +104,29 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// Index and null value of each coefficient of an effect.
+    /// Index and null value of each coefficient of an effect (optional model extension); at its null value, it does not
+    /// change the equations.
     fn of_effects(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
         let coefficients = self.model.effects.iter().flat_map(|e| &e.coefficients);
         coefficients.map(|c| (c.index, c.null_value))
     }
 
     /// Indices of the coefficients added by the model's author: coefficients that neither the reference law nor an
-    /// effect contains; empty without a reference law.
+    /// effect (optional model extension) contains; empty without a reference law.
     pub fn own_coefficients(&self) -> Vec<usize> {
         let of_effects: Vec<usize> = self.of_effects().map(|(index, _)| index).collect();
         let extras = self.extras().into_iter().map(|(index, _)| index);
         extras.filter(|i| !of_effects.contains(i)).collect()
     }
 
-    /// Whether only the claimed body relates the states to physical quantities: the model claims a body, but no
-    /// [`Chart`] (direct conversion between states and physical quantities) exists.
+    /// Whether only the `claim` statement of the model relates its states to the physical quantities of a body: the
+    /// model has such a statement, but no [`Chart`] (direct conversion between states and physical quantities) exists.
     pub fn is_known_by_claim(&self) -> bool {
         self.chart.is_none() && self.model.claim.is_some()
     }
 
-    /// Returns the point with the coefficients of effects at their null values. All states that are not states of the
-    /// body, such as those of effects, are set to their default values.
+    /// Returns the point with the coefficients of effects (optional model extensions) at their null values. All states
+    /// that are not states of the body, such as those of effects, are set to their default values.
     pub fn without_effects(&self, point: Point<f64>) -> Point<f64> {
         self.of_body_alone(point, self.of_effects())
     }

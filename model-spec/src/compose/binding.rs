@@ -19,10 +19,11 @@ const ANGULAR_VELOCITY: &str = "angular_velocity";
 const SPECIFIC_FORCE: &str = "specific_force";
 const ANGULAR_ACCELERATION: &str = "angular_acceleration";
 
-/// Requirement, as shown in messages, of an effect that uses the mass, position, velocity or specific force of the
-/// body.
+/// Name, for messages, of what a model lacks if an effect uses the mass, position, velocity or specific force and the
+/// model declares no body.
 const BODY: &str = "a body or a point";
-/// Requirement, as shown in messages, of an effect that uses moments, angular rates or the body-fixed frame.
+/// Name, for messages, of what a model lacks if an effect uses moments, angular rates or the body-fixed frame and the
+/// model declares no rotating body.
 const TURNING: &str = "a body that turns";
 
 /// Reason why an effect cannot be applied to a model: a requirement of the effect that the model does not meet.
@@ -257,7 +258,7 @@ impl Binding {
         Ok(Some(&name.text))
     }
 
-    /// Whether the model has a statement that `new` can replace.
+    /// Whether the model has a statement that the statement `new` of an effect's `replace` can replace.
     fn has_replaceable(&self, new: &ItemKind) -> bool {
         let mut items = self.file.items.iter();
         items.any(|old| effect::replaces(new, &old.kind))

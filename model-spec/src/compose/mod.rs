@@ -49,7 +49,8 @@ pub use instrument::Instrument;
 pub use known::{KnownEffect, Origin, Refused, known_effects};
 pub use values::ValueError;
 
-/// A model's syntax tree with the applied effects, and the source texts that its spans refer to.
+/// Syntax tree of a model to which effects (named changes to the model) can be applied, and the source texts that its
+/// spans refer to.
 #[derive(Clone, Debug)]
 pub struct ModelTree {
     file: Arc<File>,

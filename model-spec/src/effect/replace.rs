@@ -94,7 +94,8 @@ impl Change<'_> {
         self.file.items[at] = new;
     }
 
-    /// Adds the statement `clock 1;` to a model without a clock rate, so that an effect can replace it.
+    /// Adds the statement `clock 1;` (true time runs at the rate of recorded time) to a model without a clock rate, so
+    /// that an effect can replace it.
     fn own_clock(&mut self, span: Span) {
         let items = &mut self.file.items;
         if items.iter().any(|i| matches!(i.kind, ItemKind::Clock(_))) {

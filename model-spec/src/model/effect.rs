@@ -4,7 +4,7 @@
 use crate::model::Model;
 use crate::source::Span;
 
-/// An effect that has been applied to a model.
+/// An effect (a named change to a model, such as an additional force) that has been applied to a model.
 #[derive(Clone, Debug)]
 pub struct AppliedEffect {
     /// Name of the effect, words separated by underscores.
@@ -47,7 +47,8 @@ impl AppliedEffect {
     }
 }
 
-/// An effect declared in a model's file, which can be applied by its name.
+/// An effect (a named change to a model, such as an additional force) declared in a model's file. It can be applied by
+/// its name.
 #[derive(Clone, Debug)]
 pub struct OfferedEffect {
     /// Name of the effect, words separated by underscores.

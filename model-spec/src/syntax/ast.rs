@@ -13,7 +13,7 @@ pub use claim::{Claim, ClaimPart, ClaimPartKind};
 pub use effect::{Effect, EffectPart, Need};
 pub use table::{Continuation, Interpolation, Table};
 
-/// A parsed file: a model, effects, or both.
+/// A parsed file: a model, effects (named changes to a model), or both.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct File {
     /// Documentation: the `//!` lines of the file.
@@ -26,8 +26,8 @@ pub struct File {
     pub end: Span,
 }
 
-/// Record of an effect that has been applied to a syntax tree. The statements of the effect are part of [`File::items`]
-/// and are not repeated here.
+/// Record of an effect (named change to a model) that has been applied to a syntax tree. The statements of the effect
+/// are part of [`File::items`] and are not repeated here.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Applied {
     /// Name of the effect.
@@ -115,9 +115,10 @@ pub enum ItemKind {
     Limit(Limit),
     /// Check case: `check "title" { … }`
     Check(Check),
-    /// Claimed physical meaning of the equations: `claim body NAME { … }` or `claim point NAME { … }`
+    /// Declared physical meaning of the explicitly written equations: `claim body NAME { … }` or `claim point NAME { …
+    /// }`
     Claim(Claim),
-    /// Declaration of an effect: `effect NAME { … }`
+    /// Declaration of an effect (named change to a model): `effect NAME { … }`
     Effect(Effect),
 }
 

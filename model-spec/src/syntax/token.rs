@@ -39,7 +39,7 @@ pub(super) enum Token {
     End,
 }
 
-/// Tokens of fixed spelling. A spelling stands before those that it begins with.
+/// Tokens of fixed spelling. A longer spelling precedes the shorter ones that are its prefixes.
 const SPELLINGS: [(&str, Token); 25] = [
     ("+", Token::Plus),
     ("-", Token::Minus),
@@ -136,8 +136,8 @@ pub(super) fn first_token(text: &str) -> Option<(Token, usize)> {
     Some((*token, spelling.len()))
 }
 
-/// Length in bytes of the decimal number that a text begins with. A fraction needs digits after its point, so that
-/// `0..1` is a range, and an exponent digits after its sign.
+/// Length in bytes of the decimal number that a text begins with. A decimal point must be followed by a digit, so that
+/// `0..1` is a range; an exponent must have digits.
 fn number(text: &str) -> usize {
     let digits = |text: &str| prefix_length(text, |c| c.is_ascii_digit());
     let mut end = digits(text);

@@ -13,12 +13,12 @@ use oracle::scalar::{ErrorBound, Field};
 use oracle::{BalanceLaw, Tree, claimed_rates};
 use std::collections::BTreeMap;
 
-/// Name of this check in reports: equations written explicitly in the model file against the laws of motion of the
-/// claimed body.
+/// Name of this check in reports: equations written explicitly in the model file against the laws of motion of the body
+/// that its `claim` statement describes.
 pub const CLAIM: &str = "claimed body";
 
-/// Advice for a model whose equations are written explicitly, without a claimed body or a reference law: the statement
-/// to add, and what is then checked.
+/// Advice for a model whose equations are written explicitly, without a `claim` statement that describes a body and
+/// without a reference law: the statement to add, and what is then checked.
 const ADVICE: &str = "\
 NOT VERIFIED: nothing says what these equations are about, so nothing can say that they are wrong. Add
     claim body NAME { mass …; inertia … in …; fixed in …; position …; velocity …; angular velocity …; force …; moment …; }
@@ -79,8 +79,8 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Option<Row> {
     Some(row.with_detail(lines.join("\n")))
 }
 
-/// One line of text for each law of motion of the claimed body that no rates of the states can satisfy. Such a law
-/// means that the claim contradicts itself, whatever equations the model file contains.
+/// One line of text for each law of motion of the body described by the `claim` statement that no rates of the states
+/// can satisfy. Such a law means that the claim contradicts itself, whatever equations the model file contains.
 fn unsatisfied(subject: &Subject<'_>, options: &Options) -> Vec<String> {
     let mut random = Random::new(options.seed, CLAIM);
     let point = subject.without_effects(sample::point(subject.model, &mut random));

@@ -82,7 +82,7 @@ pub struct RowChange {
     pub causes: Vec<String>,
 }
 
-/// Comparison of two models.
+/// Comparison of an old and a new version of a model.
 #[derive(Clone, Debug, Serialize)]
 pub struct Difference {
     /// Name and version of the JSON format.
@@ -102,7 +102,7 @@ pub struct Difference {
     pub unit_faults: Pair<Vec<String>>,
     /// Units, default values and bounds of constants, inputs and states that differ between the two model files.
     pub restated: Vec<Restated>,
-    /// Operation counts and Jacobian entries; `None` if not requested.
+    /// Operation counts and nonzero Jacobian entries of the models; `None` if not requested.
     pub cost: Option<Cost>,
     /// Computing time of the state derivatives; `None` if not requested.
     pub time: Option<Time>,

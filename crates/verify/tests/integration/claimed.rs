@@ -81,8 +81,8 @@ fn laws(row: &Row) -> Vec<&str> {
     lines.map(|(law, _)| law).collect()
 }
 
-/// Text of a test model of a flying top. Only the axis of revolution is related to a frame; the placeholder `axis`
-/// stands for the statement that gives it.
+/// Text of a test model of a flying top. Its `claim` block gives the orientation of the body only by the axis of
+/// revolution, `axis B.3`.
 const TOP: &str = "model top;
 param m = 0.1 kg;
 param I_a = 2e-4 kg*m^2;
