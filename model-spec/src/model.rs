@@ -30,11 +30,13 @@ pub struct Model {
     /// Name of the reference implementation with which `hyzer verify` compares the model; `None` if the model names
     /// none.
     pub reference: Option<String>,
-    /// Source texts: the text of the model file first, then the text of each applied effect.
+    /// Source texts: the text of the model file first, then the text of each applied effect (named change to the
+    /// model).
     pub sources: Vec<Source>,
     /// Known constants of the body and its environment, in order of declaration.
     pub params: Vec<Parameter>,
-    /// Coefficients, which are estimated from flights, in order of declaration; those of effects come last.
+    /// Coefficients, which are estimated from flights, in order of declaration; those that effects (named changes to
+    /// the model) add come last.
     pub coefficients: Vec<Parameter>,
     /// Input vectors, whose values are specified for each flight, such as the wind.
     pub inputs: Vec<Input>,
@@ -77,7 +79,7 @@ pub struct Model {
     pub effects: Vec<AppliedEffect>,
     /// Effects (named changes to the model) declared in the model's file, whether applied or not.
     pub offers: Vec<OfferedEffect>,
-    /// The syntax tree that was checked, with the effects applied to it.
+    /// The syntax tree that was checked, with the effects (named changes to the model) applied to it.
     pub tree: Arc<ast::File>,
 }
 
@@ -227,13 +229,14 @@ pub struct AuxVariable {
     pub value: Expr,
     /// Source span of the declaration.
     pub span: Span,
-    /// Index into [`Model::effects`] of the effect that added this declaration or replaced it; `None` for an unchanged
-    /// declaration of the model's file.
+    /// Index into [`Model::effects`] of the effect (named change to the model) that added this declaration or replaced
+    /// it; `None` for an unchanged declaration of the model's file.
     pub effect: Option<usize>,
 }
 
 impl AuxVariable {
-    /// Creates an auxiliary variable that belongs to no effect; its span is that of its definition.
+    /// Creates an auxiliary variable that no effect (named change to a model) has added; its span is that of its
+    /// definition.
     pub fn new(name: impl Into<String>, value: Expr) -> AuxVariable {
         AuxVariable {
             name: name.into(),
@@ -254,8 +257,8 @@ pub struct Load {
     pub value: Expr,
     /// Source span of the declaration.
     pub span: Span,
-    /// Index into [`Model::effects`] of the effect that added this declaration or replaced it; `None` for an unchanged
-    /// declaration of the model's file.
+    /// Index into [`Model::effects`] of the effect (named change to the model) that added this declaration or replaced
+    /// it; `None` for an unchanged declaration of the model's file.
     pub effect: Option<usize>,
 }
 
@@ -308,8 +311,8 @@ pub struct Clock {
     pub value: Expr,
     /// Source span of the declaration.
     pub span: Span,
-    /// Index into [`Model::effects`] of the effect that added this declaration or replaced it; `None` for an unchanged
-    /// declaration of the model's file.
+    /// Index into [`Model::effects`] of the effect (named change to the model) that added this declaration or replaced
+    /// it; `None` for an unchanged declaration of the model's file.
     pub effect: Option<usize>,
 }
 

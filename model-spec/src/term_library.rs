@@ -68,7 +68,8 @@ index_type!(
 /// Candidates for terms that a model lacks: any of `products`, added to any of `channels` (such as the drag).
 #[derive(Clone, Debug)]
 pub struct TermLibrary {
-    /// Effect that declares the variables in a model, and adds to each of `channels` a term with a new coefficient.
+    /// Effect (named change to a model) that declares the variables, and adds to each of `channels` a term with a new
+    /// coefficient.
     pub loads: EffectTree,
     /// Quantities to which a term can be added: components of forces and moments, or derivatives of states.
     pub channels: IndexVec<ChannelId, Channel>,
@@ -87,7 +88,8 @@ pub struct Channel {
     pub name: String,
     /// Component of the model that terms added to the quantity change: one of [`SITES`](crate::SITES).
     pub site: String,
-    /// Effect that adds a term to the quantity; it contains the placeholders `NAME` and `TERM`.
+    /// Effect (named change to a model) that adds a term to the quantity; it contains the placeholders `NAME` and
+    /// `TERM`.
     template: Effect,
 }
 
@@ -135,7 +137,7 @@ pub enum TermLibraryError {
         /// Error of the TOML reader.
         error: toml::de::Error,
     },
-    /// An effect in the library has errors.
+    /// An effect (named change to a model) in the library has errors.
     #[error(transparent)]
     Effect(#[from] LoadError),
     /// A product has a factor that is not the name of a variable.
@@ -314,8 +316,8 @@ impl TermLibrary {
         words
     }
 
-    /// Effect that adds a term to a model, with the coefficient `k_NAME`, where `NAME` is the name of the effect. `doc`
-    /// becomes the documentation of the effect.
+    /// Creates the effect (named change to a model) that adds a term with the coefficient `k_NAME`, where `NAME` is the
+    /// name of the effect. `doc` becomes the documentation of the effect.
     pub fn effect(&self, term: Term, doc: &str) -> EffectTree {
         let name = self.name(term).replace('-', "_");
         let coefficient = format!("k_{name}");

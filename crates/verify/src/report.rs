@@ -47,7 +47,7 @@ pub struct Report {
     pub model: String,
     /// Seed of all random numbers.
     pub seed: u64,
-    /// Results of the checks, one row each.
+    /// Results of the checks, one entry per check.
     pub rows: Vec<Row>,
     /// Equations der(state) = … of the model file that disagree with the reference, with the terms at fault.
     pub refuted: Vec<Refutation>,

@@ -14,7 +14,7 @@ use crate::unit::Unit;
 impl<'a> Checker<'a> {
     /// Checks the `claim` block of the file and adds it to the model. The block declares which expressions are the
     /// mass, motion and loads of a body in a model that writes its equations `der(STATE) = …` explicitly. Reports a
-    /// second claim, and a claim in a model that declares a body.
+    /// second such block, and a `claim` block in a model that declares a body.
     pub fn claim(&mut self) {
         let file = self.file;
         let mut claims = file.items.iter().filter_map(|item| match &item.kind {

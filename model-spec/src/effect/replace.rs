@@ -6,7 +6,8 @@ use crate::syntax;
 use crate::syntax::ast::{Body, BodyPart, BodyPartKind, Expr, ExprKind, Inertia, Item, ItemKind};
 
 /// Maximum number of syntax-tree nodes of a definition after `previous` has been substituted; a longer definition is
-/// reported as an error. It bounds the growth of a definition that many effects replace in turn.
+/// reported as an error. It bounds the growth of a definition that many effects (named changes to a model) replace in
+/// turn.
 const MAX_NODES: usize = 20_000;
 
 impl Change<'_> {

@@ -9,7 +9,7 @@ use crate::source::Span;
 /// whether they agree with it.
 #[derive(Clone, Debug)]
 pub struct Claim {
-    /// Name of the body that the equations of the model are claimed to describe.
+    /// Name of the body that the equations of the model are declared to describe.
     pub name: String,
     /// Mass, kg; depends only on parameters and coefficients.
     pub mass: Expr,
@@ -21,7 +21,7 @@ pub struct Claim {
     pub force: Expr,
     /// Rotational motion; `None` for a point mass.
     pub rotation: Option<ClaimedRotation>,
-    /// Source span of the claim's name.
+    /// Source span of the name of the body in the `claim` block.
     pub span: Span,
 }
 

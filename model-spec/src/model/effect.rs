@@ -59,8 +59,8 @@ pub struct OfferedEffect {
     pub span: Span,
 }
 
-/// An unknown quantity that an effect adds to a model: a coefficient, or the initial value of a state. The effect is
-/// absent if the quantity has its null value.
+/// An unknown quantity that an effect (named change to a model) adds: a coefficient, or the initial value of a state.
+/// The effect is absent if the quantity has its null value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EffectUnknown {
     /// Index into [`Model::coefficients`] for a coefficient, or into [`Model::states`] for a state.

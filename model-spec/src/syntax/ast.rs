@@ -18,9 +18,10 @@ pub use table::{Continuation, Interpolation, Table};
 pub struct File {
     /// Documentation: the `//!` lines of the file.
     pub doc: String,
-    /// Statements in the order of the file, followed by the statements that applied effects add.
+    /// Statements in the order of the file, followed by the statements that applied effects (named changes to the
+    /// model) add.
     pub items: Vec<Item>,
-    /// Applied effects, in order of application.
+    /// Applied effects (named changes to the model), in order of application.
     pub applied: Vec<Applied>,
     /// Empty span at the end of the text, for errors about missing statements.
     pub end: Span,
@@ -63,13 +64,13 @@ pub struct Item {
     pub doc: String,
     /// Source span from the first word of the statement to its end.
     pub span: Span,
-    /// Index into [`File::applied`] of the effect that added this statement or replaced it; `None` for an unchanged
-    /// statement of the model's file.
+    /// Index into [`File::applied`] of the effect (named change to the model) that added this statement or replaced it;
+    /// `None` for an unchanged statement of the model's file.
     pub effect: Option<usize>,
 }
 
 impl Item {
-    /// Creates a statement that belongs to no applied effect.
+    /// Creates a statement that no applied effect (named change to a model) has added.
     pub fn new(kind: ItemKind, doc: impl Into<String>, span: Span) -> Item {
         Item {
             kind,

@@ -19,7 +19,7 @@ pub struct ActiveEffect<T> {
 /// the effects does not matter.
 #[derive(Clone, Debug)]
 pub struct ExtendedLaw<T> {
-    /// The law of motion without effects.
+    /// The law of motion without effects (optional additions to a model).
     pub law: Law,
     /// Values of the law's constants, in the order of [`Law::constants`].
     pub constants: Vec<T>,

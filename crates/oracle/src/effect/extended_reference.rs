@@ -12,7 +12,7 @@ use nalgebra::Vector3;
 /// constants and of the effects' coefficients and states.
 #[derive(Clone, Debug)]
 pub struct ExtendedReference {
-    /// The reference law without effects.
+    /// The reference law without effects (optional additions to a model).
     pub reference: Reference,
     effects: Vec<(&'static Effect, Vec<Slot>)>,
     omega: Option<usize>,

@@ -45,7 +45,7 @@ pub struct Certificate {
     pub same_motion: Vec<CertifiedCheck>,
 }
 
-/// Version of the program that carried out the checks, and of its built-in effects.
+/// Version of the program that carried out the checks, and hash of its built-in effects (optional model extensions).
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Program {

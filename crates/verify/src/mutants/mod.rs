@@ -44,7 +44,7 @@ pub enum Operator {
 }
 
 impl Operator {
-    /// All operators, in the order of the matrix's rows.
+    /// All mutation operators, in the order of the rows of a [`MutationMatrix`].
     pub const ALL: [Self; 11] = [
         Self::Sign,
         Self::Factor,

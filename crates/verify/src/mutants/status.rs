@@ -18,8 +18,8 @@ pub const FRAMES: &str = "frames";
 /// Name, in [`CHECKS`], of the language checker's checks other than those of units and frames.
 pub const GRAMMAR: &str = "names and shapes";
 
-/// Names of the checks that are run on mutants, in ascending order of cost. The last one applies only to models that
-/// claim a body.
+/// Names of the checks that are run on mutants, in ascending order of cost. The last one applies only to models with a
+/// `claim` statement, which declares the meaning of their equations.
 pub const CHECKS: [&str; 8] = [
     UNITS,
     FRAMES,

@@ -8,9 +8,9 @@ use crate::source::Span;
 /// equations `der(STATE) = …` are the mass, motion and loads of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Claim {
-    /// Whether the body that the equations are claimed to describe is rigid or a point mass.
+    /// Whether the body that the equations are declared to describe is rigid or a point mass.
     pub class: BodyClass,
-    /// Name of the body that the equations are claimed to describe.
+    /// Name of the body that the equations are declared to describe.
     pub name: Name,
     /// Statements of the `claim` block, in order.
     pub parts: Vec<ClaimPart>,
