@@ -343,7 +343,7 @@ pub struct CheckCase {
     pub span: Span,
 }
 
-/// A scalar that a check case sets.
+/// A scalar that a check case (test case in a model file) sets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Target {
     /// A known constant, by index into [`Model::params`].
@@ -367,7 +367,7 @@ pub enum Observable {
     AuxVariable(usize),
 }
 
-/// An expected result of a check case.
+/// A result that a check case (test case in a model file) expects.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Expectation {
     /// Result of the model that is compared with the expected value.

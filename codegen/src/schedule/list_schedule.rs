@@ -32,7 +32,8 @@ struct Order<'a> {
     ready: Vec<Option<u32>>,
     /// Indices of the statements whose ready cycle is known and that are not yet issued.
     waiting: Vec<usize>,
-    /// Sine and cosine statements of one angle, see [`sin_cos_pairs`].
+    /// For each angle of which both sine and cosine are computed, the indices of the two statements, see
+    /// [`sin_cos_pairs`].
     pairs: HashMap<usize, (usize, usize)>,
     end: Vec<u32>,
     /// Number of pending uses of each statement's result.

@@ -73,7 +73,7 @@ pub fn cost(old: &Everything<'_>, new: &Everything<'_>, pairing: &Pairing) -> Co
     }
 }
 
-/// A nonzero entry of a Jacobian.
+/// A nonzero entry of a Jacobian of a compiled model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Entry {
     by_state: bool,

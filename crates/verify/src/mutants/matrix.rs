@@ -24,7 +24,7 @@ pub struct MutationMatrix {
     pub equivalent: Vec<(String, &'static str)>,
 }
 
-/// Counts of the mutants made by one mutation operator.
+/// Counts of the mutants (models with one deliberate change each) made by one mutation operator.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct MutationRow {
     /// Name of the mutation operator.

@@ -31,7 +31,7 @@ pub const CHECKS: [&str; 8] = [
     claim::CLAIM,
 ];
 
-/// Result of running the checks on a mutant.
+/// Result of running the checks of the verification on a mutant (a model with one deliberate change).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum MutantStatus {
     /// At least one check refutes the mutant. Contains the indices of these checks in [`CHECKS`]; never empty.

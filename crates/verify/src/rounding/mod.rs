@@ -62,11 +62,11 @@ impl Effort {
 /// at the sum of the magnitudes of a value's terms.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Error {
-    /// Name of the backend.
+    /// Name of the backend (generated code or bytecode interpreter) that computed the values.
     pub backend: String,
     /// Whether the backend fuses multiply and add.
     pub fuses: bool,
-    /// Name of the function.
+    /// Name of the compiled function whose results are compared.
     pub function: &'static str,
     /// Section of the function's results: `f` (state derivatives), `J`, `Jp` (their Jacobians with respect to states
     /// and parameters), `y` (observation), `dy/dx` or `dy/dp` (its Jacobians).
