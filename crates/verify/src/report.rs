@@ -19,8 +19,8 @@ pub enum Outcome {
 }
 
 impl Outcome {
-    /// Combined outcome of checks: refuted if any check is refuted, otherwise not verified if any check is unverified or
-    /// there is none, otherwise verified.
+    /// Combined outcome of checks: refuted if any check is refuted, otherwise not verified if any check is unverified
+    /// or there is none, otherwise verified.
     pub(crate) fn of(verdicts: impl Iterator<Item = Verdict>) -> Self {
         let outcomes = verdicts.map(|verdict| match verdict {
             Verdict::Holds | Verdict::Skipped => Self::Verified,

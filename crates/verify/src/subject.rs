@@ -232,7 +232,7 @@ pub trait Differentiable: Equations {
 /// coefficients, components of inputs.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Derivatives {
-    /// State derivatives, then observation components.
+    /// Values of the state derivatives, then of the observation components.
     pub values: Vec<f64>,
     /// Entries of the Jacobian, indexed by row and column.
     pub entries: Vec<Vec<f64>>,

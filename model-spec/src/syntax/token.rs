@@ -76,7 +76,8 @@ fn is_space(c: char) -> bool {
     )
 }
 
-/// Whether a name may begin with a character: Latin and Greek letters, the signs of units, and letters with a dot above.
+/// Whether a name may begin with a character: a Latin or Greek letter, a unit sign such as `°`, a letter with a dot
+/// above, or an underscore.
 fn begins_name(c: char) -> bool {
     c.is_ascii_alphabetic()
         || matches!(c, '_' | '°' | 'µ' | 'ż' | 'ġ' | '\u{0370}'..='\u{03FF}' | '\u{1E00}'..='\u{1EFF}')

@@ -13,7 +13,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::{Elementary, Field, Real};
 
-/// Precision of the numbers, bits.
+/// Precision of [`Big`] numbers, bits.
 pub const PRECISION: usize = 256;
 const NEAREST: RoundingMode = RoundingMode::ToEven;
 

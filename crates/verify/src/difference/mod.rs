@@ -95,7 +95,7 @@ pub struct Difference {
     /// Comparison of every row (state derivative, component of the observation, validity limit): rows of the new model
     /// in its order, then the rows that only the old model has.
     pub rows: Vec<RowChange>,
-    /// States and parameters that were renamed.
+    /// States and parameters that have different names in the old and the new model.
     pub renamed: Vec<Renamed>,
     /// Statements that differ between the two model files.
     pub statements: Vec<Statement>,
