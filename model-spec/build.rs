@@ -5,7 +5,8 @@ use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Tables to generate: name of the constant, doc comment, folder, file extension.
+/// Tables of built-in files to generate: name of the constant and its doc comment, then folder and extension of the
+/// files.
 const TABLES: [(&str, &str, &str, &str); 7] = [
     ("MODELS", "Built-in models: name and text.", "models", "hyz"),
     (

@@ -337,7 +337,7 @@ impl Compiler {
     }
 }
 
-/// Section with all `len` entries of a vector.
+/// Output section that holds all `len` entries of a vector.
 pub(crate) fn dense(name: &'static str, len: usize) -> Section {
     Section {
         name,

@@ -34,7 +34,7 @@ enum Opcode {
     SinCos,
 }
 
-/// Registers of an instruction. Operand fields that its operation does not use repeat `a`.
+/// Registers of an instruction: target and operands. Operand fields that its operation does not use repeat `a`.
 #[derive(Clone, Copy, Debug)]
 struct Instruction {
     target: u32,
@@ -43,7 +43,7 @@ struct Instruction {
     c: u32,
 }
 
-/// Consecutive instructions with one operation.
+/// Consecutive instructions that have the same operation code.
 #[derive(Clone, Copy, Debug)]
 struct Run {
     opcode: Opcode,

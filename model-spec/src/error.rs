@@ -9,10 +9,10 @@ use crate::diagnostic::{Diagnostic, Source};
 use crate::render::render;
 use crate::suggest;
 
-/// Error of loading a model or an effect.
+/// Error of loading a model or an effect (named change to a model).
 #[derive(Clone, Debug, Error)]
 pub enum LoadError {
-    /// A model or effect has errors in its text.
+    /// A model or effect (named change to a model) has errors in its text.
     #[error("{}", render(diagnostics, sources, false).trim_end())]
     Faults {
         /// Errors found in the source texts, at least one.
@@ -45,7 +45,8 @@ pub enum LoadError {
         /// Names of the built-in models.
         known: Vec<String>,
     },
-    /// The given name is neither an existing file, nor an effect of the model's file, nor a built-in effect.
+    /// No effect (named change to a model) has the given name: it is neither an existing file, nor declared in the
+    /// model's file, nor built in.
     #[error(
         "there is no effect `{wanted}`: not in the model, not among the built-in ones, and no such file{}\nknown are {}",
         suggestion(wanted, known), known.join(", ")
@@ -53,7 +54,7 @@ pub enum LoadError {
     UnknownEffect {
         /// Name or path that was requested.
         wanted: String,
-        /// Names of the effects of the model's file and of the built-in effects.
+        /// Names of the effects (named changes to a model) of the model's file and of the built-in effects.
         known: Vec<String>,
     },
 }

@@ -6,12 +6,13 @@ use crate::index_type;
 use crate::model::{Expr, ExprKind, Model, Shape};
 
 index_type!(
-    /// Index into the state vector.
+    /// Index of a state in the state vector.
     pub struct StateId;
 );
 
 index_type!(
-    /// Index into the parameter vector: known constants first, then coefficients, then components of inputs.
+    /// Index of a parameter in the parameter vector: known constants first, then coefficients, then components of
+    /// inputs.
     pub struct ParamId;
 );
 

@@ -30,11 +30,13 @@ pub struct Model {
     /// Name of the reference implementation with which `hyzer verify` compares the model; `None` if the model names
     /// none.
     pub reference: Option<String>,
-    /// Source texts: the text of the model file first, then the text of each applied effect.
+    /// Source texts: the text of the model file first, then the text of each applied effect (named change to the
+    /// model).
     pub sources: Vec<Source>,
     /// Known constants of the body and its environment, in order of declaration.
     pub params: Vec<Parameter>,
-    /// Coefficients, which are estimated from flights, in order of declaration; those of effects come last.
+    /// Coefficients, which are estimated from flights, in order of declaration; those that effects (named changes to
+    /// the model) add come last.
     pub coefficients: Vec<Parameter>,
     /// Input vectors, whose values are specified for each flight, such as the wind.
     pub inputs: Vec<Input>,
@@ -57,8 +59,9 @@ pub struct Model {
     /// model with a body, they cover only the states whose derivatives do not follow from the body's equations of
     /// motion.
     pub equations: Vec<Equation>,
-    /// Claimed physical meaning of [`Model::equations`]: expressions for the mass, motion and loads of a body. `hyzer
-    /// verify` checks whether the equations agree with these expressions. `None` if the model file contains no claim.
+    /// Declared physical meaning of [`Model::equations`] (`claim` block): expressions for the mass, motion and loads of
+    /// a body. `hyzer verify` checks whether the equations agree with these expressions. `None` if the file has no such
+    /// block.
     pub claim: Option<Claim>,
     /// The observed point, whose coordinates are specified with each observation; `None` if the model observes no
     /// marker.
@@ -72,11 +75,11 @@ pub struct Model {
     pub limits: Vec<ValidityLimit>,
     /// Test cases that the model file states as `check "title" { … }`, each with values to set and expected results.
     pub checks: Vec<CheckCase>,
-    /// Applied effects, in order of application.
+    /// Applied effects (named changes to the model), in order of application.
     pub effects: Vec<AppliedEffect>,
-    /// Effects declared in the model's file, whether applied or not.
+    /// Effects (named changes to the model) declared in the model's file, whether applied or not.
     pub offers: Vec<OfferedEffect>,
-    /// The syntax tree that was checked, with the effects applied to it.
+    /// The syntax tree that was checked, with the effects (named changes to the model) applied to it.
     pub tree: Arc<ast::File>,
 }
 
@@ -226,13 +229,14 @@ pub struct AuxVariable {
     pub value: Expr,
     /// Source span of the declaration.
     pub span: Span,
-    /// Index into [`Model::effects`] of the effect that added this declaration or replaced it; `None` for an unchanged
-    /// declaration of the model's file.
+    /// Index into [`Model::effects`] of the effect (named change to the model) that added this declaration or replaced
+    /// it; `None` for an unchanged declaration of the model's file.
     pub effect: Option<usize>,
 }
 
 impl AuxVariable {
-    /// Creates an auxiliary variable that belongs to no effect; its span is that of its definition.
+    /// Creates an auxiliary variable that no effect (named change to a model) has added; its span is that of its
+    /// definition.
     pub fn new(name: impl Into<String>, value: Expr) -> AuxVariable {
         AuxVariable {
             name: name.into(),
@@ -253,8 +257,8 @@ pub struct Load {
     pub value: Expr,
     /// Source span of the declaration.
     pub span: Span,
-    /// Index into [`Model::effects`] of the effect that added this declaration or replaced it; `None` for an unchanged
-    /// declaration of the model's file.
+    /// Index into [`Model::effects`] of the effect (named change to the model) that added this declaration or replaced
+    /// it; `None` for an unchanged declaration of the model's file.
     pub effect: Option<usize>,
 }
 
@@ -307,8 +311,8 @@ pub struct Clock {
     pub value: Expr,
     /// Source span of the declaration.
     pub span: Span,
-    /// Index into [`Model::effects`] of the effect that added this declaration or replaced it; `None` for an unchanged
-    /// declaration of the model's file.
+    /// Index into [`Model::effects`] of the effect (named change to the model) that added this declaration or replaced
+    /// it; `None` for an unchanged declaration of the model's file.
     pub effect: Option<usize>,
 }
 
@@ -339,7 +343,7 @@ pub struct CheckCase {
     pub span: Span,
 }
 
-/// A scalar that a check case sets.
+/// A scalar that a check case (test case in a model file) sets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Target {
     /// A known constant, by index into [`Model::params`].
@@ -363,7 +367,7 @@ pub enum Observable {
     AuxVariable(usize),
 }
 
-/// An expected result of a check case.
+/// A result that a check case (test case in a model file) expects.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Expectation {
     /// Result of the model that is compared with the expected value.

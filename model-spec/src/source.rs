@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-/// A source text of a model: the text of the model file or of an applied effect.
+/// A source text of a model: the text of the model file, or of an effect (named change to the model) that is applied.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Source {
     /// File name, or name of a built-in model or effect, for messages.

@@ -9,7 +9,8 @@ use crate::model::{
 };
 use crate::source::LineStarts;
 
-/// Summary of a model as text: states, parameters with units, forces, limits, singular points, effects.
+/// Summary of a model as text: states, parameters with units, forces, validity limits, singular points, effects (named
+/// changes to the model).
 pub fn summary(model: &Model) -> String {
     let mut out = String::new();
     let _ = write(&mut out, model);
@@ -157,7 +158,8 @@ fn write(out: &mut String, model: &Model) -> std::fmt::Result {
     Ok(())
 }
 
-/// Writes the null value of a coefficient or state of an effect, and its smallest difference from it that matters.
+/// Writes the null value (value at which the effect is absent) of a coefficient or state of an effect, and the smallest
+/// difference from the null value that matters in practice.
 fn unknown(out: &mut String, what: &str, unknown: &EffectUnknown, unit: &str) -> std::fmt::Result {
     let value = |value: f64| with_unit(value, unit);
     write!(out, "  {what} vanishes at {}", value(unknown.null_value))?;

@@ -46,28 +46,30 @@ use crate::syntax::ast::{
     Quantity, UnitExpr,
 };
 
-/// Literature reference of every effect generated from a [`Term`], and documentation of the coefficient of the effect.
+/// Text that stands for a literature reference in every effect generated from a [`Term`], and for the documentation of
+/// its coefficient.
 const FOUND_IN_FLIGHTS: &str = "found in measured flights";
 
 index_type!(
-    /// Index into [`TermLibrary::channels`].
+    /// Index into [`TermLibrary::channels`], the quantities to which a term can be added.
     pub struct ChannelId;
 );
 
 index_type!(
-    /// Index into [`TermLibrary::variables`].
+    /// Index into [`TermLibrary::variables`], whose powers are the factors of terms.
     pub struct VariableId;
 );
 
 index_type!(
-    /// Index into [`TermLibrary::products`].
+    /// Index into [`TermLibrary::products`], the products of powers of variables.
     pub struct ProductId;
 );
 
 /// Candidates for terms that a model lacks: any of `products`, added to any of `channels` (such as the drag).
 #[derive(Clone, Debug)]
 pub struct TermLibrary {
-    /// Effect that declares the variables in a model, and adds to each of `channels` a term with a new coefficient.
+    /// Effect (named change to a model) that declares the variables, and adds to each of `channels` a term with a new
+    /// coefficient.
     pub loads: EffectTree,
     /// Quantities to which a term can be added: components of forces and moments, or derivatives of states.
     pub channels: IndexVec<ChannelId, Channel>,
@@ -80,13 +82,14 @@ pub struct TermLibrary {
 /// Component of a force or moment (such as drag), or derivative of a state, to which a term can be added.
 #[derive(Clone, Debug)]
 pub struct Channel {
-    /// Name of the coefficient by which the effect [`TermLibrary::loads`] adds a term to the channel.
+    /// Name of the coefficient by which the effect [`TermLibrary::loads`] adds a term to the quantity.
     pub coefficient: String,
-    /// Name of the channel in names of terms, such as `drag` in `drag-by-alpha-squared`.
+    /// Name of the quantity in names of terms, such as `drag` in `drag-by-alpha-squared`.
     pub name: String,
-    /// Component of the model that the channel's terms change: one of [`SITES`](crate::SITES).
+    /// Component of the model that terms added to the quantity change: one of [`SITES`](crate::SITES).
     pub site: String,
-    /// Effect that adds a term to the channel; it contains the placeholders `NAME` and `TERM`.
+    /// Effect (named change to a model) that adds a term to the quantity; it contains the placeholders `NAME` and
+    /// `TERM`.
     template: Effect,
 }
 
@@ -134,7 +137,7 @@ pub enum TermLibraryError {
         /// Error of the TOML reader.
         error: toml::de::Error,
     },
-    /// An effect in the library has errors.
+    /// An effect (named change to a model) in the library has errors.
     #[error(transparent)]
     Effect(#[from] LoadError),
     /// A product has a factor that is not the name of a variable.
@@ -313,8 +316,8 @@ impl TermLibrary {
         words
     }
 
-    /// Effect that adds a term to a model, with the coefficient `k_NAME`, where `NAME` is the name of the effect. `doc`
-    /// becomes the documentation of the effect.
+    /// Creates the effect (named change to a model) that adds a term with the coefficient `k_NAME`, where `NAME` is the
+    /// name of the effect. `doc` becomes the documentation of the effect.
     pub fn effect(&self, term: Term, doc: &str) -> EffectTree {
         let name = self.name(term).replace('-', "_");
         let coefficient = format!("k_{name}");

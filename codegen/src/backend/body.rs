@@ -9,7 +9,7 @@ use crate::program::{Function, Op, Operand, Program};
 use std::collections::{HashMap, HashSet};
 pub(crate) use variables::Variables;
 
-/// One line of a function body.
+/// One line of the body of a generated function.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Step {
     /// Comment that quotes the source line of the model for the statements that follow; the value is an index into

@@ -26,7 +26,7 @@ pub(super) struct FoundQuantity {
     pub compiled: Compiled,
 }
 
-/// Kind of quantity that a name refers to.
+/// Kind of quantity to which a requested name refers.
 enum Meaning<'a> {
     Let(&'a AuxVariable),
     Component(&'a AuxVariable, String),

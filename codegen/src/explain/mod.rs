@@ -16,7 +16,7 @@ use crate::count::Count;
 use model_spec::model::Model;
 use std::fmt;
 
-/// Explanation of a quantity or derivative: source, formulas, generated code and operation counts.
+/// Explanation of a quantity of a model or of its derivative: source, formulas, generated code and operation counts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Explanation {
     /// Name of the explained quantity: `alpha`, `der(u)`, `force aero`.

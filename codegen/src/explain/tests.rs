@@ -101,7 +101,7 @@ fn derivatives_agree_with_differences(model: &Model) {
     }
 }
 
-/// One test for each model, so that they run on several threads.
+/// Declares one test for each model, so that they run on several threads.
 macro_rules! derivatives_agree_with_differences {
     ($($model:ident),*) => {
         mod derivatives_agree_with_differences {
@@ -261,8 +261,8 @@ fn what_is_not_there_is_said_with_what_is() {
     }
 }
 
-/// Checks that the length of an explanation does not grow exponentially with the number of frames in a chain, because
-/// repeated subexpressions are written only once.
+/// Checks that the text that explains a quantity of a model does not grow exponentially with the number of frames in a
+/// chain, because repeated subexpressions are written only once.
 #[test]
 fn a_chain_of_frames_is_explained_in_little_text() {
     let mut text = String::from("model chain;\nframe F0;\n");

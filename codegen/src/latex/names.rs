@@ -9,7 +9,7 @@ const GREEK: [&str; 25] = [
     "Gamma", "Delta", "Omega",
 ];
 
-/// Typeface of a name: italic for scalars, bold for vectors.
+/// Typeface of a name in LaTeX: italic for scalars, bold for vectors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Style {
     Scalar,

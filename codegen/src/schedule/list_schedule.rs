@@ -9,8 +9,8 @@ use std::collections::HashMap;
 /// Issue width of the processor model: maximum number of operations started per clock cycle.
 const WIDTH: u32 = 2;
 
-/// Number of live values from which on the next statement is chosen by the effect on the number of live values first,
-/// and by latency second, because processors have only 16 or 32 registers.
+/// Number of live values from which on register pressure determines the order: the statement that frees the most
+/// registers is issued first, and latency breaks ties. Processors have only 16 or 32 registers.
 const LIVE_VALUES_LIMIT: usize = 20;
 
 /// Reorders the statements by list scheduling: of the ready statements, issues the one with the longest latency path to
@@ -32,7 +32,8 @@ struct Order<'a> {
     ready: Vec<Option<u32>>,
     /// Indices of the statements whose ready cycle is known and that are not yet issued.
     waiting: Vec<usize>,
-    /// Sine and cosine statements of one angle, see [`sin_cos_pairs`].
+    /// For each angle of which both sine and cosine are computed, the indices of the two statements, see
+    /// [`sin_cos_pairs`].
     pairs: HashMap<usize, (usize, usize)>,
     end: Vec<u32>,
     /// Number of pending uses of each statement's result.

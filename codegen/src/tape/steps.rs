@@ -10,27 +10,27 @@ use crate::program::{Operand, Program};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, HashMap, VecDeque};
 
-/// Value of an evaluation: the result of the statement with this index; inputs and constants have the indices after
-/// those.
+/// Index of a value in an evaluation: the result of statement k has the index k; inputs and constants have the indices
+/// after those of the statements.
 pub(super) type Value = usize;
 
-/// Instruction whose operands and results are values.
+/// Instruction before register allocation: its operands and results are indices of values.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Step {
     pub(super) opcode: Opcode,
-    /// Operands; those that the operation does not have repeat the first.
+    /// Operands of the operation; if it has fewer than three, the first is repeated.
     pub(super) operands: [Value; 3],
     pub(super) result: Value,
-    /// Second result: the cosine, where the first is the sine of the same angle.
+    /// Second result, of an instruction that computes sine and cosine of one angle. `None` for all other instructions.
     pub(super) second: Option<Value>,
 }
 
-/// Program with its steps in runs of one operation.
+/// Program whose instructions are reordered so that many consecutive ones have the same operation code.
 pub(super) struct Steps {
     pub(super) steps: Vec<Step>,
-    /// Number of statements, which is the value of the first input.
+    /// Number of statements of the program, which is also the index of the first input among the values.
     pub(super) statements: usize,
-    /// Inputs and constants, in the order of their values.
+    /// Inputs and constants that the program reads, in the order of their value indices.
     pub(super) inputs: Vec<Operand>,
     pub(super) outputs: Vec<Value>,
 }
@@ -52,13 +52,13 @@ impl Steps {
         }
     }
 
-    /// Number of values.
+    /// Number of values: results of statements, inputs and constants.
     pub(super) fn values(&self) -> usize {
         self.statements + self.inputs.len()
     }
 }
 
-/// Values of the inputs and constants found so far.
+/// Value indices assigned so far to the inputs and constants of a program.
 struct Values {
     statements: usize,
     inputs: Vec<Operand>,
@@ -116,8 +116,9 @@ fn in_program_order(program: &Program, values: &mut Values) -> Vec<Step> {
     steps
 }
 
-/// Indices of the steps in a new order. The next run has the operation of the step, of those whose operands are known,
-/// that most changes of the operation must follow; it ends when none of its steps is left whose operands are known.
+/// Indices of the steps, reordered into runs with one operation code each. A step is ready if its operands have been
+/// computed. The next run has the operation code of the ready step after which the operation code must still change
+/// most often; it ends when no step with this code is ready.
 fn order_in_runs(steps: &[Step], values: usize) -> Vec<usize> {
     let readers = Readers::new(steps, values);
     let mut changes = vec![0_usize; steps.len()];
@@ -152,10 +153,10 @@ fn order_in_runs(steps: &[Step], values: usize) -> Vec<usize> {
     order
 }
 
-/// For each value, the steps that read it, once for each operand.
+/// For each value, the steps that read it, listed once per operand that reads it.
 struct Readers {
     steps: Vec<usize>,
-    /// For each value, the index in `steps` of the first step that reads it; the last entry is the length of `steps`.
+    /// For each value, the position in `steps` at which its readers begin; the last entry is the length of `steps`.
     starts: Vec<usize>,
 }
 
@@ -182,7 +183,7 @@ impl Readers {
         }
     }
 
-    /// The steps that read a result of the step.
+    /// Indices of the steps that read a result of the given step, once per operand that reads it.
     fn of(&self, step: &Step) -> impl Iterator<Item = usize> {
         let results = std::iter::once(step.result).chain(step.second);
         results.flat_map(|value| {
@@ -192,11 +193,12 @@ impl Readers {
     }
 }
 
-/// Steps of one operation whose operands are known, in the order in which they became so.
+/// Steps with one operation code that are ready (their operands have been computed), in the order in which they became
+/// ready.
 #[derive(Default)]
 struct Ready {
     steps: VecDeque<usize>,
-    /// Most changes of the operation that must follow one of the steps.
+    /// Maximum number of changes of operation code that must follow a ready step, over the ready steps.
     changes: usize,
 }
 
@@ -215,7 +217,8 @@ impl Ready {
     }
 }
 
-/// The operation of the next run; of equal ones that with more steps, then the first.
+/// Operation code of the next run: the one after which the code must still change most often. Ties are resolved in
+/// favour of the code with more ready steps, then of the smallest code. `None` if no step is ready.
 fn next(ready: &BTreeMap<Opcode, Ready>) -> Option<Opcode> {
     let any = ready.iter().filter(|(_, ready)| !ready.steps.is_empty());
     let next =

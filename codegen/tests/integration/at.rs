@@ -7,7 +7,7 @@ use codegen::{Compiled, Effort, Selection, compile, compile_at};
 use model_spec::load::{EFFECTS, load};
 use model_spec::model::Model;
 
-/// A model with every effect that can be switched on in it.
+/// A built-in model with every applicable built-in effect (named change to the model) applied.
 fn with_all_effects(name: &str) -> Model {
     let names = EFFECTS.iter().map(|(effect, _)| *effect);
     let names: Vec<&str> = names
@@ -16,14 +16,16 @@ fn with_all_effects(name: &str) -> Model {
     load(name, &names).expect("they go together")
 }
 
-/// Places of the effects' coefficients, with the values at which they vanish.
+/// Index in the parameter vector of each coefficient that an effect added to the model, with the null value (the value
+/// at which the effect is absent).
 fn vanishing(model: &Model, compiled: &Compiled) -> Vec<(usize, f64)> {
     let own = model.effects.iter().flat_map(|e| &e.coefficients);
     own.map(|c| (compiled.layout.coefficient(c.index).index(), c.null_value))
         .collect()
 }
 
-/// The results, matrices with all their entries.
+/// Names and values of all outputs of a function at the states `x` and parameters `p`; matrices are written out with
+/// all entries, structural zeros included.
 fn full(compiled: &Compiled, function: &Function, x: &[f64], p: &[f64]) -> Vec<(String, f64)> {
     let run = |function: &Function, prepared: &[f64]| {
         let mut out = vec![0.0; function.program.outputs.len()];
@@ -65,7 +67,8 @@ fn full(compiled: &Compiled, function: &Function, x: &[f64], p: &[f64]) -> Vec<(
     results
 }
 
-/// Compares every function at random states; outside of `fixed` the parameters are near their defaults.
+/// Checks that the functions of `at`, compiled with the `fixed` parameters (index, value) as constants, agree with
+/// those of `whole` at random points. Other parameters are near their defaults.
 fn check(whole: &Compiled, fixed: &[(usize, f64)], at: &Compiled, random: &mut Random) {
     let (at_rest, falling) = singular(whole);
     for k in 0..20 {
@@ -101,7 +104,8 @@ fn check(whole: &Compiled, fixed: &[(usize, f64)], at: &Compiled, random: &mut R
     }
 }
 
-/// States in which norms, directions and quotients are singular: at rest, and falling flat without a spin.
+/// Two states at which norms, directions and quotients may be singular: the default state, and this state with a
+/// vertical velocity of -4 m/s.
 fn singular(compiled: &Compiled) -> (Vec<f64>, Vec<f64>) {
     let at_rest: Vec<f64> = compiled.layout.default_states();
     let mut falling = at_rest.clone();

@@ -80,7 +80,8 @@ fn committed_code_agrees_with_the_tape() {
     }
 }
 
-/// Compares with the committed code of the zoo model; `UPDATE_ZOO=1` rewrites it.
+/// Checks that generated Rust code and bytecode of the test model `zoo` agree, and that the committed code is current.
+/// The environment variable `UPDATE_ZOO=1` rewrites the committed code.
 #[test]
 fn every_function_agrees_as_rust_and_on_the_tape() {
     let zoo = support::zoo();

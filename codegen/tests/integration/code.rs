@@ -11,7 +11,8 @@ fn all() -> Vec<Model> {
     support::models().into_iter().map(model).collect()
 }
 
-/// Upper bounds of the operation counts of each model: f, f_jac, f_jac_par, prepare.
+/// Maximum operation counts of the compiled functions `f`, `f_jac`, `f_jac_par` and `prepare`, in this order, for each
+/// model.
 const MAX_OPERATIONS: [(&str, [usize; 4]); 5] = [
     ("ball", [14, 33, 56, 13]),
     ("disc", [108, 340, 495, 26]),
@@ -35,7 +36,8 @@ fn operations_do_not_creep_up() {
     }
 }
 
-/// Fewest operations of any other code generator for the disc (benches/peers), without negations: f, f_jac, f_jac_par.
+/// Lowest operation counts of `f`, `f_jac` and `f_jac_par` for the disc model among the other code generators in
+/// benches/peers; negations are not counted.
 const LEANEST_PEER: [usize; 3] = [125, 522, 722];
 
 #[test]

@@ -46,7 +46,8 @@ fn run<T: Real>(
     out
 }
 
-/// Derivative of the outputs by the k-th of states, parameters, marker in turn.
+/// Derivatives of the outputs of a function, by dual numbers, with respect to element `k` of the input `kind`: `x`
+/// (states), `p` (parameters) or `marker`.
 fn by_dual(
     compiled: &Compiled,
     function: &Function,

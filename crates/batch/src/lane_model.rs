@@ -99,7 +99,7 @@ impl LaneModel {
     }
 }
 
-/// Arguments of an integration of flights with generated code, passed to [`generated::visit`].
+/// Arguments of an integration of flights with Rust code generated from the model, passed to [`generated::visit`].
 struct GeneratedTask<'a> {
     queue: &'a mut dyn FlightQueue,
     span: &'a FlightSpan,

@@ -10,7 +10,7 @@ use ode::{
     IntegrationOptions, Method, integrate, integrate_to_event,
 };
 
-/// A model of a user's own, which is not built in: a dart that turns into the wind, with a limit.
+/// Text of a test model that is not built in: a dart that turns into the relative wind, with one validity limit.
 const DART: &str = "model dart;
 frame N;
 param m = 0.02 kg;
@@ -38,7 +38,8 @@ der(vy) = dot(drag, N.2);
 der(vz) = dot(drag, N.3) - g;
 ";
 
-/// Initial states and parameters of flights, taken in an order of their own.
+/// Queue of flights, each given by its initial states and parameters, which are integrated in the sequence `order`
+/// reversed. `ends` collects the results.
 struct Queue<'f> {
     flights: &'f [(Vec<f64>, Vec<f64>)],
     order: Vec<usize>,
@@ -91,7 +92,7 @@ fn flown(
     queue.ends
 }
 
-/// The flight by the scalar solver.
+/// Integrates one flight, from the states and parameters `(x, p)`, by the scalar solver.
 fn scalar(
     compiled: &CompiledModel,
     (x, p): &(Vec<f64>, Vec<f64>),
@@ -152,7 +153,7 @@ fn scalar(
     end
 }
 
-/// Numbers from -1 to 1.
+/// Pseudorandom number between -1 and 1; `seed` is the state of the generator.
 fn noise(seed: &mut u64) -> f64 {
     *seed = seed
         .wrapping_mul(6364136223846793005)
@@ -160,7 +161,8 @@ fn noise(seed: &mut u64) -> f64 {
     ((*seed >> 11) as f64) / ((1u64 << 52) as f64) - 1.0
 }
 
-/// Flights about a start, with faults among them.
+/// Flights whose initial states and parameters scatter by 10 % around `x` and `p`. Some have an abnormal initial
+/// height, such as NaN or below the ground; `height` is the index of that state.
 fn scattered(x: &[f64], p: &[f64], height: usize, count: usize) -> Vec<(Vec<f64>, Vec<f64>)> {
     let mut seed = 7;
     (0..count)
@@ -180,7 +182,8 @@ fn scattered(x: &[f64], p: &[f64], height: usize, count: usize) -> Vec<(Vec<f64>
         .collect()
 }
 
-/// Greatest difference, of each number's magnitude or 1.
+/// Largest difference between the states and times of two results of a flight, relative to the magnitude of the number
+/// or to 1 if that is larger.
 fn difference(a: &End, b: &End) -> f64 {
     let a = a.state.iter().chain([&a.time, &a.apex.1]);
     let b = b.state.iter().chain([&b.time, &b.apex.1]);
@@ -189,7 +192,7 @@ fn difference(a: &End, b: &End) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// A model with a start, and the flights' duration.
+/// Test cases: model, initial states and parameters.
 fn scenes() -> Vec<(Model, Vec<f64>, Vec<f64>)> {
     let mut scenes = Vec::new();
     for (name, release) in [

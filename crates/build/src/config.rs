@@ -8,11 +8,13 @@ use model_spec::load;
 use std::env;
 use std::path::{Path, PathBuf};
 
-/// Builder that compiles flight models to Rust modules. It holds the models, their effects and the output directory.
+/// Builder that compiles flight models to Rust modules. It holds the models, their effects (named changes to a model)
+/// and the output directory.
 #[derive(Clone, Debug, Default)]
 pub struct Config {
     models: Vec<ModelSource>,
-    /// Effects passed to [`Config::with`] before any model was added; [`Config::compile`] reports them as an error.
+    /// Effects (named changes to a model) passed to [`Config::with`] before any model was added; [`Config::compile`]
+    /// reports them as an error.
     orphans: Vec<String>,
     out_dir: Option<PathBuf>,
     lanes: bool,
@@ -41,8 +43,8 @@ impl Config {
         self
     }
 
-    /// Applies an effect to the model that was added last. The effect is given by the path of its file, or by the name
-    /// of an effect of the model file or of a built-in effect.
+    /// Applies an effect (a named change, such as an additional force) to the model that was added last. The effect is
+    /// given by the path of its file, or by the name of an effect of the model file or of a built-in effect.
     pub fn with(&mut self, effect: impl Into<String>) -> &mut Config {
         match self.models.last_mut() {
             Some(model) => model.effects.push(effect.into()),

@@ -10,14 +10,14 @@ pub enum BuildError {
     /// No output directory: `OUT_DIR` is set only while cargo runs a build script.
     #[error("OUT_DIR is not set: call `compile` in a build script, or set `out_dir`")]
     NoOutDir,
-    /// [`Config::with`](crate::Config::with) was called before any [`Config::model`](crate::Config::model), so the
-    /// effect has no model.
+    /// [`Config::with`](crate::Config::with) was called before any [`Config::model`](crate::Config::model), so there is
+    /// no model to which the effect (named change to a model) could be applied.
     #[error("effect `{effect}` has no model: call `with` after `model`")]
     NoModel {
         /// Name or path of the effect, as passed to [`Config::with`](crate::Config::with).
         effect: String,
     },
-    /// A model, or an effect for it, is missing or invalid.
+    /// A model, or an effect (named change) applied to it, is missing or invalid.
     #[error("model `{model}`:\n{source}")]
     Model {
         /// Name or path of the model, as passed to [`Config::model`](crate::Config::model).

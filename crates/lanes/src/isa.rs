@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-/// Instruction set of a lane type.
+/// SIMD instruction set with which a lane type computes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Isa {
     /// Eight lanes with the instruction sets AVX-512 F and DQ; multiply-adds are fused (rounded once).

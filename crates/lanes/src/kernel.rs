@@ -10,7 +10,7 @@ use crate::real::Lanes;
 pub trait Kernel {
     /// Result of the computation.
     type Output;
-    /// Runs the computation on lanes of type `T`.
+    /// Runs the computation on SIMD lanes of type `T`.
     fn run<T: Lanes>(self) -> Self::Output;
 }
 

@@ -4,6 +4,7 @@
 ///
 /// `run` and all its callees over `T` must be `#[inline(always)]`, as in a [`Kernel`](crate::Kernel).
 pub trait LaneKernel<T> {
-    /// Runs the computation.
+    /// Runs the computation. [`Lanes::outlined`](crate::Lanes::outlined) calls this method in a function that is not
+    /// inlined.
     fn run(self);
 }

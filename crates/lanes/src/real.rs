@@ -22,7 +22,7 @@ impl ElementaryFunction {
     /// All functions.
     pub const ALL: [ElementaryFunction; 4] = [Self::Exp, Self::Log, Self::Tanh, Self::Asin];
 
-    /// Name of the method of [`Real`].
+    /// Name of the method of [`Real`] that evaluates the function.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Exp => "exp",

@@ -44,7 +44,7 @@ pub struct Turning<T> {
     pub moment: Vector3<T>,
 }
 
-/// A law of motion that the body claimed by a model must satisfy.
+/// A law of motion that must hold for the body that a model with explicitly written equations claims to describe.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum BalanceLaw {
     /// The rate of change of the position is the velocity.

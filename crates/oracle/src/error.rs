@@ -24,13 +24,13 @@ pub enum BindError {
         /// Name of the missing state in the reference law.
         name: &'static str,
     },
-    /// An effect has no reference implementation for the model's law.
+    /// An effect (optional addition to a model) has no reference implementation for the model's law.
     #[error("the effect `{name}` has no reference implementation for this law")]
     UnknownEffect {
         /// Name of the effect.
         name: String,
     },
-    /// A coefficient or state of an effect is missing from the model.
+    /// A coefficient or state of an effect (optional addition to a model) is missing from the model.
     #[error("`{name}` of the effect `{effect}` is not declared")]
     MissingEffectValue {
         /// Name of the effect.

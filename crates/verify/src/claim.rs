@@ -10,9 +10,9 @@ use oracle::{ClaimedBody, Point, Tree, derivatives_of, moving};
 /// A value and its derivative with respect to the time of flight, each with a bound of the rounding error.
 pub type Bounded = Dual<ErrorBound>;
 
-/// Quantities of the claimed body at a point, with their time derivatives according to the equations under test. `None`
-/// if the model claims no body or its equations cannot be evaluated. The error bounds of the derivatives are computed
-/// from the terms of the model's vector expressions.
+/// Quantities, at a point, of the body that the model claims to describe, with their time derivatives according to the
+/// equations under test. `None` if the model makes no such claim or its equations cannot be evaluated. The error bounds
+/// of the derivatives are computed from the terms of the model's vector expressions.
 pub fn along(subject: &Subject<'_>, point: &Point<f64>) -> Option<ClaimedBody<Bounded>> {
     subject.model.claim.as_ref()?;
     let lifted = point.lift::<ErrorBound>();

@@ -116,7 +116,7 @@ pub fn momenta(subject: &Subject<'_>, options: &Options) -> Row {
 
 const UNRELEASED: &str = "no release was found within the limits of the model";
 
-/// Evaluates the body that the model claims at a point; `None` if the model claims none.
+/// Quantities, at a point, of the body that the model claims to describe; `None` if the model makes no such claim.
 fn body(subject: &Subject<'_>, point: &Point<f64>) -> Option<ClaimedBody<f64>> {
     ClaimedBody::of(&Tree::new(subject.model, point))
 }
@@ -131,8 +131,8 @@ fn acts_alike(before: &ClaimedBody<f64>, after: &ClaimedBody<f64>) -> bool {
         && (before.force - after.force).norm() <= TOLERANCE * size
 }
 
-/// Draws a release (initial state of a flight) near the default state of the model, with effects off and random inputs.
-/// `None` if no draw is within the model's validity limits.
+/// Draws a release (initial state of a flight) near the default state of the model, with random inputs and without
+/// effects (optional model extensions). `None` if no draw is within the model's validity limits.
 fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
     let model = subject.model;
     (0..MAX_DRAWS).find_map(|_| {
@@ -168,7 +168,7 @@ fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Option<(Point<f64>, Vec<f64>
 }
 
 /// Integrates the model's equations from a point for `duration` (s). Returns the final point and ten time integrals for
-/// the claimed body: three components each of velocity, force and moment, then power.
+/// the body that the model claims to describe: three components each of velocity, force and moment, then power.
 fn fly_with_sums(
     subject: &Subject<'_>,
     from: &Point<f64>,

@@ -11,7 +11,8 @@ use std::sync::{Mutex, PoisonError};
 /// Compiled equations of motion, with one program of the bytecode interpreter (tape) for each function.
 pub struct Engine {
     prepare: Tape,
-    /// Parameters of the last evaluation, with the results of `prepare` for them: a flight keeps its parameters.
+    /// Cache: parameters of the last evaluation, and the results of the function `prepare` for them. They are reused as
+    /// long as the parameters do not change.
     last: Mutex<(Vec<f64>, Vec<f64>)>,
     f: Tape,
     f_jac: Tape,
@@ -117,7 +118,7 @@ impl Engine {
         out
     }
 
-    /// Results of `prepare`, which depend on the parameters alone.
+    /// Results of `prepare`, which depend on the parameters alone; cached for the last parameters.
     fn prepared(&self, inputs: Inputs<'_, f64>, scratch: &mut Vec<f64>) -> Vec<f64> {
         let mut last = self.last.lock().unwrap_or_else(PoisonError::into_inner);
         let same = |a: &f64, b: &f64| a.to_bits() == b.to_bits();

@@ -150,8 +150,8 @@ fn acts_alike(subject: &Subject<'_>, start: &Point<f64>, end: &Point<f64>) -> bo
     moment.norm() == 0.0 && other.norm() == 0.0 && (force - later).norm() <= TOLERANCE * size
 }
 
-/// Row, with the verdict "unverified", of a flight check for a model for which no release (initial state of a flight)
-/// within the model's validity limits was found.
+/// Result, with the verdict "unverified", of a flight check for a model for which no release (initial state of a
+/// flight) within the model's validity limits was found.
 fn unreleased(subject: &Subject<'_>, check: &'static str) -> Row {
     if subject.chart.is_none() {
         return subject.without_meaning(check);

@@ -114,7 +114,7 @@ pub fn run(loaded: &Loaded, options: &Options) -> Report {
     report
 }
 
-/// Rows of the two checks of effects (optional model extensions). The first compares the model with effects at their
+/// Results of the two checks of effects (optional model extensions). The first compares the model with effects at their
 /// null values with the model without effects, the second compares effects with their reference implementations.
 fn of_effects(loaded: &Loaded, options: &Options) -> [Row; 2] {
     match checks::effects::variants(loaded) {
@@ -157,8 +157,9 @@ pub fn rounding(model: &Model, options: &Options) -> Rounding {
     rounding::measure(&subject, &compiled, options, Effort::DETAILS)
 }
 
-/// Compares a compiled program with a model by all numerical checks. The program may have been compiled from another
-/// model. Unlike [`run`], the function does not check the model's text and effects, and runs no mutation testing.
+/// Compares a compiled program with a model by all numerical checks, and returns one result per check. The program may
+/// have been compiled from another model. Unlike [`run`], the function does not check the model's text and effects, and
+/// runs no mutation testing.
 pub fn rows_of_code(model: &Model, compiled: &Compiled, options: &Options) -> Vec<Row> {
     let engine = Engine::new(compiled);
     every_check(&Subject::new(model, &engine), compiled, &engine, options)

@@ -29,7 +29,7 @@ pub enum Meaning<'a> {
 
 impl<'a> Meaning<'a> {
     /// Determines how the states of a model are converted; `None` if the model has neither a [`Chart`] (direct
-    /// conversion between states and physical quantities) nor a claimed body.
+    /// conversion between states and physical quantities) nor a `claim` statement that describes a body.
     pub fn of(subject: &'a Subject<'_>) -> Option<Self> {
         match &subject.chart {
             Some(chart) => Some(Self::Chart(chart)),
@@ -77,7 +77,7 @@ impl<'a> Meaning<'a> {
     }
 
     /// Rate of the physical state for given rates of the states with respect to true time; `pace` is the flight time,
-    /// s, per second of recorded time. `None` if the claimed body cannot be evaluated.
+    /// s, per second of recorded time. `None` if the body that the model claims to describe cannot be evaluated.
     pub fn rate(&self, point: &Point<f64>, rates: &[f64], pace: f64) -> Option<PhysicalRate> {
         match self {
             Self::Chart(chart) => Some(chart.physical_rate(&point.states, rates)),
@@ -102,9 +102,9 @@ fn is_finite(body: &ClaimedBody<f64>) -> bool {
     all.chain(of_turning).all(|v| v.is_finite())
 }
 
-/// Claimed body at a point whose states change at the given rates, and recorded time at `time_rate`, with derivatives
-/// with respect to true time. The error bounds of the numbers are not used; other checks evaluate the model with the same
-/// type of numbers, so that it is compiled only once.
+/// Body that the model claims to describe, at a point whose states change at the given rates, and recorded time at
+/// `time_rate`, with derivatives with respect to true time. The error bounds of the numbers are not used; other checks
+/// evaluate the model with the same type of numbers, so that it is compiled only once.
 fn along(
     model: &Model,
     point: &Point<f64>,
@@ -149,9 +149,9 @@ fn rate_of(body: &ClaimedBody<Bounded>) -> PhysicalRate {
     }
 }
 
-/// Solves for the states at which position, velocity, attitude and angular velocity of the claimed body equal those of
-/// a physical state, by damped Gauss-Newton steps from the states of the point `at`. `None` if the iteration does not
-/// converge.
+/// Solves for the states at which position, velocity, attitude and angular velocity of the body that the model claims
+/// to describe equal those of a physical state, by damped Gauss-Newton steps from the states of the point `at`. `None`
+/// if the iteration does not converge.
 fn solved(model: &Model, physical: &Physical<f64>, at: &Point<f64>) -> Option<Vec<f64>> {
     let turning = ClaimedBody::of(&Tree::new(model, at))?.turning;
     let axes: Vec<u8> = turning.map_or_else(Vec::new, |t| t.turning_axes());
@@ -201,8 +201,9 @@ fn solved(model: &Model, physical: &Physical<f64>, at: &Point<f64>) -> Option<Ve
     (error.amax() <= CONVERGED).then_some(states)
 }
 
-/// Jacobian, with respect to the states, of the claimed body's position, velocity, unit vectors of the body axes `axes`
-/// and angular velocity. Each row is divided by its scale in `sizes`. `None` if the claimed body cannot be evaluated.
+/// Jacobian, with respect to the states, of position, velocity, unit vectors of the body axes `axes` and angular
+/// velocity of the body that the model claims to describe. Each row is divided by its scale in `sizes`. `None` if the
+/// body cannot be evaluated.
 fn jacobian(
     model: &Model,
     states: &[f64],
@@ -226,8 +227,8 @@ fn jacobian(
     Some(out)
 }
 
-/// Components of position, velocity, unit vectors of the body axes `axes` (1, 2 or 3) and angular velocity of a claimed
-/// body, concatenated. For a point mass, position and velocity only.
+/// Components of position, velocity, unit vectors of the body axes `axes` (1, 2 or 3) and angular velocity of the body
+/// that a model claims to describe, concatenated. For a point mass, position and velocity only.
 fn quantities<T: Real>(body: &ClaimedBody<T>, axes: &[u8]) -> Vec<T> {
     let mut out: Vec<T> = body.position.iter().copied().collect();
     out.extend(body.velocity.iter());

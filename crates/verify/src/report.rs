@@ -19,8 +19,8 @@ pub enum Outcome {
 }
 
 impl Outcome {
-    /// Combined outcome of checks: refuted if any check is refuted, otherwise not verified if any check is unverified or
-    /// there is none, otherwise verified.
+    /// Combined outcome of checks: refuted if any check is refuted, otherwise not verified if any check is unverified
+    /// or there is none, otherwise verified.
     pub(crate) fn of(verdicts: impl Iterator<Item = Verdict>) -> Self {
         let outcomes = verdicts.map(|verdict| match verdict {
             Verdict::Holds | Verdict::Skipped => Self::Verified,
@@ -47,7 +47,7 @@ pub struct Report {
     pub model: String,
     /// Seed of all random numbers.
     pub seed: u64,
-    /// Results of the checks, one row each.
+    /// Results of the checks, one entry per check.
     pub rows: Vec<Row>,
     /// Equations der(state) = … of the model file that disagree with the reference, with the terms at fault.
     pub refuted: Vec<Refutation>,

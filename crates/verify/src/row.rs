@@ -10,10 +10,10 @@ pub enum Verdict {
     Holds,
     /// An error exceeds the tolerance, or the check found a fault.
     Refuted,
-    /// The check does not apply to this model; the row's detail gives the reason.
+    /// The check does not apply to this model; the detail of the result gives the reason.
     Skipped,
-    /// The check applies but could not be carried out, or not for the whole model; the row's detail gives the reason.
-    /// The model is then not verified.
+    /// The check applies but could not be carried out, or not for the whole model; the detail of the result gives the
+    /// reason. The model is then not verified.
     Unverified,
 }
 
@@ -62,7 +62,7 @@ pub struct Row {
 }
 
 impl Row {
-    /// Creates the row of a check that holds if its maximum relative error is at most `tolerance`.
+    /// Creates the result of a check that holds if its maximum relative error is at most `tolerance`.
     pub fn judged(check: &'static str, cases: usize, worst: &Worst, tolerance: f64) -> Self {
         Self {
             cases,
@@ -74,7 +74,7 @@ impl Row {
         }
     }
 
-    /// Creates the row of a check that holds if the list of faults is empty. The detail is the text `holds` in that
+    /// Creates the result of a check that holds if the list of faults is empty. The detail is the text `holds` in that
     /// case, otherwise the faults. `cases` is the number of points or cases that were tested.
     pub fn counted(check: &'static str, cases: usize, faults: &[String], holds: &str) -> Self {
         let detail = match faults {
@@ -89,7 +89,7 @@ impl Row {
         }
     }
 
-    /// Creates the row of a check that applies to the model but could not be carried out; `why` is the reason.
+    /// Creates the result of a check that applies to the model but could not be carried out; `why` is the reason.
     pub fn unverified(check: &'static str, why: impl Into<String>) -> Self {
         Self {
             verdict: Verdict::Unverified,
@@ -97,7 +97,7 @@ impl Row {
         }
     }
 
-    /// Creates the row of a check that does not apply to the model; `why` is the reason.
+    /// Creates the result of a check that does not apply to the model; `why` is the reason.
     pub fn skipped(check: &'static str, why: impl Into<String>) -> Self {
         Self {
             check,
@@ -111,13 +111,13 @@ impl Row {
         }
     }
 
-    /// Returns the row with its remark set to a text on what the check does not cover.
+    /// Returns the result with its remark set to a text on what the check does not cover.
     pub fn with_remark(mut self, remark: impl Into<String>) -> Self {
         self.remark = Some(remark.into());
         self
     }
 
-    /// Returns the row with its detail text replaced.
+    /// Returns the result with its detail text replaced.
     pub fn with_detail(mut self, detail: impl Into<String>) -> Self {
         self.detail = detail.into();
         self

@@ -10,7 +10,7 @@ use crate::{Options, TOLERANCE};
 use oracle::PhysicalRate;
 use serde::Serialize;
 
-/// Comparison of the motions of two models.
+/// Comparison of the motions of two models that should describe the same motion.
 #[derive(Clone, Debug, Serialize)]
 pub struct Pair {
     /// Names of the two models.
@@ -27,7 +27,7 @@ impl Pair {
     }
 }
 
-/// Results of the pairwise comparison of models.
+/// Results of the pairwise comparison of models that should describe the same motion.
 #[derive(Clone, Debug, Serialize)]
 pub struct SameMotion {
     /// One result per pair of models.

@@ -21,11 +21,10 @@ pub struct Subject<'a> {
     pub model: &'a Model,
     /// Equations of motion under test.
     pub equations: &'a dyn Equations,
-    /// Reference law that the model claims, bound to the names of the model; `None` if none is claimed or binding
-    /// failed.
+    /// Reference law that the model names, bound to the names of the model; `None` if none is named or binding failed.
     pub reference: Option<Reference>,
-    /// Why the names of the reference law that the model claims cannot be matched to the states, parameters and
-    /// coefficients of the model; `None` if they are matched, or no law is claimed.
+    /// Why the names of the reference law that the model names cannot be matched to the states, parameters and
+    /// coefficients of the model; `None` if they are matched, or the model names no reference law.
     pub unbound: Option<BindError>,
     /// Conversion between states and physical quantities (position, velocity, attitude, angular velocity): from the
     /// reference law, else from the body declared in the model; `None` if neither exists.
@@ -95,8 +94,8 @@ impl<'a> Subject<'a> {
     }
 
     /// Index and null value of each extra coefficient. A coefficient is extra if the reference law does not contain it
-    /// or, without a reference law, if it belongs to an effect. At its null value a coefficient does not change the
-    /// equations.
+    /// or, without a reference law, if it belongs to an effect (optional model extension). At its null value a
+    /// coefficient does not change the equations.
     pub fn extras(&self) -> Vec<(usize, f64)> {
         match &self.reference {
             Some(reference) => reference.null_values(self.model),
@@ -104,35 +103,36 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// Index and null value of each coefficient of an effect.
+    /// Index and null value of each coefficient of an effect (optional model extension); at its null value, it does not
+    /// change the equations.
     fn of_effects(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
         let coefficients = self.model.effects.iter().flat_map(|e| &e.coefficients);
         coefficients.map(|c| (c.index, c.null_value))
     }
 
     /// Indices of the coefficients added by the model's author: coefficients that neither the reference law nor an
-    /// effect contains; empty without a reference law.
+    /// effect (optional model extension) contains; empty without a reference law.
     pub fn own_coefficients(&self) -> Vec<usize> {
         let of_effects: Vec<usize> = self.of_effects().map(|(index, _)| index).collect();
         let extras = self.extras().into_iter().map(|(index, _)| index);
         extras.filter(|i| !of_effects.contains(i)).collect()
     }
 
-    /// Whether only the claimed body relates the states to physical quantities: the model claims a body, but no
-    /// [`Chart`] (direct conversion between states and physical quantities) exists.
+    /// Whether only the `claim` statement of the model relates its states to the physical quantities of a body: the
+    /// model has such a statement, but no [`Chart`] (direct conversion between states and physical quantities) exists.
     pub fn is_known_by_claim(&self) -> bool {
         self.chart.is_none() && self.model.claim.is_some()
     }
 
-    /// Returns the point with the coefficients of effects at their null values. All states that are not states of the
-    /// body, such as those of effects, are set to their default values.
+    /// Returns the point with the coefficients of effects (optional model extensions) at their null values. All states
+    /// that are not states of the body, such as those of effects, are set to their default values.
     pub fn without_effects(&self, point: Point<f64>) -> Point<f64> {
         self.of_body_alone(point, self.of_effects())
     }
 
-    /// Row of the report for a check that requires a reference law, for a model that claims none. The check is skipped
-    /// if other checks apply: the model declares a body, from which its equations are derived, or it claims which body
-    /// its explicitly written equations describe. Otherwise the verdict is "unverified".
+    /// Result of a check that requires a reference law, for a model that names none. The check is skipped if other
+    /// checks apply: the model declares a body, from which its equations are derived, or it claims which body its
+    /// explicitly written equations describe. Otherwise the verdict is "unverified".
     pub fn without_reference(&self, check: &'static str) -> Row {
         if self.model.body.is_some() {
             return Row::skipped(check, "the model claims no reference");
@@ -145,8 +145,8 @@ impl<'a> Subject<'a> {
         Row::unverified(check, why)
     }
 
-    /// Row with the verdict "unverified", for a check that needs the conversion between states and physical quantities
-    /// and a model for which this conversion is unknown.
+    /// Result, with the verdict "unverified", of a check that needs the conversion between states and physical
+    /// quantities, for a model for which this conversion is unknown.
     pub fn without_meaning(&self, check: &'static str) -> Row {
         Row::unverified(check, "which state stands for what is not known")
     }
@@ -232,7 +232,7 @@ pub trait Differentiable: Equations {
 /// coefficients, components of inputs.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Derivatives {
-    /// State derivatives, then observation components.
+    /// Values of the state derivatives, then of the observation components.
     pub values: Vec<f64>,
     /// Entries of the Jacobian, indexed by row and column.
     pub entries: Vec<Vec<f64>>,

@@ -14,7 +14,7 @@ use crate::unit::Unit;
 impl<'a> Checker<'a> {
     /// Checks the `claim` block of the file and adds it to the model. The block declares which expressions are the
     /// mass, motion and loads of a body in a model that writes its equations `der(STATE) = …` explicitly. Reports a
-    /// second claim, and a claim in a model that declares a body.
+    /// second such block, and a `claim` block in a model that declares a body.
     pub fn claim(&mut self) {
         let file = self.file;
         let mut claims = file.items.iter().filter_map(|item| match &item.kind {
@@ -37,8 +37,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Whether a claim has every statement that is required for its class of body (rigid or point mass), each once and
-    /// without `der(…)`; reports each violation.
+    /// Whether a `claim` block has every statement that is required for its class of body (rigid or point mass), each
+    /// once and without `der(…)`; reports each violation.
     fn claimed_parts(&mut self, claim: &'a ast::Claim) -> bool {
         let before = self.diagnostics.len();
         let mut seen: Vec<(&str, Span)> = Vec::new();
@@ -82,8 +82,9 @@ impl<'a> Checker<'a> {
         self.diagnostics.len() == before
     }
 
-    /// Reports a use of `der(…)` in a statement of a claim. A claim declares the physical meaning of the model's
-    /// equations. With `der(…)`, it would hold for any equations, because the value of `der(…)` is computed from them.
+    /// Reports a use of `der(…)` in a statement of the `claim` block, which declares the physical meaning of the
+    /// model's equations. With `der(…)`, the declaration would hold for any equations, because the value of `der(…)` is
+    /// computed from them.
     fn without_derivatives(&mut self, part: &'a ClaimPart) {
         let mut found: Option<(&str, Span)> = None;
         for e in part.kind.expressions() {

@@ -152,7 +152,7 @@ impl Checker<'_> {
     }
 }
 
-/// Mark of a definition in the depth-first search.
+/// Progress mark of a definition in the depth-first search over the dependencies between definitions.
 #[derive(Clone, Copy, PartialEq)]
 enum Mark {
     /// Not yet visited.

@@ -9,9 +9,9 @@ use crate::model::{Expr, ExprKind, Function, Model};
 /// there.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SingularPoint {
-    /// Source span of the subexpression.
+    /// Source span of the subexpression that is not differentiable at the point.
     pub span: Span,
-    /// Source text of the subexpression.
+    /// Source text of the subexpression that is not differentiable at the point.
     pub text: String,
     /// Behaviour at the singular point and condition under which it occurs, such as `derivative 0 where … is 0`.
     pub what: String,

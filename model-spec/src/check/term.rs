@@ -180,7 +180,7 @@ pub(super) struct Units {
     unknowns: Vec<Unknown>,
 }
 
-/// Error of [`Units::equate`]: the two units cannot be made equal.
+/// Error of [`Units::equate`]: the two units cannot be made equal by solving for an unknown unit.
 pub(super) struct Differ;
 
 impl Units {

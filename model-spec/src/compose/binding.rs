@@ -19,54 +19,58 @@ const ANGULAR_VELOCITY: &str = "angular_velocity";
 const SPECIFIC_FORCE: &str = "specific_force";
 const ANGULAR_ACCELERATION: &str = "angular_acceleration";
 
-/// Requirement, as shown in messages, of an effect that uses the mass, position, velocity or specific force of the
-/// body.
+/// Name, for messages, of what a model lacks if an effect uses the mass, position, velocity or specific force and the
+/// model declares no body.
 const BODY: &str = "a body or a point";
-/// Requirement, as shown in messages, of an effect that uses moments, angular rates or the body-fixed frame.
+/// Name, for messages, of what a model lacks if an effect uses moments, angular rates or the body-fixed frame and the
+/// model declares no rotating body.
 const TURNING: &str = "a body that turns";
 
-/// Reason why an effect cannot be applied to a model: a requirement of the effect that the model does not meet.
+/// Reason why an effect (named change to a model) cannot be applied to a model: a requirement of the effect that the
+/// model does not meet.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Unmet {
-    /// The effect is restricted to certain models by `on MODEL, …`, and this model is not one of them.
+    /// The effect (named change to a model) states by `on MODEL, …` that it applies to certain models only, and this
+    /// model is not one of them.
     #[error("it is made for {}", .models.join(", "))]
     OtherModel {
-        /// Names of the models to which the effect is restricted.
+        /// Names of the models to which the effect (named change to a model) can be applied.
         models: Vec<String>,
     },
-    /// The model lacks a quantity, frame or body that the effect needs or uses.
+    /// The model lacks a quantity, frame or body that the effect (named change to a model) needs or uses.
     #[error("it needs {what}")]
     Lacking {
         /// Description of the missing quantity, frame or body, such as ``a vector `wind` in m/s``.
         what: String,
     },
     /// A quantity of the model differs in kind (scalar or vector) or unit from the quantity of the same name that the
-    /// effect needs.
+    /// effect (named change to a model) needs.
     #[error("it needs {what}; here `{name}` is {found}")]
     Differs {
-        /// Name of the quantity, equal in the model and in the effect.
+        /// Name of the quantity, which is the same in the model and in the effect (named change to the model).
         name: String,
         /// Description of the needed quantity, such as ``a vector `wind` in m/s``.
         what: String,
         /// Kind (vector or number) and unit of the model's quantity, such as `a vector in m/s`.
         found: String,
     },
-    /// The effect contains a `replace` statement, but the model has no corresponding statement to be replaced.
+    /// The effect (named change to a model) contains a `replace` statement, but the model has no corresponding
+    /// statement to be replaced.
     #[error("the model has no {what} to replace")]
     Replaced {
-        /// Description of the statement that the effect replaces.
+        /// Description of the statement that the effect's `replace` statement is to replace, for messages.
         what: String,
     },
-    /// The effect declares a name that the model already declares.
+    /// The effect (named change to a model) declares a name that the model already declares.
     #[error("the model has a `{name}` of its own")]
     Taken {
-        /// Name that model and effect both declare.
+        /// Name that both the model and the effect (named change to the model) declare.
         name: String,
     },
 }
 
-/// Names that a model declares, with kinds (scalar or vector) and units, against which the requirements of effects are
-/// tested.
+/// Names that a model declares, with kinds (scalar or vector) and units, against which the requirements of effects
+/// (named changes to a model) are tested.
 #[derive(Clone, Debug)]
 pub struct Binding {
     file: Arc<File>,
@@ -257,7 +261,7 @@ impl Binding {
         Ok(Some(&name.text))
     }
 
-    /// Whether the model has a statement that `new` can replace.
+    /// Whether the model has a statement that the statement `new` of an effect's `replace` can replace.
     fn has_replaceable(&self, new: &ItemKind) -> bool {
         let mut items = self.file.items.iter();
         items.any(|old| effect::replaces(new, &old.kind))
@@ -272,8 +276,8 @@ impl Binding {
     }
 }
 
-/// Names that the expressions of an effect may use: names that the model or the effect declares, and names of needed
-/// quantities that a fallback expression replaces.
+/// Names that the expressions of an effect (named change to a model) may use: names that the model or the effect
+/// declares, and names of needed quantities that a fallback expression replaces.
 struct Uses<'a> {
     binding: &'a Binding,
     own: BTreeSet<&'a str>,

@@ -23,12 +23,13 @@ pub struct EffectTree {
 }
 
 impl EffectTree {
-    /// Creates the effect from the syntax tree of an effect declared in a model file; it has no separate source text.
+    /// Creates the effect from the syntax tree of an effect (named change to a model) declared in a model file; it has
+    /// no separate source text.
     pub(super) fn of_model(tree: Effect) -> EffectTree {
         EffectTree { tree, source: None }
     }
 
-    /// Builds an effect from a syntax tree; its source text is the printed tree.
+    /// Builds an effect (named change to a model) from a syntax tree; its source text is the printed tree.
     ///
     /// ```
     /// use model_spec::compose::{EffectTree, ModelTree};
@@ -59,8 +60,8 @@ impl EffectTree {
         }
     }
 
-    /// Loads an effect from a file. The file must declare exactly one effect, or several effects of which one is named
-    /// like the file without its extension.
+    /// Loads an effect (named change to a model) from a file. The file must declare exactly one effect, or several
+    /// effects of which one is named like the file without its extension.
     ///
     /// # Errors
     /// [`LoadError::Unreadable`] if the file cannot be read; [`LoadError::Faults`] if it has syntax errors or contains
@@ -69,8 +70,8 @@ impl EffectTree {
         EffectTree::parse(path, &read(path)?)
     }
 
-    /// Built-in effect of the given name, from [`EFFECTS`] or [`GENERAL_EFFECTS`]; `None` if there is none. All are
-    /// parsed on the first call.
+    /// Built-in effect (named change to a model) of the given name, from [`EFFECTS`] or [`GENERAL_EFFECTS`]; `None` if
+    /// there is none. All are parsed on the first call.
     pub(super) fn built_in(name: &str) -> Option<&'static EffectTree> {
         static BUILT_IN: LazyLock<Vec<EffectTree>> = LazyLock::new(|| {
             let all = EFFECTS.iter().chain(GENERAL_EFFECTS);
@@ -90,8 +91,8 @@ impl EffectTree {
         })
     }
 
-    /// Parses an effect from text; messages refer to the text as `name`. The text must declare exactly one effect, or
-    /// several effects of which one is named like the file `name` without its extension.
+    /// Parses an effect (named change to a model) from text; messages refer to the text as `name`. The text must
+    /// declare exactly one effect, or several effects of which one is named like the file `name` without its extension.
     ///
     /// # Errors
     /// [`LoadError::Faults`] if the text has syntax errors or contains no such effect.

@@ -13,7 +13,7 @@ use crate::syntax::ast::{
 use crate::syntax::{self, Parsed};
 use crate::unit::Unit;
 
-/// Error of [`ModelTree::with_values`].
+/// Error of [`ModelTree::with_values`], which replaces default values of parameters, coefficients and inputs.
 #[derive(Clone, Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ValueError {
@@ -94,8 +94,8 @@ struct Default {
     unit: Option<UnitExpr>,
 }
 
-/// Replaces a default value. Returns `None` if the model declares no such name, `Some(None)` if the value is unchanged,
-/// else the previous default.
+/// Replaces the default value of the parameter, coefficient or input component `name` by `value`, SI. Returns `None` if
+/// the model declares no such name, `Some(None)` if the value is unchanged, else the previous default.
 fn replace(file: &mut File, model: &Model, name: &str, value: f64) -> Option<Option<Default>> {
     file.items.iter_mut().find_map(|item| match &mut item.kind {
         ItemKind::Parameter(parameter) if parameter.name.text == name => {

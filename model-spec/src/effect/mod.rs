@@ -21,8 +21,8 @@ pub const VARIABLES: [&str; 9] = [
     "alpha", "spin", "speed", "rates", "height", "time", "position", "attitude", "none",
 ];
 
-/// Maximum number of statements in an effect; more are reported as an error. It bounds the run time, because the whole
-/// model is searched for each statement.
+/// Maximum number of statements in an effect (named change to a model); more are reported as an error. It bounds the
+/// run time, because the whole model is searched for each statement.
 const MAX_STATEMENTS: usize = 500;
 
 /// Returns a copy of `file` with `effect` applied, or the errors. The statements that the effect adds come last.
@@ -107,13 +107,13 @@ pub fn apply(file: &File, effect: &Effect) -> Result<File, Vec<Diagnostic>> {
     }
 }
 
-/// State of the application of one effect to a syntax tree, with the errors found so far.
+/// State of the application of one effect (named change to a model) to a syntax tree, with the errors found so far.
 struct Change<'a> {
     file: File,
     index: usize,
     name: &'a Name,
-    /// Each statement that this effect has replaced so far: description, such as `the clock`, and source span of the
-    /// replacement.
+    /// Each statement of the model that the effect has replaced so far: description, such as `the clock`, and source
+    /// span of the replacement.
     replaced: Vec<(String, Span)>,
     diagnostics: Vec<Diagnostic>,
 }

@@ -6,7 +6,8 @@ use crate::syntax;
 use crate::syntax::ast::{Body, BodyPart, BodyPartKind, Expr, ExprKind, Inertia, Item, ItemKind};
 
 /// Maximum number of syntax-tree nodes of a definition after `previous` has been substituted; a longer definition is
-/// reported as an error. It bounds the growth of a definition that many effects replace in turn.
+/// reported as an error. It bounds the growth of a definition that many effects (named changes to a model) replace in
+/// turn.
 const MAX_NODES: usize = 20_000;
 
 impl Change<'_> {
@@ -94,7 +95,8 @@ impl Change<'_> {
         self.file.items[at] = new;
     }
 
-    /// Adds the statement `clock 1;` to a model without a clock rate, so that an effect can replace it.
+    /// Adds the statement `clock 1;` (true time runs at the rate of recorded time) to a model without a clock rate, so
+    /// that an effect can replace it.
     fn own_clock(&mut self, span: Span) {
         let items = &mut self.file.items;
         if items.iter().any(|i| matches!(i.kind, ItemKind::Clock(_))) {

@@ -10,18 +10,19 @@ use crate::syntax::ast::{
     BodyPartKind, Effect, EffectPart, Expr, ExprKind, File, FrameKind, ItemKind, Name, Need,
 };
 
-/// Standard name by which an effect can refer to the mass of any model's body.
+/// Standard name by which an effect (named change to a model) can refer to the mass of any model's body.
 pub(crate) const MASS: &str = "mass";
 
-/// Standard names by which an effect can refer to the moments of inertia of any model's body, about axes 1, 2 and 3 of
-/// the frame of the inertia tensor.
+/// Standard names by which an effect (named change to a model) can refer to the moments of inertia of any model's body,
+/// about axes 1, 2 and 3 of the frame of the inertia tensor.
 pub(crate) const INERTIA: [&str; 3] = ["inertia_11", "inertia_22", "inertia_33"];
 
-/// Standard names by which an effect can refer to the inertial frame and to the body-fixed frame of any model.
+/// Standard names by which an effect (named change to a model) can refer to the inertial frame and to the body-fixed
+/// frame of any model.
 pub(crate) const FRAMES: [&str; 2] = ["inertial", "body"];
 
-/// Replacements of the standard names by which effects refer to any model: expressions for [`MASS`] and [`INERTIA`],
-/// frame names for [`FRAMES`].
+/// Replacements of the standard names by which effects (named changes to a model) refer to any model: expressions for
+/// [`MASS`] and [`INERTIA`], frame names for [`FRAMES`].
 #[derive(Default)]
 struct Standard {
     values: HashMap<String, Expr>,
@@ -199,7 +200,7 @@ fn expressions(effect: &mut Effect) -> impl Iterator<Item = &mut Expr> {
     })
 }
 
-/// Names of the parameters, inputs, states and auxiliary variables that an effect declares.
+/// Names of the parameters, inputs, states and auxiliary variables that an effect (named change to a model) declares.
 fn declared_by(effect: &Effect) -> impl Iterator<Item = &str> {
     effect.parts.iter().filter_map(|part| match part {
         EffectPart::Add(item) => match &item.kind {

@@ -4,12 +4,12 @@
 use super::Expr;
 use crate::source::Span;
 
-/// Claimed physical meaning of the differential equations that a model file writes explicitly (`der(STATE) = …`):
-/// expressions for the mass, motion and loads of a body. The claim does not change the equations; `hyzer verify` checks
+/// Physical meaning that a model file declares, in a `claim` block, for its explicitly written equations `der(STATE) =
+/// …`: expressions for the mass, motion and loads of a body. It does not change the equations; `hyzer verify` checks
 /// whether they agree with it.
 #[derive(Clone, Debug)]
 pub struct Claim {
-    /// Name of the body that the equations of the model are claimed to describe.
+    /// Name of the body that the equations of the model are declared to describe.
     pub name: String,
     /// Mass, kg; depends only on parameters and coefficients.
     pub mass: Expr,
@@ -21,14 +21,15 @@ pub struct Claim {
     pub force: Expr,
     /// Rotational motion; `None` for a point mass.
     pub rotation: Option<ClaimedRotation>,
-    /// Source span of the claim's name.
+    /// Source span of the name of the body in the `claim` block.
     pub span: Span,
 }
 
-/// Rotational motion of a rigid body as stated in a [`Claim`].
+/// Rotational motion of the rigid body that a model's explicitly written equations are declared to describe, see
+/// [`Claim`].
 #[derive(Clone, Debug)]
 pub struct ClaimedRotation {
-    /// Body-fixed frame, or axis of revolution, by which the claim gives the orientation of the body.
+    /// Body-fixed frame, or axis of revolution, that gives the orientation of the body.
     pub attitude: ClaimedAttitude,
     /// Index into [`Model::frames`](super::Model::frames) of the frame in which the inertia tensor is constant.
     pub inertia_frame: usize,
@@ -51,7 +52,7 @@ pub enum ClaimedAttitude {
 }
 
 impl Claim {
-    /// References to all expressions of the claim.
+    /// References to all expressions of the `claim` block.
     pub fn expressions(&self) -> Vec<&Expr> {
         let mut all = vec![&self.mass, &self.position, &self.velocity, &self.force];
         if let Some(rotation) = &self.rotation {
@@ -61,7 +62,7 @@ impl Claim {
         all
     }
 
-    /// Mutable references to all expressions of the claim.
+    /// Mutable references to all expressions of the `claim` block.
     pub fn expressions_mut(&mut self) -> Vec<&mut Expr> {
         let mut all = vec![
             &mut self.mass,

@@ -4,7 +4,7 @@
 use crate::model::Model;
 use crate::source::Span;
 
-/// An effect that has been applied to a model.
+/// An effect (a named change to a model, such as an additional force) that has been applied to a model.
 #[derive(Clone, Debug)]
 pub struct AppliedEffect {
     /// Name of the effect, words separated by underscores.
@@ -47,7 +47,8 @@ impl AppliedEffect {
     }
 }
 
-/// An effect declared in a model's file, which can be applied by its name.
+/// An effect (a named change to a model, such as an additional force) declared in a model's file. It can be applied by
+/// its name.
 #[derive(Clone, Debug)]
 pub struct OfferedEffect {
     /// Name of the effect, words separated by underscores.
@@ -58,8 +59,8 @@ pub struct OfferedEffect {
     pub span: Span,
 }
 
-/// An unknown quantity that an effect adds to a model: a coefficient, or the initial value of a state. The effect is
-/// absent if the quantity has its null value.
+/// An unknown quantity that an effect (named change to a model) adds: a coefficient, or the initial value of a state.
+/// The effect is absent if the quantity has its null value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EffectUnknown {
     /// Index into [`Model::coefficients`] for a coefficient, or into [`Model::states`] for a state.

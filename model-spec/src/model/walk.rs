@@ -144,7 +144,7 @@ impl Expr {
 
 impl Model {
     /// All expressions that are not part of another expression: definitions of the auxiliary variables, then mass and
-    /// entries of the inertia tensor, loads, equations, claim, observation, rate of the clock, validity limits.
+    /// entries of the inertia tensor, loads, equations, `claim` block, observation, rate of the clock, validity limits.
     pub fn expressions(&self) -> Vec<&Expr> {
         collect_expressions!(self, iter, expressions)
     }

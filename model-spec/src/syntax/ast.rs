@@ -13,21 +13,22 @@ pub use claim::{Claim, ClaimPart, ClaimPartKind};
 pub use effect::{Effect, EffectPart, Need};
 pub use table::{Continuation, Interpolation, Table};
 
-/// A parsed file: a model, effects, or both.
+/// A parsed file: a model, effects (named changes to a model), or both.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct File {
     /// Documentation: the `//!` lines of the file.
     pub doc: String,
-    /// Statements in the order of the file, followed by the statements that applied effects add.
+    /// Statements in the order of the file, followed by the statements that applied effects (named changes to the
+    /// model) add.
     pub items: Vec<Item>,
-    /// Applied effects, in order of application.
+    /// Applied effects (named changes to the model), in order of application.
     pub applied: Vec<Applied>,
     /// Empty span at the end of the text, for errors about missing statements.
     pub end: Span,
 }
 
-/// Record of an effect that has been applied to a syntax tree. The statements of the effect are part of [`File::items`]
-/// and are not repeated here.
+/// Record of an effect (named change to a model) that has been applied to a syntax tree. The statements of the effect
+/// are part of [`File::items`] and are not repeated here.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Applied {
     /// Name of the effect.
@@ -63,13 +64,13 @@ pub struct Item {
     pub doc: String,
     /// Source span from the first word of the statement to its end.
     pub span: Span,
-    /// Index into [`File::applied`] of the effect that added this statement or replaced it; `None` for an unchanged
-    /// statement of the model's file.
+    /// Index into [`File::applied`] of the effect (named change to the model) that added this statement or replaced it;
+    /// `None` for an unchanged statement of the model's file.
     pub effect: Option<usize>,
 }
 
 impl Item {
-    /// Creates a statement that belongs to no applied effect.
+    /// Creates a statement that no applied effect (named change to a model) has added.
     pub fn new(kind: ItemKind, doc: impl Into<String>, span: Span) -> Item {
         Item {
             kind,
@@ -115,9 +116,10 @@ pub enum ItemKind {
     Limit(Limit),
     /// Check case: `check "title" { … }`
     Check(Check),
-    /// Claimed physical meaning of the equations: `claim body NAME { … }` or `claim point NAME { … }`
+    /// Declared physical meaning of the explicitly written equations: `claim body NAME { … }` or `claim point NAME { …
+    /// }`
     Claim(Claim),
-    /// Declaration of an effect: `effect NAME { … }`
+    /// Declaration of an effect (named change to a model): `effect NAME { … }`
     Effect(Effect),
 }
 

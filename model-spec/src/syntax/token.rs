@@ -39,7 +39,7 @@ pub(super) enum Token {
     End,
 }
 
-/// Tokens of fixed spelling. A spelling stands before those that it begins with.
+/// Tokens of fixed spelling. A longer spelling precedes the shorter ones that are its prefixes.
 const SPELLINGS: [(&str, Token); 25] = [
     ("+", Token::Plus),
     ("-", Token::Minus),
@@ -76,7 +76,8 @@ fn is_space(c: char) -> bool {
     )
 }
 
-/// Whether a name may begin with a character: Latin and Greek letters, the signs of units, and letters with a dot above.
+/// Whether a name may begin with a character: a Latin or Greek letter, a unit sign such as `°`, a letter with a dot
+/// above, or an underscore.
 fn begins_name(c: char) -> bool {
     c.is_ascii_alphabetic()
         || matches!(c, '_' | '°' | 'µ' | 'ż' | 'ġ' | '\u{0370}'..='\u{03FF}' | '\u{1E00}'..='\u{1EFF}')
@@ -136,8 +137,8 @@ pub(super) fn first_token(text: &str) -> Option<(Token, usize)> {
     Some((*token, spelling.len()))
 }
 
-/// Length in bytes of the decimal number that a text begins with. A fraction needs digits after its point, so that
-/// `0..1` is a range, and an exponent digits after its sign.
+/// Length in bytes of the decimal number that a text begins with. A decimal point must be followed by a digit, so that
+/// `0..1` is a range; an exponent must have digits.
 fn number(text: &str) -> usize {
     let digits = |text: &str| prefix_length(text, |c| c.is_ascii_digit());
     let mut end = digits(text);

@@ -4,7 +4,8 @@ use std::path::Path;
 
 use model_spec::load;
 
-/// What `hyzer check` says about a file, with the effect `more_drag` where the file has it.
+/// Text of the errors that loading a model file reports. If the name of the file begins with `effect_`, its effect
+/// `more_drag` (a named change to the model) is applied first.
 fn said(path: &str) -> String {
     let effect = Path::new(path)
         .file_name()

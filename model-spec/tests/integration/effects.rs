@@ -30,7 +30,9 @@ fn right(effects: &str, names: &[&str]) -> Model {
     with(effects, names).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// An effect on one marker, with its input declared by `input`.
+/// Text of an effect (named change to a model) that displaces the observed position along axis 1, by the new
+/// coefficient `by_{part}`, for the marker with number `part` only. `input` is the text that declares the input
+/// `marker_is`.
 fn on_marker(name: &str, part: u8, input: &str) -> String {
     format!(
         "effect {name} {{ site marker; variables none; {input} coefficient by_{part} = 0 m;\n\
@@ -74,7 +76,8 @@ fn an_effect_says_what_it_depends_on() {
     assert!(!summary(&model).contains("depends on"));
 }
 
-/// The model of a text with its effects applied, written and read again; the text without the effects themselves.
+/// Applies the effects `names` to the model in `text`, prints the result without the effect declarations, and parses
+/// the printed text.
 fn written_and_read(text: &str, names: &[&str]) -> Model {
     let mut file = load::inspect_text("stone.hyz", text, names).unwrap().file;
     file.items

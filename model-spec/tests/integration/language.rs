@@ -3,7 +3,8 @@
 use model_spec::load;
 use model_spec::syntax::{self, ast::ItemKind};
 
-/// A block of the page: its kind, its text, the line it begins at, and the quotation after it.
+/// A code block of docs/language.md: word after the opening fence, content, line of the opening fence, and the first
+/// line quoted (`> `) after the block.
 struct Block {
     kind: String,
     text: String,

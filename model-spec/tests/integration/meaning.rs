@@ -26,7 +26,7 @@ fn faults(more: &str) -> Vec<Kind> {
     loaded.diagnostics.iter().map(|d| d.kind).collect()
 }
 
-/// The value of an expression of numbers alone.
+/// Evaluates an expression that contains only numbers, π, auxiliary variables and arithmetic operations.
 fn value(model: &Model, e: &Expr) -> f64 {
     let v = |e: &Expr| value(model, e);
     match &e.kind {

@@ -6,7 +6,8 @@ use model_spec::syntax::parse;
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
 
-/// Everything that is done with a text, on a stack smaller than any program's.
+/// Loads a model text, renders its errors and summarizes the model, on a thread with a small stack (1 MiB). Fails if
+/// that panics or takes 5 s or more.
 fn digest(text: String) {
     let work = move || {
         let loaded = load::inspect_text("random.hyz", &text, &[]).unwrap();
@@ -149,7 +150,7 @@ fn models() -> Vec<&'static str> {
         .collect()
 }
 
-/// A place in a text where a character begins.
+/// Byte offset of a pseudo-random character boundary in a text; may be the end of the text.
 fn boundary(text: &str, index: &Index) -> usize {
     let mut at = index.index(text.len() + 1);
     while !text.is_char_boundary(at) {
@@ -209,7 +210,7 @@ proptest! {
     }
 }
 
-/// Random expressions, with brackets where they please.
+/// Generates texts of random expressions, with parentheses at random positions.
 fn expression() -> impl Strategy<Value = String> {
     let leaf = select(vec![
         "x",
@@ -249,7 +250,7 @@ fn parsed(text: &str) -> Expr {
     }
 }
 
-/// An expression with every bracket written.
+/// Prints an expression with parentheses around every operation, so that the text shows how it was parsed.
 fn grouped(e: &Expr) -> String {
     match &e.kind {
         ExprKind::Number(q) => q.to_string(),
@@ -325,7 +326,7 @@ fn powers_of_powers_are_digested() {
 #[test]
 fn files_as_long_as_they_may_be_are_digested_quickly() {
     let base = MODELS[0].1;
-    /// A line by its number.
+    /// Returns the line of a generated model file with the given line number.
     type Line = fn(usize) -> String;
     let lines: [(&str, Line); 23] = [
         ("", |_| "a;".into()),

@@ -16,25 +16,26 @@ pub fn models() -> Vec<&'static str> {
         .collect()
 }
 
-/// A built-in model.
+/// Loads a built-in model without effects.
 pub fn model(name: &str) -> Model {
     model_spec::load::load(name, &[]).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Every function of the language in one model.
+/// Test model that contains every function of the model language.
 pub fn zoo() -> Model {
     let text = include_str!("../zoo/zoo.hyz");
     model_spec::load::from_text("zoo", text, &[]).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// The built-in models and the zoo.
+/// The built-in models and the test model [`zoo`].
 pub fn with_zoo() -> Vec<Model> {
     let mut all: Vec<Model> = models().into_iter().map(model).collect();
     all.push(zoo());
     all
 }
 
-/// A number with one derivative, by num-dual; the tape's own operations carry it.
+/// Dual number (a value and one derivative) of the crate `num-dual`, as a number type with which bytecode can be
+/// evaluated.
 #[derive(Clone, Copy, Debug)]
 pub struct Dual(pub Dual64);
 
@@ -126,11 +127,11 @@ impl Real for Dual {
     }
 }
 
-/// Numbers that look random and are the same every time.
+/// Pseudorandom number generator (xorshift) with a fixed sequence; the field is its state.
 pub struct Random(pub u64);
 
 impl Random {
-    /// Uniform in -1 .. 1.
+    /// Pseudorandom number, uniformly distributed between -1 and 1.
     pub fn next(&mut self) -> f64 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
@@ -139,7 +140,7 @@ impl Random {
     }
 }
 
-/// A state and parameters near a flight's.
+/// Random states and parameters around their defaults, with magnitudes that occur in flights.
 pub fn point(compiled: &codegen::Compiled, random: &mut Random) -> (Vec<f64>, Vec<f64>) {
     let layout = &compiled.layout;
     let x = layout

@@ -8,14 +8,14 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Largest difference, relative to the largest result of a function: the elementary functions of the standard library
-/// and of `lanes` round differently.
+/// Maximum allowed difference between two results, relative to the largest result of the function. It allows for
+/// different rounding of the elementary functions of the standard library and of the crate `lanes`.
 const TOLERANCE: f64 = 1e-12;
 
-/// Points at which each model is evaluated.
+/// Number of points at which each model is evaluated.
 const POINTS: usize = 5;
 
-/// A model whose names are keywords of Rust, or names that generated code uses itself.
+/// Text of a test model whose names are keywords of Rust, or names that generated code also uses.
 const CLASHING: &str = "\
 model yield;
 param match = 1.5;
@@ -42,9 +42,9 @@ der(f64) = (sin(atan2(T, PI)) + sign(T)*max(T, f64))/break;
 ";
 
 struct Case {
-    /// Name or path, for the generator.
+    /// Name of a built-in model or path of a model file, as passed to the code generator.
     source: String,
-    /// Name of the file and of the module in the test program.
+    /// Name of the generated file, without extension, and of its module in the test program.
     stem: &'static str,
 }
 
@@ -63,7 +63,7 @@ fn cases(folder: &Path) -> Vec<Case> {
     built_in.into_iter().chain(files).collect()
 }
 
-/// States and parameters around the defaults, where every model is regular.
+/// States and parameters that differ by up to 10 % from the defaults; `k` is the number of the test point.
 fn point(layout: &codegen::Layout, k: usize) -> (Vec<f64>, Vec<f64>) {
     let vary = |value: f64, n: usize| {
         let wave = ((7 * n + 3 * k) as f64).sin();
@@ -85,7 +85,7 @@ fn point(layout: &codegen::Layout, k: usize) -> (Vec<f64>, Vec<f64>) {
 
 const MARKER: [f64; 3] = [0.1, -0.02, 0.01];
 
-/// The results of all functions by the tape, one list per function.
+/// Results of all functions of a model, computed by its bytecode: one list per function.
 fn by_tape(tape: &TapeModel, x: &[f64], p: &[f64]) -> Vec<Vec<f64>> {
     let prepared = tape.prepare(p);
     let at = At {
@@ -119,7 +119,8 @@ fn by_tape(tape: &TapeModel, x: &[f64], p: &[f64]) -> Vec<Vec<f64>> {
     all
 }
 
-/// A function of the test program that prints the results of a module at a point, one line per function.
+/// Source text of a function of the test program that prints all results of a generated module at a point, one line per
+/// function. `observed` is the number of components of the observation, and `k` the number of the point.
 fn printer(module: &str, observed: usize, k: usize, x: &[f64], p: &[f64]) -> String {
     let marker = &MARKER[..if observed == 0 { 0 } else { 3 }];
     format!(

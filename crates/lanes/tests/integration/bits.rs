@@ -8,7 +8,7 @@ use lanes::{
     dispatch_with,
 };
 
-/// Number of results that `everything` computes of two numbers, by every operation of `Real`.
+/// Number of results that the test function `everything` computes from two numbers by the operations of `Real`.
 const RESULTS: usize = 25;
 
 #[inline(always)]
@@ -116,7 +116,8 @@ fn special() -> Vec<f64> {
     values
 }
 
-/// All pairs of special numbers, and random pairs of all magnitudes (splitmix64).
+/// Pairs of numbers for tests: all pairs of special values, and random pairs with magnitudes from 2^-20 to 2^16
+/// (SplitMix64).
 fn pairs() -> (Vec<f64>, Vec<f64>) {
     let special = special();
     let step = if cfg!(miri) { 7 } else { 1 };
@@ -145,7 +146,7 @@ fn pairs() -> (Vec<f64>, Vec<f64>) {
     (a, b)
 }
 
-/// Scalar kernel that maps one number at a time.
+/// Scalar kernel that applies a [`Map`] to one number at a time.
 struct OneByOne<'a>(Map<'a>);
 
 impl ScalarKernel for OneByOne<'_> {

@@ -6,20 +6,20 @@ use crate::reference::Law;
 use crate::scalar::Real;
 use nalgebra::Vector3;
 
-/// A built-in effect with the values of its coefficients and states.
+/// A built-in effect (an optional addition to a model) with the values of its coefficients and states.
 #[derive(Clone, Debug)]
 pub struct ActiveEffect<T> {
-    /// The built-in effect.
+    /// Names of the effect's coefficients and states, and its reference implementation.
     pub effect: &'static Effect,
     /// Values of the effect's coefficients, then of its states.
     pub values: Vec<T>,
 }
 
-/// A law of motion with its effects, and with the values of constants, wind and effects; the order of the effects does
-/// not matter.
+/// A law of motion with effects (optional additions), and with the values of constants, wind and effects; the order of
+/// the effects does not matter.
 #[derive(Clone, Debug)]
 pub struct ExtendedLaw<T> {
-    /// The law of motion without effects.
+    /// The law of motion without effects (optional additions to a model).
     pub law: Law,
     /// Values of the law's constants, in the order of [`Law::constants`].
     pub constants: Vec<T>,

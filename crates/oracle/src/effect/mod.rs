@@ -30,7 +30,7 @@ pub use flow::Flow;
 use crate::physical::Load;
 use crate::reference::Law;
 
-/// Built-in effects, one slice per kind.
+/// Built-in effects (optional additions to a model), one slice per kind.
 static KINDS: [&[Effect]; 11] = [
     drag::EFFECTS,
     pitch::EFFECTS,
@@ -103,7 +103,7 @@ impl Effect {
     }
 }
 
-/// All effects with a reference implementation.
+/// All built-in effects (optional additions to a model) that have a reference implementation.
 pub fn all() -> impl Iterator<Item = &'static Effect> + Clone {
     KINDS.iter().copied().flatten()
 }

@@ -41,8 +41,8 @@ pub struct Reference {
     pub law: Law,
     /// Conversion between the model's states, which are identified by their names, and a physical state.
     pub chart: Chart,
-    /// Indices of the model's coefficients that do not occur in the law, but in effects or in terms that the user
-    /// added.
+    /// Indices of the model's coefficients that do not occur in the law, but in effects (optional additions to a model)
+    /// or in terms that the user added.
     pub unknown: Vec<usize>,
     constants: Vec<Slot>,
     /// Index of the model's input `wind`; `None` if the model has no such input, so that the air is still.

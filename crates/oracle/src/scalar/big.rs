@@ -13,7 +13,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::{Elementary, Field, Real};
 
-/// Precision of the numbers, bits.
+/// Precision of [`Big`] numbers, bits.
 pub const PRECISION: usize = 256;
 const NEAREST: RoundingMode = RoundingMode::ToEven;
 
@@ -23,7 +23,8 @@ thread_local! {
     static CONSTANTS: RefCell<Option<Consts>> = const { RefCell::new(None) };
 }
 
-/// Runs a task with a new list of numbers, which is dropped afterwards. The task's result must not contain a [`Big`].
+/// Runs a task with a new list of 256-bit numbers, in which each [`Big`] is an index. The list is dropped afterwards,
+/// so the task's result must not contain a [`Big`].
 pub fn with_numbers<R>(task: impl FnOnce() -> R) -> R {
     let zero = BigFloat::new(PRECISION);
     let outer = (NUMBERS.replace(vec![zero]), CALLS.take());
@@ -33,7 +34,8 @@ pub fn with_numbers<R>(task: impl FnOnce() -> R) -> R {
     result
 }
 
-/// A function with its argument: the mantissa, the sign, the exponent, and whether the argument is rounded.
+/// Key of a cached function value: the function, and its argument as mantissa, sign, exponent, and whether it is
+/// rounded.
 #[derive(PartialEq, Eq, Hash)]
 struct Call {
     function: u8,
@@ -44,7 +46,7 @@ struct Call {
 }
 
 impl Call {
-    /// `None` for an argument that is no number.
+    /// Creates the key of a function value; `None` if the argument is infinite or NaN.
     fn new(function: Elementary, argument: &BigFloat) -> Option<Self> {
         let (words, _, sign, exponent, is_inexact) = argument.as_raw_parts()?;
         Some(Self {
@@ -62,7 +64,7 @@ impl Call {
 pub struct Big(u32);
 
 impl Big {
-    /// [`with_numbers`] begins its list with this number.
+    /// The number 0, which [`with_numbers`] puts at the beginning of its list.
     const ZERO: Self = Self(0);
 
     fn is_finite(self) -> bool {

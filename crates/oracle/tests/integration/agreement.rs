@@ -6,7 +6,8 @@ use oracle::scalar::{ComplexStep, ErrorBound, NumDual, Real};
 use oracle::{Chart, Point, Reference, Tree, derivatives};
 use proptest::prelude::*;
 
-/// A built-in model; the discus claims its law whether its file says so or not.
+/// Loads a built-in model; `discus` is always compared with its reference law, even if its model file does not name
+/// one.
 fn model(name: &str) -> Model {
     let mut model = load(name, &[]).unwrap();
     if name == "discus" {
@@ -15,7 +16,8 @@ fn model(name: &str) -> Model {
     model
 }
 
-/// A point from numbers between -1 and 1.
+/// Converts random numbers `draws`, between -1 and 1, to a point (states, parameters, inputs and marker position) of a
+/// model.
 fn point(model: &Model, draws: &[f64]) -> Point<f64> {
     let mut draws = draws.iter().cycle();
     let mut draw = || *draws.next().unwrap();

@@ -111,7 +111,7 @@ impl CertifiedModel {
 }
 
 impl Fingerprint {
-    /// Descriptions of the differences between two fingerprints.
+    /// Descriptions of the differences between these hashes and the current ones, `now`.
     fn differences(&self, now: &Self) -> Vec<String> {
         let mut changes = Vec::new();
         for source in &self.sources {

@@ -68,7 +68,7 @@ impl Hash {
         Self(hex)
     }
 
-    /// Hash of the names and texts of all built-in effects.
+    /// Hash of the names and texts of all built-in effects (optional model extensions).
     pub(super) fn of_built_in_effects() -> Self {
         let all = EFFECTS.iter().chain(GENERAL_EFFECTS);
         Self::of(all.flat_map(|(name, text)| [name.as_bytes(), text.as_bytes()]))

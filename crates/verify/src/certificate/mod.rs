@@ -45,7 +45,7 @@ pub struct Certificate {
     pub same_motion: Vec<CertifiedCheck>,
 }
 
-/// Version of the program that carried out the checks, and of its built-in effects.
+/// Version of the program that carried out the checks, and hash of its built-in effects (optional model extensions).
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Program {
@@ -126,7 +126,7 @@ impl From<&Row> for CertifiedCheck {
 }
 
 impl Program {
-    /// Version and effects of the running program.
+    /// Version of the running program, and hash of its built-in effects (optional model extensions).
     pub fn present() -> Self {
         Self {
             version: env!("CARGO_PKG_VERSION").to_owned(),
@@ -159,8 +159,8 @@ impl From<&Options> for CertifiedOptions {
 
 impl CertifiedModel {
     /// Creates the record of a verified model. `folder` is the folder of the certificate; `name` and `with` are the
-    /// model and the effects that were passed to the loader. `None` if the language checker refused the text of the
-    /// model.
+    /// model and the effects (optional model extensions) that were passed to the loader. `None` if the language checker
+    /// refused the text of the model.
     pub fn new(
         folder: &Path,
         name: &str,

@@ -4,7 +4,7 @@ use model_spec::load::LoadError;
 use serde::{Deserialize, Serialize};
 use std::path::{Component, Path, PathBuf};
 
-/// File or name from which a model or an effect is loaded.
+/// File or name from which a model or an effect (optional model extension) is loaded.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Origin {
@@ -47,7 +47,8 @@ pub(super) enum OriginError {
     /// The file at this path, relative to the folder of the certificate, does not exist.
     #[error("{0} is not there")]
     Missing(String),
-    /// The model or one of its effects cannot be loaded; the message is the first line of the loader's.
+    /// The model or one of its effects (optional extensions) cannot be loaded; the message is the first line of the
+    /// loader's message.
     #[error("cannot be loaded: {}", first_line(.0))]
     Load(#[from] LoadError),
 }

@@ -13,12 +13,12 @@ use oracle::scalar::{ErrorBound, Field};
 use oracle::{BalanceLaw, Tree, claimed_rates};
 use std::collections::BTreeMap;
 
-/// Name of this check in reports: equations written explicitly in the model file against the laws of motion of the
-/// claimed body.
+/// Name of this check in reports: equations written explicitly in the model file against the laws of motion of the body
+/// that its `claim` statement describes.
 pub const CLAIM: &str = "claimed body";
 
-/// Advice for a model whose equations are written explicitly, without a claimed body or a reference law: the statement
-/// to add, and what is then checked.
+/// Advice for a model whose equations are written explicitly, without a `claim` statement that describes a body and
+/// without a reference law: the statement to add, and what is then checked.
 const ADVICE: &str = "\
 NOT VERIFIED: nothing says what these equations are about, so nothing can say that they are wrong. Add
     claim body NAME { mass …; inertia … in …; fixed in …; position …; velocity …; angular velocity …; force …; moment …; }
@@ -30,9 +30,10 @@ force and the angular momentum by the moment; energy, flights and symmetries; an
 /// Indices, from 1, of the axes of the inertial frame, for messages that name the axis of a deviation.
 const AXES: [u8; 3] = [1, 2, 3];
 
-/// Checks at random points, with effects off, whether explicitly written equations obey the laws of motion of the body
-/// that the model claims to describe (statement `claim`). If the model makes no such claim, the row states why nothing
-/// is checked. `None` for a model that declares a `body`: its equations are derived from these laws.
+/// Checks at random points, with effects (optional model extensions) at their null values, whether explicitly written
+/// equations obey the laws of motion of the body that the model claims to describe (statement `claim`). If the model
+/// makes no such claim, the result states why nothing is checked. `None` for a model that declares a `body`: its
+/// equations are derived from these laws.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Option<Row> {
     let model = subject.model;
     if model.body.is_some() {
@@ -79,8 +80,8 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Option<Row> {
     Some(row.with_detail(lines.join("\n")))
 }
 
-/// One line of text for each law of motion of the claimed body that no rates of the states can satisfy. Such a law
-/// means that the claim contradicts itself, whatever equations the model file contains.
+/// One line of text for each law of motion of the body described by the `claim` statement that no rates of the states
+/// can satisfy. Such a law means that the claim contradicts itself, whatever equations the model file contains.
 fn unsatisfied(subject: &Subject<'_>, options: &Options) -> Vec<String> {
     let mut random = Random::new(options.seed, CLAIM);
     let point = subject.without_effects(sample::point(subject.model, &mut random));

@@ -17,7 +17,7 @@ use oracle::scalar::{ComplexStep, Dual, ErrorBound, Lockstep, NumDual, Real};
 use oracle::{Point, Reference, Tree};
 
 /// Names of the checks of the Jacobians against three methods of differentiation and against the reference
-/// implementation. Each check has one row of the report.
+/// implementation.
 pub const CHECKS: [&str; 4] = [
     "derivatives: num-dual",
     "derivatives: complex step",

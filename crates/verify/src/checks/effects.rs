@@ -14,7 +14,8 @@ use model_spec::model::Model;
 use oracle::scalar::ErrorBound;
 use oracle::{Point, derivatives};
 
-/// Name of this check in reports: effects at their null values against the model without effects.
+/// Name of this check in reports: effects (optional model extensions) at their null values against the model without
+/// effects.
 pub const EFFECTS: &str = "effects at null values";
 
 /// Returns (models with effects, model without effects); effects are optional model extensions. If the loaded model has
@@ -58,9 +59,9 @@ pub fn variants(loaded: &Loaded) -> Option<(Vec<Model>, Model)> {
     Some((alone, without))
 }
 
-/// Checks for each model of `with` that its effects change nothing at their null values: the state derivatives equal
-/// those of the model `without` effects, and are computed with no more operations. Each model comes with its compiled
-/// values.
+/// Checks for each model of `with` that its effects (optional extensions) change nothing at their null values: the
+/// state derivatives equal those of the model `without` effects, and are computed with no more operations. Each model
+/// comes with its compiled values.
 pub fn check(without: &Model, with: &[(Model, Values)], options: &Options) -> Row {
     if with.is_empty() {
         return Row::skipped(EFFECTS, "no effects for this model");
@@ -115,8 +116,8 @@ pub fn check(without: &Model, with: &[(Model, Values)], options: &Options) -> Ro
     }
 }
 
-/// Returns the point with all coefficients and states of the model's effects at their null values, at which the effects
-/// do not act.
+/// Returns the point with all coefficients and states of the model's effects (optional extensions) at their null
+/// values, at which the effects do not act.
 fn off(model: &Model, mut point: Point<f64>) -> Point<f64> {
     for c in model.effects.iter().flat_map(|e| &e.coefficients) {
         point.coefficients[c.index] = c.null_value;

@@ -36,7 +36,7 @@ const DEGREE: f64 = 1e4;
 const LACKING: usize = 64;
 
 /// Compares the state derivatives f, the Jacobians J (states) and Jp (parameters) and the observation of a compiled
-/// model with the model's vector expressions, and returns the row of the report.
+/// model with the model's vector expressions, and returns the result of this check.
 pub fn check(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     let mut random = Random::new(options.seed, FUNCTIONS);
     let mut faults: Vec<String> = Vec::new();
@@ -76,9 +76,9 @@ pub fn check(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     Row::counted(FUNCTIONS, good, &faults, &says)
 }
 
-/// Row of the report for functions that cannot be compared in the prime field, for the reason `why`. The row is refuted
-/// if the compiled code and the model's vector expressions differ in 256-bit arithmetic. Otherwise it is skipped, with
-/// `why` as the detail.
+/// Result of the check for functions that cannot be compared in the prime field, for the reason `why`. The result is
+/// refuted if the compiled code and the model's vector expressions differ in 256-bit arithmetic. Otherwise it is
+/// skipped, with `why` as the detail.
 fn in_long_arithmetic(model: &Model, compiled: &Compiled, options: &Options, why: &str) -> Row {
     let mut random = Random::new(options.seed, "f, J and Jp in 256 bits");
     match long_functions::faults(model, compiled, &mut random) {

@@ -17,8 +17,8 @@ pub const REFERENCE: &str = "reference";
 /// simulator (crate `oracle`).
 pub const TREE: &str = "vector tree";
 
-/// Compares state derivatives and observation with those of the reference law that the model claims. Coefficients of
-/// the model that the law does not contain have their null values, at which they do not act.
+/// Compares state derivatives and observation with those of the reference law that the model names. Coefficients of the
+/// model that the law does not contain have their null values, at which they do not act.
 pub fn reference(subject: &Subject<'_>, options: &Options) -> Row {
     if let Some(why) = &subject.unbound {
         return Row::counted(REFERENCE, 1, &[why.to_string()], "");

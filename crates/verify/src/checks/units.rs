@@ -9,7 +9,8 @@ use model_spec::model::Source;
 /// Name of this check in reports: diagnostics on units and frames.
 pub const UNITS: &str = "units and frames";
 
-/// Checks that the language checker reports no errors. The row has one line per diagnostic, with its source location.
+/// Checks that the language checker reports no errors. The detail of the result has one line per error, with its source
+/// location.
 pub fn check(loaded: &Loaded) -> Row {
     let lines: Vec<String> = loaded
         .diagnostics

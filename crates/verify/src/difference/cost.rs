@@ -21,7 +21,7 @@ pub struct Pair<T> {
     pub new: T,
 }
 
-/// Operation counts and Jacobian entries of both models.
+/// Operation counts and numbers of nonzero Jacobian entries of the old and the new version of a model.
 #[derive(Clone, Debug, Serialize)]
 pub struct Cost {
     /// Number of elementary operations of each compiled function: `f` (state derivatives), `f_jac` (with their Jacobian
@@ -37,8 +37,8 @@ pub struct Cost {
     pub entries_removed: Vec<String>,
 }
 
-/// Compiles both models and compares the operation counts of their functions and the nonzero entries of their
-/// Jacobians.
+/// Compiles the old and the new model, and compares the operation counts of their functions and the nonzero entries of
+/// their Jacobians.
 pub fn cost(old: &Everything<'_>, new: &Everything<'_>, pairing: &Pairing) -> Cost {
     let (a, b) = (codegen::compile(old.model), codegen::compile(new.model));
     let functions = ["f", "f_jac", "f_jac_par"];
@@ -73,7 +73,7 @@ pub fn cost(old: &Everything<'_>, new: &Everything<'_>, pairing: &Pairing) -> Co
     }
 }
 
-/// A nonzero entry of a Jacobian.
+/// A nonzero entry of a Jacobian of a compiled model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Entry {
     by_state: bool,
@@ -136,8 +136,8 @@ const ROUNDS: usize = 201;
 /// Number of points at which the state derivatives are evaluated in one time measurement.
 const POINTS: usize = 64;
 
-/// Measures the computing time of the state derivatives of both models. The models are measured in alternation, so that
-/// a disturbance of the machine affects both.
+/// Measures the computing time of the state derivatives of the old and the new model. The models are measured in
+/// alternation, so that a disturbance of the machine affects both.
 pub fn time(old: &Everything<'_>, new: &Everything<'_>, pairing: &Pairing) -> Time {
     let mut random = Random::new(0, "time");
     let here = sample::points(old.model, POINTS, &mut random);

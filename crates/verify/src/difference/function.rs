@@ -40,14 +40,14 @@ pub enum Sameness {
 /// Result of comparing one output of the old model with one of the new model.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Compared {
-    /// Whether the outputs are the same function.
+    /// Whether the outputs of the two models are the same function.
     pub sameness: Sameness,
     /// Maximum difference between the two outputs at random points, relative to the sum of the magnitudes of the terms.
     pub error: f64,
 }
 
 impl Compared {
-    /// Whether the outputs are different functions.
+    /// Whether the outputs of the two models are different functions.
     pub fn is_changed(self) -> bool {
         self.sameness == Sameness::Changed
     }

@@ -65,24 +65,25 @@ impl Default for DifferenceOptions {
 /// observation, or a validity limit.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct RowChange {
-    /// Name in the new model, or in the old model if the row was removed: `der(u)`, `observation x`, `limit 1`.
+    /// Name of the compared scalar function in the new model, or in the old model if it was removed: `der(u)`,
+    /// `observation x`, `limit 1`.
     pub row: String,
-    /// Result of the comparison; `None` for a row that only one of the models has.
+    /// Result of the comparison; `None` for a scalar function that only one of the models has.
     pub sameness: Option<Sameness>,
-    /// Whether only the new model has the row.
+    /// Whether only the new model has the scalar function.
     pub added: bool,
-    /// Maximum difference between the row in the old and in the new model at random points, relative to the sum of the
-    /// magnitudes of the row's terms; 0 for a row that only one of the models has.
+    /// Maximum difference between the scalar function in the old and in the new model at random points, relative to the
+    /// sum of the magnitudes of its terms; 0 for a function that only one of the models has.
     pub error: f64,
-    /// Whether the row is the same function in both models once each parameter that only one of the models has is fixed
-    /// at the default value stated in its model file; false for a row that only one of the models has.
+    /// Whether the scalar function is the same in both models once each parameter that only one of the models has is
+    /// fixed at the default value stated in its model file; false for a function that only one of the models has.
     pub same_at_stated_values: bool,
-    /// Statements (added, removed or changed) that cause the difference of the row, each described with the terms that
-    /// differ.
+    /// Statements (added, removed or changed) that cause the difference of the scalar function, each described with the
+    /// terms that differ.
     pub causes: Vec<String>,
 }
 
-/// Comparison of two models.
+/// Comparison of an old and a new version of a model.
 #[derive(Clone, Debug, Serialize)]
 pub struct Difference {
     /// Name and version of the JSON format.
@@ -94,7 +95,7 @@ pub struct Difference {
     /// Comparison of every row (state derivative, component of the observation, validity limit): rows of the new model
     /// in its order, then the rows that only the old model has.
     pub rows: Vec<RowChange>,
-    /// States and parameters that were renamed.
+    /// States and parameters that have different names in the old and the new model.
     pub renamed: Vec<Renamed>,
     /// Statements that differ between the two model files.
     pub statements: Vec<Statement>,
@@ -102,7 +103,7 @@ pub struct Difference {
     pub unit_faults: Pair<Vec<String>>,
     /// Units, default values and bounds of constants, inputs and states that differ between the two model files.
     pub restated: Vec<Restated>,
-    /// Operation counts and Jacobian entries; `None` if not requested.
+    /// Operation counts and nonzero Jacobian entries of the models; `None` if not requested.
     pub cost: Option<Cost>,
     /// Computing time of the state derivatives; `None` if not requested.
     pub time: Option<Time>,
@@ -139,7 +140,7 @@ impl Difference {
 }
 
 impl RowChange {
-    /// Whether the row is a different function in the two models, or only one of the models has it.
+    /// Whether the compared scalar function differs between the two models, or only one of the models has it.
     pub fn is_changed(&self) -> bool {
         self.sameness.is_none_or(|s| s == Sameness::Changed)
     }
@@ -233,13 +234,13 @@ fn row_pairs(a: &Everything<'_>, b: &Everything<'_>, pairing: &Pairing) -> Vec<(
 
 /// Comparison of a row (state derivative, component of the observation or validity limit) that both models have.
 struct ComparedRow {
-    /// Index of the row in the old model.
+    /// Index, in the old model, of the compared scalar function, such as a state derivative.
     old: usize,
-    /// Index of the row in the new model.
+    /// Index, in the new model, of the compared scalar function, such as a state derivative.
     new: usize,
     /// Result of the comparison; parameters that only one model has are random.
     compared: Compared,
-    /// Whether the rows are the same function if parameters that only one model has have their default values.
+    /// Whether the scalar functions are the same if parameters that only one model has are set to their default values.
     is_same_at_stated_values: bool,
 }
 

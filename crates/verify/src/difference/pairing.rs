@@ -235,8 +235,8 @@ fn value(model: &Model, (is_state, index): Symbol) -> f64 {
 /// ("symbol"). The rows are evaluated at random points, once for each examined symbol. All unpaired symbols of the same
 /// kind and unit have one common value; only the examined symbol has another value.
 struct Effects {
-    /// For each unpaired symbol and each random point: values of the rows that have a counterpart in the other model,
-    /// and the sorted values of the remaining rows.
+    /// For each unpaired symbol and each random point: values of the rows (state derivatives and observation) that have
+    /// a counterpart in the other model, and the sorted values of the remaining rows.
     values: Vec<Vec<(Vec<f64>, Vec<f64>)>>,
 }
 

@@ -2,8 +2,8 @@
 
 use model_spec::model::Model;
 
-/// Kind of a compared row of a model (state derivative, component of the observation or validity limit). The kind
-/// determines the statements on which the row depends.
+/// Kind of a scalar function (row) of a model that is compared: state derivative, component of the observation or
+/// validity limit. The kind determines the statements on which the function depends.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum RowKind {
     /// Derivative of the state with this name, defined by an equation written explicitly in the model file.

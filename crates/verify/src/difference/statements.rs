@@ -281,7 +281,8 @@ impl Reach {
         }
     }
 
-    /// All statements on which a row depends, directly or indirectly; empty for an unknown row.
+    /// All statements on which a row (scalar function, such as a state derivative) depends, directly or indirectly;
+    /// empty for an unknown row.
     fn of(&self, row: &str) -> BTreeSet<Key> {
         let mut out = BTreeSet::new();
         let mut open: Vec<Key> = self.roots.get(row).into_iter().flatten().cloned().collect();

@@ -127,7 +127,7 @@ impl Difference {
 }
 
 impl RowChange {
-    /// Describes the difference of the row in one sentence.
+    /// Describes in one sentence how the scalar function (such as a state derivative) differs between the two models.
     pub(super) fn sentence(&self) -> String {
         match (self.sameness, self.added) {
             (None, true) => format!("{} is new", self.row),

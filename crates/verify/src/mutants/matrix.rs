@@ -11,7 +11,7 @@ use serde::Serialize;
 pub struct MutationMatrix {
     /// Names of the checks, in ascending order of computing effort.
     pub checks: Vec<&'static str>,
-    /// One row per mutation operator.
+    /// Counts of mutants, one row of the matrix per mutation operator.
     pub rows: Vec<MutationRow>,
     /// Descriptions of the mutants that no check kills, although the reference implementation contains all terms of the
     /// model.
@@ -24,7 +24,7 @@ pub struct MutationMatrix {
     pub equivalent: Vec<(String, &'static str)>,
 }
 
-/// Counts of the mutants made by one mutation operator.
+/// Counts of the mutants (models with one deliberate change each) made by one mutation operator.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct MutationRow {
     /// Name of the mutation operator.
@@ -96,7 +96,7 @@ impl MutationMatrix {
         self.rows.iter().map(|row| row.killed).sum()
     }
 
-    /// Summary as a row of the report; the row holds if no mutant survives.
+    /// Result of mutation testing as one check of the report; the check holds if no mutant survives.
     pub fn row(&self) -> Row {
         let (mutants, killed, same) = (self.mutants(), self.killed(), self.equivalent.len());
         let not_covered = match self.not_covered.len() {

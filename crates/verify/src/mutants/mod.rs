@@ -15,7 +15,7 @@ use model_spec::syntax::ast::{File, FrameKind, Name};
 use names::Names;
 pub use run::run;
 
-/// Kinds of mutations.
+/// Kinds of mutations: small deliberate changes of a model, with which the checks of the verification are tested.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Operator {
     /// A sign is changed.
@@ -44,7 +44,7 @@ pub enum Operator {
 }
 
 impl Operator {
-    /// All operators, in the order of the matrix's rows.
+    /// All mutation operators, in the order of the rows of a [`MutationMatrix`].
     pub const ALL: [Self; 11] = [
         Self::Sign,
         Self::Factor,
@@ -77,17 +77,17 @@ impl Operator {
     }
 }
 
-/// A mutation of a part of a model file.
+/// A mutation (small deliberate change) of a part of a model file.
 struct Mutation<T> {
     /// Operator that produced the mutation.
     operator: Operator,
     /// Short description of the mutation.
     how: String,
-    /// The mutated part.
+    /// Mutated part, which replaces the original part of the model file.
     to: T,
 }
 
-/// A model with one mutation.
+/// A model with one mutation (small deliberate change), with which the checks of the verification are tested.
 #[derive(Clone, Debug)]
 pub struct Mutant {
     /// Mutation operator that made the mutant.

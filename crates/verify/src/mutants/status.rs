@@ -18,8 +18,8 @@ pub const FRAMES: &str = "frames";
 /// Name, in [`CHECKS`], of the language checker's checks other than those of units and frames.
 pub const GRAMMAR: &str = "names and shapes";
 
-/// Names of the checks that are run on mutants, in ascending order of cost. The last one applies only to models that
-/// claim a body.
+/// Names of the checks that are run on mutants, in ascending order of cost. The last one applies only to models with a
+/// `claim` statement, which declares the meaning of their equations.
 pub const CHECKS: [&str; 8] = [
     UNITS,
     FRAMES,
@@ -31,7 +31,7 @@ pub const CHECKS: [&str; 8] = [
     claim::CLAIM,
 ];
 
-/// Result of running the checks on a mutant.
+/// Result of running the checks of the verification on a mutant (a model with one deliberate change).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum MutantStatus {
     /// At least one check refutes the mutant. Contains the indices of these checks in [`CHECKS`]; never empty.

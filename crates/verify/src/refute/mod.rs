@@ -19,7 +19,7 @@ use oracle::{Point, Tree, Value, claimed_rates};
 use serde::Serialize;
 
 /// An equation der(state) = … of the model file that disagrees with the state's derivative according to the reference:
-/// the claimed reference law or, without one, the laws of motion of the claimed body.
+/// the reference law that the model names or, without one, the laws of motion of the body that it claims to describe.
 #[derive(Clone, Debug, Serialize)]
 pub struct Refutation {
     /// Name of the state whose derivative the equation defines.
@@ -59,9 +59,9 @@ impl Refutation {
 
 const POINTS: usize = 8;
 
-/// Compares every equation der(state) = … of the model file with the reference (the claimed reference law or, without
-/// one, the laws of motion of the claimed body). Returns the equations that disagree, with corrections that make them
-/// agree.
+/// Compares every equation der(state) = … of the model file with the reference: the reference law that the model names
+/// or, without one, the laws of motion of the body that it claims to describe. Returns the equations that disagree,
+/// with corrections that make them agree.
 pub fn refutations(subject: &Subject<'_>, options: &Options) -> Vec<Refutation> {
     let model = subject.model;
     let Some(points) = points(subject, options) else {
@@ -94,7 +94,8 @@ pub fn refutations(subject: &Subject<'_>, options: &Options) -> Vec<Refutation> 
 }
 
 /// Draws the random points at which the equations der(state) = … of the model file are compared with the reference.
-/// `None` for a model that has neither a reference law nor a claimed body, because nothing can be compared then.
+/// `None` for a model that neither names a reference law nor claims to describe a body, because nothing can be compared
+/// then.
 fn points(subject: &Subject<'_>, options: &Options) -> Option<Vec<Point<ErrorBound>>> {
     let mut random = Random::new(options.seed, "refute");
     let has_reference = subject.reference.is_some();
@@ -112,9 +113,10 @@ fn points(subject: &Subject<'_>, options: &Options) -> Option<Vec<Point<ErrorBou
     Some(drawn.collect())
 }
 
-/// Rate of each state with respect to the time of flight, as implied by the laws of motion of the claimed body at a
-/// point. The inner `None` marks a state whose rate the laws do not determine. The outer `None` means that the rates
-/// cannot be computed, or that a law that contains rates cannot be satisfied, so that the claim itself is wrong.
+/// Rate of each state with respect to the time of flight at a point, as implied by the laws of motion of the body that
+/// the model claims to describe. The inner `None` marks a state whose rate the laws do not determine. The outer `None`
+/// means that the rates cannot be computed, or that a law that contains rates cannot be satisfied, so that the claim
+/// itself is wrong.
 fn implied(model: &Model, point: &Point<ErrorBound>) -> Option<Vec<Option<ErrorBound>>> {
     let pace = Tree::new(model, point).clock();
     let implied = claimed_rates(model, point, ErrorBound::integer(1) / pace)?;

@@ -44,7 +44,7 @@ pub struct Effort {
 }
 
 impl Effort {
-    /// Numbers of points for the row on rounding errors in every verification report.
+    /// Numbers of points for the check of rounding errors that is part of every verification.
     pub const ROW: Effort = Effort {
         random: 12,
         flights: 2,
@@ -62,11 +62,11 @@ impl Effort {
 /// at the sum of the magnitudes of a value's terms.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Error {
-    /// Name of the backend.
+    /// Name of the backend (generated code or bytecode interpreter) that computed the values.
     pub backend: String,
     /// Whether the backend fuses multiply and add.
     pub fuses: bool,
-    /// Name of the function.
+    /// Name of the compiled function whose results are compared.
     pub function: &'static str,
     /// Section of the function's results: `f` (state derivatives), `J`, `Jp` (their Jacobians with respect to states
     /// and parameters), `y` (observation), `dy/dx` or `dy/dp` (its Jacobians).
@@ -184,8 +184,8 @@ pub fn errors(compiled: &Compiled, points: &[Point<f64>], runs: &[Run]) -> (Vec<
     (errors, left_out)
 }
 
-/// Creates the row of the verification report on rounding errors. The check holds if no backend's error exceeds
-/// [`ALLOWED`]. Statements of the model that lose digits are listed in a remark.
+/// Creates the result of the check of rounding errors for the verification report. The check holds if no backend's
+/// error exceeds [`ALLOWED`]. Statements of the model that lose digits are listed in a remark.
 pub fn row(rounding: &Rounding) -> Row {
     let [random, flown] = rounding.points;
     let cases = random + flown - rounding.left_out;

@@ -20,7 +20,7 @@ const QUICK: Options = Options {
 const KITE: &str = "model kite; param g0 = 9.81 m/s^2; param k = 0.3 1/s; frame N;
 state z = 1 m; state v = 0 m/s; der(z) = v; der(v) = -g0 - k*v;";
 
-/// A folder of its own, removed at the end.
+/// Temporary folder of one test, deleted when dropped.
 struct Folder(PathBuf);
 
 impl Folder {

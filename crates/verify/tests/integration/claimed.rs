@@ -8,7 +8,8 @@ use verify::checks::{exact, identities, metamorphic, reference};
 use verify::flights::{INVARIANTS, MOMENTA};
 use verify::report::{Outcome, Report, Row, Verdict};
 
-/// What the appendix of the paper is about.
+/// Text of a `claim` block: the physical meaning of the equations of the built-in disc model from the appendix of the
+/// paper.
 const DISC: &str = "claim body disc {
   mass m;
   inertia diag(I_d, I_d, I_a) in B;
@@ -21,7 +22,7 @@ const DISC: &str = "claim body disc {
 }
 ";
 
-/// A glider in its vertical plane: speed and path angle.
+/// Text of a test model of a glider in its vertical plane, with speed and flight-path angle as states.
 const GLIDER: &str = "model glider;
 param m = 3 g;
 param S = 0.017 m^2;
@@ -60,7 +61,7 @@ fn report(text: &str) -> Report {
     verify::run(&loaded(text), &QUICK)
 }
 
-/// A built-in model that states a reference, by its claim alone.
+/// Text of a built-in model in which a `claim` block (declared meaning of its equations) replaces the reference law.
 fn by_claim(name: &str) -> String {
     let text = built_in(name).sources[0].text.clone();
     let without = text.replace("reference hubbard_hummel_disc;\n", "");
@@ -74,13 +75,14 @@ fn named(report: &Report) -> String {
     named.collect::<Vec<_>>().join("\n")
 }
 
-/// The laws that a row says are broken.
+/// Names of the laws of motion that are violated, according to the detail of a result of the check.
 fn laws(row: &Row) -> Vec<&str> {
     let lines = row.detail.lines().filter_map(|l| l.split_once(": off by "));
     lines.map(|(law, _)| law).collect()
 }
 
-/// A top in flight, of which only the axis is described: `axis` stands for a frame that is fixed in it.
+/// Text of a test model of a flying top. Its `claim` block gives the orientation of the body only by the axis of
+/// revolution, `axis B.3`.
 const TOP: &str = "model top;
 param m = 0.1 kg;
 param I_a = 2e-4 kg*m^2;
@@ -125,13 +127,14 @@ claim body top {
 }
 ";
 
-/// The report of a text with a piece exchanged.
+/// Verifies the model `text` in which the first occurrence of `from` is replaced by `to`, and returns the report.
 fn changed(text: &str, from: &str, to: &str) -> Report {
     assert!(text.contains(from), "no `{from}`");
     report(&text.replacen(from, to, 1))
 }
 
-/// The claim is refuted by one law, and the equation is named with what is wrong in it.
+/// Checks that the model with `from` replaced by `to` violates the law of motion `law`, and that the report describes
+/// the wrong equation by the text `said`.
 fn refused(text: &str, (from, to): (&str, &str), law: &str, said: &str) {
     let report = changed(text, from, to);
     let row = row(&report, CLAIM);

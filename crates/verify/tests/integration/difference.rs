@@ -20,7 +20,7 @@ fn model(text: &str) -> Option<Model> {
     from_text("rewritten", text, &[]).ok()
 }
 
-/// The file's text with a word replaced wherever it stands.
+/// Text of a model file in which the name `from` is replaced by `to` everywhere.
 fn with_word(file: &File, from: &str, to: &str) -> String {
     let is_name = |c: char| c.is_alphanumeric() || c == '_';
     let text = file.to_string();
@@ -43,7 +43,7 @@ fn with_word(file: &File, from: &str, to: &str) -> String {
     out + rest
 }
 
-/// Files in which one name is another one.
+/// Variants (description, text) of a model file, each with one name replaced by another.
 fn renamed(file: &File) -> Vec<(String, String)> {
     let mut names = Vec::new();
     for item in &file.items {
@@ -68,7 +68,8 @@ fn renamed(file: &File) -> Vec<(String, String)> {
         .collect()
 }
 
-/// Files with their statements in another order; frames, states and the head keep theirs.
+/// Variants (description, text) of a model file with reordered statements. Frames, states and headings keep their
+/// positions.
 fn reordered(file: &File) -> Vec<(String, String)> {
     let moves = |item: &Item| {
         matches!(
@@ -101,7 +102,8 @@ fn value_of(item: &mut Item) -> Option<&mut Expr> {
     }
 }
 
-/// Other ways to write an expression.
+/// Expressions that differ from `e` but have the same value, such as a sum with interchanged operands; empty if none is
+/// known.
 fn rewritings(e: &Expr) -> Vec<Expr> {
     let with = |kind| Expr { kind, span: e.span };
     let pair = |op, a: &Expr, b: &Expr| {
@@ -143,7 +145,8 @@ fn count(e: &Expr) -> usize {
     n
 }
 
-/// Replaces the expression with index `n`, in preorder, by what `f` makes of it.
+/// Replaces the subexpression with index `n`, in preorder, by the expression that `f` returns. Returns false if `f`
+/// returns `None` or there is no such subexpression.
 fn replace(e: &mut Expr, n: usize, f: &mut dyn FnMut(&Expr) -> Option<Expr>) -> bool {
     fn walk(e: &mut Expr, n: &mut usize, f: &mut dyn FnMut(&Expr) -> Option<Expr>) -> Option<bool> {
         if *n == 0 {
@@ -167,7 +170,7 @@ fn replace(e: &mut Expr, n: usize, f: &mut dyn FnMut(&Expr) -> Option<Expr>) -> 
     walk(e, &mut n, f).unwrap_or(false)
 }
 
-/// Files with one expression written in another way.
+/// Variants (description, text) of a model file, each with one expression rewritten to an equivalent one.
 fn factored(file: &File) -> Vec<(String, String)> {
     let mut out = Vec::new();
     for index in 0..file.items.len() {
@@ -189,7 +192,8 @@ fn factored(file: &File) -> Vec<(String, String)> {
     out
 }
 
-/// Files with a load in another frame, and files with a named quantity put in where it is used.
+/// Variants (description, text) of a model file: with the components of a load transformed to another frame, and with
+/// an auxiliary variable replaced by its definition.
 fn reframed_and_inlined(file: &File) -> Vec<(String, String)> {
     let frames: Vec<String> = file
         .items
@@ -278,12 +282,13 @@ fn rewritings_are_the_same_function() {
     assert_eq!(exact, made);
 }
 
-/// Whether a change of a statement is none of what it computes.
+/// Whether a changed statement still computes the same function.
 fn quiet(change: Change) -> bool {
     !matches!(change, Change::Changed)
 }
 
-/// Rows of derivatives that differ in the vector tree, which shares no code with the compiler.
+/// For each state of `a`, whether its derivative differs between two models. The derivatives are computed by the
+/// reference simulator (crate `oracle`), which shares no code with the compiler. `None` if they cannot be computed.
 fn changed_rows(a: &Model, b: &Model) -> Option<Vec<bool>> {
     let mut random = Random::new(5, "mutants");
     let mut changed = vec![false; a.states.len()];

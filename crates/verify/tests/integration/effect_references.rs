@@ -9,7 +9,7 @@ use verify::values::Values;
 
 use crate::support::QUICK;
 
-/// Models with a reference law.
+/// Names of the built-in models that are compared with a reference law.
 const MODELS: [&str; 4] = ["disc", "disc_quaternion", "discus", "ball"];
 
 fn error(model: &Model, options: &Options) -> f64 {

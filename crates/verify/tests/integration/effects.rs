@@ -6,7 +6,8 @@ use verify::checks::{cases, derivatives, effects, exact, identities, metamorphic
 use verify::flights::{INVARIANTS, MOMENTA};
 use verify::report::{Report, Verdict};
 
-/// A built-in model with a text of effects behind it, and some of them switched on.
+/// Loads a built-in model with the effect declarations `text` appended (an effect is a named change to a model), and
+/// applies the effects named in `effects`.
 fn with(name: &str, text: &str, effects: &[&str]) -> Loaded {
     let own = built_in(name).sources[0].text.clone();
     let loaded = inspect_text(name, &(own + text), effects).unwrap();
@@ -22,13 +23,15 @@ fn report(name: &str, text: &str, effects: &[&str]) -> Report {
     verify::run(&with(name, text, effects), &QUICK)
 }
 
-/// That of a model with an effect written into its equations.
+/// Report on a built-in model whose file text was printed after the effect `effect` had been merged into its
+/// statements.
 fn written_in(name: &str, effect: &str) -> Report {
     let text = with(name, "", &[effect]).file.to_string();
     verify::run(&inspect_text("own.hyz", &text, &[]).unwrap(), &QUICK)
 }
 
-/// A wind that each flight has for itself, one part of it dying away.
+/// Text of an effect (named change to a model) that adds a wind with two states: W_x is constant, and W_y decays with a
+/// time constant of 2 s. `velocity` is the new expression for the air velocity.
 fn wind(velocity: &str) -> String {
     format!(
         "effect gust {{ site wind; state W_x = 0 m/s; state W_y = 0 m/s;\n\
@@ -149,7 +152,8 @@ fn laws_of_motion_are_checked_in_the_seconds_of_the_flight() {
     }
 }
 
-/// Products of inertia, which turn with the disc.
+/// Text of an effect (named change to a model) that adds products of inertia, constant in the body-fixed frame, to a
+/// disc.
 const WOBBLE: &str = "effect wobble { site inertia; coefficient I_13 = 0 kg*m^2 in -1e-4 .. 1e-4;\n\
     coefficient I_23 = 0 kg*m^2 in -1e-4 .. 1e-4; coefficient more = 0 in -0.5 .. 0.5;\n\
     replace inertia ((I_d*(1 + more), 0, I_13), (0, I_d, I_23), (I_13, I_23, I_a)) in C; }\n";
@@ -174,7 +178,8 @@ fn products_of_inertia_in_the_frame_of_the_disc_pass_every_check() {
     }
 }
 
-/// A disc that claims no law, unbalanced, its angular velocity seen in the frame `seen`.
+/// Loads a variant of the disc model without a reference law and with a full inertia tensor; its angular velocity has
+/// its components in the frame `seen`.
 fn unbalanced(seen: &str) -> Loaded {
     let text = built_in("disc").sources[0].text.clone();
     let body = format!(

@@ -18,7 +18,7 @@ use verify::report::{Row, Verdict};
 use verify::rounding::{self, ROUNDING, Rounding};
 use verify::sample;
 
-/// The ball as a user writes it: other names of the file and the model, a term of its own, a case of its own.
+/// Text of the ball model as a user might change it: another name and an additional side force.
 fn own_text() -> String {
     let ball = built_in("ball").sources[0].text.clone();
     let ball = ball.replacen("model ball;", "model pellet;", 1);
@@ -26,7 +26,7 @@ fn own_text() -> String {
         force side = C_Y*drag*cross(omega, unit(air_velocity));"
 }
 
-/// A model under test, by its text.
+/// Model under test, given by its text.
 #[derive(Clone)]
 struct Base {
     name: &'static str,
@@ -48,7 +48,7 @@ impl Base {
         }
     }
 
-    /// Stated equations with a claim.
+    /// The glider model, which writes its equations explicitly and declares their physical meaning in a `claim` block.
     fn claimed() -> Self {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../studies/models/glider.hyz");
         Self {
@@ -68,7 +68,7 @@ impl Base {
             .unwrap_or_else(|| panic!("{:#?}", loaded.diagnostics))
     }
 
-    /// The same with a piece of its text exchanged.
+    /// Copy of the model in which the first occurrence of `from` is replaced by `to`.
     fn edited(&self, from: &str, to: &str) -> Self {
         assert!(self.text.contains(from), "{} has no `{from}`", self.name);
         Self {
@@ -78,19 +78,20 @@ impl Base {
     }
 }
 
-/// How a row is broken: from the unchanged model, and the row that is to fail.
+/// A defect that makes one check of the report fail.
 enum Breakage {
-    /// A piece of the model's text is exchanged: the model no longer is what it claims.
+    /// The first text is replaced by the second in the model file, so that the model contradicts its reference law or
+    /// claim.
     Text(&'static str, &'static str),
-    /// The code is that of a changed text, the model is right.
+    /// The first text is replaced by the second before compilation: the code is wrong, but the model is correct.
     Code(&'static str, &'static str),
-    /// Another way, that gives the row.
+    /// Function that introduces a defect in another way and returns the result of the check.
     By(fn(&Base) -> Row),
 }
 
 use Breakage::{By, Code, Text};
 
-/// Rows of a model with code of another.
+/// Results of the numerical checks of a model with code that was compiled from another model.
 fn of_code(model: &Model, compiled: &Compiled) -> Vec<Row> {
     verify::rows_of_code(model, compiled, &QUICK)
 }
@@ -116,7 +117,8 @@ impl Breakage {
     }
 }
 
-/// Runs of all backends at a point, the last result of one of them changed.
+/// Results of all backends at one random point. In one backend, with (`fuses`) or without fused multiply-add, `change`
+/// is applied to the last nonzero result.
 fn changed_run(base: &Base, fuses: bool, change: fn(f64) -> f64) -> (Compiled, Vec<Run>) {
     let model = base.model();
     let compiled = codegen::compile(&model);
@@ -131,27 +133,27 @@ fn changed_run(base: &Base, fuses: bool, change: fn(f64) -> f64) -> (Compiled, V
     (compiled, runs)
 }
 
-/// Backends of which one differs in the last bit of a result.
+/// Result of the backend comparison if one backend differs in the last bit of one result.
 fn last_bit_changed(base: &Base) -> Row {
     let next = |v: f64| f64::from_bits(v.to_bits() + 1);
     let (compiled, runs) = changed_run(base, false, next);
     backends::check(&compiled, &runs)
 }
 
-/// Backends with and without fused multiply-add, a result of one off by 1.
+/// Result of the comparison of backends with and without fused multiply-add if one result is wrong by 1.
 fn off_by_one(base: &Base) -> Row {
     let (compiled, runs) = changed_run(base, false, |v| v + 1.0);
     backends::check_fma(&compiled, &runs)
 }
 
-/// The rigid body of the model with its mass changed in the tenth digit in the code alone.
+/// Result of the exact rigid-body check for code that was compiled with `from` replaced by `to` in the model text.
 fn exact_of(base: &Base, from: &str, to: &str) -> Row {
     let of = |base: &Base| exact::free_loads(&base.model());
     let old = codegen::compile(&of(&base.edited(from, to)));
     exact::compare(&of(base), &old, &QUICK)
 }
 
-/// Code with every constant and parameter sum off by 1e-13, which other checks allow.
+/// Result of the rounding check if all results of one backend have a relative error of 1e-13, which other checks allow.
 fn rounded_badly(base: &Base) -> Row {
     let model = base.model();
     let compiled = codegen::compile(&model);
@@ -170,7 +172,7 @@ fn rounded_badly(base: &Base) -> Row {
     })
 }
 
-/// Breakages of the rows: the check, of the disc, of the user's own model.
+/// Defects by check: name of the check, defect in the disc model, and defect in the user's variant of the ball model.
 fn breakages() -> Vec<(&'static str, Breakage, Breakage)> {
     let mut all = vec![
         (
@@ -259,7 +261,8 @@ fn breakages() -> Vec<(&'static str, Breakage, Breakage)> {
     all
 }
 
-/// A model with an effect of its own that does not vanish at its null value.
+/// Result of the check of effects at their null values, for an effect that replaces a quantity by `law` although its
+/// coefficient is null.
 fn effect_row(base: &Base, law: &str) -> Row {
     let effect = format!(
         "effect shift {{ site drag; coefficient C_x = 0 in -1 .. 1; negligible C_x 0.001; replace {law}; }}"
@@ -279,7 +282,7 @@ fn a_survivor() -> Row {
     matrix.row()
 }
 
-/// What holds of no breakage: the row says so in another way than by a refutation.
+/// Names of the checks that no defect in this file refutes: they report a problem by a remark.
 const STALE: [&str; 1] = [backends::GENERATED];
 
 #[test]
@@ -321,7 +324,7 @@ fn every_row_has_a_breakage_that_it_alone_is_asked_about() {
     }
 }
 
-/// Breakages of the rows that hold of stated equations with a claim.
+/// Defects by check, for a model with explicitly written equations and a `claim` block that declares their meaning.
 fn breakages_of_claimed() -> Vec<(&'static str, Breakage)> {
     let mut all = vec![
         (units::UNITS, Text("-drag/m", "-drag")),

@@ -44,7 +44,7 @@ fn what_the_field_cannot_decide_is_said_and_refutes_nothing() {
     assert!(row.detail.contains("functions with branches"), "{row:?}");
 }
 
-/// Other operations in place of one.
+/// Wrong operations that may replace the operation `op` in a mutant of compiled code.
 fn changed(op: Op) -> Vec<Op> {
     match op {
         Op::Unary(Unary::Neg, a) => vec![Op::Binary(Binary::Add, a, a)],
@@ -68,7 +68,8 @@ fn changed(op: Op) -> Vec<Op> {
     }
 }
 
-/// Mutants of the code of a model, each `step`-th: (those that change a value, those of them that the check refutes).
+/// Tests mutants of every `step`-th statement of a model's compiled code. Returns the number of mutants that change a
+/// value, and descriptions of those that the check does not refute.
 fn killed(model: &Model, step: usize) -> (usize, Vec<String>) {
     let compiled = codegen::compile(model);
     let mut random = Random::new(3, "mutants of the code");

@@ -12,14 +12,16 @@ use verify::random::Random;
 use verify::report::Verdict;
 use verify::sample;
 
-/// Mutants of a model that change a value, at least.
+/// Minimum number of mutants of a model that change a value.
 const MUTANTS: usize = 400;
 
-/// Operators of mutation.
+/// Mutation operators for compiled programs; each returns a description of the mutation, or `None` if it is not
+/// applicable.
 const OPERATORS: [fn(&mut Program, &mut Random) -> Option<String>; 5] =
     [operand, sign, constant, dropped_term, output];
 
-/// A glider in its vertical plane, by stated equations, with air that thins with height and a stall.
+/// Text of a test model of a gliding body in a vertical plane, with explicitly written equations, air density that
+/// decreases with height, and stall.
 const GLIDER: &str = "model glider;
 param m = 3 g;
 param S = 0.017 m^2;
@@ -43,8 +45,8 @@ der(z) = V*sin(gamma);
 der(alpha) = (atan2(sin(gamma), 2 + cos(alpha)) - alpha)*1 [1/s];
 ";
 
-/// A mass on a spring that goes slack, with a brake that has a limit: functions with branches, which the check over
-/// the prime field does not decide.
+/// Text of a test model of a mass on a spring that can go slack, with a brake of limited force. It contains branches,
+/// which the check over the prime field cannot decide.
 const SLACK: &str = "model slack;
 param m = 0.2 kg;
 param h = 2 m;
@@ -59,13 +61,14 @@ der(z) = v;
 der(v) = (k*max(h - z, 0.1*h) + min(c*abs(v), F_max)*sign(-v))/m - g;
 ";
 
-/// A statement drawn at random; `None` in a program without any.
+/// Index of a random statement; `None` if the program has no statements.
 fn any(program: &Program, random: &mut Random) -> Option<usize> {
     let count = program.statements.len() as u64;
     (count > 0).then(|| (random.next() % count) as usize)
 }
 
-/// Reads another value: an input, a constant or an earlier result that the program uses too.
+/// Mutation: replaces an operand of a random statement by another input, constant or earlier result that the program
+/// uses.
 fn operand(program: &mut Program, random: &mut Random) -> Option<String> {
     let k = any(program, random)?;
     let mut known: Vec<Operand> = Vec::new();
@@ -90,7 +93,7 @@ fn operand(program: &mut Program, random: &mut Random) -> Option<String> {
     Some(format!("{k}: {before:?} reads {other:?}"))
 }
 
-/// Changes the sign of a term, of a factor or of a function.
+/// Mutation: changes a sign in a random statement, such as that of a term or factor.
 fn sign(program: &mut Program, random: &mut Random) -> Option<String> {
     let k = any(program, random)?;
     let before = program.statements[k].op;
@@ -110,7 +113,7 @@ fn sign(program: &mut Program, random: &mut Random) -> Option<String> {
     Some(format!("{k}: {before:?} as {:?}", program.statements[k].op))
 }
 
-/// Changes a constant in its ninth digit, by 1, or in sign.
+/// Mutation: changes a constant in its ninth digit, by 1, or in sign.
 fn constant(program: &mut Program, random: &mut Random) -> Option<String> {
     let has = |statement: &codegen::program::Statement| {
         let operands = statement.op.operands();
@@ -136,7 +139,7 @@ fn constant(program: &mut Program, random: &mut Random) -> Option<String> {
     Some(format!("{k}: {before:?} as {:?}", program.statements[k].op))
 }
 
-/// Leaves out a term of a sum, or a factor.
+/// Mutation: removes a term or a factor from a random statement.
 fn dropped_term(program: &mut Program, random: &mut Random) -> Option<String> {
     let k = any(program, random)?;
     let before = program.statements[k].op;
@@ -155,7 +158,7 @@ fn dropped_term(program: &mut Program, random: &mut Random) -> Option<String> {
     Some(format!("{k}: {before:?} as {:?}", program.statements[k].op))
 }
 
-/// Writes the value of another result.
+/// Mutation: replaces an output of the program by another output.
 fn output(program: &mut Program, random: &mut Random) -> Option<String> {
     let count = program.outputs.len() as u64;
     let (a, b) = (
@@ -166,14 +169,15 @@ fn output(program: &mut Program, random: &mut Random) -> Option<String> {
     Some(format!("result {a} is result {b}"))
 }
 
-/// Mutants of one operator.
+/// Numbers of mutants made by one mutation operator: those that change a value, and those that a check refutes.
 #[derive(Default)]
 struct Kills {
     changed: usize,
     killed: usize,
 }
 
-/// Seeded mutants of `prepare`, f, J and Jp of a model: kills by operator, and the survivors.
+/// Makes pseudorandom mutants of `prepare`, `f`, `f_jac` and `f_jac_par` of a model. Returns the counts by mutation
+/// operator, and descriptions of the mutants that no check refutes.
 fn table(model: &Model, seed: u64) -> ([Kills; OPERATORS.len()], Vec<String>) {
     let compiled = codegen::compile(model);
     let mut random = Random::new(seed, "seeded mutants of the code");

@@ -59,7 +59,8 @@ fn every_check_of_effects_holds_of_models_that_are_not_built_in() {
     }
 }
 
-/// Accelerations of the mass centre that an effect of coefficient 1 adds to the shuttlecock, in still air.
+/// Acceleration of the mass centre, m/s², that the effect `effect` adds to the shuttlecock model in still air if its
+/// coefficient has the value 1.
 fn added(effect: &str, coefficient: &str) -> V {
     let at = |value: f64| {
         let model = with("shuttlecock", &[effect]).model.unwrap();
@@ -153,7 +154,8 @@ fn a_wind_is_a_velocity_that_the_stream_lacks() {
     }
 }
 
-/// Angular accelerations in the body's axes that an effect of this coefficient adds to the dart at rest.
+/// Angular acceleration, rad/s², in the body frame, that the effect `effect` adds to the dart model if its coefficient
+/// has the value `value`. Position and attitude have their default values.
 fn added_turn(effect: &str, coefficient: &str, value: f64) -> V {
     let at = |value: f64| {
         let model = with("quaternion_dart", &[effect]).model.unwrap();

@@ -8,10 +8,11 @@ use verify::checks::backends::runs;
 use verify::random::Random;
 use verify::sample;
 
-/// Points in each test: a whole number of vectors of any width, and some more.
+/// Number of points in each test, not a multiple of any SIMD width, so that incomplete vectors are tested.
 const POINTS: usize = 19;
 
-/// Results of the generated functions of one model on one instruction set, at each point, end to end.
+/// Kernel that computes the concatenated results of the generated functions of a model `E` at each point, with one
+/// instruction set.
 struct Native<'a, E> {
     points: &'a [Point<f64>],
     equations: std::marker::PhantomData<E>,
@@ -76,7 +77,8 @@ fn evaluate<E: Equations, T: Real>(t: T, x: &[T], p: &[T], marker: &[T]) -> Vec<
     all
 }
 
-/// The backend's name and results on every instruction set of this machine.
+/// Computes, for every instruction set that this machine supports, the name of the backend and its results at the
+/// points.
 struct EveryIsa<'a>(&'a [Point<f64>]);
 
 impl Visitor for EveryIsa<'_> {

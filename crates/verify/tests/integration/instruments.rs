@@ -14,7 +14,8 @@ const ALL: [Instrument; 3] = [
     Instrument::Speed,
 ];
 
-/// A lopsided body of which no frame has a symmetry.
+/// Text of a test model of a body without inertial symmetry: its inertia tensor is constant only in the body-fixed
+/// frame.
 const GLIDER: &str = "model glider; param m = 0.4 kg; param g = 9.81 m/s^2; param I_1 = 0.01 kg*m^2; param I_2 = 0.02 kg*m^2; param I_3 = 0.025 kg*m^2; param lever = 0.02 m; frame N; frame B = N by quaternion (q0, q1, q2, q3);
     body glider { mass m; inertia diag(I_1, I_2, I_3) in B; fixed in B; position (x, y, z) in N;
       velocity (u, v, w) in N; angular velocity (p, q, r) in B; }
@@ -33,7 +34,7 @@ fn models() -> Vec<Model> {
         .collect()
 }
 
-/// A point in the domain of the model.
+/// A point within the validity limits, at which states, coefficients and marker position differ from their defaults.
 fn point(model: &Model) -> Point<f64> {
     let mut point = Point::defaults(model);
     for (index, value) in point.states.iter_mut().enumerate() {
@@ -67,7 +68,8 @@ fn parameters(model: &Model, point: &Point<f64>) -> Vec<f64> {
     all.copied().collect()
 }
 
-/// Value of an instrument by the oracle, in the frame of its definition.
+/// Value of the auxiliary variable `name`, which predicts an instrument's measurement, computed by the reference
+/// simulator (crate `oracle`). A vector is given in the frame of its definition.
 fn by_oracle(model: &Model, name: &str, point: &Point<f64>) -> Vec<f64> {
     let own = model
         .aux_variables
@@ -139,7 +141,8 @@ fn compiled_instruments_are_the_oracle_s_and_so_are_their_derivatives() {
     }
 }
 
-/// Each state that varies by itself, and a direction in which each unit quaternion does.
+/// Independent directions in state space: one for each state that is not a quaternion component, and one for each unit
+/// quaternion, tangent to the unit sphere.
 fn directions(model: &Model, point: &Point<f64>) -> Vec<Vec<f64>> {
     let quaternions: Vec<[usize; 4]> = model.quaternions().collect();
     let states = point.states.len();
@@ -164,7 +167,7 @@ fn directions(model: &Model, point: &Point<f64>) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// States a short time later or earlier, by one step of Runge and Kutta.
+/// Point reached after the time `dt`, s, which may be negative, by one Runge–Kutta step.
 fn moved(model: &Model, point: &Point<f64>, dt: f64) -> Point<f64> {
     let rate = |at: &Point<f64>| derivatives(model, at).expect("it flies");
     let plus = |k: &[f64], h: f64| {

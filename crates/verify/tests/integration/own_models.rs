@@ -7,7 +7,7 @@ use verify::checks::{exact, identities, metamorphic, reference, singular};
 use verify::flights::{INVARIANTS, MOMENTA};
 use verify::report::{Outcome, Report, Verdict};
 
-/// A point with drag in still air.
+/// Text of a test model of a point mass with drag in still air.
 const POINT: &str = "model pebble;
 param m = 0.05 kg;
 param g = 9.81 m/s^2;
@@ -20,7 +20,8 @@ marker mark in N;
 observe mark = position + mark;
 ";
 
-/// A glider in its vertical plane, by stated equations; it has no path angle at rest.
+/// Text of a test model of a glider in its vertical plane, with explicitly written equations. Its flight-path angle is
+/// undefined at rest.
 const GLIDER: &str = "model glider;
 param m = 3 g;
 param S = 0.017 m^2;

@@ -5,7 +5,8 @@ use verify::checks::{metamorphic, reference};
 use verify::report::{Measure, Report, Verdict};
 use verify::{Options, run};
 
-/// Figures depend on the machine's arithmetic; what is allowed does not.
+/// Text of a report without measured errors, which depend on the arithmetic of the machine: check, verdict and
+/// tolerance per line.
 fn stable(report: &Report) -> String {
     let line = |row: &verify::report::Row| {
         let most = match row.measure {

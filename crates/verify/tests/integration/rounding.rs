@@ -29,7 +29,7 @@ fn own(text: &str) -> Model {
     from_text("own.hyz", text, &[]).unwrap()
 }
 
-/// Errors of the runs of one compiled model against the long arithmetic of another.
+/// Rounding errors of the results `runs`, relative to those of the program `compiled` in 256-bit arithmetic.
 fn of_runs(compiled: &Compiled, runs: &[Run], points: &[oracle::Point<f64>]) -> Rounding {
     let (errors, left_out) = errors(compiled, points, runs);
     Rounding {
@@ -72,7 +72,7 @@ fn every_backend_of_every_model_rounds_well_and_no_statement_loses_digits() {
     }
 }
 
-/// A pendulum whose height above its lowest point is stated in two ways.
+/// Model of a pendulum whose height above its lowest point is defined by the expression `height`.
 fn pendulum(height: &str) -> Model {
     own(&format!(
         "model pendulum;

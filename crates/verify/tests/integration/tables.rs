@@ -38,7 +38,8 @@ fn knots() -> impl Strategy<Value = Vec<(f64, f64)>> {
     })
 }
 
-/// Value or derivative by the compiler's cubics.
+/// Value at `x` of the first table of a model (`order` 0), or of its derivative of the given order, from the compiler's
+/// piecewise cubic.
 fn compiled(model: &Model, x: f64, order: u8) -> f64 {
     let mut cubic = PiecewiseCubic::of(&model.tables[0]);
     for _ in 0..order {
@@ -168,7 +169,8 @@ fn the_exact_check_and_the_difference_of_models_tell_tables_apart() {
     }
 }
 
-/// Code that was compiled with one value changed, one knot moved or the other slopes.
+/// Checks that code is refuted if it was compiled with another value or argument of a knot, or with another
+/// interpolation.
 #[test]
 fn code_with_another_table_is_refuted() {
     let model = with_table(&KNOTS, "");

@@ -19,7 +19,7 @@ use verify::random::Random;
 use verify::report::{Outcome, Verdict};
 use verify::subject::Subject;
 
-/// Number of mutants drawn for each model, or all where there are fewer.
+/// Maximum number of mutants that are drawn for each model.
 const DRAWN: usize = 200;
 
 fn file(path: &str) -> String {
@@ -27,24 +27,25 @@ fn file(path: &str) -> String {
     std::fs::read_to_string(&path).unwrap_or_else(|why| panic!("{path}: {why}"))
 }
 
-/// A model of the studies.
+/// Text of the model `name` in the folder `studies/models`.
 fn studied(name: &str) -> String {
     file(&format!("../studies/models/{name}.hyz"))
 }
 
-/// A model of the studies with its author's worked example.
+/// Text of the model `name` in the folder `studies/models`, with a check case of its author appended.
 fn worked(name: &str) -> String {
     studied(name) + &file(&format!("tests/integration/models/{name}_case.hyz"))
 }
 
-/// A text without its claim.
+/// Removes the `claim` block (declared physical meaning of the equations) from a model text.
 fn unclaimed(text: &str) -> String {
     let start = text.find("claim ").unwrap();
     let end = start + text[start..].find("}\n").unwrap() + 2;
     format!("{}{}", &text[..start], &text[end..])
 }
 
-/// The models, each with whether it says what its quantities are.
+/// The tested models: description, text, and whether the model declares a body or a claim, so that its equations can be
+/// verified.
 fn models() -> Vec<(&'static str, String, bool)> {
     let glider = studied("glider");
     vec![
@@ -87,23 +88,24 @@ fn right_models_are_not_refuted_by_any_seed() {
     }
 }
 
-/// What became of mutants of a model.
+/// Numbers of mutants of a model by their status.
 #[derive(Debug, Default)]
 struct Kills {
     drawn: usize,
     killed: usize,
     equivalent: usize,
-    /// Number of mutants that each check kills first.
+    /// For each check in [`CHECKS`], the number of mutants for which it is the first check to refute them.
     first: [usize; CHECKS.len()],
     left: Vec<String>,
 }
 
-/// Whether a mutant changes what is observed and not how the body moves.
+/// Whether a mutant changes only the observation and not the motion of the body.
 fn is_of_observation(mutant: &Mutant) -> bool {
     mutant.place.starts_with("observe") || mutant.place.starts_with("marker")
 }
 
-/// Draws mutants that change the motion until there are [`DRAWN`], and runs every check on each.
+/// Draws random mutants of a model that are not equivalent to it and do not affect only the observation, at most
+/// [`DRAWN`], and runs every check on each.
 fn kills(text: &str, seed: u64) -> Kills {
     let loaded = loaded(text);
     let model = loaded.model.as_ref().unwrap();

@@ -13,7 +13,8 @@ pub enum BodyClass {
 }
 
 impl BodyClass {
-    /// Keyword of the class in a declaration or a claim.
+    /// Keyword of the class, `body` or `point`, with which a declaration of a body begins; it follows `claim` in a
+    /// `claim` block.
     pub(crate) fn keyword(self) -> &'static str {
         match self {
             BodyClass::Rigid => "body",

@@ -8,15 +8,15 @@ use crate::source::Span;
 /// equations `der(STATE) = …` are the mass, motion and loads of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Claim {
-    /// Whether the body that the equations are claimed to describe is rigid or a point mass.
+    /// Whether the body that the equations are declared to describe is rigid or a point mass.
     pub class: BodyClass,
-    /// Name of the body that the equations are claimed to describe.
+    /// Name of the body that the equations are declared to describe.
     pub name: Name,
-    /// Statements of the claim's block, in order.
+    /// Statements of the `claim` block, in order.
     pub parts: Vec<ClaimPart>,
 }
 
-/// A statement in the block of a claim.
+/// A statement in a `claim` block, which declares the physical meaning of a model's equations.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClaimPart {
     /// Kind of statement, with its content.
@@ -25,7 +25,7 @@ pub struct ClaimPart {
     pub span: Span,
 }
 
-/// Kinds of statement in the block of a claim.
+/// Kinds of statement in a `claim` block, which declares the physical meaning of a model's equations.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ClaimPartKind {
     /// `mass EXPR;`: mass, kg.

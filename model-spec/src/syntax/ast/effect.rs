@@ -24,7 +24,7 @@ impl Effect {
     }
 }
 
-/// A quantity that a model must have for an effect to be applicable.
+/// A quantity that a model must have for an effect (named change to a model) to be applicable.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Need {
     /// Name of the quantity.
@@ -38,7 +38,7 @@ pub struct Need {
     pub otherwise: Option<Expr>,
 }
 
-/// A statement in the block of an effect.
+/// A statement in the block of an effect (named change to a model).
 #[derive(Clone, Debug, PartialEq)]
 pub enum EffectPart {
     /// `needs NAME: UNIT, …;`: quantities that the model must have, each with its kind (scalar or vector), unit and

@@ -36,7 +36,7 @@ pub const REFERENCE_VALUES: [(ElementaryFunction, f64, f64); 28] = [
     (Asin, 1e-09, 1e-09),
 ];
 
-/// The function by the standard library, within 1 ulp.
+/// Value of an elementary function computed by the standard library, as reference for tests.
 pub fn standard(function: ElementaryFunction, x: f64) -> f64 {
     match function {
         Exp => x.exp(),

@@ -10,7 +10,8 @@ use verify::checks::effect_reference::EFFECT_REFERENCE;
 use verify::checks::effects::EFFECTS;
 use verify::report::{Report, Row, Verdict};
 
-/// Few points and no mutants: a fault shows at almost every point.
+/// Options for fast verifications: few random points, since most faults show at almost every point, and no mutation
+/// testing.
 pub const QUICK: Options = Options {
     seed: 1,
     cases: 24,
@@ -18,17 +19,17 @@ pub const QUICK: Options = Options {
     effects: true,
 };
 
-/// [`QUICK`] without the checks of effects.
+/// [`QUICK`] without the checks of effects (optional model extensions).
 #[allow(dead_code)]
 pub const WITHOUT_EFFECTS: Options = Options {
     effects: false,
     ..QUICK
 };
 
-/// Checks that refute a built-in model for a defect that is known and not the model's.
+/// Names of checks that refute a built-in model although the model is correct; their failures are ignored.
 pub const KNOWN: [&str; 0] = [];
 
-/// What is refuted, but for what is known.
+/// Names of the refuted checks of a report, except those in [`KNOWN`].
 #[allow(dead_code)]
 pub fn refuted(report: &Report) -> Vec<&'static str> {
     let refuted = report
@@ -41,13 +42,13 @@ pub fn refuted(report: &Report) -> Vec<&'static str> {
         .collect()
 }
 
-/// A built-in model.
+/// Loads a built-in model without effects.
 #[allow(dead_code)]
 pub fn built_in(name: &str) -> Loaded {
     inspect(name, &[]).unwrap()
 }
 
-/// A built-in model with a piece of its text exchanged.
+/// Loads a built-in model after the first occurrence of `from` in its text has been replaced by `to`.
 #[allow(dead_code)]
 pub fn edited(name: &str, from: &str, to: &str) -> Loaded {
     let text = built_in(name).sources[0].text.clone();
@@ -55,22 +56,22 @@ pub fn edited(name: &str, from: &str, to: &str) -> Loaded {
     inspect_text(name, &text.replacen(from, to, 1), &[]).unwrap()
 }
 
-/// A built-in model with lines added.
+/// Loads a built-in model with `lines` appended to its text.
 #[allow(dead_code)]
 pub fn with_lines(name: &str, lines: &str) -> Loaded {
     let text = built_in(name).sources[0].text.clone() + lines;
     inspect_text(name, &text, &[]).unwrap()
 }
 
-/// The row of a check.
+/// Result of the check named `check` in a report; panics if the report has none.
 #[allow(dead_code)]
 pub fn row<'a>(report: &'a Report, check: &str) -> &'a Row {
     let found = report.rows.iter().find(|row| row.check == check);
     found.unwrap_or_else(|| panic!("no check is called `{check}`"))
 }
 
-/// What a check says of a model. The checks of effects, which compile the model with each effect, run only where they
-/// are asked for.
+/// Verifies a model and returns the verdict of one check. The checks of effects, which compile the model once per
+/// effect, run only if one of them is requested.
 #[allow(dead_code)]
 pub fn verdict(loaded: &Loaded, check: &str) -> Verdict {
     assert!(loaded.model.is_some(), "{:#?}", loaded.diagnostics);
@@ -81,7 +82,8 @@ pub fn verdict(loaded: &Loaded, check: &str) -> Verdict {
     row(&verify::run(loaded, &options), check).verdict
 }
 
-/// A body of revolution about its first axis, by angles about 3, 2 and 1, in still air.
+/// Text of a test model of a body of revolution about its first axis, whose attitude is given by rotations about axes
+/// 3, 2 and 1; the air is still.
 #[allow(dead_code)]
 pub const TOP: &str = "model top;
 param m = 0.43 kg;
@@ -103,7 +105,7 @@ force drag = -k*norm(velocity)*velocity;
 moment damping = -c*angular_velocity;
 ";
 
-/// Results of a function at points.
+/// Concatenated results of a compiled function at all points.
 #[allow(dead_code)]
 pub fn results(compiled: &Compiled, function: &Function, points: &[Point<f64>]) -> Vec<f64> {
     let (prepare, tape) = (
