@@ -17,7 +17,8 @@ const CLASSES: [f64; 4] = [0.0, 1.0, 2.5, f64::INFINITY];
 #[derive(Clone, Debug, Serialize)]
 pub struct CutSection {
     free: Vec<FreeRow>,
-    /// For the flights without ground contact: their number, and how many of them the fits truncated and excluded.
+    /// For the flights without ground contact: number of all flights, of flights that the fits truncated, and of
+    /// flights that they excluded.
     totals: [usize; 3],
     bounces: Vec<BounceRow>,
     /// For the flights that bounce: their number, and how many of them the fits truncated within two samples of the

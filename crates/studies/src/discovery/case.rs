@@ -15,7 +15,7 @@ const DISC_FLIGHTS: (usize, usize) = (20, 4);
 /// Number of flights in a ball dataset, and how many of them are held out.
 const BALL_FLIGHTS: (usize, usize) = (12, 3);
 
-/// Minimum ratio of a run's effect size to the nominal size of its row. The maximum ratio is twice this.
+/// Minimum ratio of an effect's size in one run to its nominal size. The maximum ratio is twice this.
 const MIN_SIZE: f64 = 0.7;
 
 /// Number of the ChaCha random stream from which the sizes and signs of the effects are drawn. The streams of the

@@ -32,7 +32,7 @@ pub enum Group {
 }
 
 impl Group {
-    /// Name of the group on pages.
+    /// Name of the group on documentation pages.
     pub(super) fn label(self) -> &'static str {
         match self {
             Group::Null => "no effect",
@@ -78,7 +78,7 @@ pub enum Size {
 const SEVERE: f64 = 4.0;
 
 impl Size {
-    /// Name of the size on pages and in [`Row::key`].
+    /// Name of the size on documentation pages and in [`Row::key`].
     pub(super) fn label(self) -> &'static str {
         match self {
             Size::Weak => "weak",

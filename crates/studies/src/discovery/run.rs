@@ -94,7 +94,7 @@ fn diagnosis_options(threads: usize) -> DiagnosisOptions<'static> {
     }
 }
 
-/// Simulates the flights of a run, diagnoses them, and scores the answer against the effects added to the simulated
+/// Simulates the flights of a run, diagnoses them, and scores the diagnosis against the effects added to the simulated
 /// flights.
 fn outcome(case: &Case, models: &Models, threads: usize) -> Outcome {
     let dataset = case.dataset();

@@ -47,7 +47,8 @@ struct StageRow {
     apart: f64,
 }
 
-/// Maximum difference between the two sides of a law, relative to their magnitude, that is attributed to rounding.
+/// Maximum difference between the two sides of a balance law, relative to their magnitude, that is attributed to
+/// rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// Renders docs/others.md from the results of all simulators.

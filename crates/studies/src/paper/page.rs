@@ -33,11 +33,12 @@ struct Results {
 struct ClaimRow {
     flight: String,
     claim: String,
-    /// Stated value of the claim, and its tolerance.
+    /// Value that the publication states, and the tolerance allowed for a reproduction, both in `unit`.
     stated: [f64; 2],
-    /// Unit with a leading space; empty if dimensionless.
+    /// Unit of the stated value, with a leading space; empty if dimensionless.
     unit: String,
-    /// Simulated value, and deviation in units of the tolerance; `None` if the integration fails.
+    /// Simulated value, and its deviation from the stated value in units of the tolerance; `None` if the integration
+    /// fails.
     simulated: Option<(f64, f64)>,
 }
 

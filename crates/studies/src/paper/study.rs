@@ -34,7 +34,7 @@ pub struct Scored {
 }
 
 impl Scored {
-    /// Misfit plus the penalty of the hypotheses; the lowest score is the best.
+    /// Sum of the misfit and the penalty of the hypotheses; the lowest score is the best.
     pub fn score(&self) -> f64 {
         self.misfit + PENALTY * self.reading.hypotheses() as f64
     }
@@ -43,14 +43,14 @@ impl Scored {
 /// Simulated outcomes of the two flights of Hubbard & Hummel (2000) under all readings (interpretations of their Table
 /// 1), and the ranking of the readings.
 pub struct Study {
-    /// Numerical outcomes that the paper (Hubbard & Hummel, 2000) states for its two flights.
+    /// Numerical values that Hubbard & Hummel (2000) state about their two flights.
     pub claims: Vec<Claim>,
     /// All readings (interpretations of the paper's Table 1) with their misfit, sorted by score, best first.
     pub ranking: Vec<Scored>,
     orders: Vec<Columns>,
     conventions: Vec<Conventions>,
-    /// Outcomes of the flight fssh3, indexed `[convention][order]` like the lists `conventions` (signs and units) and
-    /// `orders` (order of the columns); `None` if the integration fails.
+    /// Simulated outcomes of the flight fssh3, indexed `[convention][order]` like the lists `conventions` (signs and
+    /// units) and `orders` (order of the columns); `None` if the integration fails.
     fssh3: Vec<Vec<Option<Outcome>>>,
     bffl8: Vec<Vec<Option<Outcome>>>,
 }
@@ -164,9 +164,9 @@ impl Study {
             .find(|scored| scored.reading == *reading)
     }
 
-    /// Returns the readings (interpretations of Table 1) that the claims cannot distinguish from the best one: those
-    /// with the same number of claims within tolerance and a misfit less than 1 above the minimum. The best reading is
-    /// first.
+    /// Returns the readings (interpretations of Table 1) that the stated outcomes cannot distinguish from the best one.
+    /// These are the readings with the same number of outcomes within tolerance and a misfit less than 1 above the
+    /// minimum. The best reading is first.
     pub(super) fn indistinguishable(&self) -> Vec<&Scored> {
         let best = &self.ranking[0];
         let near = |scored: &&Scored| scored.held == best.held && scored.misfit < best.misfit + 1.0;

@@ -45,7 +45,7 @@ pub struct Run {
     pub which: Which,
     /// Seed of the simulated flights.
     pub seed: u64,
-    /// Answer of the fit, classified by whether it could mislead a user.
+    /// Result of the fit, classified by whether it could mislead a user.
     pub judged: Judged,
     /// Elapsed time of the fit, s.
     pub seconds: f64,

@@ -44,7 +44,7 @@ struct CurveRow {
     /// RMS difference, over the range of the fit, between the table and the curve with the coefficients of the model
     /// file.
     model_rms: f64,
-    /// RMS of the coefficient's values in the table, over the range of the fit.
+    /// RMS, over the range of the fit, of the values of this aerodynamic coefficient in the table.
     magnitude: f64,
 }
 
