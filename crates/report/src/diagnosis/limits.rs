@@ -12,7 +12,8 @@ use crate::fit::words::names;
 /// Maximum number of rows of one table.
 const MAX_ROWS: usize = 60;
 
-/// Effects that are not identifiable: name of the effect, and names of the parameters with which it is confounded.
+/// Effects that are not identifiable from the flights: name of the effect, and names of the parameters with which it is
+/// confounded.
 pub(super) fn undetectable(report: &Report) -> Vec<[String; 2]> {
     let all = report.undetectable.iter().take(MAX_ROWS);
     all.map(|u| {
@@ -105,21 +106,21 @@ pub(super) fn scores(report: &Report) -> Vec<Score> {
     report.candidates.iter().take(MAX_ROWS).map(row).collect()
 }
 
-/// Row of a flight: file, role, and RMS residual without and with the extension of the model.
+/// Row of a flight: file, role, and RMS residual without and with the effects added to the model.
 #[derive(Serialize)]
 pub(super) struct Flight {
     file: String,
     held_out: bool,
     before: String,
     after: String,
-    /// Decrease of the RMS residual by the extension; `–` without an extension.
+    /// Decrease of the RMS residual by the effects added to the model; `–` if none were added.
     gain: String,
-    /// Whether the extension increases the RMS residual.
+    /// Whether the effects added to the model increase the RMS residual.
     worse: bool,
     /// p-value of the flight's lack-of-fit test; `–` if the flight was not tested.
     p: String,
-    /// Whether the flight is excluded from the out-of-sample gain because neither the model under test nor the extended
-    /// model predicts it.
+    /// Whether the flight is excluded from the out-of-sample error reduction because neither the model under test nor
+    /// the extended model predicts it.
     apart: bool,
     /// Reason why the flight was excluded from the fit or from the prediction; `None` if it was not excluded.
     excluded: Option<String>,
@@ -166,11 +167,12 @@ pub(super) fn flights(report: &Report) -> Vec<Flight> {
 pub(super) struct LackOfFitText {
     says: String,
     head: [&'static str; 6],
-    /// Rows of the largest smooth deviations, smallest p-value first; the columns are named in `head`.
+    /// Rows of the largest smooth deviations of the residuals from zero, smallest p-value first; the columns are named
+    /// in `head`.
     departures: Vec<[String; 6]>,
 }
 
-/// Formats the lack-of-fit test with a table of the largest smooth deviations.
+/// Formats the lack-of-fit test with a table of the largest smooth deviations of the residuals from zero.
 pub(super) fn lack_of_fit(test: &LackOfFit) -> LackOfFitText {
     let row = |d: &SmoothMisfit| {
         [

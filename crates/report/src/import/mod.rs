@@ -84,7 +84,7 @@ pub struct Distance {
 }
 
 impl ImportedFlight {
-    /// Whether a time, s, is between the first and the last sample of the flight.
+    /// Whether a time in the recording, s, is between the first and the last sample of the flight.
     fn holds(&self, time: f64) -> bool {
         self.span.0 <= time && time <= self.span.1
     }
