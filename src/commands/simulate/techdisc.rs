@@ -12,10 +12,10 @@ const MAX_BYTES: u64 = 4 << 20;
 const MAX_ROWS: usize = 1000;
 /// Maximum number of columns in a file.
 const MAX_COLUMNS: usize = 200;
-/// Maximum relative difference between the two speeds given in a row, one in mph and one in km/h.
+/// Maximum relative difference between the two speeds of one throw in the file, one in mph and one in km/h.
 const SPEED_DIFFERENCE: f64 = 0.01;
 
-/// Speed columns, with the factor that converts the value to m/s.
+/// Names of the columns with the speed, each with the factor that converts the value to m/s.
 const SPEEDS: [(&str, f64); 2] = [("speedMph", 0.44704), ("speedKmh", 1.0 / 3.6)];
 /// Columns other than those of the speed: name of the column, name of the quantity of a throw, and whether the column
 /// is required.
