@@ -111,7 +111,8 @@ impl Bounds {
             .filter(|(_, least, greatest)| least < greatest)
     }
 
-    /// Maps a point of the unit box of the free quantities to a throw; the other quantities have their fixed values.
+    /// Maps a point of the unit box, whose coordinates are the free quantities scaled from their ranges to [0, 1], to a
+    /// throw. All other quantities have their fixed values.
     pub fn throw(&self, at: &DVector<f64>) -> Throw {
         let mut throw = Throw::at_speed(1.0);
         let mut free = at.iter();

@@ -113,8 +113,8 @@ impl ThrownBody {
     }
 }
 
-/// Flights of a body with given parameters. All start above the origin and end when the height of the mass centre
-/// falls to 0.
+/// Computes flights of a body with given parameters. All start above the origin and end when the height of the mass
+/// centre falls to 0.
 pub struct ThrowFlights<'b> {
     /// The body that flies.
     pub body: &'b ThrownBody,

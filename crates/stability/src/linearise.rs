@@ -11,9 +11,9 @@ use model_spec::model::Model;
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use ode::{DifferentiableRhs, OdeRhs};
 
-/// Time step, s, of the sixth-order central differences of the motion along a flight; `WEIGHTS` are the weights of the
-/// differences over 1, 2 and 3 steps to either side.
+/// Time step, s, of the sixth-order central differences of the motion along a flight.
 const STEP: f64 = 1e-4;
+/// Weights of the sixth-order central differences over 1, 2 and 3 steps to either side.
 const WEIGHTS: [f64; 3] = [45.0 / 60.0, -9.0 / 60.0, 1.0 / 60.0];
 
 /// Reason why a body has no linearised motion.

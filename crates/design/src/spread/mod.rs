@@ -61,7 +61,7 @@ pub struct Agreement {
     /// Ratio of the standard deviation of the sampled landings to that of the linear propagation, in the horizontal
     /// directions in which this ratio is smallest and largest.
     pub ratios: (f64, f64),
-    /// Sampling standard errors of `shift` and of a ratio in `ratios`.
+    /// Sampling standard errors: of `shift`, and of each ratio in `ratios`.
     pub errors: (f64, f64),
     /// Whether the linear and the sampled spread agree: `shift` differs from 0, and both `ratios` differ from 1, by at
     /// most [`TOLERATED`] or three of their standard errors, whichever is larger.
