@@ -30,8 +30,8 @@ pub struct Scatter {
     pub release: Vec<(usize, f64)>,
     /// Standard deviations of the components x, y, z of a constant wind, m/s.
     pub wind: [f64; 3],
-    /// Standard deviations of parameters and coefficients: (index in the model's layout, value in the parameter's
-    /// unit).
+    /// Standard deviations of parameters and coefficients: (index among the parameters of the compiled model, value in
+    /// the parameter's unit).
     pub parameters: Vec<(usize, f64)>,
 }
 

@@ -63,7 +63,7 @@ pub struct Obstacle {
     /// Radius, m, including a margin for the size of the body: only the path of the mass centre is compared with the
     /// cylinder.
     pub radius: f64,
-    /// Side on which the path must pass the obstacle; `None` allows both.
+    /// Side on which the path must pass the obstacle; `None` allows either side.
     pub side: Option<Side>,
 }
 

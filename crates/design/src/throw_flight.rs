@@ -38,7 +38,7 @@ pub enum ThrowFlightError {
 pub enum By {
     /// A quantity of the throw, by its index in [`FIELDS`].
     Throw(usize),
-    /// A parameter, coefficient or component of an input, by its index in the model's layout.
+    /// A parameter, coefficient or component of an input, by its index among the parameters of the compiled model.
     Parameter(usize),
 }
 
@@ -119,7 +119,7 @@ pub struct ThrowFlights<'b> {
     /// The body that flies.
     pub body: &'b ThrownBody,
     pub(crate) bound: BoundModel<'b>,
-    /// Parameter values, in the order of the model's layout.
+    /// Parameter values, in the order of the compiled model's parameters.
     pub parameters: Vec<f64>,
 }
 

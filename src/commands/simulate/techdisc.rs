@@ -30,9 +30,9 @@ const COLUMNS: [(&str, &str, bool); 5] = [
 /// One throw recorded by a launch monitor: a row of its CSV file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// Text of the column `id`; the number of the row if it has none.
+    /// Text of the column `id`; the number of the throw in the file if that column is empty or missing.
     pub id: String,
-    /// Number of the row among the throws, from 1.
+    /// Number of the throw in the file, from 1.
     pub number: usize,
     /// Line number in the file, from 1.
     pub line: u64,
@@ -93,10 +93,10 @@ pub fn parse(file: &str, bytes: &[u8]) -> anyhow::Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// Selects the row that `--row` names, by its id or else by its number.
+/// Selects the throw that `--row` names, by its id or else by its number.
 ///
 /// # Errors
-/// If there is no such row, or if several rows have this id.
+/// If there is no such throw, or if several throws have this id.
 pub fn choose(rows: Vec<Row>, name: &str) -> anyhow::Result<Row> {
     let of_id = |row: &&Row| row.id == name;
     let count = rows.iter().filter(of_id).count();

@@ -41,8 +41,8 @@ struct Effect {
 
 #[derive(Serialize)]
 struct Row {
-    /// Name of the effect, and number of table rows that the effect occupies; `None` in the second and further rows of
-    /// an effect.
+    /// Name of the effect, and number of table rows that the effect occupies. `None` in all rows of an effect but its
+    /// first.
     effect: Option<(String, usize)>,
     site: String,
     variables: String,

@@ -9,7 +9,7 @@ use crate::fit::flights::short;
 use crate::fit::numbers::{Digits, millimetres, plain, significant, unit};
 use crate::fit::words::names;
 
-/// Maximum number of rows of one table.
+/// Maximum number of rows of a table in the report.
 const MAX_ROWS: usize = 60;
 
 /// Effects that are not identifiable from the flights: name of the effect, and names of the parameters with which it is
@@ -38,7 +38,7 @@ pub(super) fn detectable(report: &Report) -> Vec<[String; 4]> {
     .collect()
 }
 
-/// Row of a library term tested by stepwise regression, with all values formatted as text.
+/// Table row of a library term (product of variables) tested by stepwise regression, with all values formatted as text.
 #[derive(Serialize)]
 pub(super) struct TermRow {
     site: String,
@@ -49,7 +49,7 @@ pub(super) struct TermRow {
     taken: bool,
 }
 
-/// Rows of the library terms tested by stepwise regression, in the order of `terms`.
+/// Table rows of the library terms (products of variables) tested by stepwise regression, in the order of `terms`.
 pub(super) fn terms(terms: &[StepwiseTerm]) -> Vec<TermRow> {
     let row = |term: &StepwiseTerm| {
         let digits = Digits::of(term.value, term.std_error);
@@ -65,7 +65,7 @@ pub(super) fn terms(terms: &[StepwiseTerm]) -> Vec<TermRow> {
     terms.iter().take(MAX_ROWS).map(row).collect()
 }
 
-/// Row of a candidate's score test, with all values formatted as text.
+/// Table row of the score test of a candidate effect, with all values formatted as text.
 #[derive(Serialize)]
 pub(super) struct Score {
     name: String,
@@ -80,7 +80,8 @@ pub(super) struct Score {
     significant: bool,
 }
 
-/// Rows of the score tests, in the order of the report: the most significant candidate first.
+/// Table rows of the score tests of candidate effects, in the order of the report: the most significant candidate
+/// first.
 pub(super) fn scores(report: &Report) -> Vec<Score> {
     let row = |c: &CandidateTest| {
         let expected = c.one_step.iter().take(6).map(|(name, e)| {
@@ -106,7 +107,7 @@ pub(super) fn scores(report: &Report) -> Vec<Score> {
     report.candidates.iter().take(MAX_ROWS).map(row).collect()
 }
 
-/// Row of a flight: file, role, and RMS residual without and with the effects added to the model.
+/// Table row of a flight: file, role, and RMS residual without and with the effects added to the model.
 #[derive(Serialize)]
 pub(super) struct Flight {
     file: String,

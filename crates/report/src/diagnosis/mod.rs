@@ -28,7 +28,8 @@ pub struct DiagnosisPage<'a> {
     /// Measured flights with the predictions of the extended model (with the effects found), to be drawn; empty if the
     /// model was not extended.
     pub after: &'a [FlightEvidence],
-    /// Fits of both models, from which curves and confidence bands are computed; `None` omits these figures.
+    /// Fits of the model under test and of the extended model, from which curves and confidence bands are computed;
+    /// `None` omits these figures.
     pub fits: Option<Fits<'a>>,
     /// Reasons not to rely on the diagnosis; empty if there are none.
     pub reasons_against: &'a [String],

@@ -26,11 +26,11 @@ pub struct ImportedTake {
     /// Height of the tracked body during the whole recording: pairs of time, s, and height, m; the height is not finite
     /// at times at which the body was not tracked.
     pub heights: Vec<(f64, f64)>,
-    /// Flights that were cut from the recording.
+    /// Flights that were extracted from the recording.
     pub flights: Vec<ImportedFlight>,
 }
 
-/// One flight cut from a recording.
+/// One flight extracted from a recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImportedFlight {
     /// File name of the flight's table in the dataset.

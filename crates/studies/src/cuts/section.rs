@@ -12,8 +12,8 @@ const MAX_EXAMPLES: usize = 12;
 /// Boundaries of the classes of impact speed, m/s.
 const CLASSES: [f64; 4] = [0.0, 1.0, 2.5, f64::INFINITY];
 
-/// Data of the page's section on truncation: counts and examples of flights without ground contact and of flights that
-/// bounce on the ground.
+/// Data of the section on truncation in docs/spoiled.md: counts and examples of flights without ground contact and of
+/// flights that bounce on the ground.
 #[derive(Clone, Debug, Serialize)]
 pub struct CutSection {
     free: Vec<FreeRow>,

@@ -38,10 +38,8 @@ pub struct Case {
 }
 
 impl Case {
-    /// Draws the settings of run `run` of a row of the study's table. They depend only on the row's key and `run`.
-    ///
-    /// # Panics
-    /// If a built-in effect does not load.
+    /// Draws the settings of the run with the index `run` among those of one combination of simulation settings, `row`.
+    /// They depend only on the row's key (text of these settings) and `run`.
     pub fn of(row: &Row, run: usize) -> Self {
         let seed = seed(&row.key(), run);
         let mut random = ChaCha12Rng::seed_from_u64(seed);
@@ -144,8 +142,8 @@ fn default_flights(body: Body) -> (usize, usize) {
     }
 }
 
-/// Seed of a run: 40-bit FNV-1a hash of the row's key and the index of the run. It is not wider because other code
-/// multiplies seeds by 1000.
+/// Seed of a run: 40-bit FNV-1a hash of `key`, the text of the simulation settings, and the index of the run. It is not
+/// wider because other code multiplies seeds by 1000.
 fn seed(key: &str, run: usize) -> u64 {
     let bytes = key.bytes().chain((run as u64).to_le_bytes());
     let hash = bytes.fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {

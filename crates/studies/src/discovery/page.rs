@@ -17,8 +17,8 @@ use crate::seeded::InputErrors;
 /// of the table.
 const MAX_ANSWERS: usize = 3;
 
-/// Divisor of the number of runs of a row: the row is listed as failing if the diagnosis misses a detectable effect in
-/// more than one run of this number.
+/// Divisor of the number of runs with the same simulation settings: the settings are listed as failing if the diagnosis
+/// misses a detectable effect in more than one run of this number.
 const MISSED_DIVISOR: usize = 10;
 
 /// Permitted maximum of the median computing time of a diagnosis of 20 disc flights, s.
@@ -34,7 +34,8 @@ struct Results<'r> {
     rates: &'r Rates,
     times: [TimeLimit; 2],
     failures: Vec<Failure>,
-    /// Rows with two or three effects added to the simulated flights, or with one effect of severe size.
+    /// Table rows of the runs with two or three effects added to the simulated flights, or with one effect of severe
+    /// size.
     several: Vec<&'r TableRow>,
     confounded: Vec<&'r TableRow>,
     unlisted: Vec<&'r TableRow>,

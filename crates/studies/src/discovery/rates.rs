@@ -59,7 +59,8 @@ impl Count {
     }
 }
 
-/// Statistics over the runs of one row: counts, means and medians.
+/// Statistics over the runs of one row of the study's table (combination of simulation settings): counts, means and
+/// medians.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct RowRates {
     /// Number of runs in which the diagnosis detected a deviation from the model (verdict other than `Verdict::None`).

@@ -42,8 +42,8 @@ struct StageRow {
     moved: String,
     broken: String,
     end: [f64; 3],
-    /// Distance, m, between the ends of two flights: the one simulated with the equations of this row (as published or
-    /// after corrections), and the one simulated with the published equations.
+    /// Distance, m, between the ends of two simulated flights: one with the equations of this table row (as published
+    /// or after corrections), and one with the published equations.
     apart: f64,
 }
 

@@ -33,7 +33,7 @@ impl Judgement {
         !matches!(self, Self::Wrong | Self::TooLong)
     }
 
-    /// Label of the judgement on the page.
+    /// Text of the judgement on the page of results.
     pub fn label(self) -> &'static str {
         match self {
             Self::Named => "named",

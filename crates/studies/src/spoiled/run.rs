@@ -27,7 +27,7 @@ pub enum Which {
 }
 
 impl Which {
-    /// Label printed on the page; the words that select runs on the command line are also compared with it.
+    /// Text for the page of results; the words that select runs on the command line are also compared with it.
     pub fn label(self) -> &'static str {
         match self {
             Self::One => "one flight",

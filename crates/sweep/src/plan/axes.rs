@@ -30,7 +30,7 @@ pub enum Target {
     Throw(usize),
     /// Initial state, by its index.
     State(usize),
-    /// Parameter, coefficient or component of an input, by its index in the layout.
+    /// Parameter, coefficient or component of an input, by its index among the parameters of the compiled model.
     Parameter(usize),
 }
 
@@ -74,7 +74,7 @@ pub(super) struct Names<'a> {
     pub vocabulary: &'a Vocabulary,
     pub release: &'a Release,
     pub throw: Option<&'a Throw>,
-    /// Parameter values of the release, in the order of the layout.
+    /// Parameter values of the release, in the order of the compiled model's parameters.
     pub parameters: &'a [f64],
 }
 

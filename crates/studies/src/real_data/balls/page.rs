@@ -76,7 +76,7 @@ struct FitSummary {
     /// Standard deviation of the noise along x, y, z, m.
     sigma_m: [f64; 3],
     ar1: f64,
-    /// Estimates of the coefficients that this row's effects add to the model.
+    /// Estimates of the coefficients that the effects of this fit add to the model.
     coefficients: Vec<Estimate>,
 }
 

@@ -29,7 +29,7 @@ impl Form {
         Form::Falling,
     ];
 
-    /// Name of the torque law, as printed on the page.
+    /// Name of the torque law, as printed on the page of results.
     pub(super) fn label(self) -> &'static str {
         match self {
             Form::Constant => "constant",
