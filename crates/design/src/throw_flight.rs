@@ -92,8 +92,8 @@ impl ThrownBody {
         self.with_parameters(self.compiled.release_parameters(release))
     }
 
-    /// Prepares flights of the body with the given parameter values, which are in the order of the parameters in the
-    /// model's layout.
+    /// Prepares flights of the body with the given parameter values, which are in the order of the compiled model's
+    /// parameters.
     pub fn with_parameters(&self, parameters: Vec<f64>) -> ThrowFlights<'_> {
         ThrowFlights {
             body: self,

@@ -64,7 +64,7 @@ impl Body {
         })
     }
 
-    /// Binds the body to parameter values, in the order of the model's layout ([`CompiledModel::layout`]).
+    /// Binds the body to parameter values, in the order of the compiled model's parameters ([`CompiledModel::layout`]).
     pub fn with_parameters(&self, parameters: Vec<f64>) -> BoundBody<'_> {
         BoundBody {
             body: self,
@@ -79,7 +79,7 @@ pub struct BoundBody<'b> {
     /// The rigid body, not bound to parameter values.
     pub body: &'b Body,
     bound: BoundModel<'b>,
-    /// Parameter values, in the order of the model's layout ([`CompiledModel::layout`]).
+    /// Parameter values, in the order of the compiled model's parameters ([`CompiledModel::layout`]).
     pub parameters: Vec<f64>,
 }
 

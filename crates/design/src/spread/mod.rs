@@ -18,9 +18,9 @@ use crate::throw_flight::{ThrowFlightError, ThrowFlights};
 /// Options for sampling flights at random to determine the spread of the landings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SampleOptions {
-    /// Number of draws; default 1000. 0 disables sampling.
+    /// Number of sampled flights; default 1000. 0 disables sampling.
     pub count: usize,
-    /// Seed of the draws; default 1.
+    /// Seed of the random draws; default 1.
     pub seed: u64,
     /// Number of threads, which does not affect the result; default: all processors.
     pub threads: usize,

@@ -23,8 +23,8 @@ pub(super) struct Coefficients {
     pub(super) spin_down: f64,
 }
 
-/// Converts a printed row of Table 1 to coefficients, with an assumed order of columns and assumed signs and units; `d`
-/// is the diameter of the disc, m, and `g` the gravitational acceleration, m/s².
+/// Converts a printed row of Table 1 of Hubbard & Hummel (2000) to coefficients, with an assumed order of columns and
+/// assumed signs and units. `d` is the diameter of the disc, m, and `g` the gravitational acceleration, m/s².
 pub(super) fn coefficients(
     row: &[f64; 8],
     columns: Columns,

@@ -139,8 +139,8 @@ impl Flyer {
     }
 }
 
-/// Loads the model `disc` with the effect [`READINGS`], which adds coefficients that some interpretations of Table 1
-/// need.
+/// Loads the model `disc` with the effect [`READINGS`], which adds coefficients that some interpretations of Table 1 of
+/// Hubbard & Hummel (2000) need.
 fn model() -> Result<Model, StudyError> {
     let (name, disc) = model_spec::load::MODELS
         .iter()

@@ -64,8 +64,8 @@ pub(in super::super) struct Balls {
     /// models with lift due to spin.
     pub(super) added: Vec<Added>,
     /// Diagnoses of three cases: all flights; the flights of the recording's parts in which every lift agrees with the
-    /// stated spin; and these latter flights with the effect `magnus` in the model. An error is the message of a failed
-    /// diagnosis.
+    /// stated spin; and these latter flights with the effect `magnus` in the model. `Err` contains the error of a
+    /// failed diagnosis.
     pub(super) diagnoses: [Result<Diagnosis, DiagnosisError>; 3],
 }
 
