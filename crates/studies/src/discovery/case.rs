@@ -22,7 +22,7 @@ const MIN_SIZE: f64 = 0.7;
 /// flights are numbered from 1.
 const SIZE_STREAM: u64 = u64::MAX;
 
-/// Simulation settings of one run of a row of the study's table.
+/// Simulation settings of one run of the study, that is of one simulated and diagnosed dataset.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Case {
     /// Body that is thrown.

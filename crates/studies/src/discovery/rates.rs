@@ -113,7 +113,7 @@ pub(super) struct RowRates {
 }
 
 impl RowRates {
-    /// Computes the statistics of the outcomes of a row whose added effect acts on the quantity `site` of the model.
+    /// Computes the statistics of the outcomes of runs whose added effect acts on the quantity `site` of the model.
     pub(super) fn of(outcomes: &[Outcome], site: &str) -> Self {
         let count = |has: &dyn Fn(&Outcome) -> bool| outcomes.iter().filter(|o| has(o)).count();
         let detected = outcomes.iter().filter(|o| o.is_detected());

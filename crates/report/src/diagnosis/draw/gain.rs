@@ -12,8 +12,8 @@ use crate::fit::draw::not_drawn;
 /// Maximum number of held-out flights drawn, one chart row each.
 const MAX_FLIGHTS: usize = 12;
 
-/// Draws the RMS prediction errors in mm: one row for all flights, and one row for each held-out flight. `None` if
-/// the out-of-sample gain was not measured.
+/// Draws the RMS prediction errors, mm, with one chart row for all flights and one for each held-out flight. `None` if
+/// the reduction of the out-of-sample error was not measured.
 pub(super) fn gain(report: &Report) -> Option<Drawn> {
     let gain = report.gain.as_ref()?;
     let mm = |metres: f64| 1e3 * metres;

@@ -103,8 +103,8 @@ fn curve_rows(table: &[Measured], model: &[Curve; 3], (low, high): (f64, f64)) -
     curves.collect()
 }
 
-/// Least-squares curve through the lift, drag or pitching moment (by its index) of the table's rows, with the model's
-/// basis functions; `None` if there are too few rows.
+/// Least-squares fit of a curve with the model's basis functions to one coefficient in the rows of an aerodynamic table
+/// (`coefficient`: 0 lift, 1 drag, 2 pitching moment); `None` if there are too few rows.
 pub(super) fn fitted_curve(rows: &[Measured], coefficient: usize) -> Option<Curve> {
     Curve::fitted(rows, coefficient, MODEL_SHAPES[coefficient])
 }
