@@ -64,8 +64,9 @@ impl DatasetBuilder {
         self
     }
 
-    /// Adds a flight: its name (unique in the dataset), its role, the times of its samples (s, increasing), and the
-    /// positions `[sample][marker]` in the inertial frame (m, z up), `None` for a marker that was not measured.
+    /// Adds a flight: its name (unique in the dataset), its role (fitted or held out), the times of its samples (s,
+    /// increasing), and the positions `[sample][marker]` in the inertial frame (m, z up), `None` for a marker that was
+    /// not measured.
     pub fn flight(
         mut self,
         name: &str,

@@ -6,8 +6,8 @@ use crate::{Error, Model};
 
 pub use diagnose::{Diagnosis, DiagnosisOptions};
 
-/// Tests which effects a model lacks, judged by the measured flights of a dataset, and extends the model by the
-/// effects that the data support.
+/// Tests which effects (possible extensions of its equations) a model lacks, judged by the measured flights of a
+/// dataset, and extends the model by the effects that the data support.
 ///
 /// # Errors
 /// [`Error::Diagnosis`] if the model cannot be fitted or the options are invalid.

@@ -25,8 +25,8 @@ pub fn folder(out: Option<&Path>) -> anyhow::Result<Option<ResultFolder>> {
     out.map(open).transpose()
 }
 
-/// Checks that an output folder can be created, before any work is done. A folder that already holds files is accepted
-/// here; its contents are checked when the results are written.
+/// Checks that an output folder can be created, before any work is done. A folder that already contains files is
+/// accepted here; its contents are checked when the results are written.
 pub fn new_folder(path: &Path) -> anyhow::Result<()> {
     let holds_files = std::fs::read_dir(path).is_ok_and(|mut entries| entries.next().is_some());
     if !holds_files {

@@ -80,8 +80,8 @@ pub fn writing<T>(write: impl FnOnce() -> T) -> T {
     written
 }
 
-/// Changes [`PHASE`] from `from` to `to`. Does not return if a signal has already begun to end the program, so that
-/// nothing is written after the message of the signal handler.
+/// Changes [`PHASE`] from `from` to `to`. If a signal has already begun to end the program, the function does not
+/// return, so that nothing is written after the message of the signal handler.
 fn enter(from: u8, to: u8) {
     let entered = PHASE.compare_exchange(from, to, Ordering::SeqCst, Ordering::SeqCst);
     while entered == Err(STOPPED) {

@@ -15,7 +15,8 @@ use crate::cli::{Bootstrap, FitInputs};
 use crate::progress::{self, Progress};
 use crate::{Answer, output};
 
-/// Minimum number of fitted flights; with fewer flights, drawing with replacement gives too few different samples.
+/// Minimum number of fitted flights for a bootstrap; with fewer flights, drawing with replacement gives too few
+/// different samples.
 const MIN_FLIGHTS: usize = 5;
 
 /// Runs `hyzer bootstrap`: fits the model, computes the refits that the output folder does not hold yet, and prints the

@@ -48,8 +48,8 @@ pub fn check(
     })
 }
 
-/// The certificate of a model that a report cites: path and content, or the reason why the content cannot be read.
-/// `None` if there is no certificate.
+/// Certificate of a model (record of the checks by `hyzer verify`) that a report cites: path and content, or the reason
+/// why the content cannot be read. `None` if there is no certificate.
 pub struct Found(Option<(PathBuf, Result<Certificate, CertificateError>)>);
 
 impl Found {
@@ -70,8 +70,8 @@ impl Found {
         Ok(Self(Some((path, read))))
     }
 
-    /// Statement for a report on `model`: that there is no certificate (a record of the checks by `hyzer verify`), that
-    /// the certificate is still valid, or that something it covers has changed.
+    /// Statement for a report on `model`: that the model has no certificate (record of the checks by `hyzer verify`),
+    /// that the certificate is still valid, or that something it covers has changed.
     pub fn note(&self, model: &Model) -> CertificateNote {
         let Some((path, read)) = &self.0 else {
             return CertificateNote::none();

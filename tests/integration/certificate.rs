@@ -12,7 +12,7 @@ fn verify(arguments: &[&str]) -> (i32, String, String) {
     told(hyzer().arg("verify").args(arguments))
 }
 
-/// Path of a file in a folder, as an argument.
+/// Path of the file `name` in a folder, as a command-line argument.
 fn at(folder: &Path, name: &str) -> String {
     folder.join(name).display().to_string()
 }

@@ -23,7 +23,8 @@ fn repository() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// The measured data beside the checkout, or nothing, which the test then says.
+/// Folder `name` of the measured data beside the repository. `None`, with a message on standard error, if it is
+/// missing.
 fn shared_data(name: &str) -> Option<PathBuf> {
     let folder = repository().join("../shared/data").join(name);
     if folder.is_dir() {
@@ -33,7 +34,7 @@ fn shared_data(name: &str) -> Option<PathBuf> {
     None
 }
 
-/// The disc with a side force that a user adds along d2.
+/// Text of the model `disc` with an additional side force along the body axis d2, as a user could write it.
 fn disc_with_side_force() -> String {
     let disc =
         std::fs::read_to_string(repository().join("model-spec/models/disc.hyz")).expect("the disc");
@@ -387,7 +388,7 @@ fn the_examples_of_the_effects_run() {
     examples::the_examples_run("effects", 2, "docs/effects.md");
 }
 
-/// Drag coefficient, its standard error, and the rms (m) of a report.
+/// Reads the drag coefficient, its standard error, and the RMS residual (m) from the `report.json` in a folder.
 fn drag(folder: &Path) -> (f64, f64, f64) {
     let text = std::fs::read_to_string(folder.join("report.json")).expect("a report");
     let report: serde_json::Value = serde_json::from_str(&text).expect("JSON");

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-/// The Python that `HYZER_PYTHON` names, or `python3`, if it has Dask.
+/// Python interpreter named by the environment variable `HYZER_PYTHON`, or else `python3`; `None` if it lacks Dask.
 fn python() -> Option<String> {
     let python = std::env::var("HYZER_PYTHON").unwrap_or_else(|_| "python3".to_owned());
     let has = Command::new(&python)
@@ -14,7 +14,8 @@ fn python() -> Option<String> {
         .then_some(python)
 }
 
-/// Runs a command of the program in one process and by Dask, and compares a file of the results.
+/// Runs a command in one process and in several processes started by Dask, and asserts that both write the same
+/// contents to the result file `file`.
 fn compare(arguments: &[&str], file: &str) {
     let Some(python) = python() else {
         eprintln!("skipped: no Python with dask.distributed (HYZER_PYTHON names one)");

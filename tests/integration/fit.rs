@@ -98,7 +98,7 @@ fn what_is_asked_wrongly_is_refused() {
     }
 }
 
-/// Makes a dataset that takes a while to fit.
+/// Creates a dataset that is large enough for its fit to be interrupted.
 fn long_work(folder: &Path) {
     let made = hyzer()
         .args([

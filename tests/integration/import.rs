@@ -10,8 +10,8 @@ use identify::dataset::{Dataset, Flight};
 
 const TEMPLATE: &str = "examples/disc/dataset.toml";
 
-/// A flight of the example as Vicon writes it, in mm, y up, with labels of its own: at rest in a hand, pushed along the velocity,
-/// in flight, and stopped.
+/// Formats an example flight as a Vicon recording in mm, with y up and labels that differ from the marker names. Before
+/// the flight, the body is at rest in a hand and then accelerated.
 fn vicon(flight: &identify::dataset::Flight) -> String {
     let rate = 120.0;
     let first = flight
@@ -72,7 +72,8 @@ fn vicon(flight: &identify::dataset::Flight) -> String {
     text
 }
 
-/// The command `hyzer import` of a recording of each flight of the example, and the example.
+/// Writes a recording of each flight of the dataset `examples/disc` to a folder. Returns the command `hyzer import` for
+/// these recordings, and the dataset.
 fn importing(folder: &Path, recording: impl Fn(&Flight) -> String) -> (Command, Dataset) {
     let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/disc");
     let dataset = identify::dataset::load(&example).expect("the example");
@@ -301,7 +302,7 @@ fn a_pose_is_written_as_a_sensor() {
     assert!((turn[3] - (10.0 * t).sin()).abs() < 1e-9, "{turn:?}");
 }
 
-/// A recording with a point that stays where it is.
+/// Adds a point that does not move to the text of a Vicon recording.
 fn with_wand(text: &str) -> String {
     let lines = text.lines().enumerate().map(|(i, line)| {
         line.to_owned()

@@ -147,10 +147,11 @@ fn earlier_results_are_gone_and_other_files_stay() {
     );
 }
 
-/// A run is killed at some moment; afterwards the folder holds the results of one run, whole.
+/// Test in which runs of the program are killed at random times; afterwards the output folder must contain the complete
+/// results of a single run.
 struct Kills {
     around: tempfile::TempDir,
-    /// Contents of whole results of each kind, by the marker that tells them apart.
+    /// Names of the two releases (launch conditions) that are simulated in turn; their results differ.
     releases: [&'static str; 2],
     seed: u64,
 }
@@ -194,8 +195,8 @@ impl Kills {
         each.collect()
     }
 
-    /// Kills so many runs, in turn of one release and of the other, and compares the folder with what both write.
-    /// Returns how many kills left the earlier results, and how many the new ones.
+    /// Kills `kills` runs, which simulate the two releases in turn, and asserts that the output folder contains the
+    /// complete results of one of them. Returns how many kills left the earlier results, and how many the new ones.
     fn run(mut self, kills: usize) -> [usize; 2] {
         let mut whole = Vec::new();
         let mut longest = Duration::ZERO;

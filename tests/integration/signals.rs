@@ -8,18 +8,18 @@ use std::time::{Duration, Instant};
 
 use crate::support::{hyzer, told};
 
-/// Exit status of an interrupted program.
+/// Exit status of a program that a signal interrupted.
 const INTERRUPTED: i32 = 130;
 
 const LIMIT: Duration = Duration::from_secs(1);
 
-/// Starts a command whose output nobody reads: of a long one, the pipe becomes full.
+/// Starts a command whose standard output is a pipe that nobody reads; long output fills the pipe.
 fn start(command: &mut Command) -> Child {
     command.stdout(Stdio::piped()).stderr(Stdio::null());
     command.spawn().expect("it runs")
 }
 
-/// Sends a signal and waits; returns the exit status and how long it took.
+/// Sends a signal to a process and waits for its end; returns the exit status and the time until the end.
 fn signal(child: &mut Child, name: &str) -> (Option<i32>, Duration) {
     let sent = Instant::now();
     let id = child.id().to_string();
@@ -31,7 +31,8 @@ fn signal(child: &mut Child, name: &str) -> (Option<i32>, Duration) {
     (status.code(), sent.elapsed())
 }
 
-/// Sends both signals to the command, each to a process of its own that has been at work for a while.
+/// Asserts that SIGINT and SIGTERM end the command within the time limit. Each signal is sent to a separate process,
+/// after the process has worked for a while.
 fn both_end(name: &str, command: impl Fn() -> Command) {
     for (sent, after) in [("INT", 300), ("TERM", 900)] {
         let mut child = start(&mut command());
@@ -59,7 +60,7 @@ fn with(arguments: &[&str], paths: &[(&str, &Path)]) -> Command {
     command
 }
 
-/// A model whose summary is too long for a pipe, and which takes long to compile.
+/// Writes a model that takes long to compile and whose summary does not fit into a pipe's buffer.
 fn wide_model(folder: &Path) -> PathBuf {
     let mut text = "model wide;\nframe N;\nparam m = 1 kg;\n".to_owned();
     for k in 0..2000 {

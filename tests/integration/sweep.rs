@@ -9,7 +9,7 @@ use crate::support::examples::the_examples_run;
 use crate::support::{hyzer, told};
 use serde_json::Value;
 
-/// A model of a user's own, and a plan of it beside it.
+/// Text of a model that a user could write, with which sweeps are tested.
 const LEAF: &str = "model leaf;
 param m = 0.002 kg;
 param g = 9.81 m/s^2;
@@ -39,7 +39,8 @@ of = [\"speed\", \"wind_x\"]
 value = -0.5
 ";
 
-/// A folder with the user's model and plan.
+/// Creates a temporary folder with the model [`LEAF`] and a sweep plan for it. Returns the folder and the path of the
+/// plan.
 fn leaf() -> (tempfile::TempDir, PathBuf) {
     let folder = tempfile::tempdir().expect("a folder");
     fs::write(folder.path().join("leaf.hyz"), LEAF).expect("written");
@@ -48,7 +49,7 @@ fn leaf() -> (tempfile::TempDir, PathBuf) {
     (folder, plan)
 }
 
-/// Runs a sweep, which must succeed.
+/// Runs `hyzer sweep`, asserts that it succeeds, and returns what it prints.
 fn sweep(plan: &Path, out: &Path, options: &[&str]) -> String {
     let mut command = hyzer();
     let (status, text, errors) = told(
@@ -63,7 +64,7 @@ fn sweep(plan: &Path, out: &Path, options: &[&str]) -> String {
     text
 }
 
-/// Sweeps a plan by its text; the summary, and the lines of the CSV.
+/// Runs a sweep of the plan with the given text; returns its summary and the lines of `flights.csv`.
 fn swept(text: &str) -> (Value, Vec<String>) {
     let folder = tempfile::tempdir().expect("a folder");
     let (plan, out) = (folder.path().join("plan.toml"), folder.path().join("out"));
@@ -78,7 +79,7 @@ fn summary(out: &Path) -> Value {
     serde_json::from_str(&text).expect("JSON")
 }
 
-/// A number of a row of the CSV, by its column.
+/// Number in a data row (index from 0) and a named column of a CSV table, given by its lines.
 fn cell(lines: &[String], row: usize, column: &str) -> f64 {
     let place = lines[0]
         .split(',')
@@ -422,7 +423,8 @@ fn faults_of_a_plan_are_named_with_their_place() {
     assert_eq!(fs::read_dir(&full).expect("a folder").count(), 1);
 }
 
-/// A million flights in constant memory; minutes, hence `cargo test --release --test integration sweep:: -- --ignored`.
+/// Simulates a million flights and asserts that this needs no more memory than a few. It takes minutes, so it runs only
+/// with `cargo test --release --test integration sweep:: -- --ignored`.
 #[test]
 #[ignore = "minutes"]
 #[cfg(target_os = "linux")]

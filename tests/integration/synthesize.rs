@@ -12,7 +12,7 @@ fn repository() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// Lines of a text that are commands of the program.
+/// Arguments of the commands `hyzer synthesize` in a text, one list for each line with a command.
 fn commands(text: &str) -> Vec<Vec<String>> {
     let lines = text.lines().map(str::trim);
     let ours = lines.filter_map(|line| line.strip_prefix("hyzer synthesize"));
@@ -20,7 +20,8 @@ fn commands(text: &str) -> Vec<Vec<String>> {
     ours.map(words).collect()
 }
 
-/// Runs a command with its folder put elsewhere; gives the folder it names, and where that is.
+/// Runs `hyzer synthesize` with the folder of `--out` moved into the folder `around`. Returns the folder as named in
+/// the command, and the path to which it was moved.
 fn run(command: &[String], around: &Path) -> (PathBuf, PathBuf) {
     let place = command.iter().position(|word| word == "--out");
     let place = place.expect("a folder") + 1;
@@ -130,7 +131,8 @@ fn what_was_put_into_the_examples_is_fitted_out_of_them() {
     }
 }
 
-/// Whether two texts agree but for the last digit of a number, where machines may round apart.
+/// Whether two texts are equal except for differences of numbers below 1.5e-5, because rounding may differ between
+/// machines.
 fn same(a: &str, b: &str) -> bool {
     let words = |text: &str| -> Vec<String> {
         text.split([',', ' ', '\n', '[', ']'])

@@ -17,7 +17,8 @@ fn summary(folder: &Path) -> serde_json::Value {
     serde_json::from_str(&text).expect("JSON")
 }
 
-/// Exit status and output of a simulation into a folder, and its summary.
+/// Runs `hyzer simulate` with an output folder, and asserts that it succeeds. Returns the printed text and the summary
+/// from `summary.json`.
 fn flown(arguments: &[&str]) -> (String, serde_json::Value) {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("out");

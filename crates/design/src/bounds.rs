@@ -30,8 +30,8 @@ pub struct Scatter {
     pub release: Vec<(usize, f64)>,
     /// Standard deviations of the components x, y, z of a constant wind, m/s.
     pub wind: [f64; 3],
-    /// Standard deviations of parameters and coefficients: (index in the model's layout, value in the parameter's
-    /// unit).
+    /// Standard deviations of parameters and coefficients: (index among the parameters of the compiled model, value in
+    /// the parameter's unit).
     pub parameters: Vec<(usize, f64)>,
 }
 
@@ -111,7 +111,8 @@ impl Bounds {
             .filter(|(_, least, greatest)| least < greatest)
     }
 
-    /// Maps a point of the unit box of the free quantities to a throw; the other quantities have their fixed values.
+    /// Maps a point of the unit box, whose coordinates are the free quantities scaled from their ranges to [0, 1], to a
+    /// throw. All other quantities have their fixed values.
     pub fn throw(&self, at: &DVector<f64>) -> Throw {
         let mut throw = Throw::at_speed(1.0);
         let mut free = at.iter();

@@ -52,10 +52,10 @@ pub struct Design {
     pub feasible: bool,
     /// The throw; if no throw meets the constraints, the one that violates them least.
     pub throw: Throw,
-    /// Minimum distance between the path and the goal's point, m; 0 for a goal without a point.
+    /// Minimum distance between the path and the goal's target point, m; 0 for a goal without a point.
     pub miss: f64,
-    /// Vertical velocity at the goal's point, m/s, upwards positive: the remaining error of a flare. `None` for other
-    /// goals.
+    /// Vertical velocity at the goal's target point, m/s, upwards positive: the remaining error of a flare (level
+    /// flight at the point). `None` for other goals.
     pub vertical_speed: Option<f64>,
     /// Minimum distance between path and obstacle, m, negative inside the obstacle; `None` without an obstacle.
     pub clearance: Option<f64>,
@@ -65,9 +65,9 @@ pub struct Design {
     pub landing: Vector3<f64>,
     /// Duration of the flight, s.
     pub time: f64,
-    /// Value that the goal is judged by, such as the range; [`Goal::figure`] gives its name and unit.
+    /// Value by which the goal is judged, such as the range; [`Goal::figure`] gives its name and unit.
     pub figure: f64,
-    /// Effect of each quantity of the throw on the landing.
+    /// Influence of each quantity of the throw, such as the speed, on the landing.
     pub sensitivity: Vec<Sensitivity>,
     /// Number of starting throws that could be flown to the ground.
     pub flown: usize,
@@ -96,10 +96,11 @@ pub enum DesignError {
         "the goal curve needs an obstacle; expected [obstacle] in the bounds, with x, y and radius"
     )]
     NoObstacle,
-    /// The goal's point is below the ground, by the given depth in m.
+    /// The goal's target point is below the ground, by the given depth in m.
     #[error("the target is {0} m below the ground; expected a height of 0 or more")]
     Buried(f64),
-    /// The goal is a flare, and its point is on the ground; a flare is defined only above the ground.
+    /// The goal is a flare (level flight at a point), and its point is on the ground; a flare is defined only above the
+    /// ground.
     #[error("the goal flare needs a target above the ground; found a height of 0")]
     FlareOnGround,
     /// The throw that the search found cannot be flown at the final, tightest tolerance of the integration.
@@ -113,9 +114,11 @@ const SERVES: f64 = 1e-3;
 const TOLERANCES: [f64; 3] = [1e-4, 1e-6, 1e-9];
 /// Bases of the Halton sequence, one per quantity of a throw.
 const BASES: [u64; 8] = [2, 3, 5, 7, 11, 13, 17, 19];
-/// Minimum Euclidean distance, in the unit box, between the starting points of any two local descents.
+/// Minimum Euclidean distance between the starting points of any two local descents, with each quantity scaled from its
+/// range to [0, 1].
 const APART: f64 = 0.1;
-/// Step, in the unit box, of the finite differences of the spread, for the goal [`Goal::Spread`].
+/// Step of the finite differences of the spread, for the goal [`Goal::Spread`]; each quantity is scaled from its range
+/// to [0, 1].
 const SPREAD_STEP: f64 = 1e-4;
 
 /// Searches for the throw within bounds that serves a goal best.
@@ -339,8 +342,9 @@ impl Task<'_> {
         })
     }
 
-    /// Objective of the goal at a point of the unit box; `of_path` is the objective from [`Goal::values`], which is
-    /// returned for goals whose objective depends on the path alone. `None` if the throw cannot be flown.
+    /// Objective of the goal at a point of the unit box (quantities scaled from their ranges to [0, 1]). `of_path` is
+    /// the objective from [`Goal::values`], which is returned for goals whose objective depends on the path alone.
+    /// `None` if the throw cannot be flown.
     fn objective(&self, at: &DVector<f64>, of_path: f64) -> Option<f64> {
         match self.goal {
             Goal::Hit(_) | Goal::Curve(_) => Some(0.5 * at.map(|v| v - 0.5).norm_squared()),
@@ -352,9 +356,9 @@ impl Task<'_> {
         }
     }
 
-    /// Objective and constraints at a point of the unit box, with derivatives with respect to the coordinates of the
-    /// point. The objective of [`Goal::Spread`] is computed only if `objective` is true. `None` if the throw cannot be
-    /// flown.
+    /// Objective and constraints at a point of the unit box (quantities scaled from their ranges to [0, 1]), with
+    /// derivatives with respect to the coordinates of the point. The objective of [`Goal::Spread`] is computed only if
+    /// `objective` is true. `None` if the throw cannot be flown.
     fn values(
         &self,
         side: Option<Side>,

@@ -63,7 +63,7 @@ pub struct Obstacle {
     /// Radius, m, including a margin for the size of the body: only the path of the mass centre is compared with the
     /// cylinder.
     pub radius: f64,
-    /// Side on which the path must pass the obstacle; `None` allows both.
+    /// Side on which the path must pass the obstacle; `None` allows either side.
     pub side: Option<Side>,
 }
 
@@ -90,7 +90,7 @@ impl Goal {
         }
     }
 
-    /// Name and unit of the value that the goal is judged by.
+    /// Name and unit of the value by which the goal is judged.
     pub fn figure(&self) -> (&'static str, &'static str) {
         match self {
             Goal::Hit(_) | Goal::Curve(_) => ("distance from the target", "m"),
@@ -101,8 +101,8 @@ impl Goal {
         }
     }
 
-    /// Distance of the path from the goal's point at [`time`](Self::time), m; horizontal for a point on the ground, 0
-    /// for a goal without a point.
+    /// Distance, m, of the path from the goal's target point at the time [`time`](Self::time); horizontal for a point
+    /// on the ground, 0 for a goal without a point.
     pub(crate) fn miss(&self, path: &Path<'_>) -> f64 {
         self.target().map_or(0.0, |target| {
             let away = path.position(self.time(path)) - target;
@@ -114,8 +114,8 @@ impl Goal {
         })
     }
 
-    /// Time, s, at which the path is nearest to the goal's point; the end of the flight for a point on the ground and
-    /// for a goal without a point.
+    /// Time, s, at which the path is nearest to the goal's target point; the end of the flight for a point on the
+    /// ground and for a goal without a point.
     pub fn time(&self, path: &Path<'_>) -> f64 {
         match self.target() {
             Some(target) if target.z > 0.0 => {

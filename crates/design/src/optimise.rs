@@ -74,7 +74,7 @@ pub type Problem<'p> = &'p dyn Fn(&DVector<f64>, bool) -> Option<Values>;
 /// Result of an optimization: the point reached, with the objective and constraints there.
 #[derive(Clone, Debug)]
 pub struct Arrival {
-    /// The point reached, in the unit box.
+    /// The point reached in the unit box, in which every variable is scaled to [0, 1].
     pub at: DVector<f64>,
     /// Objective and constraints at the point reached.
     pub values: Values,
@@ -158,7 +158,8 @@ fn gauss_newton(values: &Values) -> (DMatrix<f64>, DVector<f64>) {
     )
 }
 
-/// Lower and upper bounds of a step from `at` that stays in the unit box and in the trust region of radius `trust`.
+/// Lower and upper bounds of a step from `at` that stays in the unit box (0 to 1 for each variable) and in the trust
+/// region of radius `trust`.
 fn room(at: &DVector<f64>, trust: f64) -> (DVector<f64>, DVector<f64>) {
     (
         at.map(|v| (-v).max(-trust)),
@@ -208,8 +209,8 @@ pub fn descend(problem: Problem<'_>, from: &DVector<f64>) -> Option<Arrival> {
     Some(now)
 }
 
-/// Moves a point until its constraint violation is at most [`ON`] and evaluates the objective there; `None` if this
-/// violation is not reached or the problem has no values there.
+/// Moves a point until its constraint violation is at most [`ON`], and evaluates the objective there; `None` if such a
+/// small violation is not reached or the problem has no values there.
 fn reached(problem: Problem<'_>, there: DVector<f64>) -> Option<Arrival> {
     let first = problem(&there, false).filter(Values::is_finite)?;
     let is_free = first.equalities.len() + first.margins.len() == 0;

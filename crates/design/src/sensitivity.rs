@@ -7,7 +7,7 @@ use ode::IntegrationOptions;
 use crate::goal::Goal;
 use crate::throw_flight::{By, ThrowFlightError, ThrowFlights};
 
-/// Effect of one quantity of a throw on the position and time of the landing.
+/// Influence of one quantity of a throw, such as the speed, on the position and time of the landing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensitivity {
     /// Index of the quantity in [`FIELDS`].
@@ -16,28 +16,28 @@ pub struct Sensitivity {
     pub landing: Vector3<f64>,
     /// Derivative of the duration of the flight, s per unit of the quantity.
     pub time: f64,
-    /// Derivative of the value that the goal is judged by (see [`Goal::figure`]), per unit of the quantity; `None` for
+    /// Derivative of the value by which the goal is judged (see [`Goal::figure`]), per unit of the quantity; `None` for
     /// a goal judged by a distance from its target or by a spread.
     pub figure: Option<f64>,
-    /// Effects of decreasing and increasing the quantity by one unit, each from a separate flight; `None` if that throw
-    /// cannot be flown.
+    /// Changes of the flight if the quantity decreases and increases by one unit, each from a separate flight; `None`
+    /// if that throw cannot be flown.
     pub one_unit: [Option<OneUnit>; 2],
 }
 
-/// Effect of changing a quantity of the throw by one unit.
+/// Change of the flight of a throw if one of its quantities changes by one unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OneUnit {
     /// Change of the landing position that the change of the quantity causes, m.
     pub landing: Vector3<f64>,
     /// Increase of the duration of the flight that the change of the quantity causes, s; negative for a shorter flight.
     pub time: f64,
-    /// Minimum distance between the path of the throw with the changed quantity and the goal's point, m; 0 for a goal
-    /// without a point.
+    /// Minimum distance between the path of the throw with the changed quantity and the goal's target point, m; 0 for a
+    /// goal without a point.
     pub miss: f64,
 }
 
-/// Effects of the quantities of a throw on its landing, in the order of [`FIELDS`]. Quantities without a value in the
-/// throw, or that the body cannot have (such as the spin of a point mass), are omitted.
+/// Computes the influence of the quantities of a throw on its landing, in the order of [`FIELDS`]. Quantities without a
+/// value in the throw, or that the body cannot have (such as the spin of a point mass), are omitted.
 ///
 /// # Errors
 /// [`ThrowFlightError`] if the throw cannot be flown.

@@ -38,7 +38,7 @@ pub enum ThrowFlightError {
 pub enum By {
     /// A quantity of the throw, by its index in [`FIELDS`].
     Throw(usize),
-    /// A parameter, coefficient or component of an input, by its index in the model's layout.
+    /// A parameter, coefficient or component of an input, by its index among the parameters of the compiled model.
     Parameter(usize),
 }
 
@@ -92,8 +92,8 @@ impl ThrownBody {
         self.with_parameters(self.compiled.release_parameters(release))
     }
 
-    /// Prepares flights of the body with the given parameter values, which are in the order of the parameters in the
-    /// model's layout.
+    /// Prepares flights of the body with the given parameter values, which are in the order of the compiled model's
+    /// parameters.
     pub fn with_parameters(&self, parameters: Vec<f64>) -> ThrowFlights<'_> {
         ThrowFlights {
             body: self,
@@ -113,13 +113,13 @@ impl ThrownBody {
     }
 }
 
-/// Flights of a body with given parameters. All start above the origin and end when the height of the mass centre
-/// falls to 0.
+/// Computes flights of a body with given parameters. All start above the origin and end when the height of the mass
+/// centre falls to 0.
 pub struct ThrowFlights<'b> {
     /// The body that flies.
     pub body: &'b ThrownBody,
     pub(crate) bound: BoundModel<'b>,
-    /// Parameter values, in the order of the model's layout.
+    /// Parameter values, in the order of the compiled model's parameters.
     pub parameters: Vec<f64>,
 }
 

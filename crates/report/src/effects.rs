@@ -15,7 +15,7 @@ pub struct Listed {
     pub name: String,
     /// First sentence of the effect's documentation.
     pub says: String,
-    /// Site of the effect: the force, moment or measurement of the model that it changes.
+    /// Quantity of the model (site) that the effect changes: a force, moment or measurement.
     pub site: String,
     /// Names of the variables on which the effect depends.
     pub variables: Vec<String>,

@@ -128,8 +128,8 @@ mod tests {
         assert!(FigureKind::Pdf.draw("<svg").is_err());
     }
 
-    /// Text is rendered with the font of this crate: a different title gives a different image. Tooltips are not
-    /// rendered.
+    /// Text in a figure is rendered with the font of this crate: a different title gives a different image. Tooltips
+    /// are not rendered.
     #[test]
     fn text_is_drawn_and_values_are_not() {
         let pixels = |svg: &str| FigureKind::Png.draw(svg).unwrap();

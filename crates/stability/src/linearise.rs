@@ -11,9 +11,9 @@ use model_spec::model::Model;
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use ode::{DifferentiableRhs, OdeRhs};
 
-/// Time step, s, of the sixth-order central differences of the motion along a flight; `WEIGHTS` are the weights of the
-/// differences over 1, 2 and 3 steps to either side.
+/// Time step, s, of the sixth-order central differences of the motion along a flight.
 const STEP: f64 = 1e-4;
+/// Weights of the sixth-order central differences over 1, 2 and 3 steps to either side.
 const WEIGHTS: [f64; 3] = [45.0 / 60.0, -9.0 / 60.0, 1.0 / 60.0];
 
 /// Reason why a body has no linearised motion.
@@ -64,7 +64,7 @@ impl Body {
         })
     }
 
-    /// Binds the body to parameter values, in the order of the model's layout ([`CompiledModel::layout`]).
+    /// Binds the body to parameter values, in the order of the compiled model's parameters ([`CompiledModel::layout`]).
     pub fn with_parameters(&self, parameters: Vec<f64>) -> BoundBody<'_> {
         BoundBody {
             body: self,
@@ -79,7 +79,7 @@ pub struct BoundBody<'b> {
     /// The rigid body, not bound to parameter values.
     pub body: &'b Body,
     bound: BoundModel<'b>,
-    /// Parameter values, in the order of the model's layout ([`CompiledModel::layout`]).
+    /// Parameter values, in the order of the compiled model's parameters ([`CompiledModel::layout`]).
     pub parameters: Vec<f64>,
 }
 

@@ -6,7 +6,7 @@ use nalgebra::{Complex, DMatrix, DVector, Vector3};
 use crate::linearise::Linearised;
 
 /// Bound on the elements of a column of the linearised system's matrix, relative to the norm of the matrix. If all
-/// elements are below the bound, no rate of change depends on the coordinate of the column.
+/// elements are below the bound, no rate of change depends on the coordinate that belongs to the column.
 const IGNORABLE: f64 = 1e-9;
 
 /// Kind of a mode, by the variables that change most in it.

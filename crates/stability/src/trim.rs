@@ -53,8 +53,8 @@ pub fn trim(body: &BoundBody<'_>, spin: f64) -> Option<Trim> {
     found.min_by(|a, b| a.turn.abs().total_cmp(&b.turn.abs()))
 }
 
-/// Motion of a steady flight with a spin (rad/s); `of` contains speed (m/s), climb angle, nose, hyzer (rad) and rate of
-/// change of the heading (rad/s).
+/// Motion of a steady flight with a given spin, rad/s. The elements of `of` are speed (m/s), climb angle, nose angle,
+/// hyzer angle (rad) and rate of change of the heading (rad/s).
 fn motion(of: &DVector<f64>, spin: f64) -> Motion {
     let course = Rotation3::from_axis_angle(&Vector3::y_axis(), -of[1]);
     let attitude = course

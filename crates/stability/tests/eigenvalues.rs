@@ -57,11 +57,12 @@ fn one_body_in_two_charts_has_the_same_modes() {
     }
 }
 
-/// Nutation of a flight as it is measured: phase gained and logarithm of the amplitude lost between two times, of the angular velocity
-/// across the axis: that of a flight with a little wobble less that of one without.
+/// Measures the nutation in simulated flights between two times: phase advance (rad), and logarithm of the ratio of
+/// initial to final amplitude. The signal is the angular velocity normal to the axis, in a flight with small wobble
+/// minus a flight without.
 fn measured(bound: &BoundBody<'_>, throw: &Throw, (from, until): (f64, f64)) -> (f64, f64) {
     const SAMPLES: usize = 2000;
-    /// Samples over which second differences are taken, which leave what is slow behind.
+    /// Interval, in samples, of the second differences that remove slow motions from the signal.
     const APART: usize = 20;
     let thrown = &bound.body.thrown;
     let options = IntegrationOptions::with_tolerance(1e-12);
@@ -115,7 +116,8 @@ fn measured(bound: &BoundBody<'_>, throw: &Throw, (from, until): (f64, f64)) -> 
     (phase.abs(), loss)
 }
 
-/// Integral over a time of frequency and decay of the nutation along the flight without wobble.
+/// Integrals, between two times, of the frequency and the decay rate of the nutation mode along the flight without
+/// wobble.
 fn expected(bound: &BoundBody<'_>, throw: &Throw, (from, until): (f64, f64)) -> (f64, f64) {
     let thrown = &bound.body.thrown;
     let state = thrown
@@ -178,7 +180,8 @@ fn the_nutation_is_the_one_of_simulated_flights() {
     assert!(worst.0 < 0.01 && worst.1 < 0.01, "{worst:?}");
 }
 
-/// A disc with random speed, spin and coefficients; some of these discs are unstable.
+/// Draws a disc with random coefficients, and a throw of it with random speed and spin; some of these discs are
+/// unstable.
 fn disc_of_grid<'b>(body: &'b Body, random: &mut ChaCha8Rng) -> (BoundBody<'b>, Throw) {
     let layout = body.compiled.layout();
     let mut between = |low: f64, high: f64| low + (high - low) * random.random::<f64>();

@@ -31,12 +31,14 @@ const WHITE: Corruption = Corruption {
 const SEEDS: u64 = 5;
 /// Number of datasets without a seeded effect.
 const NULLS: u64 = 20;
-/// Sites of the loads in frame D. Effects at other sites are not terms of an aerodynamic coefficient, so the compared
-/// programs could not find them.
+/// Components of the aerodynamic force and moment (sites, named as in the model) on which the effects of this
+/// comparison act. Effects on other quantities are not terms of an aerodynamic coefficient, so the compared programs
+/// could not find them.
 const SITES: [&str; 6] = ["lift", "drag", "side", "roll", "pitch", "spin"];
 /// Effect that is confounded with the coefficients: denser air is equivalent to larger coefficients.
 const CONFOUNDED: &str = "air_density";
-/// Effects outside the catalogue that add a term to one load; operon.py contains their formulas.
+/// Effects outside the built-in effects catalogue, each of which adds a term to one component of the force or moment;
+/// operon.py contains their formulas.
 const OUTSIDE: [&str; 6] = [
     "roll_by_angle_squared",
     "drag_by_climb",

@@ -55,7 +55,7 @@ pub enum StudyError {
     /// A take (recording) cannot be read.
     #[error(transparent)]
     Take(#[from] takes::TakeError),
-    /// The import of a take does not follow all of its markers; contains the labels of those that it follows.
+    /// The import of a take (recording) does not track all of its markers; contains the labels of those that it tracks.
     #[error("the points {0:?} are followed")]
     Labels(Vec<String>),
     /// No template of markers can be estimated from the flights of a session.

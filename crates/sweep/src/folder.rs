@@ -12,7 +12,8 @@ use sha2::{Digest, Sha256};
 
 use crate::atomic::{Durability, UNFINISHED, write_atomic};
 
-/// Name of the JSON file that identifies, by a fingerprint, the computation to which the parts belong.
+/// Name of the JSON file that identifies the computation to which the parts in a folder belong, by a fingerprint (hash
+/// of all inputs).
 const BEGUN: &str = "parts.json";
 
 /// Name of the JSON file of the summary; it is written last, so its presence means that the computation is complete.
@@ -151,8 +152,8 @@ impl PartsFolder {
         self.path.join(name)
     }
 
-    /// The contents of `summary.json` if the computation is complete; otherwise, or if the file is of another
-    /// computation, `None`.
+    /// Contents of `summary.json` if the computation is complete; `None` if it is not, or if the file belongs to
+    /// another computation.
     pub fn summary(&self) -> Option<Value> {
         let text = fs::read_to_string(self.path.join(SUMMARY)).ok()?;
         let json: Value = serde_json::from_str(&text).ok()?;

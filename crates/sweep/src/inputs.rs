@@ -60,7 +60,7 @@ pub(crate) struct Inputs<'p> {
     model: &'p InputModel,
     near: Option<NearThrows<'p>>,
     throw: Option<Throw>,
-    /// Independent standard normal draws of the current flight, one per normally distributed quantity.
+    /// Independent standard normal values drawn for the current flight, one per normally distributed quantity.
     independent: Vec<f64>,
     random: ChaCha8Rng,
     is_random: bool,
@@ -86,8 +86,8 @@ impl<'p> Inputs<'p> {
         }
     }
 
-    /// Draws the values of the varied quantities (axes) for flight number `flight` and writes them to `values`, in the
-    /// order of the plan's axes.
+    /// Draws the values of the varied quantities for flight number `flight` and writes them to `values`, in the order
+    /// of the plan's list of varied quantities (`axes`).
     pub(crate) fn draw(&mut self, flight: u64, values: &mut [f64]) {
         let plan = self.plan;
         if self.is_random {
@@ -115,9 +115,9 @@ impl<'p> Inputs<'p> {
         }
     }
 
-    /// Writes the initial states `x` and the parameters `p` of a flight for the drawn `values` of the axes. Returns
-    /// `false` if a value is out of its bounds or no state of the model has the motion of the throw; such a flight is
-    /// not simulated.
+    /// Writes the initial states `x` and the parameters `p` of a flight for the drawn `values` of the varied
+    /// quantities. Returns `false` if a value is out of its bounds or no state of the model has the motion of the
+    /// throw; such a flight is not simulated.
     pub(crate) fn start(
         &mut self,
         flight: u64,

@@ -123,7 +123,7 @@ pub(crate) fn read(path: &Path, inputs: usize) -> Result<Rows, ParquetError> {
     Ok(rows)
 }
 
-/// Reads the rows of one row group of a Parquet file; the first `inputs` numeric columns are the inputs.
+/// Reads one row group of a Parquet table of flights; the first `inputs` numeric columns are the inputs of the flights.
 fn row_group(
     reader: &SerializedFileReader<File>,
     group: usize,

@@ -16,7 +16,7 @@ fn wind(speed: f64, roughness: f64, flight: u64) -> String {
     )
 }
 
-/// A folder with the user's model.
+/// Creates a temporary folder with the text of a model that a user could write.
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a folder");
     // A plate whose states have the names that a landing is looked for by.
@@ -25,7 +25,7 @@ fn folder() -> tempfile::TempDir {
     folder
 }
 
-/// Rows of `flights.csv`: the named columns.
+/// Runs a sweep of the plan `text` and returns the values of the named columns of `flights.csv`, one vector per flight.
 fn swept(folder: &Path, text: &str, names: &[&str]) -> Vec<Vec<f64>> {
     let plan = plan::read("plan.toml", text, folder).unwrap_or_else(|e| panic!("{e}"));
     let options = SweepOptions {

@@ -46,7 +46,7 @@ pub(crate) struct TrackColumns {
     pub quaternion: [Option<usize>; 4],
 }
 
-/// Columns of the points and bodies of a table by a key, such as the label, in the order of the file.
+/// Columns of each point and body of a table, found by a key such as its label, in the order of the file.
 pub(crate) struct Tracks<K> {
     pub list: Vec<(K, TrackColumns)>,
     indices: BTreeMap<K, usize>,
@@ -62,7 +62,7 @@ impl<K> Default for Tracks<K> {
 }
 
 impl<K: Ord + Clone> Tracks<K> {
-    /// Columns with this key, which are added without columns if the key is new.
+    /// Columns of the point or body with this key. If the key is new, an entry without columns is added.
     pub fn entry(&mut self, key: K) -> &mut TrackColumns {
         let list = &mut self.list;
         let index = *self.indices.entry(key).or_insert_with_key(|key| {

@@ -7,8 +7,8 @@ use cargo_metadata::{MetadataCommand, Package, Target};
 
 use crate::source;
 
-/// Returns an error if a package without unit tests (`test = false` for its library and its programs) has a `#[test]`
-/// in `src`, or one without documentation tests (`doctest = false`) an example in a doc comment: neither would run.
+/// Returns an error if a package contains tests that would not run: a `#[test]` in `src` although its manifest sets
+/// `test = false`, or an example in a doc comment although it sets `doctest = false`.
 pub fn check(root: &Path) -> Result<()> {
     let metadata = MetadataCommand::new()
         .manifest_path(root.join("Cargo.toml"))
@@ -43,7 +43,7 @@ pub fn check(root: &Path) -> Result<()> {
     Ok(())
 }
 
-/// The library and the programs of a package, whose unit tests and examples are in `src`.
+/// Library and program targets of a package; their unit tests and documentation examples are in `src`.
 fn targets(package: &Package) -> impl Iterator<Item = &Target> {
     let targets = package.targets.iter();
     targets.filter(|target| target.is_lib() || target.is_bin())

@@ -91,8 +91,8 @@ pub(super) fn table(fit: &Fit, refits: &[Refit]) -> String {
     text + "\n"
 }
 
-/// Reads the refits of a CSV table with `width` estimates per row; `None` if the file is missing or does not have this
-/// format.
+/// Reads the refits from a CSV table with `width` estimates per line; `None` if the file is missing or does not have
+/// this format.
 fn read(path: &Path, width: usize) -> Option<Vec<Refit>> {
     let text = fs::read_to_string(path).ok()?;
     let row = |line: &str| {

@@ -10,7 +10,7 @@ use serde_json::Value;
 /// Maximum size of the `report.json` of a fit, bytes.
 const MAX_BYTES: u64 = 64 << 20;
 
-/// Standard errors and correlations of the coefficients in the `report.json` of `hyzer fit`.
+/// Reads the standard errors and correlations of the coefficients from the `report.json` of `hyzer fit`.
 pub fn read(file: &Path) -> anyhow::Result<CoefficientErrors> {
     let place = || format!("--fit: {}", file.display());
     let size = std::fs::metadata(file).with_context(place)?.len();

@@ -4,7 +4,7 @@ use diagnose::Report;
 
 use crate::commands::fit::role;
 
-/// CSV table of the score tests of a diagnosis: a row per candidate effect (an effect that the model may lack).
+/// CSV table of the score tests of a diagnosis: one line per candidate effect (an effect that the model may lack).
 pub fn candidates(report: &Report) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record([
@@ -32,7 +32,8 @@ pub fn candidates(report: &Report) -> anyhow::Result<Vec<u8>> {
     Ok(table.into_inner()?)
 }
 
-/// CSV table of the coefficients: a row per coefficient, with the values before and after the extension of the model.
+/// CSV table of the coefficients: one line per coefficient, with its estimates without and with the effects added to
+/// the model.
 pub fn coefficients(report: &Report) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record(["name", "before", "value", "std_error", "unit"])?;
@@ -49,8 +50,8 @@ pub fn coefficients(report: &Report) -> anyhow::Result<Vec<u8>> {
     Ok(table.into_inner()?)
 }
 
-/// CSV table of the flights: a row per flight, with the RMS residual (m) before and after the extension of the model
-/// and the p-value of the lack-of-fit test.
+/// CSV table of the flights: one line per flight, with the RMS residual (m) without and with the effects added to the
+/// model, and the p-value of the lack-of-fit test.
 pub fn flights(report: &Report) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record([

@@ -3,7 +3,7 @@
 use identify::dataset::{Dataset, Role};
 use identify::{Fit, FitReport};
 
-/// CSV table of the estimates of a fit: a row per coefficient, with its standard errors and 95 % interval.
+/// CSV table of the estimates of a fit: one line per coefficient, with its standard errors and 95 % interval.
 pub fn coefficients(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record([
@@ -46,8 +46,8 @@ pub fn correlations(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     Ok(table.into_inner()?)
 }
 
-/// CSV table of the flights of a fit: a row per flight, with its role, its number of samples, the RMS residual (m), the
-/// number of outliers and the time (s) at which the flight was truncated.
+/// CSV table of the flights of a fit: one line per flight, with its role, its number of samples, the RMS residual (m),
+/// the number of outliers and the time (s) at which the flight was truncated.
 pub fn flights(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record([
@@ -68,10 +68,10 @@ pub fn flights(report: &FitReport) -> anyhow::Result<Vec<u8>> {
     Ok(table.into_inner()?)
 }
 
-/// Number of rows after which the residual tables omit the remaining flights.
+/// Maximum number of lines of a table of residuals; the flights beyond it are omitted.
 const MAX_ROWS: usize = 1_000_000;
 
-/// CSV table of residuals (measured − predicted, m): a row per measured marker and sample.
+/// CSV table of residuals (measured − predicted, m): one line per measured marker and sample.
 pub fn residuals(dataset: &Dataset, fitted: &Fit) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record(["file", "t_s", "marker", "x_m", "y_m", "z_m", "outlier"])?;
@@ -108,7 +108,8 @@ pub fn residuals(dataset: &Dataset, fitted: &Fit) -> anyhow::Result<Vec<u8>> {
     Ok(table.into_inner()?)
 }
 
-/// CSV table of the residuals of sensors (measured − predicted, in the unit of each sensor): a row per reading.
+/// CSV table of the residuals of sensors (measured − predicted, in the unit of each sensor): one line per sensor
+/// reading.
 pub fn sensor_residuals(dataset: &Dataset, fitted: &Fit) -> anyhow::Result<Vec<u8>> {
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record(["file", "t_s", "sensor", "unit", "x", "y", "z", "outlier"])?;
@@ -146,7 +147,7 @@ pub fn sensor_residuals(dataset: &Dataset, fitted: &Fit) -> anyhow::Result<Vec<u
     Ok(table.into_inner()?)
 }
 
-/// Role of a flight as spelled in dataset files.
+/// Role of a flight (fitted or held out) as spelled in dataset files.
 pub fn role(role: Role) -> &'static str {
     match role {
         Role::Fit => "fit",

@@ -101,7 +101,7 @@ pub fn run(
     Ok(answer)
 }
 
-/// Row of the table of results for one simulated throw of a launch monitor.
+/// Line of the table of results for one simulated throw of a launch monitor.
 fn cells(row: &Row, flown: &Flown) -> String {
     let start = &flown.release;
     let numbers = [

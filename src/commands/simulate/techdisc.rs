@@ -12,10 +12,10 @@ const MAX_BYTES: u64 = 4 << 20;
 const MAX_ROWS: usize = 1000;
 /// Maximum number of columns in a file.
 const MAX_COLUMNS: usize = 200;
-/// Maximum relative difference between the two speeds given in a row, one in mph and one in km/h.
+/// Maximum relative difference between the two speeds of one throw in the file, one in mph and one in km/h.
 const SPEED_DIFFERENCE: f64 = 0.01;
 
-/// Speed columns, with the factor that converts the value to m/s.
+/// Names of the columns with the speed, each with the factor that converts the value to m/s.
 const SPEEDS: [(&str, f64); 2] = [("speedMph", 0.44704), ("speedKmh", 1.0 / 3.6)];
 /// Columns other than those of the speed: name of the column, name of the quantity of a throw, and whether the column
 /// is required.
@@ -30,9 +30,9 @@ const COLUMNS: [(&str, &str, bool); 5] = [
 /// One throw recorded by a launch monitor: a row of its CSV file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// Text of the column `id`; the number of the row if it has none.
+    /// Text of the column `id`; the number of the throw in the file if that column is empty or missing.
     pub id: String,
-    /// Number of the row among the throws, from 1.
+    /// Number of the throw in the file, from 1.
     pub number: usize,
     /// Line number in the file, from 1.
     pub line: u64,
@@ -93,10 +93,10 @@ pub fn parse(file: &str, bytes: &[u8]) -> anyhow::Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// Selects the row that `--row` names, by its id or else by its number.
+/// Selects the throw that `--row` names, by its id or else by its number.
 ///
 /// # Errors
-/// If there is no such row, or if several rows have this id.
+/// If there is no such throw, or if several throws have this id.
 pub fn choose(rows: Vec<Row>, name: &str) -> anyhow::Result<Row> {
     let of_id = |row: &&Row| row.id == name;
     let count = rows.iter().filter(of_id).count();

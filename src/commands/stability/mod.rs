@@ -16,11 +16,11 @@ use super::vector;
 use crate::cli::Stability as Options;
 use crate::{Answer, output};
 
-/// Speeds, m/s, of the grid of the map over speed and spin. The spins of the grid are evenly spaced from 0; [`SPINS`]
-/// states the number of intervals and the maximum, rpm.
+/// Speeds, m/s, of the grid of speed and spin on which modes and stability criteria are mapped.
 const SPEEDS: [f64; 12] = [
     6.0, 8.0, 10.0, 12.0, 14.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 31.0,
 ];
+/// Spins of the grid of speed and spin, evenly spaced from 0: number of intervals, and maximum, rpm.
 const SPINS: (u32, f64) = (24, 1200.0);
 /// Speed (m/s) and spin (rpm) of the throw if they are specified neither in a release nor by options.
 const THROW: (f64, f64) = (16.0, 700.0);

@@ -137,7 +137,7 @@ fn factor(criteria: &Criteria) -> String {
     }
 }
 
-/// The nutation or, if there is none, the short-period mode; `None` if the motion has neither.
+/// The nutation mode or, if there is none, the short-period mode; `None` if the motion has neither.
 pub fn nutation(modes: &Modes) -> Option<&Mode> {
     let kinds = [ModeKind::Nutation, ModeKind::ShortPeriod];
     modes.modes.iter().find(|mode| kinds.contains(&mode.kind))
@@ -206,8 +206,8 @@ pub fn json(model: &str, found: &Found) -> Value {
     })
 }
 
-/// CSV table of the modes at the given instants: a row per instant and mode, with the stability criteria at the instant
-/// (1 if fulfilled, otherwise 0).
+/// CSV table of the modes at the given instants: one line per instant and mode, with the stability criteria at the
+/// instant (1 if fulfilled, otherwise 0).
 pub fn csv(instants: &[Instant]) -> String {
     let mut text = String::from(
         "t_s,speed_m_s,spin_rpm,mode,real_1_s,imaginary_rad_s,gyroscopic,incidence,wobble\n",

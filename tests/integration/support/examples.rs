@@ -2,7 +2,8 @@
 
 use crate::support::{hyzer, told};
 
-/// Runs every example of a command's help, at least so many; what one names `out` is put elsewhere.
+/// Runs every example in the help of a command, of which there must be at least `least`, and asserts that it succeeds.
+/// Output to the path `out` goes to a temporary folder instead.
 pub fn the_examples_run(command: &str, least: usize, out: &str) {
     let help = told(hyzer().args([command, "--help"])).1;
     let examples: Vec<&str> = help

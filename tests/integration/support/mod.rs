@@ -6,14 +6,14 @@ use std::process::Command;
 
 use assert_cmd::cargo::CommandCargoExt;
 
-/// The program.
+/// Returns a command that runs `hyzer` in the root of the repository.
 pub fn hyzer() -> Command {
     let mut command = Command::cargo_bin("hyzer").expect("the program");
     command.current_dir(env!("CARGO_MANIFEST_DIR"));
     command
 }
 
-/// Runs it; the exit status, what it printed, and its messages.
+/// Runs a command and returns its exit status, standard output and standard error.
 pub fn told(command: &mut Command) -> (i32, String, String) {
     let output = command.output().expect("it runs");
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("UTF-8");

@@ -18,9 +18,9 @@ use crate::throw_flight::{ThrowFlightError, ThrowFlights};
 /// Options for sampling flights at random to determine the spread of the landings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SampleOptions {
-    /// Number of draws; default 1000. 0 disables sampling.
+    /// Number of sampled flights; default 1000. 0 disables sampling.
     pub count: usize,
-    /// Seed of the draws; default 1.
+    /// Seed of the random draws; default 1.
     pub seed: u64,
     /// Number of threads, which does not affect the result; default: all processors.
     pub threads: usize,
@@ -61,7 +61,7 @@ pub struct Agreement {
     /// Ratio of the standard deviation of the sampled landings to that of the linear propagation, in the horizontal
     /// directions in which this ratio is smallest and largest.
     pub ratios: (f64, f64),
-    /// Sampling standard errors of `shift` and of a ratio in `ratios`.
+    /// Sampling standard errors: of `shift`, and of each ratio in `ratios`.
     pub errors: (f64, f64),
     /// Whether the linear and the sampled spread agree: `shift` differs from 0, and both `ratios` differ from 1, by at
     /// most [`TOLERATED`] or three of their standard errors, whichever is larger.

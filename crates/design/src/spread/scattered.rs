@@ -20,7 +20,7 @@ pub struct Scattered {
 pub struct CoefficientErrors {
     /// Name and standard error of each coefficient, SI.
     pub errors: Vec<(String, f64)>,
-    /// Correlations of pairs of coefficients, as (name, name, value); pairs that are not listed have 0.
+    /// Correlations of pairs of coefficients, as (name, name, value); pairs that are not listed are uncorrelated.
     pub correlations: Vec<(String, String, f64)>,
 }
 

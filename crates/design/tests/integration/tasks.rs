@@ -13,7 +13,8 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::support::{body, distance, oracle_path, plate};
 
-/// Difference from the oracle's flight, m: its own step is 1 ms.
+/// Maximum permitted difference between a designed flight and its simulation by the oracle (independent implementation
+/// of the laws of motion), m. The oracle's step size is 1 ms.
 const CONFIRMED: f64 = 0.01;
 
 fn with_wind(body: &ThrownBody, wind: [f64; 3]) -> ThrowFlights<'_> {
@@ -45,7 +46,8 @@ fn solved(name: &str, flights: &ThrowFlights<'_>, goal: Goal, bounds: &Bounds) -
     found
 }
 
-/// A task that is solved: its path in the oracle's flight.
+/// Searches for the throw that serves a goal, and asserts that its flight agrees with a simulation by the oracle
+/// (independent implementation of the laws of motion). Returns the design and the path of that simulation.
 fn confirmed(
     name: &str,
     flights: &ThrowFlights<'_>,
@@ -242,7 +244,8 @@ fn the_same_throw_is_found_on_any_number_of_threads() {
     assert_eq!(on(1), on(3));
 }
 
-/// The best of `count` random throws, by a figure that is to be great.
+/// Maximum, over `count` random throws within bounds, of a function `of` of the duration (s) and the landing position
+/// (m) of a flight.
 fn best_of(
     flights: &ThrowFlights<'_>,
     bounds: &Bounds,

@@ -29,7 +29,7 @@ fn throw() -> Throw {
     }
 }
 
-/// A body in a wind, with its release.
+/// Compiles a model with the wind given by the TOML text `wind`; returns the body and a release in this wind.
 fn in_wind(model: &Model, wind: &str) -> (ThrownBody, Release) {
     let text = format!(
         "model = {:?}\nuntil = \"ground\"\n[throw]\nspeed = 18.0\n{wind}",

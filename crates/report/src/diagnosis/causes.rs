@@ -11,10 +11,10 @@ use crate::fit::flights::short;
 use crate::fit::numbers::{Digits, millimetres, percent, plain, significant, stated, unit};
 use crate::fit::page::sentence;
 
-/// Maximum number of hypotheses shown on the page.
+/// Maximum number of hypotheses shown in the HTML report.
 pub(super) const MAX_HYPOTHESES: usize = 12;
 
-/// Accepted hypothesis, with all values formatted as text.
+/// Accepted hypothesis (set of effects that the model may lack), with all values formatted as text.
 #[derive(Serialize)]
 pub(super) struct Explanation {
     name: String,
@@ -35,14 +35,14 @@ pub(super) struct Explanation {
 struct Effect {
     name: String,
     doc: String,
-    /// Equations that the effect adds or replaces, as MathML.
+    /// Equations that the effect adds to the model or replaces, as MathML.
     equations: Vec<String>,
 }
 
 #[derive(Serialize)]
 struct Row {
-    /// Name of the effect, and number of table rows that the effect occupies; `None` in the second and further rows of
-    /// an effect.
+    /// Name of the effect, and number of table rows that the effect occupies. `None` in all rows of an effect but its
+    /// first.
     effect: Option<(String, usize)>,
     site: String,
     variables: String,
@@ -61,8 +61,8 @@ pub(super) fn explanations(page: &DiagnosisPage<'_>) -> Vec<Explanation> {
     causes.map(|cause| explanation(page, cause)).collect()
 }
 
-/// Equations of an effect as MathML, from the extended model, or from the model extended by this effect only. Empty
-/// if the fits are not available.
+/// Equations that an effect adds to the model or replaces, as MathML. They are taken from the extended model or, if it
+/// lacks the effect, from the model extended by this effect only. Empty if the fits are not available.
 fn equations(page: &DiagnosisPage<'_>, name: &str) -> Vec<String> {
     let Some(fits) = &page.fits else {
         return Vec::new();

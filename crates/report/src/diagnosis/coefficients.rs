@@ -5,8 +5,8 @@ use serde::Serialize;
 
 use crate::fit::numbers::{Digits, plain, unit};
 
-/// Minimum change of a coefficient by the extension of the model, in standard errors, for the estimate without the
-/// extension to count as biased.
+/// Minimum difference between the estimates of a coefficient with and without the added effects, in standard errors,
+/// for the estimate without them to count as biased.
 const BIASED: f64 = 3.0;
 
 /// Row of the coefficient table, with all values formatted as text.
@@ -16,7 +16,7 @@ pub(super) struct Row {
     before: String,
     value: String,
     error: String,
-    /// Change of the estimate by the extension, in standard errors, formatted.
+    /// Change of the estimate when the found effects are added to the model, in standard errors, formatted.
     change: String,
     biased: bool,
     /// Whether the coefficient belongs to an effect added to the model.
@@ -24,7 +24,8 @@ pub(super) struct Row {
     unit: String,
 }
 
-/// Whether the model was extended: at least one coefficient has both an estimate without and one with the extension.
+/// Whether the diagnosis extended the model by effects: at least one coefficient has an estimate both without and with
+/// the extension.
 pub(super) fn extended(report: &Report) -> bool {
     report.coefficients.values().any(|c| c.before.is_some())
 }

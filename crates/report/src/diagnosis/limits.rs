@@ -9,10 +9,11 @@ use crate::fit::flights::short;
 use crate::fit::numbers::{Digits, millimetres, plain, significant, unit};
 use crate::fit::words::names;
 
-/// Maximum number of rows of one table.
+/// Maximum number of rows of a table in the report.
 const MAX_ROWS: usize = 60;
 
-/// Effects that are not identifiable: name of the effect, and names of the parameters with which it is confounded.
+/// Effects that are not identifiable from the flights: name of the effect, and names of the parameters with which it is
+/// confounded.
 pub(super) fn undetectable(report: &Report) -> Vec<[String; 2]> {
     let all = report.undetectable.iter().take(MAX_ROWS);
     all.map(|u| {
@@ -37,7 +38,7 @@ pub(super) fn detectable(report: &Report) -> Vec<[String; 4]> {
     .collect()
 }
 
-/// Row of a library term tested by stepwise regression, with all values formatted as text.
+/// Table row of a library term (product of variables) tested by stepwise regression, with all values formatted as text.
 #[derive(Serialize)]
 pub(super) struct TermRow {
     site: String,
@@ -48,7 +49,7 @@ pub(super) struct TermRow {
     taken: bool,
 }
 
-/// Rows of the library terms tested by stepwise regression, in the order of `terms`.
+/// Table rows of the library terms (products of variables) tested by stepwise regression, in the order of `terms`.
 pub(super) fn terms(terms: &[StepwiseTerm]) -> Vec<TermRow> {
     let row = |term: &StepwiseTerm| {
         let digits = Digits::of(term.value, term.std_error);
@@ -64,7 +65,7 @@ pub(super) fn terms(terms: &[StepwiseTerm]) -> Vec<TermRow> {
     terms.iter().take(MAX_ROWS).map(row).collect()
 }
 
-/// Row of a candidate's score test, with all values formatted as text.
+/// Table row of the score test of a candidate effect, with all values formatted as text.
 #[derive(Serialize)]
 pub(super) struct Score {
     name: String,
@@ -79,7 +80,8 @@ pub(super) struct Score {
     significant: bool,
 }
 
-/// Rows of the score tests, in the order of the report: the most significant candidate first.
+/// Table rows of the score tests of candidate effects, in the order of the report: the most significant candidate
+/// first.
 pub(super) fn scores(report: &Report) -> Vec<Score> {
     let row = |c: &CandidateTest| {
         let expected = c.one_step.iter().take(6).map(|(name, e)| {
@@ -105,21 +107,21 @@ pub(super) fn scores(report: &Report) -> Vec<Score> {
     report.candidates.iter().take(MAX_ROWS).map(row).collect()
 }
 
-/// Row of a flight: file, role, and RMS residual without and with the extension of the model.
+/// Table row of a flight: file, role, and RMS residual without and with the effects added to the model.
 #[derive(Serialize)]
 pub(super) struct Flight {
     file: String,
     held_out: bool,
     before: String,
     after: String,
-    /// Decrease of the RMS residual by the extension; `–` without an extension.
+    /// Decrease of the RMS residual by the effects added to the model; `–` if none were added.
     gain: String,
-    /// Whether the extension increases the RMS residual.
+    /// Whether the effects added to the model increase the RMS residual.
     worse: bool,
     /// p-value of the flight's lack-of-fit test; `–` if the flight was not tested.
     p: String,
-    /// Whether the flight is excluded from the out-of-sample gain because neither the model under test nor the extended
-    /// model predicts it.
+    /// Whether the flight is excluded from the out-of-sample error reduction because neither the model under test nor
+    /// the extended model predicts it.
     apart: bool,
     /// Reason why the flight was excluded from the fit or from the prediction; `None` if it was not excluded.
     excluded: Option<String>,
@@ -166,11 +168,12 @@ pub(super) fn flights(report: &Report) -> Vec<Flight> {
 pub(super) struct LackOfFitText {
     says: String,
     head: [&'static str; 6],
-    /// Rows of the largest smooth deviations, smallest p-value first; the columns are named in `head`.
+    /// Rows of the largest smooth deviations of the residuals from zero, smallest p-value first; the columns are named
+    /// in `head`.
     departures: Vec<[String; 6]>,
 }
 
-/// Formats the lack-of-fit test with a table of the largest smooth deviations.
+/// Formats the lack-of-fit test with a table of the largest smooth deviations of the residuals from zero.
 pub(super) fn lack_of_fit(test: &LackOfFit) -> LackOfFitText {
     let row = |d: &SmoothMisfit| {
         [

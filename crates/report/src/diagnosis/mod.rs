@@ -25,9 +25,11 @@ pub struct DiagnosisPage<'a> {
     pub report: &'a Report,
     /// Measured flights with predictions of the model under test; at most the first twelve are drawn.
     pub before: &'a [FlightEvidence],
-    /// Measured flights with the predictions of the extended model, to be drawn; empty if the model was not extended.
+    /// Measured flights with the predictions of the extended model (with the effects found), to be drawn; empty if the
+    /// model was not extended.
     pub after: &'a [FlightEvidence],
-    /// Fits of both models, from which curves and confidence bands are computed; `None` omits these figures.
+    /// Fits of the model under test and of the extended model, from which curves and confidence bands are computed;
+    /// `None` omits these figures.
     pub fits: Option<Fits<'a>>,
     /// Reasons not to rely on the diagnosis; empty if there are none.
     pub reasons_against: &'a [String],
@@ -38,7 +40,7 @@ pub struct DiagnosisPage<'a> {
     pub certificate: &'a CertificateNote,
 }
 
-/// Fits of the model under test and of the extended model.
+/// Fits of the model under test and of the extended model (with the effects that the diagnosis found).
 #[derive(Clone, Copy)]
 pub struct Fits<'a> {
     /// Fit of the model under test.

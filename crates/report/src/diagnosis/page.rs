@@ -17,9 +17,9 @@ use crate::fit::numbers::{millimetres, percent, plain};
 use crate::fit::page::{capitalized, one, plain_values, reached, rendered, sentence, shown};
 use crate::fit::words::names;
 
-/// Maximum number of characters of the extended model's text shown on the page.
+/// Maximum number of characters of the extended model's text shown in the HTML report.
 const MAX_TEXT: usize = 60_000;
-/// Maximum number of notes, and of checks, shown on the page.
+/// Maximum number of notes, and of checks, shown in the HTML report.
 const MAX_NOTES: usize = 40;
 /// Maximum number of figures of load channels that are expanded when the page is opened; the same maximum applies to
 /// figures of coefficient curves.

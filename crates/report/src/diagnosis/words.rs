@@ -6,7 +6,7 @@ use identify::wording::count;
 use crate::fit::numbers::{millimetres, plain, raised, significant};
 use crate::fit::words::names;
 
-/// Name of an explanation: the joined names of its effects.
+/// Name of a hypothesis: the joined names of its effects.
 pub(super) fn cause(cause: &Cause) -> String {
     let effects: Vec<&str> = cause.effects.iter().map(|e| e.name.as_str()).collect();
     let effects = names(&effects);
@@ -57,7 +57,8 @@ pub(super) fn verdict(report: &Report) -> String {
     }
 }
 
-/// Name of the outcome (verdict) of a diagnosis in `report.json` and on the terminal, and its CSS class on the page.
+/// Name of the outcome (verdict) of a diagnosis, as written in `report.json` and on the terminal, and used as CSS
+/// class.
 pub fn verdict_name(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::None => "none",
@@ -68,7 +69,8 @@ pub fn verdict_name(verdict: Verdict) -> &'static str {
     }
 }
 
-/// Sentences on the out-of-sample error reduction by the extension, or the reason why it was not measured.
+/// Sentences on the reduction of the out-of-sample error by the effects added to the model, or the reason why it was
+/// not measured.
 pub(super) fn gain(report: &Report) -> String {
     let Some(gain) = &report.gain else {
         return match report.extended_model {
@@ -98,8 +100,8 @@ pub(super) fn gain(report: &Report) -> String {
     )
 }
 
-/// Sentence that compares the predictions with and without the extension flight by flight; `None` if no flight is
-/// compared or set apart.
+/// Sentence that compares the predictions without and with the added effects flight by flight; `None` if no flight is
+/// compared or excluded from the comparison.
 pub fn paired(gain: &PredictiveGain) -> Option<String> {
     let compared = gain.improved + gain.worsened;
     if compared == 0 && gain.set_apart.is_empty() {

@@ -17,7 +17,7 @@ pub(crate) enum Axis {
     Sizes,
 }
 
-/// Shape drawn in a row of a chart, with its CSS class.
+/// Shape drawn in a row of a chart.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Shape {
     /// Bar from 0 to the given value, drawn with the given CSS class.

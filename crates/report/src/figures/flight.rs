@@ -7,7 +7,7 @@ use ode::Trajectory;
 
 /// Number of samples of the trajectory that are drawn.
 const SAMPLES: usize = 400;
-/// Maximum ratio of the peak magnitudes of two states that share a panel.
+/// Maximum ratio between the peak magnitudes of two states that are drawn in one panel.
 const APART: f64 = 8.0;
 
 /// Draws a flight as SVG: side view and top view if the states include `x`, `y` and `z`, then all states over time.

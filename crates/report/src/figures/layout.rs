@@ -49,7 +49,7 @@ impl Layout {
         above: 32.0,
         below: 42.0,
     };
-    /// Layout of a figure as wide as the page.
+    /// Layout of a figure that spans the full width of an HTML page.
     pub const WIDE: Layout = Layout {
         width: 1080.0,
         most: 1180.0,

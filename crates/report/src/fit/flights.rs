@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::FitPage;
 use super::numbers::{millimetres, plain};
 
-/// Maximum number of rows of one table.
+/// Maximum number of rows of a table of flights.
 const MAX_ROWS: usize = 50;
 /// Maximum number of characters of a note.
 const MAX_LETTERS: usize = 300;
@@ -34,8 +34,8 @@ struct Row {
     notes: String,
 }
 
-/// Table of the flights with one role, in dataset order. If there are more than [`MAX_ROWS`], only the flights with
-/// the largest RMS residuals, in descending order.
+/// Table of the flights with one role (fitted or held out), in dataset order. If there are more than [`MAX_ROWS`], only
+/// the flights with the largest RMS residuals, in descending order.
 pub(super) fn table(page: &FitPage<'_>, role: Role) -> Table {
     let mut flights: Vec<&FlightReport> = page.report.used(role).collect();
     let number = flights.len();

@@ -72,7 +72,7 @@ pub fn html_and_figures(page: &FitPage<'_>) -> (String, Vec<Figure>) {
     (page::written(page, &figures), figures.in_order())
 }
 
-/// Figures of the report, grouped by section of the page.
+/// Figures of the report, grouped by its sections.
 struct Figures {
     precision: Option<Drawn>,
     predictions: Vec<Drawn>,
@@ -103,7 +103,7 @@ impl Figures {
         }
     }
 
-    /// Returns all figures in the order in which they appear on the page.
+    /// Returns all figures in the order in which they appear in the report.
     fn in_order(self) -> Vec<Figure> {
         let all = self.precision.into_iter().chain(self.predictions);
         let all = all.chain(self.profiles).chain(self.tracks);

@@ -18,7 +18,7 @@ use crate::literature::sources;
 const OPEN: usize = 3;
 /// Number of flights whose figures of marker paths are expanded when the page is opened.
 const OPEN_TRACKS: usize = 6;
-/// Maximum number of non-identifiable directions listed on the page.
+/// Maximum number of non-identifiable directions in parameter space that are listed in the report.
 const MAX_UNDETERMINED: usize = 20;
 
 /// Non-identifiable direction in parameter space, with all values formatted as text.
@@ -169,7 +169,8 @@ pub(crate) fn one(drawn: &Drawn) -> Value {
     }
 }
 
-/// Maximum size in bytes of a CSV table that is embedded in the page; for a larger table, the page links to its file.
+/// Maximum size in bytes of a CSV table that is embedded in the HTML report; the report links to the file of a larger
+/// table.
 const MAX_EMBEDDED: usize = 10_000;
 
 /// Link to the CSV table of a figure: a data URI, or the path of the file if the table is large.

@@ -8,9 +8,9 @@ use super::FitPage;
 use super::flights::short;
 use super::numbers::{millimetres, percent, plain};
 
-/// Maximum relative standard error at which the page calls a coefficient well determined.
+/// Maximum relative standard error at which the report calls a coefficient well determined.
 const GOOD: f64 = 0.1;
-/// Minimum ratio of a held-out flight's RMS prediction error to the noise at which the page calls the flight badly
+/// Minimum ratio of a held-out flight's RMS prediction error to the noise at which the report calls the flight badly
 /// predicted.
 const FAR: f64 = 3.0;
 /// Maximum number of names listed in a sentence.
@@ -87,7 +87,7 @@ fn held_out_words(report: &FitReport) -> Option<String> {
     })
 }
 
-/// First sentences of the page: which coefficients the flights determine well, roughly, or not at all.
+/// First sentences of the report: which coefficients the flights determine well, roughly, or not at all.
 pub(super) fn opening(page: &FitPage<'_>) -> Vec<String> {
     let [good, loose, unknown, _] = by_precision(page);
     let mut sentences = Vec::new();

@@ -26,11 +26,11 @@ pub struct ImportedTake {
     /// Height of the tracked body during the whole recording: pairs of time, s, and height, m; the height is not finite
     /// at times at which the body was not tracked.
     pub heights: Vec<(f64, f64)>,
-    /// Flights that were cut from the recording.
+    /// Flights that were extracted from the recording.
     pub flights: Vec<ImportedFlight>,
 }
 
-/// One flight cut from a recording.
+/// One flight extracted from a recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImportedFlight {
     /// File name of the flight's table in the dataset.
@@ -84,7 +84,7 @@ pub struct Distance {
 }
 
 impl ImportedFlight {
-    /// Whether a time, s, is between the first and the last sample of the flight.
+    /// Whether a time in the recording, s, is between the first and the last sample of the flight.
     fn holds(&self, time: f64) -> bool {
         self.span.0 <= time && time <= self.span.1
     }

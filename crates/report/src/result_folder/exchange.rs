@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use super::keep::discard;
 use super::manifest::MANIFEST;
 
-/// Suffix that is appended to the name of the earlier results folder, on file systems that cannot exchange two folders
-/// in one step.
+/// Suffix appended to the name of the earlier results folder while it is replaced, on file systems that cannot exchange
+/// two folders in one step.
 const OLD: &str = ".old";
 
 /// Name of the hidden folder in which this process prepares the results for the folder `name`.

@@ -11,7 +11,7 @@ use report::fit::Figure;
 
 const TWO_MEGABYTES: usize = 2_000_000;
 
-/// A page and its figures.
+/// HTML report of a diagnosis and its figures.
 #[derive(Debug, PartialEq)]
 struct Made {
     html: String,
@@ -38,7 +38,8 @@ fn page(report: &Report, before: &[FlightEvidence], after: &[FlightEvidence]) ->
     made
 }
 
-/// What holds of every page: it loads nothing, bears no script, and its figures are whole, each there once.
+/// Asserts what must hold for every report: it loads nothing, contains no script, and contains each of its figures
+/// exactly once, as valid SVG.
 fn check(made: &Made) {
     let without = made
         .html
@@ -84,7 +85,7 @@ fn check(made: &Made) {
     assert!(!made.html.contains("<desc></desc>"));
 }
 
-/// The usual page of a verdict.
+/// Diagnosis report with the given verdict, and the HTML page made from it.
 fn of(verdict: Verdict) -> (Report, Made) {
     let after = made::evidence(9);
     let before = found::without(&after);

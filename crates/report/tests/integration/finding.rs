@@ -12,7 +12,7 @@ use report::fit::Figure;
 use report::viewer::View;
 use report::{CertificateNote, prediction_band};
 
-/// The diagnosis of the example, made once.
+/// Diagnosis of the dataset `examples/mystery`, computed once for all tests.
 fn mystery() -> &'static Diagnosis {
     static FOUND: OnceLock<Diagnosis> = OnceLock::new();
     FOUND.get_or_init(|| {

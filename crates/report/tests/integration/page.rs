@@ -52,7 +52,7 @@ fn well_formed(figure: &Figure) {
     }
 }
 
-/// Nothing that a browser would fetch.
+/// Asserts that the HTML contains nothing that a browser would fetch.
 fn loads_nothing(html: &str) {
     let without = html.replace("xmlns=\"http://www.w3.org/2000/svg\"", "");
     for load in [
@@ -63,7 +63,7 @@ fn loads_nothing(html: &str) {
     }
 }
 
-/// The words of a page, without pictures and marks.
+/// Text of an HTML page, without figures and tags.
 fn text(html: &str) -> String {
     let body = &html[html.find("<body>").unwrap()..];
     let (mut text, mut in_tag, mut skip) = (String::new(), false, 0);

@@ -20,8 +20,9 @@ const FLIGHTS: usize = 20;
 /// Time limit of fitting one dataset.
 const LIMIT: Duration = Duration::from_secs(60);
 
-/// Observed time of a flight, s; `RATE` is the sampling rate, Hz.
+/// Observed time of a flight, s.
 const DURATION: f64 = 1.0;
+/// Sampling rate of the simulated measurements, Hz.
 const RATE: f64 = 120.0;
 
 /// Range of the time of the first ground contact, s. Throws with a contact at another time or without one are redrawn.

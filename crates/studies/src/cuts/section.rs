@@ -12,12 +12,13 @@ const MAX_EXAMPLES: usize = 12;
 /// Boundaries of the classes of impact speed, m/s.
 const CLASSES: [f64; 4] = [0.0, 1.0, 2.5, f64::INFINITY];
 
-/// Data of the page's section on truncation: counts and examples of flights without ground contact and of flights that
-/// bounce on the ground.
+/// Data of the section on truncation in docs/spoiled.md: counts and examples of flights without ground contact and of
+/// flights that bounce on the ground.
 #[derive(Clone, Debug, Serialize)]
 pub struct CutSection {
     free: Vec<FreeRow>,
-    /// For the flights without ground contact: their number, and how many of them the fits truncated and excluded.
+    /// For the flights without ground contact: number of all flights, of flights that the fits truncated, and of
+    /// flights that they excluded.
     totals: [usize; 3],
     bounces: Vec<BounceRow>,
     /// For the flights that bounce: their number, and how many of them the fits truncated within two samples of the

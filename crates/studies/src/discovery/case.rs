@@ -15,14 +15,14 @@ const DISC_FLIGHTS: (usize, usize) = (20, 4);
 /// Number of flights in a ball dataset, and how many of them are held out.
 const BALL_FLIGHTS: (usize, usize) = (12, 3);
 
-/// Minimum ratio of a run's effect size to the nominal size of its row. The maximum ratio is twice this.
+/// Minimum ratio of an effect's size in one run to its nominal size. The maximum ratio is twice this.
 const MIN_SIZE: f64 = 0.7;
 
 /// Number of the ChaCha random stream from which the sizes and signs of the effects are drawn. The streams of the
 /// flights are numbered from 1.
 const SIZE_STREAM: u64 = u64::MAX;
 
-/// Simulation settings of one run of a row of the study's table.
+/// Simulation settings of one run of the study, that is of one simulated and diagnosed dataset.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Case {
     /// Body that is thrown.
@@ -38,10 +38,8 @@ pub struct Case {
 }
 
 impl Case {
-    /// Draws the settings of run `run` of a row of the study's table. They depend only on the row's key and `run`.
-    ///
-    /// # Panics
-    /// If a built-in effect does not load.
+    /// Draws the settings of the run with the index `run` among those of one combination of simulation settings, `row`.
+    /// They depend only on the row's key (text of these settings) and `run`.
     pub fn of(row: &Row, run: usize) -> Self {
         let seed = seed(&row.key(), run);
         let mut random = ChaCha12Rng::seed_from_u64(seed);
@@ -144,8 +142,8 @@ fn default_flights(body: Body) -> (usize, usize) {
     }
 }
 
-/// Seed of a run: 40-bit FNV-1a hash of the row's key and the index of the run. It is not wider because other code
-/// multiplies seeds by 1000.
+/// Seed of a run: 40-bit FNV-1a hash of `key`, the text of the simulation settings, and the index of the run. It is not
+/// wider because other code multiplies seeds by 1000.
 fn seed(key: &str, run: usize) -> u64 {
     let bytes = key.bytes().chain((run as u64).to_le_bytes());
     let hash = bytes.fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {

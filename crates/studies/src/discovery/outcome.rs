@@ -4,7 +4,7 @@ use diagnose::Verdict;
 
 use super::case::Case;
 
-/// Answer of the diagnosis in one run, scored against the effects added to the simulated flights.
+/// Result of the diagnosis of one simulated dataset, scored against the effects added to its flights.
 #[derive(Clone, Debug)]
 pub struct Outcome {
     /// Settings with which the run was simulated.
@@ -13,7 +13,7 @@ pub struct Outcome {
     pub verdict: Option<Verdict>,
     /// Error message of the diagnosis; `None` if it succeeded.
     pub failure: Option<String>,
-    /// Names of the effects of each hypothesis in the answer, sorted; words are joined by underscores.
+    /// For each hypothesis of the diagnosis, the names of its effects, sorted; words are joined by underscores.
     pub hypotheses: Vec<Vec<String>>,
     /// For each hypothesis, the strongest remaining candidate (effect with the smallest p-value after the effects of
     /// the hypothesis have been added to the model) and its p-value; `None` if no candidate remains.
@@ -22,7 +22,7 @@ pub struct Outcome {
     /// outside the built-in effects catalogue: whether the verdict is `Unattributed`, or a hypothesis names a nearly
     /// equivalent effect of the catalogue.
     pub in_set: bool,
-    /// Whether the answer is one single hypothesis, and it is wrong.
+    /// Whether the diagnosis gives exactly one hypothesis, and this hypothesis is wrong.
     pub uniquely_wrong: bool,
     /// Whether the report lists an effect that was added to the simulated flights as not identifiable from these
     /// flights.

@@ -13,11 +13,12 @@ use crate::error::StudyError;
 use crate::page::Page;
 use crate::seeded::InputErrors;
 
-/// Maximum number of different answers of the diagnosis that the page lists for a failing row of the table.
+/// Maximum number of different results of the diagnosis (verdict and hypotheses) that the page lists for a failing row
+/// of the table.
 const MAX_ANSWERS: usize = 3;
 
-/// Divisor of the number of runs of a row: the row is listed as failing if the diagnosis misses a detectable effect in
-/// more than one run of this number.
+/// Divisor of the number of runs with the same simulation settings: the settings are listed as failing if the diagnosis
+/// misses a detectable effect in more than one run of this number.
 const MISSED_DIVISOR: usize = 10;
 
 /// Permitted maximum of the median computing time of a diagnosis of 20 disc flights, s.
@@ -33,7 +34,8 @@ struct Results<'r> {
     rates: &'r Rates,
     times: [TimeLimit; 2],
     failures: Vec<Failure>,
-    /// Rows with two or three effects added to the simulated flights, or with one effect of severe size.
+    /// Table rows of the runs with two or three effects added to the simulated flights, or with one effect of severe
+    /// size.
     several: Vec<&'r TableRow>,
     confounded: Vec<&'r TableRow>,
     unlisted: Vec<&'r TableRow>,
@@ -85,7 +87,8 @@ impl Criterion {
     }
 }
 
-/// Runs of one row of the table that fail in the same way, and the answers that the diagnosis gave in these runs.
+/// Runs of one row of the table that fail in the same way, with the verdicts and hypotheses of the diagnosis in these
+/// runs.
 #[derive(Serialize)]
 struct Failure {
     row: String,
@@ -217,8 +220,8 @@ fn criteria(rates: &Rates) -> Vec<Criterion> {
     criteria
 }
 
-/// Failures in all rows of the study's table: runs whose answer is a single wrong hypothesis, and rows in which the
-/// diagnosis misses a detectable effect in more than one run of ten.
+/// Failures in all rows of the study's table: runs in which the diagnosis gives a single, wrong hypothesis, and rows in
+/// which the diagnosis misses a detectable effect in more than one run of ten.
 fn failures(results: &[RowResult]) -> Vec<Failure> {
     let wrong = results.iter().filter_map(|result| {
         let failure = failure(result, "one single hypothesis, wrong,", |o| {

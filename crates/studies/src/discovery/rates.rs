@@ -10,7 +10,7 @@ use super::row::{Body, Group};
 use super::run::RowResult;
 use crate::statistics::median;
 
-/// Permitted maximum fraction of runs whose answer is a single wrong hypothesis.
+/// Permitted maximum fraction of runs in which the diagnosis gives a single, wrong hypothesis.
 pub(super) const MAX_UNIQUELY_WRONG: f64 = 0.005;
 
 /// Required minimum fraction of runs in which the effects added to the simulated flights are among the hypotheses of
@@ -59,7 +59,8 @@ impl Count {
     }
 }
 
-/// Statistics over the runs of one row: counts, means and medians.
+/// Statistics over the runs of one row of the study's table (combination of simulation settings): counts, means and
+/// medians.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct RowRates {
     /// Number of runs in which the diagnosis detected a deviation from the model (verdict other than `Verdict::None`).
@@ -69,7 +70,7 @@ pub(super) struct RowRates {
     /// Mean number of hypotheses over the runs in which the diagnosis detected a deviation from the model; `None`
     /// without such a run.
     mean_set_size: Option<f64>,
-    /// Number of runs whose answer is a single wrong hypothesis.
+    /// Number of runs in which the diagnosis gives a single, wrong hypothesis.
     uniquely_wrong: usize,
     /// Median over the runs of the ratio of effect size in the simulated flights to minimum detectable size (the
     /// smallest ratio of a run with several effects); `None` if no run has this ratio.
@@ -87,9 +88,9 @@ pub(super) struct RowRates {
     slowest: f64,
     /// Number of failed diagnoses.
     failed: usize,
-    /// Number of runs whose only hypothesis consists of the effects added to the simulated flights, and number of runs
-    /// that have them among several hypotheses.
+    /// Number of runs whose only hypothesis consists of the effects added to the simulated flights.
     alone: usize,
+    /// Number of runs with several hypotheses, one of which consists of the effects added to the simulated flights.
     in_a_set: usize,
     /// Number of runs that detect nothing and report an added effect as not identifiable.
     not_identifiable: usize,
@@ -98,19 +99,21 @@ pub(super) struct RowRates {
     /// Number of runs in which the diagnosis selected a library term that acts on the same quantity of the model (site)
     /// as the effect added to the simulated flights.
     at_its_site: usize,
-    /// Sites of the library terms that the diagnosis selected in any run.
+    /// Quantities of the model (sites) on which the library terms act that the diagnosis selected in any run.
     sites: String,
     /// Maximum over the runs of the number of wrong terms; see [`Outcome::terms_too_many`].
     terms_too_many: usize,
-    /// Number of flights listed as discordant in all runs, and number of those whose spins were exchanged.
+    /// Number of flights that the reports of all runs list as discordant (contradicting the effect found in most
+    /// flights).
     discordant: usize,
+    /// Number of the flights listed as discordant whose stated spin was exchanged with that of another flight.
     discordant_exchanged: usize,
-    /// Most frequent answer of the diagnosis.
+    /// Most frequent result of the diagnosis (verdict and hypotheses) over the runs.
     answer: String,
 }
 
 impl RowRates {
-    /// Statistics of the outcomes of a row whose added effect acts at `site`.
+    /// Computes the statistics of the outcomes of runs whose added effect acts on the quantity `site` of the model.
     pub(super) fn of(outcomes: &[Outcome], site: &str) -> Self {
         let count = |has: &dyn Fn(&Outcome) -> bool| outcomes.iter().filter(|o| has(o)).count();
         let detected = outcomes.iter().filter(|o| o.is_detected());
@@ -151,10 +154,10 @@ impl RowRates {
     }
 }
 
-/// Rates of right, wrong and missing answers, and prediction errors, over the runs of all rows of the study's table.
+/// Rates of right, wrong and missed diagnoses, and prediction errors, over the runs of all rows of the study's table.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Rates {
-    /// Runs whose answer is a single wrong hypothesis, out of all runs.
+    /// Runs in which the diagnosis gives a single, wrong hypothesis, out of all runs.
     pub(super) uniquely_wrong: Count,
     /// Runs in which the effects added to the simulated flights are among the hypotheses of the diagnosis, out of the
     /// runs with effects of the built-in effects catalogue of at least the minimum detectable size.
@@ -162,9 +165,9 @@ pub(super) struct Rates {
     /// Runs in which the effects added to the simulated flights are among the hypotheses of the diagnosis, out of the
     /// runs with an effect of at least [`STRONG`] times the minimum detectable size.
     pub(super) in_set_strong: Count,
-    /// For each number of effects in [`Group::Several`]: the number, the lower bound of the rate, and the runs in which
-    /// the effects added to the simulated flights are among the hypotheses of the diagnosis, out of those where all
-    /// effects are detectable.
+    /// For each number of effects in [`Group::Several`]: this number, the required minimum fraction of right runs, and
+    /// the count of right runs. A run is right if the effects added to the simulated flights are among the hypotheses
+    /// of the diagnosis. Only runs in which all effects are detectable are counted.
     pub(super) in_set_several: Vec<(usize, f64, Count)>,
     /// For each noise condition: its name, and the runs in which the diagnosis detected a deviation from the model, out
     /// of the runs without an effect added to the simulated flights.
@@ -193,9 +196,9 @@ pub(super) struct Rates {
 pub(super) struct Times {
     /// Number of threads on which each diagnosis ran.
     pub(super) threads: usize,
-    /// Median time; `None` without a run.
+    /// Median time of a diagnosis, s; `None` without a run.
     pub(super) median: Option<f64>,
-    /// Maximum time; `None` without a run.
+    /// Maximum time of a diagnosis, s; `None` without a run.
     pub(super) slowest: Option<f64>,
 }
 
@@ -269,8 +272,8 @@ fn pooled<'a>(outcomes: impl Iterator<Item = &'a Outcome>) -> Option<f64> {
     (truth > 0.0).then(|| f64::sqrt(after / truth))
 }
 
-/// Number of times that each answer (verdict and hypotheses as text) occurs among the outcomes for which `has` is true,
-/// the most frequent answer first.
+/// Counts how often each result of the diagnosis (verdict and hypotheses as text) occurs among the outcomes for which
+/// `has` is true. The most frequent result is first.
 pub(super) fn answers(
     outcomes: &[Outcome],
     has: impl Fn(&Outcome) -> bool,

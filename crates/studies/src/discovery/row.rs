@@ -32,7 +32,7 @@ pub enum Group {
 }
 
 impl Group {
-    /// Name of the group on pages.
+    /// Name of the group on documentation pages.
     pub(super) fn label(self) -> &'static str {
         match self {
             Group::Null => "no effect",
@@ -47,7 +47,8 @@ impl Group {
         }
     }
 
-    /// Name of the group in [`Row::key`]. The seeds are derived from it, so changing it would change the datasets.
+    /// Name of the group in [`Row::key`]. The seeds of the simulated datasets are derived from it, so changing it would
+    /// change the datasets.
     fn key(self) -> &'static str {
         match self {
             Group::Null => "null",
@@ -78,7 +79,7 @@ pub enum Size {
 const SEVERE: f64 = 4.0;
 
 impl Size {
-    /// Name of the size on pages and in [`Row::key`].
+    /// Name of the size on documentation pages and in [`Row::key`].
     pub(super) fn label(self) -> &'static str {
         match self {
             Size::Weak => "weak",
@@ -142,7 +143,7 @@ pub struct Row {
     pub flights: Option<usize>,
     /// Errors introduced into the spins specified in the dataset; `None` if the specified spins are exact.
     pub input_errors: Option<InputErrors>,
-    /// Number of runs of the row, each with its own seed.
+    /// Number of runs (simulated and diagnosed datasets) with these settings, each with a different seed.
     pub runs: usize,
 }
 
@@ -164,7 +165,7 @@ impl Row {
         effect.map_or("", |effect| effect.site)
     }
 
-    /// Unique text of the row. The seeds of the row's runs are derived from it.
+    /// Unique text for these simulation settings. The seeds of the runs are derived from it.
     pub fn key(&self) -> String {
         let size = self.size.map_or("", Size::label);
         let (group, seeded, noise) = (self.group.key(), self.seeded(), self.noise.name);
@@ -179,8 +180,8 @@ impl Row {
         key.to_lowercase()
     }
 
-    /// Whether each of the space-separated `words` occurs in the row's key or in the label of the row's group. Case is
-    /// ignored, and hyphens match underscores.
+    /// Whether each of the space-separated `words` occurs in the row's key (text of its simulation settings) or in the
+    /// label of the row's group. Case is ignored, and hyphens match underscores.
     pub fn has(&self, words: &str) -> bool {
         let text = format!("{} {}", self.key(), self.group.label());
         words

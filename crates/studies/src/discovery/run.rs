@@ -17,12 +17,13 @@ use super::score::{hypotheses, score};
 use crate::bounded_fit::on_threads;
 use crate::progress::{Progress, each_run, threads_of_each_run};
 
-/// Settings of a row, with the outcomes of its runs.
+/// Settings of one row of the study's table (combination of simulation settings), with the outcomes of its runs
+/// (simulated and diagnosed datasets).
 #[derive(Clone, Debug)]
 pub struct RowResult {
-    /// Settings of the row of the study's table.
+    /// Simulation settings that the runs have in common.
     pub row: Row,
-    /// Outcomes of the row's runs, in the order of the run index.
+    /// Outcomes of the runs, in the order of the run index.
     pub outcomes: Vec<Outcome>,
 }
 
@@ -94,7 +95,7 @@ fn diagnosis_options(threads: usize) -> DiagnosisOptions<'static> {
     }
 }
 
-/// Simulates the flights of a run, diagnoses them, and scores the answer against the effects added to the simulated
+/// Simulates the flights of a run, diagnoses them, and scores the diagnosis against the effects added to the simulated
 /// flights.
 fn outcome(case: &Case, models: &Models, threads: usize) -> Outcome {
     let dataset = case.dataset();

@@ -22,7 +22,8 @@ pub(super) fn hypotheses(report: &Report) -> Vec<Vec<String>> {
     each.collect()
 }
 
-/// Copies the answer from a report to `outcome`, and scores it against the effects added to the simulated flights.
+/// Copies verdict and hypotheses from a diagnosis report to `outcome`, and scores them against the effects added to the
+/// simulated flights.
 pub(super) fn score(outcome: &mut Outcome, report: &Report) {
     outcome.verdict = Some(report.verdict);
     outcome.seconds = report.seconds.get("total").copied().unwrap_or(f64::NAN);
@@ -51,9 +52,8 @@ pub(super) fn score(outcome: &mut Outcome, report: &Report) {
     }
 }
 
-/// Scores a run with an effect outside the built-in effects catalogue. The right verdict is `Unattributed`. If the
-/// answer is one single hypothesis (`is_single`), it is wrong unless it names the nearly equivalent effect of the
-/// catalogue.
+/// Scores a run with an effect outside the built-in effects catalogue. The right verdict is `Unattributed`. A single
+/// hypothesis (`is_single`) is wrong unless it names the nearly equivalent effect of the catalogue.
 fn score_unlisted(outcome: &mut Outcome, report: &Report, is_single: bool) {
     // An effect of the catalogue may be so similar that it is an equally right answer.
     let mut seeded = outcome.case.seeded.unlisted.iter();

@@ -18,7 +18,7 @@ const DISPLACEMENT: (f64, f64) = (5e-4, 1.0);
 /// Maximum number of effects in a case.
 const MAX_EFFECTS: usize = 3;
 
-/// Maximum size of an effect, as a multiple of its strong size in the discovery study.
+/// Maximum size of an effect, as a multiple of its strong value (near the largest that is met in practice).
 const MAX_MULTIPLE: f64 = 12.0;
 
 /// Maximum angle of attack in the flights of a case, rad. Near 90° the airspeed has almost no component in the plane of
@@ -169,7 +169,7 @@ fn sized(
 }
 
 /// Multiplies `strong` by `multiple` and clips each value to 0.9 times the bounds of its coefficient. A value whose
-/// sign the bounds exclude gets the other sign.
+/// sign the bounds exclude is negated first.
 fn within_bounds(model: &Model, name: &str, strong: &[f64], multiple: f64) -> Vec<f64> {
     let effect = model.effects.iter().find(|effect| effect.name == name);
     let coefficients = effect.map_or(&[][..], |effect| &effect.coefficients);
@@ -188,7 +188,7 @@ fn within_bounds(model: &Model, name: &str, strong: &[f64], multiple: f64) -> Ve
     each.collect()
 }
 
-/// Simulates the first `flights` throws of a seed, with the given effects and without noise.
+/// Simulates the first `flights` throws drawn from a seed, with the given effects and without noise.
 fn flights(effects: &[(String, Vec<f64>)], flights: usize, seed: u64) -> Dataset {
     let plan = Plan { flights, ..TWELVE };
     seeded::dataset(&plan, &listed(effects), seed)

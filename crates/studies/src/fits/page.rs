@@ -26,7 +26,7 @@ struct Results {
     slow: Vec<Row>,
 }
 
-/// Number, success and computing times of the fits of a class.
+/// Number, success rate and computing times of the fits in one class of marker displacement.
 #[derive(Serialize)]
 struct Class {
     name: String,

@@ -28,7 +28,7 @@ pub struct CoefficientCoverage {
 /// Coverage of the confidence intervals of all coefficients under one noise condition.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Coverage {
-    /// The noise condition.
+    /// Noise condition under which the datasets were simulated.
     pub condition: NoiseCondition,
     /// Number of simulated datasets.
     pub seeds: usize,

@@ -45,7 +45,7 @@ pub fn truth(model: &Model, plan: &Plan<'_>) -> Vec<(String, f64)> {
         .collect()
 }
 
-/// The disc's default parameters with the true coefficients of a plan.
+/// Default parameters of the disc, with the true coefficients that a plan specifies.
 pub(crate) fn disc_constants(model: &Model, plan: &Plan<'_>) -> Point<f64> {
     let mut constants = Point::defaults(model);
     for ((_, value), place) in truth(model, plan).iter().zip(&mut constants.coefficients) {

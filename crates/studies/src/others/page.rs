@@ -42,12 +42,13 @@ struct StageRow {
     moved: String,
     broken: String,
     end: [f64; 3],
-    /// Distance, m, between the ends of two flights: the one simulated with the equations of this row (as published or
-    /// after corrections), and the one simulated with the published equations.
+    /// Distance, m, between the ends of two simulated flights: one with the equations of this table row (as published
+    /// or after corrections), and one with the published equations.
     apart: f64,
 }
 
-/// Maximum difference between the two sides of a law, relative to their magnitude, that is attributed to rounding.
+/// Maximum difference between the two sides of a balance law, relative to their magnitude, that is attributed to
+/// rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// Renders docs/others.md from the results of all simulators.

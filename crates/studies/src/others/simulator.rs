@@ -18,7 +18,7 @@ pub struct Simulator {
 /// One correction of a simulator's equations, as edits of the model's text.
 #[derive(Clone, Copy, Debug)]
 pub struct Change {
-    /// Description of the correction, as printed on the page.
+    /// Description of the correction, as printed on the documentation page.
     pub says: &'static str,
     /// Replacements in the model's text: (old text, new text).
     pub edits: &'static [(&'static str, &'static str)],

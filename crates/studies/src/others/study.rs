@@ -40,7 +40,7 @@ pub struct Verdicts {
 /// its two sides.
 #[derive(Clone, Copy, Debug)]
 pub struct LawInFlight {
-    /// Balance law whose two sides are compared, such as d(momentum)/dt = force.
+    /// Balance law whose left-hand and right-hand sides are compared, such as d(momentum)/dt = force.
     pub law: BalanceLaw,
     /// Maximum magnitude of the law's right-hand side along the flight (the cause of the change, such as the force),
     /// SI.

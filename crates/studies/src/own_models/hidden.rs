@@ -42,8 +42,8 @@ pub(super) enum Action {
 pub struct Hidden {
     /// Name of the hidden effect.
     pub name: &'static str,
-    /// Sites of the model (places where effects act) that count as correct in the answer of a diagnosis, by their names
-    /// in `report.json`.
+    /// Quantities of the model (sites) that count as correct if the diagnosis names one of them, by their names in
+    /// `report.json`.
     pub sites: &'static [&'static str],
     /// A weak and a strong size of the effect. The action is proportional to the size.
     pub sizes: [f64; 2],

@@ -11,7 +11,7 @@ use crate::statistics::median;
 /// Multiple of the minimum detectable size from which the diagnosis is required to detect a hidden effect.
 const CLEAR: f64 = 5.0;
 
-/// Maximum length of a diagnosis's answer that is quoted on the page, characters.
+/// Maximum length of a diagnosis's result that is quoted on the page, characters.
 const MAX_QUOTE: usize = 140;
 
 #[derive(Serialize)]

@@ -20,8 +20,8 @@ use crate::progress::{Progress, each_run, threads_of_each_run};
 /// Time limit of a diagnosis or a fit.
 const LIMIT: Duration = Duration::from_secs(60);
 
-/// Approximate root of the χ² that a diagnosis detects with power 0.9: the threshold 4.4 (in standard deviations) for
-/// about thirty candidates, plus the 0.9 quantile 1.3 of the standard normal distribution.
+/// Approximate square root of the χ² that a diagnosis detects with power 0.9: the threshold 4.4 (in standard
+/// deviations) for about thirty candidates, plus the 0.9 quantile 1.3 of the standard normal distribution.
 const DETECTABLE: f64 = 5.7;
 
 /// Settings of one diagnosis of the study.
@@ -47,15 +47,16 @@ impl Task {
     }
 }
 
-/// Answer of one diagnosis, and how detectable the hidden effect was.
+/// Result of one diagnosis, and how detectable the hidden effect was.
 #[derive(Debug)]
 pub struct Outcome {
     /// Settings of the diagnosis.
     pub task: Task,
     /// Verdict of the diagnosis, or the error that ended it.
     pub verdict: Result<Verdict, DiagnosisError>,
-    /// Effects in the diagnosis's answer, as pairs (name, site). If no effect is named: the selected terms of the term
-    /// library or, without any, the missing force or moment that explains most of the misfit.
+    /// Effects that the diagnosis found, as pairs (name, quantity on which the effect acts). If no effect is named: the
+    /// selected terms of the term library or, without any, the missing force or moment that explains most of the
+    /// misfit.
     pub answer: Vec<(String, String)>,
     /// Size of the hidden effect / minimum detectable size, from the χ² that remains when the model without the effect
     /// is fitted to exact flights. `None` if nothing is hidden or that fit fails.
@@ -79,7 +80,7 @@ impl Outcome {
         self.detectability.is_some_and(|ratio| ratio >= times)
     }
 
-    /// Whether an effect in the diagnosis's answer acts on one of the model's quantities (sites) that count as correct
+    /// Whether an effect that the diagnosis found acts on one of the model's quantities (sites) that count as correct
     /// for the hidden effect; false if no effect is hidden.
     pub fn is_site_right(&self) -> bool {
         let Some((hidden, _, _)) = self.task.hidden else {
@@ -198,8 +199,8 @@ fn bounded_diagnosis(
     Ok(found?.report)
 }
 
-/// Size of a hidden effect / minimum detectable size. It is the root of the χ² that remains when the model without the
-/// effect is fitted to exact flights, divided by [`DETECTABLE`]. `None` if the fit fails.
+/// Size of a hidden effect / minimum detectable size. It is the square root of the χ² that remains when the model
+/// without the effect is fitted to exact flights, divided by [`DETECTABLE`]. `None` if the fit fails.
 fn detectability(model: &Model, mut exact: Dataset, sigma: f64) -> Option<f64> {
     exact.sigma = Some(sigma);
     let fitted = bounded_fit(model, &exact, LIMIT).result.ok()?;
@@ -214,9 +215,9 @@ fn detectability(model: &Model, mut exact: Dataset, sigma: f64) -> Option<f64> {
     Some(chi2.sqrt() / DETECTABLE)
 }
 
-/// Answer of a report, as pairs of a name and the model quantity (site) concerned: the effects of all causes found,
-/// then the selected terms of the term library. If there are neither effects nor terms: the missing force or moment
-/// that explains most of the misfit.
+/// Result of a diagnosis report, as pairs of a name and the model quantity (site) concerned: the effects of all causes
+/// found, then the selected terms of the term library. If there are neither effects nor terms: the missing force or
+/// moment that explains most of the misfit.
 fn answer(report: &Report) -> Vec<(String, String)> {
     let causes = report.causes.iter().flat_map(|cause| &cause.effects);
     let mut answer: Vec<(String, String)> = causes

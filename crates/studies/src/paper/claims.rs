@@ -9,7 +9,7 @@ pub struct Claim {
     pub flight: String,
     /// Time in the flight at which the quantity is stated, s; `None` if the quantity is itself a time.
     pub at: Option<f64>,
-    /// Name of the field of [`Outcome`] that the claim is about.
+    /// Name of the field of [`Outcome`] for which the value is stated.
     pub quantity: String,
     /// Stated value, in `unit`.
     pub value: f64,
@@ -57,7 +57,7 @@ impl Outcome {
     /// Value of the field of the given name, in that field's unit.
     ///
     /// # Panics
-    /// If no field has this name. Only the names of the built-in claims are valid.
+    /// If no field has this name.
     pub(super) fn quantity(&self, name: &str) -> f64 {
         match name {
             "delta_x" => self.delta_x,
@@ -71,7 +71,7 @@ impl Outcome {
         }
     }
 
-    /// Deviation (simulated − stated) from a claim, in units of the claim's tolerance.
+    /// Deviation (simulated − stated) from the stated value of a claim, in units of the claim's tolerance.
     pub(super) fn departure(&self, claim: &Claim) -> f64 {
         (self.quantity(&claim.quantity) - claim.value) / claim.tolerance
     }

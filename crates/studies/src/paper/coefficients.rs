@@ -6,8 +6,8 @@ use super::conventions::{Conventions, RollSpin, SpinDown};
 /// Conversion factor from rad/s to revolutions per second.
 const REV_PER_RAD: f64 = 0.5 / std::f64::consts::PI;
 
-/// Coefficients of the model `disc`, SI. Pitch and roll damping are separate because their signs are separate
-/// hypotheses.
+/// Coefficients of the model `disc`, SI. Pitch and roll damping are separate because separate hypotheses concern their
+/// signs.
 pub(super) struct Coefficients {
     /// Coefficients `[C_L0, C_La, C_D0, C_Da]`.
     pub(super) lift_and_drag: [f64; 4],
@@ -23,8 +23,8 @@ pub(super) struct Coefficients {
     pub(super) spin_down: f64,
 }
 
-/// Converts a printed row of Table 1 to coefficients, with an assumed order of columns and assumed signs and units; `d`
-/// is the diameter of the disc, m, and `g` the gravitational acceleration, m/s².
+/// Converts a printed row of Table 1 of Hubbard & Hummel (2000) to coefficients, with an assumed order of columns and
+/// assumed signs and units. `d` is the diameter of the disc, m, and `g` the gravitational acceleration, m/s².
 pub(super) fn coefficients(
     row: &[f64; 8],
     columns: Columns,

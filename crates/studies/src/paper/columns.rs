@@ -1,13 +1,13 @@
 //! Possible orders of the lift and drag columns of Table 1.
 
-/// Order of the four lift and drag columns: `columns[i]` is the index of the printed column that contains the `i`-th of
-/// C_L0, C_La, C_D0, C_Da.
+/// Order of the four lift and drag columns in Table 1 of Hubbard & Hummel (2000): `columns[i]` is the index of the
+/// printed column that contains the `i`-th of C_L0, C_La, C_D0, C_Da.
 pub type Columns = [u8; 4];
 
-/// Order of the four lift and drag columns as printed in Table 1.
+/// Order of the four lift and drag columns as printed in Table 1 of Hubbard & Hummel (2000).
 pub(super) const PRINTED: Columns = [0, 1, 2, 3];
 
-/// Returns all 24 orders of the four lift and drag columns of Table 1, sorted.
+/// Returns all 24 orders of the four lift and drag columns of Table 1 of Hubbard & Hummel (2000), sorted.
 pub(super) fn orders() -> Vec<Columns> {
     let mut orders = Vec::with_capacity(24);
     for code in 0..256_u16 {
@@ -22,7 +22,7 @@ pub(super) fn orders() -> Vec<Columns> {
     orders
 }
 
-/// Minimum number of transpositions of two columns that convert the printed order to the given one. Each transposition
+/// Minimum number of interchanges of two columns that convert the printed order to the given one. Each interchange
 /// counts as one hypothesis.
 pub(super) fn interchanges(order: Columns) -> usize {
     let mut order = order;

@@ -86,7 +86,8 @@ impl Conventions {
         all
     }
 
-    /// Descriptions of the hypotheses, one for each sign or unit that deviates from the printed Table 1.
+    /// Descriptions of the hypotheses on Table 1 of Hubbard & Hummel (2000), one for each sign or unit that is assumed
+    /// to differ from the printed one.
     pub(super) fn hypotheses(&self) -> Vec<&'static str> {
         let signs = [
             (self.pitch_damping_reversed, "pitch damping reversed"),

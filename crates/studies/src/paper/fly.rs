@@ -10,12 +10,12 @@ use super::coefficients::Coefficients;
 use super::conventions::{Conventions, RollSpin, SpinDown};
 use crate::error::StudyError;
 
-/// Text of an effect that adds the coefficients that some readings of Table 1 need in addition to the eight of the
-/// model `disc`.
+/// Text of an effect that adds the coefficients that some interpretations of Table 1 of Hubbard & Hummel (2000) need in
+/// addition to the eight of the model `disc`.
 const READINGS: &str = include_str!("data/readings.hyz");
 
-/// Relative tolerance of the integration. The claims need a relative accuracy of 1e-4, a hundredth of the smallest
-/// tolerance of a claim.
+/// Relative tolerance of the integration. The comparison with stated values needs a relative accuracy of 1e-4, a
+/// hundredth of the smallest tolerance of a stated value.
 const TOLERANCE: f64 = 1e-7;
 
 /// One of the two flights of Hubbard & Hummel (2000): release state and compiled model, for simulation with the
@@ -139,8 +139,8 @@ impl Flyer {
     }
 }
 
-/// Loads the model `disc` with the effect [`READINGS`], which adds coefficients that some interpretations of Table 1
-/// need.
+/// Loads the model `disc` with the effect [`READINGS`], which adds coefficients that some interpretations of Table 1 of
+/// Hubbard & Hummel (2000) need.
 fn model() -> Result<Model, StudyError> {
     let (name, disc) = model_spec::load::MODELS
         .iter()

@@ -10,7 +10,7 @@ use super::table::Table1;
 use crate::error::StudyError;
 use crate::page::Page;
 
-/// Number of readings (interpretations of the paper's Table 1) in the page's ranking.
+/// Number of interpretations of Table 1 of Hubbard & Hummel (2000) that the page of results ranks.
 const SHOWN: usize = 20;
 
 #[derive(Serialize)]
@@ -33,11 +33,12 @@ struct Results {
 struct ClaimRow {
     flight: String,
     claim: String,
-    /// Stated value of the claim, and its tolerance.
+    /// Value that the publication states, and the tolerance allowed for a reproduction, both in `unit`.
     stated: [f64; 2],
-    /// Unit with a leading space; empty if dimensionless.
+    /// Unit of the stated value, with a leading space; empty if dimensionless.
     unit: String,
-    /// Simulated value, and deviation in units of the tolerance; `None` if the integration fails.
+    /// Simulated value, and its deviation from the stated value in units of the tolerance; `None` if the integration
+    /// fails.
     simulated: Option<(f64, f64)>,
 }
 
@@ -51,8 +52,8 @@ struct ReadingRow {
     description: String,
 }
 
-/// One hypothesis of the best-ranked reading (interpretation of Table 1), with the best score among the readings
-/// without this hypothesis. The score shows how much the hypothesis contributes to the agreement.
+/// One hypothesis of the best-ranked interpretation of Table 1 of Hubbard & Hummel (2000), with the best score among
+/// the interpretations without this hypothesis. The score shows how much the hypothesis contributes to the agreement.
 #[derive(Serialize)]
 struct HypothesisRow {
     description: &'static str,
@@ -67,8 +68,8 @@ struct HypothesisRow {
 struct Alternative {
     best_has: String,
     alternative: String,
-    /// Whether the best-ranked reading (interpretation of Table 1) and this one give exactly the same simulated
-    /// outcomes.
+    /// Whether this interpretation of Table 1 of Hubbard & Hummel (2000) and the best-ranked one give exactly the same
+    /// simulated outcomes.
     is_equivalent: bool,
     misfit: f64,
     best_misfit: f64,
@@ -134,8 +135,8 @@ fn describe(claim: &Claim) -> String {
     }
 }
 
-/// Table rows of the first [`SHOWN`] readings (interpretations of the paper's Table 1), and of the table as printed if
-/// it ranks lower.
+/// Table rows of the [`SHOWN`] best interpretations of Table 1 of Hubbard & Hummel (2000), and of the table as printed
+/// if it ranks lower.
 fn ranking(study: &Study) -> Vec<ReadingRow> {
     let ranked = study.ranking.iter().enumerate();
     let shown = ranked.filter(|(k, scored)| *k < SHOWN || scored.reading == Reading::PRINTED);
@@ -150,8 +151,8 @@ fn ranking(study: &Study) -> Vec<ReadingRow> {
     rows.collect()
 }
 
-/// Names of the flights, each with its lift and drag coefficients `[C_L0, C_La, C_D0, C_Da]` under a reading
-/// (interpretation of the paper's Table 1).
+/// Names of the flights, each with its lift and drag coefficients `[C_L0, C_La, C_D0, C_Da]` under an interpretation of
+/// Table 1 of Hubbard & Hummel (2000).
 fn columns(reading: &Reading) -> Vec<(&'static str, [f64; 4])> {
     let table = Table1::printed();
     let flight = |row: [f64; 8], order: Columns| order.map(|column| row[column as usize]);
@@ -167,7 +168,8 @@ fn capitalised(text: &str) -> String {
     first.chain(characters).collect()
 }
 
-/// Predicate on readings (interpretations of Table 1): whether a reading contains a certain hypothesis.
+/// Predicate on interpretations of Table 1 of Hubbard & Hummel (2000): whether an interpretation contains a certain
+/// hypothesis.
 type Uses = Box<dyn Fn(&Reading) -> bool>;
 
 fn hypotheses(study: &Study, best: &Scored) -> Vec<HypothesisRow> {

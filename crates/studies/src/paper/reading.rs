@@ -7,23 +7,23 @@ use super::conventions::Conventions;
 /// and columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Reading {
-    /// Signs and units that this interpretation of Table 1 assumes.
+    /// Signs and units that this interpretation of Table 1 of Hubbard & Hummel (2000) assumes.
     pub conventions: Conventions,
-    /// Order of the lift and drag columns of Table 1 for flight fssh3.
+    /// Order of the lift and drag columns for flight fssh3 that this interpretation of Table 1 assumes.
     pub fssh3: Columns,
-    /// Order of the lift and drag columns of Table 1 for flight bffl8.
+    /// Order of the lift and drag columns for flight bffl8 that this interpretation of Table 1 assumes.
     pub bffl8: Columns,
 }
 
 impl Reading {
-    /// Table 1 as printed, without any hypothesis.
+    /// Interpretation of Table 1 of Hubbard & Hummel (2000) as printed, without any hypothesis.
     pub const PRINTED: Self = Self {
         conventions: Conventions::PRINTED,
         fssh3: PRINTED,
         bffl8: PRINTED,
     };
 
-    /// Number of hypotheses, that is of deviations from the printed Table 1, in this interpretation of it. An
+    /// Number of hypotheses, that is of assumed deviations from the printed Table 1 of Hubbard & Hummel (2000). An
     /// interchange of columns that applies to both flights counts once.
     pub fn hypotheses(&self) -> usize {
         let columns = if self.fssh3 == self.bffl8 {
@@ -34,8 +34,8 @@ impl Reading {
         columns + self.conventions.hypotheses().len()
     }
 
-    /// Descriptions (of `self`, of `other`) of the one hypothesis in which two interpretations of Table 1 differ;
-    /// `None` if they differ in more than one hypothesis.
+    /// Descriptions (of `self`, of `other`) of the one hypothesis in which two interpretations of Table 1 of Hubbard &
+    /// Hummel (2000) differ; `None` if they differ in more than one hypothesis.
     pub(super) fn difference(&self, other: &Self) -> Option<(String, String)> {
         let columns = |reading: &Self| {
             let reading = Self {
@@ -60,8 +60,8 @@ impl Reading {
         }
     }
 
-    /// Describes the hypotheses (deviations from the printed Table 1) of this interpretation; "as printed" if it has
-    /// none.
+    /// Describes the hypotheses (assumed deviations from the printed Table 1 of Hubbard & Hummel, 2000) of this
+    /// interpretation; "as printed" if it has none.
     pub fn description(&self) -> String {
         let mut parts: Vec<String> = Vec::new();
         let mut columns = |flights: &str, order: Columns| {

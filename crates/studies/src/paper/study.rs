@@ -14,9 +14,9 @@ use crate::error::StudyError;
 /// are clipped to this value.
 const MAX_DEPARTURE: f64 = 10.0;
 
-/// Increase of the score of a reading (interpretation of Table 1) for each hypothesis that it makes: Akaike's penalty
-/// for one more parameter. The remainder of the score is a sum of squared deviations, each deviation divided by its
-/// tolerance.
+/// Increase of the score of an interpretation of Table 1 of Hubbard & Hummel (2000) for each hypothesis that it makes:
+/// Akaike's penalty for one more parameter. The remainder of the score is a sum of squared deviations, each deviation
+/// divided by its tolerance.
 pub(super) const PENALTY: f64 = 2.0;
 
 /// A reading (interpretation of Table 1 of Hubbard & Hummel, 2000), with the agreement between the flights simulated
@@ -34,7 +34,7 @@ pub struct Scored {
 }
 
 impl Scored {
-    /// Misfit plus the penalty of the hypotheses; the lowest score is the best.
+    /// Sum of the misfit and the penalty of the hypotheses; the lowest score is the best.
     pub fn score(&self) -> f64 {
         self.misfit + PENALTY * self.reading.hypotheses() as f64
     }
@@ -43,20 +43,21 @@ impl Scored {
 /// Simulated outcomes of the two flights of Hubbard & Hummel (2000) under all readings (interpretations of their Table
 /// 1), and the ranking of the readings.
 pub struct Study {
-    /// Numerical outcomes that the paper (Hubbard & Hummel, 2000) states for its two flights.
+    /// Numerical values that Hubbard & Hummel (2000) state about their two flights.
     pub claims: Vec<Claim>,
-    /// All readings (interpretations of the paper's Table 1) with their misfit, sorted by score, best first.
+    /// All interpretations of Table 1 of Hubbard & Hummel (2000) with their misfit, sorted by score, best first.
     pub ranking: Vec<Scored>,
     orders: Vec<Columns>,
     conventions: Vec<Conventions>,
-    /// Outcomes of the flight fssh3, indexed `[convention][order]` like the lists `conventions` (signs and units) and
-    /// `orders` (order of the columns); `None` if the integration fails.
+    /// Simulated outcomes of the flight fssh3, indexed `[convention][order]` like the lists `conventions` (signs and
+    /// units) and `orders` (order of the columns); `None` if the integration fails.
     fssh3: Vec<Vec<Option<Outcome>>>,
     bffl8: Vec<Vec<Option<Outcome>>>,
 }
 
 impl Study {
-    /// Simulates both flights under every reading (interpretation of the paper's Table 1) and ranks the readings.
+    /// Simulates both flights of Hubbard & Hummel (2000) under every interpretation of their Table 1, and ranks the
+    /// interpretations.
     ///
     /// # Errors
     /// [`StudyError`] if the built-in model or a release does not load.
@@ -142,8 +143,8 @@ impl Study {
         })
     }
 
-    /// Outcome of a flight simulated under a reading (interpretation of the paper's Table 1); `None` if the integration
-    /// fails.
+    /// Outcome of a flight simulated under an interpretation of Table 1 of Hubbard & Hummel (2000); `None` if the
+    /// integration fails.
     pub(super) fn outcome(&self, reading: &Reading, flight: &str) -> Option<Outcome> {
         let convention = self
             .conventions
@@ -156,17 +157,17 @@ impl Study {
         outcomes[convention][self.orders.iter().position(|&known| known == order)?]
     }
 
-    /// Misfit and score of a reading (interpretation of the paper's Table 1); `None` if the reading is not part of the
-    /// study.
+    /// Misfit and score of an interpretation of Table 1 of Hubbard & Hummel (2000); `None` if the interpretation is not
+    /// part of the study.
     pub(super) fn score_of(&self, reading: &Reading) -> Option<&Scored> {
         self.ranking
             .iter()
             .find(|scored| scored.reading == *reading)
     }
 
-    /// Returns the readings (interpretations of Table 1) that the claims cannot distinguish from the best one: those
-    /// with the same number of claims within tolerance and a misfit less than 1 above the minimum. The best reading is
-    /// first.
+    /// Returns the interpretations of Table 1 of Hubbard & Hummel (2000) that the stated outcomes cannot distinguish
+    /// from the best one, which is first. These interpretations have the same number of outcomes within tolerance and a
+    /// misfit less than 1 above the minimum.
     pub(super) fn indistinguishable(&self) -> Vec<&Scored> {
         let best = &self.ranking[0];
         let near = |scored: &&Scored| scored.held == best.held && scored.misfit < best.misfit + 1.0;

@@ -30,8 +30,8 @@ const MODEL_COLUMNS: [(&str, f64); 8] = [
     ("C_Nr", -1.0),
 ];
 
-/// Values of a coefficient of the model `disc` in Table 1, for fssh3 and bffl8, SI, with the model's sign; `None` if
-/// the table has no such coefficient.
+/// Values of a coefficient of the model `disc` in Table 1 of Hubbard & Hummel (2000) for the flights fssh3 and bffl8,
+/// SI, with the model's sign; `None` if the table has no such coefficient.
 pub(crate) fn printed_coefficient(name: &str) -> Option<[f64; 2]> {
     let column = MODEL_COLUMNS.iter().position(|(of, _)| *of == name)?;
     let table = Table1::printed();

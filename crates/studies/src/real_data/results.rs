@@ -19,7 +19,7 @@ pub struct RealData {
     pub(super) spin_decay: SpinDecay,
     pub(super) disc_pose: DiscPose,
     pub(super) disc_golf: DiscGolf,
-    /// Rows of the wind tunnel's table.
+    /// Rows of the wind tunnel's table: aerodynamic coefficients by angle of attack.
     pub(super) table: Vec<Measured>,
     /// The model `disc`, with the coefficients of its file.
     pub(super) disc: Model,

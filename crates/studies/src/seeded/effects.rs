@@ -2,7 +2,7 @@
 
 use identify::synthesize::Corruption;
 
-/// Effects and noise that are added to a simulated dataset.
+/// Physical effects and measurement noise that are added to a simulated dataset.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SeededEffects {
     /// Effects of the built-in effects catalogue: name, and values (SI) of the coefficients in order. If the effect has

@@ -22,7 +22,7 @@ const SWERVE_LENGTH: f64 = 1.0;
 /// effects catalogue).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UnlistedEffect {
-    /// Name of the effect, as in the rows of the discovery study.
+    /// Name of the effect in the discovery study, which adds it to simulated flights.
     pub name: &'static str,
     /// Quantity of the model on which the effect acts (its site, such as "drag"), by its name in `report.json`.
     pub site: &'static str,

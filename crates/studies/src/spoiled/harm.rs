@@ -13,7 +13,7 @@ use crate::cuts::bouncing_flight;
 /// third a random generator.
 pub(super) type FlightHarm = fn(&mut Flight, &Flight, &mut ChaCha12Rng);
 
-/// How a kind of recording mistake changes the data.
+/// How a kind of recording mistake changes the data of a dataset.
 #[derive(Clone, Copy)]
 pub(super) enum Harm {
     /// Multiplies all coordinates of a flight by a factor.

@@ -28,12 +28,12 @@ pub enum Judgement {
 }
 
 impl Judgement {
-    /// Whether the answer does not mislead a user: it is neither wrong without a warning nor too late.
+    /// Whether the result does not mislead a user: it is neither wrong without a warning nor too late.
     pub fn is_safe(self) -> bool {
         !matches!(self, Self::Wrong | Self::TooLong)
     }
 
-    /// Label of the judgement on the page.
+    /// Text of the judgement on the page of results.
     pub fn label(self) -> &'static str {
         match self {
             Self::Named => "named",
@@ -49,7 +49,7 @@ impl Judgement {
 /// Result of a fit of data with a recording mistake, and its classification.
 #[derive(Clone, Debug)]
 pub struct Judged {
-    /// Classification of the fit's answer by whether it could mislead a user.
+    /// Classification of the fit's result by whether it could mislead a user.
     pub judgement: Judgement,
     /// Maximum error of a coefficient, in standard errors (the larger of the plain and the cluster-robust one); `None`
     /// if the fit failed or lacks a coefficient.

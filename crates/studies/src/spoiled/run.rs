@@ -27,7 +27,7 @@ pub enum Which {
 }
 
 impl Which {
-    /// Label printed on the page; the words that select runs on the command line are also compared with it.
+    /// Text for the page of results; the words that select runs on the command line are also compared with it.
     pub fn label(self) -> &'static str {
         match self {
             Self::One => "one flight",
@@ -45,7 +45,7 @@ pub struct Run {
     pub which: Which,
     /// Seed of the simulated flights.
     pub seed: u64,
-    /// Answer of the fit, classified by whether it could mislead a user.
+    /// Result of the fit, classified by whether it could mislead a user.
     pub judged: Judged,
     /// Elapsed time of the fit, s.
     pub seconds: f64,

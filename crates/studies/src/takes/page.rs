@@ -27,12 +27,15 @@ struct Results {
     missed: usize,
     false_throws: usize,
     /// Fraction of the sessions in which the detected release and end of every flight are right (within [`CUT`]
-    /// samples); `cut_flights` is the fraction of all flights.
+    /// samples).
     cut_sessions: f64,
+    /// Fraction of all flights whose detected release and end are right (within [`CUT`] samples).
     cut_flights: f64,
     /// Fraction of the sessions in which all estimated marker positions are within 1 mm of the true ones, perpendicular
-    /// to the disc's axis; `along` is the same for errors along the axis, without the error of the centre of mass.
+    /// to the disc's axis.
     across: f64,
+    /// Fraction of the sessions in which all estimated marker positions are within 1 mm of the true ones along the
+    /// disc's axis, without the error of the centre of mass.
     along: f64,
     greatest_across: f64,
     /// Statistics of the estimated height of the centre of mass: estimated from flights with the detected ends, from

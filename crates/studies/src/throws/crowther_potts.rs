@@ -8,8 +8,9 @@ use serde::Serialize;
 
 use crate::error::StudyError;
 
-/// Speed of the launches, m/s; `ADVANCE` is their advance ratio r d/2V.
+/// Speed of the launches, m/s.
 const SPEED: f64 = 20.0;
+/// Advance ratio r d/2V of the launches, where r is the spin.
 const ADVANCE: f64 = 0.5;
 
 /// Results of the simulated disc launches with one set of aerodynamic coefficients.
@@ -25,7 +26,7 @@ pub struct Launches {
     pub level: (f64, f64),
     /// Results of horizontal launches as a function of the tilt of the disc (hyzer angle).
     pub tilts: Tilts,
-    /// Advance ratio, and mean curvature of the path over the ground, 1/m.
+    /// Pairs of advance ratio and mean curvature of the path over the ground, 1/m.
     pub curvature: Vec<(f64, f64)>,
 }
 

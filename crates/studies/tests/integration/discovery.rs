@@ -2,7 +2,7 @@
 
 use studies::discovery::{Row, RowResult, plan, run_rows};
 
-/// Rows by their words, so many runs each.
+/// Executes `runs` runs of each row of the discovery study's table whose key contains the given words.
 fn tried(words: &[&str], runs: usize) -> Vec<RowResult> {
     let all = plan(100);
     let rows = words.iter().map(|words| {

@@ -6,7 +6,7 @@ use diagnose::Verdict;
 use diagnose::{DiagnosisOptions, diagnose};
 use studies::real_data::{Form, RealData, is_agreeing, real_data_page};
 
-/// The folder of the measured data; none where it is not there, which is said.
+/// Folder of the measured data. `None`, with a message on standard error, if one of its subfolders is missing.
 fn measured() -> Option<PathBuf> {
     let folder = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/data"));
     let all = ["disc-pose", "discgolf", "spindoe", "spindown", "windtunnel"];

@@ -28,7 +28,7 @@ fn fitted(dataset: &Dataset) -> Fit {
     fit(&disc(), dataset, &FitOptions::default()).expect("a fit")
 }
 
-/// The greatest error of a coefficient over its standard error.
+/// Maximum, over the coefficients, of |estimate − true value| / standard error.
 fn worst(report: &FitReport) -> f64 {
     let errors = TRUTH.map(|(name, truth)| {
         let found = &report.coefficients[name];

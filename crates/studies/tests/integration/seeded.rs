@@ -12,7 +12,7 @@ const FOUR: Plan<'static> = Plan {
     ..TWELVE
 };
 
-/// The greatest distance between the same points of two datasets, m.
+/// Maximum absolute difference between corresponding marker coordinates of two datasets, m.
 fn apart(a: &Dataset, b: &Dataset) -> f64 {
     let points = |d: &Dataset| -> Vec<[f64; 3]> {
         let rows = d.flights.iter().flat_map(|f| f.positions.iter().flatten());
@@ -146,7 +146,8 @@ fn the_same_seed_gives_the_same_flights() {
     assert_eq!(roles, [Role::Fit, Role::Fit, Role::Fit, Role::HeldOut]);
 }
 
-/// The model with the effect switched on finds its numbers again.
+/// Fits a model with an effect to flights that were simulated with this effect, and asserts that the estimates of the
+/// effect's coefficients agree with the true values.
 fn found_again(model: &str, name: &str, hidden: &Dataset, truth: &[f64]) {
     let with = model_spec::load::load(model, &[name]).expect("a model");
     let report = fit(&with, hidden, &FitOptions::default())

@@ -10,7 +10,7 @@ use nalgebra::{Rotation3, Vector3};
 use studies::oracle_flights::{Plan, TWELVE, disc, truth};
 use studies::sensors::{Observed, SensorNoise, sensor_flights};
 
-/// Greatest error of an estimate, in standard errors.
+/// Maximum permitted error of an estimate, in standard errors.
 const MAX_Z: f64 = 4.5;
 
 const PLAN: Plan<'static> = Plan {
@@ -94,7 +94,7 @@ fn a_displaced_accelerometer_is_named() {
     assert!((by.value - 0.005).abs() < MAX_Z * by.std_error, "{by:?}");
 }
 
-/// A dataset in axes that are turned.
+/// Rotates all measured positions of a dataset, and marks its vertical direction as unknown.
 fn turned(mut dataset: Dataset, turn: Rotation3<f64>) -> Dataset {
     for flight in &mut dataset.flights {
         for position in flight.positions.iter_mut().flatten().flatten() {
@@ -139,7 +139,8 @@ fn an_uncertain_origin_of_the_markers_is_estimated() {
     assert_true(&report, "uncertain origin");
 }
 
-/// The dataset as read from a folder in which these positions are unknown.
+/// Writes a dataset to a folder with the positions of the markers or sensors `names` replaced by "unknown", and loads
+/// it again. Returns the error message if the folder cannot be loaded.
 fn with_unknown(dataset: &Dataset, names: &[&str]) -> Result<Dataset, String> {
     let folder = tempfile::tempdir().expect("a folder");
     let folder = folder.path().join("dataset");

@@ -30,7 +30,7 @@ pub enum Target {
     Throw(usize),
     /// Initial state, by its index.
     State(usize),
-    /// Parameter, coefficient or component of an input, by its index in the layout.
+    /// Parameter, coefficient or component of an input, by its index among the parameters of the compiled model.
     Parameter(usize),
 }
 
@@ -74,7 +74,7 @@ pub(super) struct Names<'a> {
     pub vocabulary: &'a Vocabulary,
     pub release: &'a Release,
     pub throw: Option<&'a Throw>,
-    /// Parameter values of the release, in the order of the layout.
+    /// Parameter values of the release, in the order of the compiled model's parameters.
     pub parameters: &'a [f64],
 }
 
@@ -122,7 +122,7 @@ impl Names<'_> {
         first.into_iter().chain(parameters).collect()
     }
 
-    /// Index in the layout of the parameter or coefficient called `name`; `None` if there is none.
+    /// Index, in the model's layout, of the parameter or coefficient called `name`; `None` if there is none.
     pub(super) fn parameter(&self, name: &str) -> Option<usize> {
         self.layout
             .parameter(name)
@@ -155,8 +155,8 @@ pub(crate) fn constant<'v>(vocabulary: &'v Vocabulary, name: &str) -> Option<&'v
     constants.into_iter().find(|known| known.name == name)
 }
 
-/// Reads the table `[vary]`. Returns the axes, in the order of the file, and whether every flight has different random
-/// gusts.
+/// Reads the table `[vary]` of a plan. Returns the varied quantities, in the order of the file, and whether every
+/// flight has different random gusts.
 pub(super) fn read<'t>(
     reader: &mut Reader<'t>,
     document: &DeTable<'t>,

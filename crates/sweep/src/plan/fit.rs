@@ -131,7 +131,7 @@ pub(super) fn read<'t>(
     (found, fixed)
 }
 
-/// Reason why the report of a fit cannot be read.
+/// Reason why the `report.json` of a fit cannot be read.
 #[derive(Debug, thiserror::Error)]
 enum ReportError {
     #[error(transparent)]

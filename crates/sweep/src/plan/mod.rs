@@ -17,9 +17,9 @@ use ode::IntegrationOptions;
 use crate::folder::fingerprint;
 use correlation::Factor;
 
-/// A sweep: flights of one model whose inputs are determined by the flight number.
+/// Plan of a sweep: flights of one model whose inputs are determined by the flight number.
 ///
-/// Flight `k` is at point `k mod grid` of the grid; its random draws depend on `k` and the seed alone.
+/// Flight `k` is at point `k mod grid` of the grid of input values; its random draws depend on `k` and the seed alone.
 #[derive(Clone)]
 pub struct Plan {
     /// Model, including the plan's effects.
@@ -33,11 +33,11 @@ pub struct Plan {
     /// Whether every flight has different random gusts, whose phases follow from the seed of the gusts and the flight
     /// number.
     pub gusts: bool,
-    /// Number of points of the grid; 1 without a grid.
+    /// Number of points of the grid, which are all combinations of the given values; 1 without a grid.
     pub grid: u64,
     /// Total number of flights of the sweep.
     pub flights: u64,
-    /// Seed of the random draws of the axes.
+    /// Seed of the random draws of the varied quantities.
     pub seed: u64,
     /// Method and tolerances of the integration.
     pub options: IntegrationOptions,

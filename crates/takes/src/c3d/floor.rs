@@ -24,8 +24,8 @@ pub(super) fn up(corners: &[f64]) -> Option<Axis> {
     found
 }
 
-/// Axis that points out of the floor, from three consecutive corners of a platform; `None` if the platform is not
-/// level.
+/// Coordinate axis that points upwards out of the floor, from three consecutive corners of a force platform; `None` if
+/// the platform is not level.
 fn above(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> Option<Axis> {
     let x = [0, 1, 2].map(|axis| a[axis] - b[axis]);
     let y = [0, 1, 2].map(|axis| b[axis] - c[axis]);
@@ -46,7 +46,7 @@ fn above(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> Option<Axis> {
 mod tests {
     use super::*;
 
-    /// Corners of a level platform in the order of its quadrants, seen from below the floor; +z points up.
+    /// Corners of a level force platform in the order of its quadrants, seen from below the floor; +z points up.
     const PLATFORM: [f64; 12] = [1.0, 0.5, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0];
 
     #[test]

@@ -72,7 +72,7 @@ enum Storage {
     Integer(f64),
 }
 
-/// Whether the bytes begin like a C3D file.
+/// Whether the bytes begin with the signature of a C3D file.
 pub fn is_c3d(bytes: &[u8]) -> bool {
     // The first byte is a block number, which is small and not a letter.
     bytes.len() >= 2 && bytes[1] == 0x50 && bytes[0] < b'\t'

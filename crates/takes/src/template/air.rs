@@ -9,12 +9,12 @@ use nalgebra::{DMatrix, Vector3};
 use super::smooth::Smooth;
 use crate::throws::GRAVITY;
 
-/// Minimum sine of the angle between velocity and spin axis for a displacement of the centre of mass by aerodynamic
-/// forces to be computed from the rotation of the axis about the velocity. At smaller angles the whole displacement
-/// counts as unknown.
+/// Minimum sine of the angle between velocity and spin axis at which the displacement of the centre of mass by
+/// aerodynamic forces is computed from the rotation of the spin axis about the velocity. At smaller angles the whole
+/// displacement counts as unknown.
 const MIN_SINE: f64 = 0.2;
-/// Assumed standard deviation of the unknown change of the aerodynamic acceleration, relative to the product of the
-/// lift acceleration and the angle of the wobble.
+/// Assumed standard deviation of the unknown change of the aerodynamic acceleration, relative to the product of lift
+/// acceleration and wobble angle.
 const UNKNOWN: f64 = 0.5;
 
 /// Displacements of the centre of mass by the aerodynamic forces that change with the wobble of the spin axis, m, one

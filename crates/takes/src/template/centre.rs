@@ -18,12 +18,12 @@ const DEGREES: (usize, usize) = (2, 10);
 /// Maximum degree of the polynomial fitted to a trajectory, per turn of the body. At 1 per turn the polynomial has at
 /// most half as many waves as the body has turns, and so cannot follow the rotation.
 const DEGREES_PER_TURN: f64 = 1.0;
-/// Number of iterations of the estimate of the spin axis and the centre of mass; each one updates the weights of the
-/// samples, the degrees of the polynomials and the displacement of the centre of mass by aerodynamic forces.
+/// Number of iterations of the estimate of the spin axis and the centre of mass. Each iteration updates the weights of
+/// the samples, the degrees of the polynomials and the displacement of the centre of mass by aerodynamic forces.
 const PASSES: usize = 3;
-/// Criteria for a spin about one axis, in terms of the eigenvalues of the matrix B of the normal equations: minimum
-/// ratio of the middle eigenvalue to the sum of the weights, and maximum ratio of the least eigenvalue to the middle
-/// one.
+/// Criteria for a spin about one axis. The centre of mass solves the normal equations B p = −b, a weighted sum over
+/// samples; the body spins about one axis if the matrix B has one small eigenvalue. The values are the minimum ratio of
+/// the middle eigenvalue to the sum of the weights, and the maximum ratio of the least to the middle eigenvalue.
 const SPIN: (f64, f64) = (0.05, 0.5);
 /// Minimum ratio of the mean square of the spin axis's wobble to the mean square of its measurement noise for the
 /// height of the centre of mass to be estimated.

@@ -33,8 +33,8 @@ const APART: f64 = 0.5;
 /// determined.
 const BELOW: usize = 3;
 
-/// Whether a followed flight ends at `end`, because the motion outside it is one that the air cannot cause. `ground` is
-/// the height of the lowest level of the trajectory, m.
+/// Whether a flight ends at `end`, because the body moves beyond this end in a way that the air cannot cause. `ground`
+/// is the height of the lowest level of the trajectory, m.
 pub(super) fn is_break(end: &FlightEnd<'_>, ground: f64) -> bool {
     let Some(changed) = end.best(&HINGES) else {
         return false;

@@ -16,7 +16,7 @@ const CONSECUTIVE: usize = 2;
 /// prediction from a quadratic.
 const JERK: f64 = 60.0;
 
-/// Reason why a flight was not followed further; all indices are track indices.
+/// Reason why a flight was not followed further. All indices refer to the track (samples in which the body is seen).
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Stop {
     /// The recording has no further samples in which the body is seen.
@@ -24,17 +24,17 @@ pub(super) enum Stop {
     /// The body is not seen between the samples `from` and `to`, and the samples after the gap do not continue the
     /// flight.
     Gap { from: usize, to: usize },
-    /// The samples after the one at the track index `last` deviate from their prediction; if the flight is followed
+    /// The samples after the one with the index `last` deviate from their prediction. If the flight is followed
     /// backwards in time, "after" means earlier.
     Deviation { last: usize },
-    /// The ground supports the body near the sample at the track index `last`.
+    /// The ground supports the body near the sample with the index `last`.
     Touch { last: usize },
 }
 
 impl Stop {
-    /// Track index of the last sample of the flight, or of its first sample if the flight was followed backwards in
-    /// time. `data` is the index returned for [`Stop::Data`]: the last index of the track, or 0 if the flight was
-    /// followed backwards.
+    /// Index, in the track (samples in which the body is seen), of the last sample of the flight, or of its first
+    /// sample if the flight was followed backwards in time. `data` is the index returned for [`Stop::Data`]: the last
+    /// index of the track, or 0 if the flight was followed backwards.
     pub fn last(&self, data: usize) -> usize {
         match self {
             Self::Data => data,
@@ -44,8 +44,8 @@ impl Stop {
     }
 }
 
-/// Predicates that decide whether a flight ends; each is called with the track index of the last sample that agreed
-/// with its prediction.
+/// Predicates that decide whether a flight ends. Each is called with the index, in the track (samples in which the body
+/// is seen), of the last sample that agreed with its prediction.
 pub(super) struct Checks<'c> {
     /// Predicate that is called when samples deviate from their prediction: whether the flight ends at the track index
     /// given by the first argument. The second argument is true if the samples are examined backwards in time.

@@ -144,8 +144,8 @@ pub fn find_throws(take: &Take, labels: &[&str], options: &ThrowOptions) -> Thro
     found
 }
 
-/// Ranges of track indices of at least 3 consecutive samples in whose windows (local quadratic fits) the motion is free
-/// flight.
+/// Ranges of at least 3 consecutive samples around which local quadratic fits (`windows`) show free flight, as indices
+/// in the track (samples in which the body is seen).
 fn runs(track: &Track, windows: &[Option<Window>], options: &ThrowOptions) -> Vec<Range<usize>> {
     let noise = windows::noise(windows);
     let mut runs: Vec<Range<usize>> = Vec::new();
@@ -166,8 +166,9 @@ fn runs(track: &Track, windows: &[Option<Window>], options: &ThrowOptions) -> Ve
     runs
 }
 
-/// Locates the ends of the free flight around `run`, a range of track indices in free flight. Returns the flight as a
-/// range of track indices and as a throw; `None` if too few samples remain between its beginning and its end.
+/// Locates the ends of the free flight around `run`, a range of samples in free flight. Returns the flight as a range
+/// of samples and as a throw; `None` if too few samples remain between its beginning and its end. Ranges are indices in
+/// the track (samples in which the body is seen).
 fn throw(
     track: &Track,
     windows: &[Option<Window>],

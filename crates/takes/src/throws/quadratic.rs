@@ -4,8 +4,9 @@ use nalgebra::{Cholesky, Const, Matrix3, Vector3};
 
 use super::track::Track;
 
-/// Fits to the trajectory `path` at the given track indices, on each axis, a quadratic in (t − `t0`) / `scale`. Returns
-/// the coefficients, one column per axis, and the factor of the normal matrix; `None` if there are too few samples.
+/// Fits a quadratic in (t − `t0`) / `scale` to the trajectory `path` on each axis, over the samples with the given
+/// indices in the track. Returns the coefficients, one column per axis, and the factor of the normal matrix; `None` if
+/// there are too few samples.
 pub(super) fn quadratic(
     track: &Track,
     path: &[[f64; 3]],

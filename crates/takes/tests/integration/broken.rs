@@ -5,7 +5,7 @@ use std::fmt::Write;
 use crate::support::{self, read};
 use takes::{Format, LengthUnit, ReadOptions};
 
-/// Messages under the names of what is malformed.
+/// Parses each malformed recording, which must fail. Returns a text with the name of each case and its error message.
 fn messages(cases: &[(&str, Vec<u8>)], options: &ReadOptions) -> String {
     let mut text = String::new();
     let mut names = std::collections::BTreeSet::new();
@@ -20,14 +20,14 @@ fn messages(cases: &[(&str, Vec<u8>)], options: &ReadOptions) -> String {
     text
 }
 
-/// A text with one part replaced.
+/// Returns a text in which the first occurrence of `from` is replaced by `to`.
 #[track_caller]
 fn changed(text: &str, from: &str, to: &str) -> Vec<u8> {
     assert!(text.contains(from), "{from}");
     text.replacen(from, to, 1).into_bytes()
 }
 
-/// A text with one line replaced; lines count from 1.
+/// Returns a text in which the line `number` (from 1) is replaced by `with`.
 fn line(text: &str, number: usize, with: &str) -> Vec<u8> {
     let lines = text.lines().zip(1..);
     let lines = lines.map(|(line, n)| if n == number { with } else { line });

@@ -7,10 +7,10 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use takes::{LengthUnit, ReadOptions, ThrowOptions, TimeUnit, find_throws};
 
-/// Spoiled files of each kind; with those of the ten kinds, 20,000.
+/// Number of randomly damaged files per format; all ten formats together have 20,000.
 const EACH: usize = 2000;
 
-/// Spoils bytes in one to five places: bytes changed, removed, doubled, exchanged, the end cut.
+/// Damages a file at one to five random positions: changes, removes, repeats or exchanges bytes, or truncates the file.
 fn spoil(bytes: &mut Vec<u8>, random: &mut ChaCha8Rng, is_text: bool) {
     for _ in 0..random.random_range(1..6) {
         if bytes.len() < 8 {

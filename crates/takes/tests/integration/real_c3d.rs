@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use takes::{LengthUnit, ReadOptions, Take, read};
 
-/// The folder of the recordings next to the repository; `None` with a message where it is absent.
+/// Folder of measured C3D recordings beside the repository; `None`, with a message on standard error, if it is missing.
 fn recordings() -> Option<PathBuf> {
     let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
     let folder = root.join("../../../shared/data/c3d");

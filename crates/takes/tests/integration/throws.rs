@@ -4,7 +4,7 @@ use crate::support::read;
 use crate::support::thrown::{End, Made, recording};
 use takes::{Axis, Cause, ReadOptions, Take, ThrowOptions, find_throws};
 
-/// Greatest difference from the truth, samples.
+/// Maximum permitted error of a detected release or end of a flight, samples.
 const WITHIN: f64 = 3.0;
 
 fn z_up(text: &str) -> Take {
@@ -12,8 +12,8 @@ fn z_up(text: &str) -> Take {
     take.with_z_up(Axis::parse("+y").expect("an axis"), false)
 }
 
-/// Errors of release and end of each throw in samples of the recording; `None` for a throw that was not found, and the number of
-/// those that are none.
+/// Errors (detected − true) of release and end of each throw, in samples; `None` for a throw that was not detected.
+/// Also returns the number of detected throws that do not overlap a true one.
 fn errors(made: &Made) -> (Vec<Option<(f64, f64)>>, usize) {
     let take = z_up(&made.text);
     let found = find_throws(&take, &[], &ThrowOptions::default());

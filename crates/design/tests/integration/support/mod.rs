@@ -5,23 +5,24 @@ use flight::throw::Throw;
 use nalgebra::Vector3;
 use oracle::{Chart, Point, derivatives};
 
-/// Step of the integration, s.
+/// Step size of the reference integration, s.
 const STEP: f64 = 1e-3;
 
-/// A built-in model.
+/// Compiles a built-in model for flights of throws.
 pub fn body(name: &str) -> ThrownBody {
     ThrownBody::new(model_spec::load::load(name, &[]).expect(name)).expect(name)
 }
 
-/// A model that is not built in: a plate with lift, drag, damping and an unsteady pitching moment, but no roll by spin and no
-/// spin-down, whose states have names of their own.
+/// Compiles a model that is not built in: a plate with lift, drag, damping and an unsteady pitching moment. It has
+/// neither a roll moment due to spin nor a spin-down, and its states have unusual names.
 pub fn plate() -> ThrownBody {
     let text = include_str!("plate.hyz");
     let model = model_spec::load::from_text("plate", text, &[]).unwrap_or_else(|e| panic!("{e}"));
     ThrownBody::new(model).expect("a body")
 }
 
-/// Positions of the mass centre in the oracle's flight, every [`STEP`] to the ground, the last one on it.
+/// Positions of the mass centre in a flight that the oracle (independent implementation of the laws of motion)
+/// simulates, at intervals of [`STEP`]; the last one is the landing.
 pub fn oracle_path(flights: &ThrowFlights<'_>, throw: &Throw) -> Vec<Vector3<f64>> {
     let model = &flights.body.model;
     let chart = Chart::declared(model).expect("a chart");
@@ -82,7 +83,7 @@ pub fn oracle_path(flights: &ThrowFlights<'_>, throw: &Throw) -> Vec<Vector3<f64
     panic!("the flight does not end");
 }
 
-/// Least distance of a path from a point, m.
+/// Minimum distance between the points of a path and a given point, m.
 pub fn distance(path: &[Vector3<f64>], to: Vector3<f64>) -> f64 {
     let pairs = path.windows(2).map(|pair| {
         let along = pair[1] - pair[0];

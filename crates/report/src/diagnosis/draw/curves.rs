@@ -12,7 +12,7 @@ use crate::fit::thin::MAX_CURVE_POINTS;
 /// Maximum number of curves drawn.
 const MAX_CURVES: usize = 24;
 
-/// Whether the extension of the model changes the curve.
+/// Whether the effects added to the model change the curve.
 fn moves(curve: &CoefficientCurve) -> bool {
     let largest = curve
         .before
@@ -23,7 +23,7 @@ fn moves(curve: &CoefficientCurve) -> bool {
     pairs.any(|(b, a)| (a - b).abs() > 1e-9 * largest)
 }
 
-/// Draws each curve that has points; curves that the extension changes come first.
+/// Draws each curve that has points; curves that the added effects change come first.
 pub(super) fn curves(report: &Report) -> Vec<Drawn> {
     let mut curves: Vec<&CoefficientCurve> =
         report.curves.iter().filter(|c| !c.x.is_empty()).collect();
@@ -85,7 +85,7 @@ fn figure(index: usize, curve: &CoefficientCurve) -> Drawn {
     drawn_panels(&name, &title, caption, Layout::SMALL, &panels)
 }
 
-/// Histogram bars of the number of samples; empty for fewer than two points.
+/// Histogram bars of the number of samples along the curve; empty for fewer than two points.
 fn bars(curve: &CoefficientCurve) -> Vec<Bar> {
     let points = curve.x.iter().zip(&curve.support).take(MAX_CURVE_POINTS);
     let points: Vec<(f64, f64)> = points
@@ -98,8 +98,8 @@ fn bars(curve: &CoefficientCurve) -> Vec<Bar> {
     Bar::between_midpoints(&points)
 }
 
-/// Titles, such as `C_D over α`, of the coefficient curves that the extension does not change; empty if the extension
-/// changes no curve at all.
+/// Titles, such as `C_D over α`, of the coefficient curves that the effects added to the model do not change; empty if
+/// they change no curve at all.
 pub(in super::super) fn unmoved(page: &DiagnosisPage<'_>) -> Vec<String> {
     let curves = &page.report.curves;
     if !curves.iter().any(moves) {

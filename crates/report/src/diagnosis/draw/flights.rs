@@ -10,12 +10,13 @@ use crate::figures::{Dots, Layout, Line, Look, Panel};
 use crate::fit::Drawn;
 use crate::fit::thin::stride;
 
-/// Maximum number of flights drawn as one row each; more flights are drawn as dots in order of their residual.
+/// Maximum number of flights drawn as one chart row each; more flights are drawn as dots in order of their residual.
 const MAX_ROWS: usize = 16;
 /// Maximum number of flights drawn as dots.
 const MAX_DOTS: usize = 2000;
 
-/// Draws the RMS residuals of the fitted flights; `None` if the model was not extended.
+/// Draws the RMS residuals of the fitted flights, without and with the effects added to the model; `None` if no effect
+/// was added.
 pub(super) fn flights(report: &Report) -> Option<Drawn> {
     let fitted = report.flights.iter();
     let fitted = fitted.filter(|f| f.role == Role::Fit && f.rms_after_m.is_some());
@@ -49,8 +50,8 @@ pub(super) fn flights(report: &Report) -> Option<Drawn> {
     Some(drawn_chart("flights", &chart, caption, Layout::SMALL))
 }
 
-/// Draws two dots for each flight: its RMS residuals without and with the extension. Flights are ordered by the
-/// residual without the extension; `noise` is in mm.
+/// Draws two dots for each flight: its RMS residuals without and with the effects added to the model. Flights are
+/// ordered by the residual without these effects; `noise` is the RMS noise, mm.
 fn ranked(title: &str, fitted: &[&FlightGain], noise: f64) -> Drawn {
     let sizes = fitted
         .iter()

@@ -25,7 +25,7 @@ rect.alike { fill: #00437c } rect.unknown { fill: #c9b9b9 }
 path.history { stroke: #0072b2; stroke-width: 1.4 } path.dots-after { stroke: #0072b2; stroke-width: 3; stroke-linecap: round }
 ";
 
-/// Figures of the report, grouped by section of the page.
+/// Figures of the diagnosis report, grouped by its sections.
 pub(super) struct Figures {
     pub(super) finding: Option<Drawn>,
     pub(super) gain: Option<Drawn>,
@@ -53,7 +53,7 @@ impl Figures {
         }
     }
 
-    /// Returns all figures in the order in which they appear on the page.
+    /// Returns all figures in the order in which they appear in the report.
     pub(super) fn in_order(self) -> Vec<Figure> {
         let first = [self.finding, self.gain, self.score_tests]
             .into_iter()

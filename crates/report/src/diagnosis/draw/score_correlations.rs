@@ -54,7 +54,7 @@ pub(super) fn score_correlations(report: &Report) -> Option<Drawn> {
     }))
 }
 
-/// Indices, in the score correlation matrix of the report, of the coefficients with the most significant effects, in
+/// Indices, in the score correlation matrix of the report, of the coefficients of the most significant effects, in
 /// descending order of significance; at most [`MAX_COEFFICIENTS`].
 fn strongest(report: &Report) -> Vec<usize> {
     let equivalent_z = |name: &String| {

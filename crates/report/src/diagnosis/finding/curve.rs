@@ -24,8 +24,8 @@ const QUANTILES: (f64, f64) = (0.005, 0.995);
 /// Minimum change of the quantity along the curve, relative to its largest absolute value, for the curve to be drawn.
 const FLAT: f64 = 1e-6;
 
-/// Quantity of the extended model over a variable, and the same quantity of the model without the extension at the
-/// same states.
+/// Curve of a quantity of the extended model (with the found effects) over a variable, and the same quantity of the
+/// model under test at the same states.
 #[derive(Clone, Debug, PartialEq)]
 pub(in super::super) struct Curve {
     /// Name of the quantity in the model.
@@ -70,11 +70,11 @@ struct Abscissa<'m> {
     column: Column,
 }
 
-/// Where the values of a variable are found in the evidence of a flight.
+/// Where the values of a variable are found in the data of a flight.
 #[derive(Clone, Copy)]
 enum Column {
     State(usize),
-    /// Index among the quantities of the compiled model's layout.
+    /// Index among the quantities of the compiled model.
     Quantity(usize),
     Time,
 }
@@ -258,14 +258,14 @@ fn points(samples: &[Sample<'_>], models: &Models<'_>) -> Vec<Point> {
     }
 }
 
-/// Fits of the models without and with the extension, from which the drawn quantity is evaluated at a sample. Its
+/// Fits of the model under test and of the extended model, with which the drawn quantity is evaluated at a sample. Its
 /// standard error follows from the covariance matrix of the extended model's coefficients.
 struct Models<'f> {
     before: &'f Fit,
     after: &'f Fit,
     flights: Vec<(Option<&'f Observations>, Option<&'f Observations>)>,
-    /// Index of the drawn quantity in the layout of the model without the extension (`None` if the model lacks the
-    /// quantity), and in the layout of the extended model.
+    /// Index of the drawn quantity in the model under test (`None` if that model lacks the quantity), and in the
+    /// extended model.
     positions: (Option<usize>, usize),
     /// Finite-difference step of each global parameter: its standard error, SI.
     steps: Vec<f64>,

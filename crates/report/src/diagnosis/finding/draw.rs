@@ -10,7 +10,7 @@ use crate::figures::{Bar, Layout, Line, Panel, symbol};
 use crate::fit::Drawn;
 use crate::fit::numbers::{Digits, unit, with_unit};
 
-/// File name, without suffix, of the figure in the opening section.
+/// File name, without suffix, of the figure in the opening section of the report.
 const NAME: &str = "finding";
 /// Maximum number of rows of a chart.
 const MAX_ROWS: usize = 10;
@@ -61,8 +61,8 @@ pub(super) fn curve(curve: &Curve) -> Drawn {
     drawn_panels(NAME, &title, caption, Layout::COLUMN, &panels)
 }
 
-/// Draws the estimates of the first explanation, in units of their smallest sizes of interest if all are declared,
-/// otherwise in standard errors. `None` if there are no estimates.
+/// Draws the estimated coefficients of the first hypothesis, in units of their smallest effect sizes of interest if all
+/// are declared, otherwise in standard errors. `None` if there are no estimates.
 pub(super) fn estimates(report: &Report) -> Option<Drawn> {
     let effects = report.causes.first()?.effects.iter();
     let all = effects.flat_map(|e| &e.estimates);

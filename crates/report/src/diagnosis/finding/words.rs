@@ -10,10 +10,10 @@ use crate::fit::numbers::{Digits, percent, plain, significant, unit};
 use crate::fit::page::sentence;
 use crate::fit::words::names;
 
-/// Minimum absolute ratio of an estimate to its standard error for the page to call the effect far beyond chance. The
-/// threshold is so high that chance does not reach it even in a large number of diagnoses.
+/// Minimum absolute ratio of an estimate to its standard error at which the report calls the effect far beyond chance.
+/// The threshold is so high that chance does not reach it even in a large number of diagnoses.
 const BEYOND_CHANCE: f64 = 8.0;
-/// Bonferroni-corrected p-value above which the page attributes the test result of the strongest remaining candidate
+/// Bonferroni-corrected p-value above which the report attributes the test result of the strongest remaining candidate
 /// effect to chance.
 const USUAL: f64 = 0.05;
 
@@ -74,7 +74,7 @@ fn joined(parts: impl IntoIterator<Item = String>) -> String {
     parts.collect::<Vec<_>>().join(" ")
 }
 
-/// Sentences that describe the effects of the explanation `cause`.
+/// Sentences that describe the effects of the hypothesis `cause`.
 fn says(cause: &Cause) -> String {
     let each = cause.effects.iter().map(|effect| match effect.doc.trim() {
         "" => sentence(&words::readable(&effect.name)),
@@ -83,8 +83,8 @@ fn says(cause: &Cause) -> String {
     joined(each)
 }
 
-/// Sentence on the size of the missing effects: the quantity of `curve` at the point where the models without and with
-/// the extension differ most; without a curve, the estimates of the explanation `cause`.
+/// Sentence on the size of the missing effects: the quantity of `curve` at the point where the model under test and the
+/// extended model differ most; without a curve, the estimates of the hypothesis `cause`.
 fn size(curve: Option<&Curve>, cause: Option<&Cause>) -> String {
     let estimates = || {
         let effects = cause.into_iter().flat_map(|cause| &cause.effects);
@@ -166,8 +166,8 @@ fn estimate(name: &str, e: &Estimate) -> String {
     text.trim_end().to_owned()
 }
 
-/// Coefficient of the explanation `cause` with the largest absolute ratio of estimate to standard error: the effect,
-/// the name of the coefficient, and the ratio. `None` if no ratio is finite.
+/// Coefficient of the hypothesis `cause` with the largest absolute ratio of estimate to standard error: the effect, the
+/// name of the coefficient, and the ratio. `None` if no ratio is finite.
 fn clearest(cause: &Cause) -> Option<(&CauseEffect, &String, f64)> {
     let effects = cause.effects.iter();
     let all = effects.flat_map(|effect| effect.estimates.iter().map(move |(n, e)| (effect, n, e)));

@@ -9,7 +9,7 @@ use crate::fit::numbers::percent;
 
 /// Minimum and maximum of the axis of relative standard errors, %.
 const AXIS: (f64, f64) = (0.1, 1e3);
-/// Maximum number of coefficients drawn, one row each.
+/// Maximum number of coefficients drawn, one chart row each.
 const MAX_ROWS: usize = 24;
 
 /// Draws the relative standard error of each estimated coefficient, the smallest first; `None` if no coefficient was

@@ -15,7 +15,7 @@ const MAX_DOTS: usize = 1500;
 /// Maximum number of dots for each marker on a narrow screen.
 const NARROW_DOTS: usize = 150;
 
-/// Flights of one role, whose residuals are drawn in one figure.
+/// Flights of one role (fitted or held out), whose residuals are drawn in one figure.
 pub(crate) struct FlightsOfRole<'e> {
     /// File name of the figure without suffix.
     pub(crate) name: &'static str,
@@ -61,13 +61,13 @@ impl<'e> FlightsOfRole<'e> {
         all.filter(|of| !of.flights.is_empty())
     }
 
-    /// Role of the flights.
+    /// Role of the flights: fitted or held out.
     pub(crate) fn role(&self) -> Role {
         self.flights[0].role
     }
 }
 
-/// Flights with the given role among the first [`MAX_FLIGHTS`] flights.
+/// Flights with the given role (fitted or held out) among the first [`MAX_FLIGHTS`] flights.
 pub(crate) fn flights_of(evidence: &[FlightEvidence], role: Role) -> Vec<&FlightEvidence> {
     let drawn = evidence.iter().take(MAX_FLIGHTS);
     drawn.filter(|f| f.role == role).collect()

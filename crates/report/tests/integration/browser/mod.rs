@@ -8,16 +8,16 @@ use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 
-/// Names under which the browser is looked for.
+/// Names of the programs that are tried as browser.
 const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "chrome"];
 
-/// Longest time that the browser may take for one condition.
+/// Maximum time to wait until a condition becomes true in the browser.
 const PATIENCE: Duration = Duration::from_secs(20);
 
-/// The page and not the empty one before it is loaded.
+/// JavaScript condition that the file is loaded, rather than the empty page that the browser shows before.
 const LOADED: &str = "location.protocol === 'file:' && document.readyState === 'complete'";
 
-/// A page in a browser, which is ended with it.
+/// A web page in a Chromium process, which is killed when the value is dropped.
 pub struct Browser {
     child: Child,
     commands: File,
@@ -28,7 +28,7 @@ pub struct Browser {
 }
 
 impl Browser {
-    /// Opens a file; none where there is no Chromium.
+    /// Opens a file in the browser; `None` if no Chromium is installed.
     pub fn open(file: &Path) -> Option<Browser> {
         let runs = |name: &&&str| {
             let mut command = Command::new(name);
@@ -110,17 +110,17 @@ impl Browser {
         answer["result"]["value"].clone()
     }
 
-    /// Number of an expression of the page.
+    /// Evaluates a JavaScript expression in the web page and returns its value as a number.
     pub fn number(&mut self, expression: &str) -> f64 {
         self.value(expression).as_f64().unwrap()
     }
 
-    /// Text of an expression of the page.
+    /// Evaluates a JavaScript expression in the web page and returns its value as a text.
     pub fn text(&mut self, expression: &str) -> String {
         self.value(expression).as_str().unwrap().to_owned()
     }
 
-    /// Whether a condition of the page becomes true before patience ends.
+    /// Waits until a JavaScript condition becomes true in the web page; false if it is not true within [`PATIENCE`].
     pub fn wait_for(&mut self, condition: &str) -> bool {
         let begun = Instant::now();
         while begun.elapsed() < PATIENCE {
@@ -132,7 +132,7 @@ impl Browser {
         false
     }
 
-    /// Clicks the middle of an element with the left button of the mouse.
+    /// Clicks the middle of the element with the CSS selector `selector` with the left mouse button.
     pub fn click(&mut self, selector: &str) {
         let of = format!("document.querySelector('{selector}')");
         self.value(&format!("{of}.scrollIntoView({{block: 'center'}})"));
@@ -149,7 +149,7 @@ impl Browser {
         }
     }
 
-    /// Presses a key where no control has the focus.
+    /// Presses a key while no control of the web page has the focus.
     pub fn key(&mut self, key: &str) {
         self.value("document.activeElement.blur()");
         for kind in ["keyDown", "keyUp"] {

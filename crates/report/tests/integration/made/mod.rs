@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use identify::dataset::Role;
 use identify::*;
 
-/// Random numbers that are the same everywhere.
+/// Random number generator whose numbers are the same on every machine.
 struct Random(u64);
 
 impl Random {
@@ -25,7 +25,7 @@ impl Random {
 /// Standard deviation of the noise, m.
 const SIGMA: f64 = 0.0015;
 
-/// A flight of a disc with three markers, 120 samples a second.
+/// Example of a disc flight with three markers and a sample rate of 120 Hz.
 pub fn flight(number: usize, samples: usize) -> FlightEvidence {
     let mut random = Random(number as u64 * 7919 + 1);
     let speed = 6.0 + 3.0 * random.uniform();
@@ -94,14 +94,14 @@ pub fn flight(number: usize, samples: usize) -> FlightEvidence {
     flight
 }
 
-/// Flights to draw.
+/// Measurements and predictions of `flights` example flights, to be drawn.
 pub fn evidence(flights: usize) -> Vec<FlightEvidence> {
     (1..=flights)
         .map(|n| flight(n, 110 + 10 * (n % 4)))
         .collect()
 }
 
-/// A report of so many flights of a disc.
+/// Example of a fit report on `flights` flights of a disc.
 pub fn report(flights: usize) -> FitReport {
     let mut random = Random(5);
     let found = [

@@ -12,10 +12,11 @@ use super::lift::Lift;
 /// Number of random permutations of the stated spins among the flights, for the permutation test.
 const PERMUTATIONS: usize = 10_000;
 
-/// Number of random rotations of all spins in common, among which the one with the best agreement is searched.
+/// Number of random rotations from which the one with the best agreement is chosen. Each rotation is applied to all
+/// spins in common.
 const ROTATIONS: usize = 2_000;
 
-/// Number of random permutations of the spins for each of which the rotation with the best agreement is searched.
+/// Number of random permutations of the spins for which the best of the random rotations is searched.
 const ROTATED_PERMUTATIONS: usize = 20;
 
 /// Agreement between the lift directions of flights and their stated spins, with a permutation test.

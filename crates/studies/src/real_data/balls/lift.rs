@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 use super::models::{LIFT_OF_EACH_FLIGHT, with_effects};
 use crate::error::StudyError;
 
-/// Lift of one flight, estimated from its path, and the spin specified in the data.
+/// Lift of one ball flight, estimated from its path, and the spin specified in the data.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Lift {
     /// File name of the flight.
@@ -26,7 +26,7 @@ pub(super) struct Lift {
 }
 
 impl Lift {
-    /// Magnitude of the lift coefficient, perpendicular to the path in any direction.
+    /// Magnitude of the lift coefficient, whatever the direction of the lift perpendicular to the path.
     pub(super) fn coefficient(&self) -> f64 {
         self.across(self.turn).norm()
     }

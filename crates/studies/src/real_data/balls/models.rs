@@ -53,7 +53,7 @@ pub(super) fn fitted(
 }
 
 /// Diagnoses the flights with the ball model and the effects of the built-in effects catalogue. The outer error means
-/// that the model cannot be built; the inner error is that of a failed diagnosis, for the page.
+/// that the model cannot be built; the inner error is that of a failed diagnosis, which the page reports.
 pub(super) fn diagnosed(
     model: &Model,
     flights: &Dataset,

@@ -35,15 +35,17 @@ struct Section {
     /// the stated spin (see [`AGREEING`]), degrees.
     greatest_angle: f64,
     /// Number of flights outside the file ranges [`AGREEING`] (in which every lift agrees with the stated spin) whose
-    /// cosine between lift and ω × v is above 0.9; `opposite_side` is the number of those with a cosine below −0.9.
+    /// cosine between lift and ω × v is above 0.9.
     same_side: usize,
+    /// Number of flights outside the file ranges [`AGREEING`] whose cosine between lift and ω × v is below −0.9.
     opposite_side: usize,
     lift_by_spin: Vec<LiftRow>,
     magnus: Estimate,
     /// Mean lift coefficient / mean advance ratio over the flights in the file ranges [`AGREEING`] (in which every lift
-    /// agrees with the stated spin) with an advance ratio below 0.3; `slope_high` is the same for advance ratios of at
-    /// least 0.7.
+    /// agrees with the stated spin) with an advance ratio below 0.3.
     slope_low: f64,
+    /// Mean lift coefficient / mean advance ratio over the flights in the file ranges [`AGREEING`] with an advance
+    /// ratio of at least 0.7.
     slope_high: f64,
     added: Vec<AddedRow>,
     diagnoses: Vec<DiagnosisRow>,
@@ -74,7 +76,7 @@ struct FitSummary {
     /// Standard deviation of the noise along x, y, z, m.
     sigma_m: [f64; 3],
     ar1: f64,
-    /// Estimates of the coefficients that the row's effects add to the model.
+    /// Estimates of the coefficients that the effects of this fit add to the model.
     coefficients: Vec<Estimate>,
 }
 

@@ -34,8 +34,8 @@ const ADDED_EFFECTS: [&str; 6] = [
     "drag_crisis",
 ];
 
-/// Fits of the flights with one effect added: once to the model with `magnus`, once to the model with the lift
-/// proportional to the squared advance ratio in addition.
+/// Two fits of the flights with the same effect added: once to the model with `magnus` (lift proportional to the
+/// advance ratio), once to the model that also has a lift proportional to the squared advance ratio.
 pub(super) struct Added {
     pub(super) effect: &'static str,
     /// Fit with the effect `magnus` (lift proportional to the advance ratio) and the added effect.
@@ -51,7 +51,7 @@ pub(in super::super) struct Balls {
     /// Fits of all flights with each set of [`COMMON_EFFECTS`].
     pub(super) common: Vec<(&'static [&'static str], FitReport)>,
     pub(super) lifts: Vec<Lift>,
-    /// Fit of all flights with a free lift vector for each flight.
+    /// Fit of all flights with a free, constant lift vector for each flight.
     pub(super) free_lift: FitReport,
     /// Agreement of lift and spin for all flights, for the agreeing stretches (parts of the recording in which every
     /// lift agrees with the stated spin), and for the remaining flights.
@@ -64,8 +64,8 @@ pub(in super::super) struct Balls {
     /// models with lift due to spin.
     pub(super) added: Vec<Added>,
     /// Diagnoses of three cases: all flights; the flights of the recording's parts in which every lift agrees with the
-    /// stated spin; and these latter flights with the effect `magnus` in the model. An error is the message of a failed
-    /// diagnosis.
+    /// stated spin; and these latter flights with the effect `magnus` in the model. `Err` contains the error of a
+    /// failed diagnosis.
     pub(super) diagnoses: [Result<Diagnosis, DiagnosisError>; 3],
 }
 

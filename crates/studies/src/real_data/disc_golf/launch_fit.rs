@@ -9,12 +9,13 @@ use super::throw::{TRACK_UNCERTAINTY, Throw, UNCERTAINTY, rms_distance};
 /// Prior standard deviation of each factor by which tabulated coefficients are multiplied; the prior mean is 1.
 const FACTOR_UNCERTAINTY: f64 = 1.0;
 
-/// Number of launch quantities. A fit with factors has three more unknowns.
+/// Number of launch quantities, which are the unknowns of a fit. A fit with factors on lift, drag and pitching moment
+/// has three more unknowns.
 const LAUNCH_UNKNOWNS: usize = 7;
 const ALL_UNKNOWNS: usize = 10;
 
-/// Step of the central differences, in prior standard deviations. One-sided differences end the fit before its minimum:
-/// the table is interpolated linearly, and its kinks bias them.
+/// Step of the central differences, in prior standard deviations. The table is interpolated linearly; its kinks would
+/// bias one-sided differences and end the fit before its minimum.
 const DIFFERENCE: f64 = 0.05;
 
 /// Maximum number of Gauss–Newton steps.

@@ -26,8 +26,8 @@ const WIND_HEIGHT: f64 = 1.5;
 /// Maximum time between computed points of a path; positions between these points are interpolated linearly, s.
 const MAX_INTERVAL: f64 = 0.02;
 
-/// Maximum step of the integration, s. Against steps of a fifth, fitted factors change by less than a tenth of their
-/// standard errors.
+/// Maximum step size of the integration, s. With steps five times smaller, fitted factors change by less than a tenth
+/// of their standard errors.
 const MAX_STEP: f64 = 2e-3;
 
 /// Angle of attack (rad) below which the tabulated pitching moment is set to 0.

@@ -7,7 +7,7 @@ use crate::real_data::wind_tunnel::Measured;
 /// Conversion factor from degrees to radians.
 pub(super) const RAD: f64 = std::f64::consts::PI / 180.0;
 
-/// Names of the launch quantities.
+/// Names of the launch quantities: speed, angles and wind components.
 pub(crate) const LAUNCH_NAMES: [&str; 7] = [
     "speed",
     "pitch",
@@ -38,7 +38,7 @@ const POINTS: usize = 12;
 pub(super) struct Disc {
     /// Diameter of the disc, m.
     pub(super) diameter: f64,
-    /// Moments of inertia / mass, m²: about a diameter, about the axis.
+    /// Moments of inertia divided by the mass, m²: about a diameter, and about the disc's axis.
     pub(super) inertia: [f64; 2],
     /// Aerodynamic coefficients, by angle of attack.
     pub(super) table: Vec<Measured>,

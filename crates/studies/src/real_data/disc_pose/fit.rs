@@ -66,14 +66,15 @@ pub(super) struct Throw {
 
 /// Results of the fits to the measured poses.
 pub(in super::super) struct DiscPose {
-    /// Upward direction in camera axes, from the tag at rest on the ground. `scatter` is the RMS angle between the
-    /// measured normals of that tag and their mean, rad.
+    /// Upward direction in camera axes, from the tag at rest on the ground.
     pub(super) up: [f64; 3],
+    /// RMS angle between the measured normals of the tag at rest on the ground and their mean, rad.
     pub(super) scatter: f64,
-    /// Fit of all throws together with priors on the aerodynamic coefficients. `without_air` is the fit without
-    /// aerodynamic loads, `tilted` the fit in which the vertical may be tilted.
+    /// Fit of all throws together with priors on the aerodynamic coefficients.
     pub(super) joint: FitReport,
+    /// Fit of all throws together without aerodynamic loads.
     pub(super) without_air: FitReport,
+    /// Fit of all throws together in which the vertical may be tilted.
     pub(super) tilted: FitReport,
     pub(super) throws: Vec<Throw>,
     /// Jackknife standard error of the ratio I_a/I_d (axial / diametral moment of inertia) of all throws, from fits

@@ -8,7 +8,8 @@ use nalgebra::{Quaternion, Rotation3, UnitQuaternion, Vector3};
 use crate::error::StudyError;
 use crate::real_data::files::{absent, bad_line, rows, text_of};
 
-/// Range of the time since the first row of a file in which the poses are used, s. Later rows come from lost tracking.
+/// Range of the time since the first sample of a file in which the poses are used, s. Later samples come from lost
+/// tracking.
 pub(super) const FOLLOWED: (f64, f64) = (0.03, 0.25);
 
 /// File with the poses of the tag at rest on the ground.

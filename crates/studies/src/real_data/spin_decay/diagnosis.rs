@@ -16,7 +16,7 @@ use crate::real_data::files::{absent, bad_line, rows, text_of};
 /// Standard gravity, m/s², the unit of the recorded specific forces.
 const STANDARD_GRAVITY: f64 = 9.80665;
 
-/// Time left out after the release and before the end of the flight, s.
+/// Time at the beginning and at the end of the flight that is excluded from the analysis, s.
 pub(super) const MARGIN: f64 = 0.06;
 
 /// Model of the disc, and effects for the mounting errors of its sensors.
@@ -48,7 +48,7 @@ pub(super) struct Diagnosed {
     pub(super) samples: usize,
 }
 
-/// One row of the page's table of causes: a hypothesis of the diagnosis.
+/// Row of the results table of causes: a hypothesis of the diagnosis.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(super) struct CauseRow {
     pub(super) effects: String,

@@ -20,7 +20,7 @@ pub enum Form {
 }
 
 impl Form {
-    /// All torque laws, in the order of the rows of the table on the page.
+    /// All torque laws, in the order in which the results are tabulated.
     pub(super) const ALL: [Form; 5] = [
         Form::Constant,
         Form::Linear,
@@ -29,7 +29,7 @@ impl Form {
         Form::Falling,
     ];
 
-    /// Name of the torque law, as printed on the page.
+    /// Name of the torque law, as printed on the page of results.
     pub(super) fn label(self) -> &'static str {
         match self {
             Form::Constant => "constant",

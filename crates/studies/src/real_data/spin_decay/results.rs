@@ -23,7 +23,8 @@ pub(in super::super) struct SpinDecay {
     pub(super) axial_inertia: f64,
     /// Value of the spin-damping coefficient C_Nr in the model file, N·m·s.
     pub(super) model_c_nr: f64,
-    /// Diagnosis of the gyroscope and accelerometer record with the model of the whole disc.
+    /// Diagnosis of the gyroscope and accelerometer record with the flight model of the disc (all forces and moments),
+    /// not only a law of the spin-down torque.
     pub(super) diagnosed: Diagnosed,
 }
 

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::table::Measured;
 
-/// Index of a coefficient in a row of the table: lift 0, drag 1, pitching moment 2.
+/// Index of a coefficient in a row of an aerodynamic table: lift 0, drag 1, pitching moment 2.
 pub(super) type Coefficient = usize;
 
 /// A basis function of the angle of attack, rad.

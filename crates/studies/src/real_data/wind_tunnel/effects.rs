@@ -45,7 +45,7 @@ const MOMENT_EVEN: Form = form(
     &[ALPHA, ONE, CUBE, SQUARE],
 );
 
-/// Functional forms of the aerodynamic curves, in the order of the rows of the table on the page of measured data.
+/// Functional forms of the aerodynamic curves, in the order in which their residuals are tabulated.
 const FORMS: [&Form; 9] = [
     &LIFT,
     &LIFT_STALL,
@@ -96,9 +96,10 @@ struct Departure {
     name: &'static str,
     limit: f64,
     /// Smallest angle of attack ≥ 0, degrees, at which the curve deviates from the table by more than the coefficient
-    /// difference `limit`; `below` is the angle ≤ 0 closest to 0 at which it does. `None` if the curve does not deviate
-    /// on that side.
+    /// difference `limit`. `None` if there is no such angle.
     above: Option<f64>,
+    /// Angle of attack ≤ 0 closest to 0, degrees, at which the curve deviates from the table by more than `limit`.
+    /// `None` if there is no such angle.
     below: Option<f64>,
 }
 

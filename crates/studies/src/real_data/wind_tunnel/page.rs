@@ -44,7 +44,7 @@ struct CurveRow {
     /// RMS difference, over the range of the fit, between the table and the curve with the coefficients of the model
     /// file.
     model_rms: f64,
-    /// RMS of the coefficient's values in the table, over the range of the fit.
+    /// RMS, over the range of the fit, of the values of this aerodynamic coefficient in the table.
     magnitude: f64,
 }
 
@@ -103,8 +103,8 @@ fn curve_rows(table: &[Measured], model: &[Curve; 3], (low, high): (f64, f64)) -
     curves.collect()
 }
 
-/// Least-squares curve through the lift, drag or pitching moment (by its index) of the table's rows, with the model's
-/// basis functions; `None` if there are too few rows.
+/// Least-squares fit of a curve with the model's basis functions to one coefficient in the rows of an aerodynamic table
+/// (`coefficient`: 0 lift, 1 drag, 2 pitching moment); `None` if there are too few rows.
 pub(super) fn fitted_curve(rows: &[Measured], coefficient: usize) -> Option<Curve> {
     Curve::fitted(rows, coefficient, MODEL_SHAPES[coefficient])
 }

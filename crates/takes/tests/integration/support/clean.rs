@@ -28,17 +28,19 @@ fn scaled(a: V, s: f64) -> V {
     a.map(|x| s * x)
 }
 
-/// A disc: its coefficients times ½ρA over mass, 1/m, or times ½ρAd over the inertia about a diameter, 1/m².
+/// A disc, by its coefficients of force × ½ρA / mass, 1/m, and of moment × ½ρAd / moment of inertia about a diameter,
+/// 1/m².
 struct Disc {
     lift: (f64, f64),
     drag: (f64, f64),
     pitch: f64,
     damping: f64,
-    /// Inertia about the axis over that about a diameter.
+    /// Moment of inertia about the axis / moment of inertia about a diameter.
     ratio: f64,
 }
 
-/// Position and velocity (room), attitude (body to room), angular velocity (body).
+/// State of the disc: position and velocity in axes of the room, attitude from body to room, angular velocity in body
+/// axes.
 #[derive(Clone, Copy)]
 struct State {
     x: V,
@@ -111,7 +113,7 @@ impl Disc {
     }
 }
 
-/// A free flight in m, z up, and its greatest lift, m/s².
+/// Simulates a free flight, recorded in m with z up; also returns the maximum lift acceleration, m/s².
 pub fn clean_flight(seed: u64) -> (Take, f64) {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let r = &mut random;

@@ -10,14 +10,14 @@ use std::path::Path;
 
 use takes::{ReadOptions, Take, parse};
 
-/// Number of samples of a made recording.
+/// Number of samples of the example recording.
 pub const SAMPLES: usize = 12;
-/// Its frames per second.
+/// Frame rate of the example recording, Hz.
 pub const RATE: f64 = 120.0;
-/// Its labels.
+/// Labels of the points in the example recording.
 pub const LABELS: [&str; 3] = ["m1", "m2", "rim left"];
 
-/// Position of a point in a sample, m; the second point is not seen in sample 4.
+/// Position of a point in a sample of the example recording, m. The second point is missing in sample 4.
 pub fn truth(sample: usize, point: usize) -> Option<[f64; 3]> {
     if (sample, point) == (4, 1) {
         return None;
@@ -30,13 +30,14 @@ pub fn truth(sample: usize, point: usize) -> Option<[f64; 3]> {
     ])
 }
 
-/// Unit quaternion w, x, y, z of a sample.
+/// Attitude of the body in a sample of the example recording, as unit quaternion w, x, y, z.
 pub fn attitude(sample: usize) -> [f64; 4] {
     let half = 0.1 * sample as f64;
     [half.cos(), 0.6 * half.sin(), 0.0, 0.8 * half.sin()]
 }
 
-/// Cells of a sample's positions, times `scale`.
+/// Table cells of all point coordinates in a sample of the example recording, multiplied by `scale`. `gap` is written
+/// for each coordinate of a missing point.
 pub fn cells(sample: usize, scale: f64, gap: &str) -> Vec<String> {
     let mut cells = Vec::new();
     for point in 0..LABELS.len() {
@@ -54,7 +55,7 @@ fn rows(separator: &str, mut row: impl FnMut(usize) -> Vec<String>) -> String {
         .collect()
 }
 
-/// Table of Vicon Nexus.
+/// Example recording as a table of Vicon Nexus.
 pub fn vicon() -> String {
     let mut text = "Trajectories\n120\n,".to_owned();
     for label in LABELS {
@@ -68,7 +69,8 @@ pub fn vicon() -> String {
     })
 }
 
-/// Table of Qualisys, with frame, time and a line of titles where wanted.
+/// Example recording as a table of Qualisys, optionally with columns of frame number and time and with a line of column
+/// titles.
 pub fn qualisys(with_times: bool, with_titles: bool) -> String {
     let labels = LABELS.join("\t");
     let mut text = format!(
@@ -96,7 +98,7 @@ pub fn qualisys(with_times: bool, with_titles: bool) -> String {
     })
 }
 
-/// Rotation matrix of a quaternion, by rows.
+/// Rotation matrix of a unit quaternion w, x, y, z, row by row.
 pub fn matrix([w, x, y, z]: [f64; 4]) -> [f64; 9] {
     [
         1.0 - 2.0 * (y * y + z * z),
@@ -111,7 +113,7 @@ pub fn matrix([w, x, y, z]: [f64; 4]) -> [f64; 9] {
     ]
 }
 
-/// Table of Qualisys for one rigid body, which is not seen in sample 4.
+/// Example recording of one rigid body, which is missing in sample 4, as a table of Qualisys.
 pub fn qualisys_poses() -> String {
     let mut text = format!(
         "NO_OF_FRAMES\t{SAMPLES}\nNO_OF_CAMERAS\t8\nNO_OF_BODIES\t1\nFREQUENCY\t120\nDATA_INCLUDED\t6D\nBODY_NAMES\tdisc\n\
@@ -139,7 +141,7 @@ pub fn qualisys_poses() -> String {
     })
 }
 
-/// Table of OptiTrack Motive: a body and its markers.
+/// Example recording of a rigid body and its markers as a table of OptiTrack Motive.
 pub fn optitrack() -> String {
     let kinds = |first: &str, body: &str, error: &str, point: &str| {
         let mut row = vec![String::new(), first.to_owned()];
@@ -184,7 +186,7 @@ pub fn optitrack() -> String {
     })
 }
 
-/// Table of DLTdv8.
+/// Example recording as a table of DLTdv8.
 pub fn dltdv() -> String {
     let head: Vec<String> = (1..=3)
         .flat_map(|point| ["X", "Y", "Z"].map(|axis| format!("pt{point}_{axis}")))
@@ -192,7 +194,7 @@ pub fn dltdv() -> String {
     head.join(",") + "\n" + &rows(",", |sample| cells(sample, 1.0, "NaN"))
 }
 
-/// Table of poses with units in its header.
+/// Example recording of poses as a table with units in its header line.
 pub fn poses() -> String {
     let head = "t_s,x_m,y_m,z_m,qw,qx,qy,qz\n".to_owned();
     head + &rows(",", |sample| {
@@ -207,7 +209,7 @@ pub fn poses() -> String {
     })
 }
 
-/// Table of points with units in its header.
+/// Example recording of points as a table with units in its header line.
 pub fn plain() -> String {
     let names = LABELS
         .iter()
@@ -221,7 +223,7 @@ pub fn plain() -> String {
     })
 }
 
-/// C3D file.
+/// Example recording as a C3D file.
 pub fn c3d() -> c3d::File {
     let row = |sample| {
         let position = |point| truth(sample, point).map(|p| p.map(|x| (1e3 * x) as f32));
@@ -230,7 +232,7 @@ pub fn c3d() -> c3d::File {
     c3d::File::new(&LABELS, (0..SAMPLES).map(row).collect())
 }
 
-/// Reads bytes under the name `take`.
+/// Parses the bytes of a recording under the file name `take`; returns the error as text.
 pub fn read(bytes: &[u8], options: &ReadOptions) -> Result<Take, String> {
     parse(Path::new("take"), bytes, options).map_err(|error| error.to_string())
 }

@@ -5,19 +5,20 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, Normal};
 
-/// How the flights are made.
+/// Settings of simulated flights of a disc whose markers are measured.
 #[derive(Clone, Copy)]
 pub struct Plan {
     pub flights: usize,
     pub rate: f64,
     pub sigma: f64,
-    /// Greatest angular rate about a diameter, rad/s.
+    /// Maximum angular rate about a diameter, rad/s.
     pub wobble: f64,
-    /// Spin, rad/s.
+    /// Range of the spin, rad/s.
     pub spin: (f64, f64),
     pub seconds: (f64, f64),
-    /// Fraction of positions that are not seen, and that are off by some cm.
+    /// Fraction of the marker positions that are missing.
     pub gaps: f64,
+    /// Fraction of the marker positions with an error of several centimetres.
     pub outliers: f64,
     /// Whether the flights begin with the disc upside down.
     pub inverted: bool,
@@ -37,7 +38,7 @@ pub const USUAL: Plan = Plan {
 
 pub type Rows = Vec<Vec<Option<[f64; 3]>>>;
 
-/// Flights: times and positions.
+/// Simulated flights, as times and measured marker positions, with the true marker positions on the body.
 pub struct Flights {
     pub markers: Vec<[f64; 3]>,
     pub flights: Vec<(Vec<f64>, Rows)>,
@@ -48,11 +49,12 @@ struct State {
     x: Vector3<f64>,
     v: Vector3<f64>,
     r: Matrix3<f64>,
-    /// Body axes.
+    /// Angular velocity in body axes, rad/s.
     w: Vector3<f64>,
 }
 
-/// Linear acceleration (room) and angular acceleration (body) of a disc with lift, drag and moments.
+/// Linear acceleration in axes of the room and angular acceleration in body axes of a disc with lift, drag and
+/// aerodynamic moments.
 fn law(s: &State) -> (Vector3<f64>, Vector3<f64>) {
     let (m, ia, id, d, rho) = (0.175, 0.00235, 0.00122, 0.27, 1.2);
     let area = std::f64::consts::PI * d * d / 4.0;
@@ -93,7 +95,7 @@ fn advance(from: &State, at: &State, h: f64) -> State {
     }
 }
 
-/// Flights of a seed.
+/// Simulates the flights of a plan; the same seed gives the same flights.
 pub fn flights(plan: &Plan, seed: u64) -> Flights {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let r = &mut random;

@@ -15,7 +15,7 @@ pub enum End {
     Catch,
 }
 
-/// What is true of one throw.
+/// True release and end of one simulated throw.
 #[derive(Clone, Copy, Debug)]
 pub struct Truth {
     /// Time of release, s.
@@ -25,7 +25,7 @@ pub struct Truth {
     pub kind: End,
 }
 
-/// A made recording.
+/// Simulated recording: text of the file, frame rate, and the true throws.
 pub struct Made {
     pub text: String,
     pub rate: f64,
@@ -40,7 +40,7 @@ fn length(a: V) -> f64 {
     a.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
-/// The body: its air forces per square of speed, 1/m, and its spin.
+/// Thrown body: aerodynamic accelerations divided by the square of the speed, 1/m, spin, tilt and marker positions.
 struct Body {
     drag: f64,
     lift: f64,
@@ -49,7 +49,7 @@ struct Body {
     markers: Vec<V>,
 }
 
-/// Phase of one throw.
+/// Phase of the motion of a body in one simulated throw.
 #[derive(Clone, Copy, PartialEq)]
 enum Phase {
     Held,
@@ -61,7 +61,8 @@ enum Phase {
 
 struct Throw {
     direction: V,
-    /// Peak acceleration of the hand, m/s², over its half period, s, and the part of it at which it lets go.
+    /// Acceleration of the hand, a half sine over time: its peak, m/s², the half period, s, and the fraction of the
+    /// half period after which the hand releases the body.
     push: (f64, f64, f64),
     wait: f64,
     longest: f64,
@@ -80,7 +81,7 @@ impl Body {
         add(drag, up, self.lift * speed * speed)
     }
 
-    /// Positions of the markers about the centre, at an angle of spin.
+    /// Positions of the markers for a given position of the centre and a given angle of rotation about the spin axis.
     fn markers(&self, centre: V, angle: f64) -> Vec<V> {
         let (s, c) = angle.sin_cos();
         let (ts, tc) = self.tilt.sin_cos();
@@ -92,7 +93,7 @@ impl Body {
     }
 }
 
-/// A recording of this number of throws.
+/// Simulates a recording with the given number of throws.
 pub fn recording(seed: u64, throws: usize) -> Made {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let r = &mut random;
@@ -163,7 +164,8 @@ pub fn recording(seed: u64, throws: usize) -> Made {
     }
 }
 
-/// A time in which nothing of the body is seen, in every third flight, away from its ends.
+/// Draws a time interval, s, away from the ends of the flight, in which no marker is seen, in about every third flight;
+/// `None` in the remaining flights.
 fn burst(truth: &Truth, r: &mut ChaCha8Rng) -> Option<(f64, f64)> {
     let (from, to) = (truth.release + 0.15, truth.end - 0.2);
     (r.random_bool(0.33) && to > from).then(|| {
@@ -196,7 +198,8 @@ fn throw(body: &Body, rate: f64, r: &mut ChaCha8Rng) -> (Vec<Vec<V>>, Truth) {
     fly(body, rate, &throw)
 }
 
-/// Integrates one throw with small steps, and samples it.
+/// Integrates the motion of one throw with small steps; returns the marker positions at the frame rate and the true
+/// release and end.
 fn fly(body: &Body, rate: f64, throw: &Throw) -> (Vec<Vec<V>>, Truth) {
     const STEPS: usize = 50;
     let dt = 1.0 / (rate * STEPS as f64);
@@ -276,7 +279,7 @@ fn fly(body: &Body, rate: f64, throw: &Throw) -> (Vec<Vec<V>>, Truth) {
     (rows, truth)
 }
 
-/// A table of Vicon in mm, y up.
+/// Formats marker positions as a table of Vicon in mm with y up.
 fn vicon(rows: &[Vec<Option<V>>], rate: f64) -> String {
     let count = rows[0].len();
     let mut text = format!("Trajectories\n{rate}\n,");
