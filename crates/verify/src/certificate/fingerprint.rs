@@ -19,7 +19,7 @@ use std::path::Path;
 #[serde(try_from = "String")]
 pub struct Hash(String);
 
-/// Error for a text that is no [`Hash`].
+/// Error for a text that is not a SHA-256 hash in 64 lower-case hexadecimal digits.
 #[derive(Clone, Copy, Debug, thiserror::Error)]
 #[error("expected 64 hexadecimal digits of a SHA-256")]
 pub struct HashError;
