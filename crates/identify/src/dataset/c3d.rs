@@ -8,7 +8,7 @@ use std::path::Path;
 use takes::c3d::{self, Recording};
 use takes::words::{listed, shown};
 
-use super::samples::{self, Wrong};
+use super::samples::{self, Unexpected};
 use super::table::Table;
 use crate::input_error::InputError;
 
@@ -16,39 +16,39 @@ pub(super) fn parse(file: &Path, bytes: &[u8], markers: &[&str]) -> Result<Table
     table(bytes, markers).map_err(|(found, expected)| InputError::of_file(file, found, expected))
 }
 
-fn words(wrong: c3d::Wrong) -> Wrong {
-    (wrong.found, wrong.expected)
+fn texts(error: c3d::C3dError) -> Unexpected {
+    (error.found, error.expected)
 }
 
-fn table(bytes: &[u8], markers: &[&str]) -> Result<Table, Wrong> {
-    let recording = Recording::open(bytes).map_err(words)?;
+fn table(bytes: &[u8], markers: &[&str]) -> Result<Table, Unexpected> {
+    let recording = Recording::open(bytes).map_err(texts)?;
     if let Some(deviation) = recording.deviations().first() {
-        return Err(words(deviation.wrong.clone()));
+        return Err(texts(deviation.contradiction.clone()));
     }
-    let (unit, text) = recording.unit().map_err(words)?;
+    let (unit, text) = recording.unit().map_err(texts)?;
     if !["m", "cm", "mm"].contains(&text.to_ascii_lowercase().as_str()) {
         let found = format!("the unit {}", shown(&text));
         return Err((found, "m, cm or mm in POINT:UNITS".into()));
     }
-    let rate = recording.rate().map_err(words)?;
-    if recording.frames() > samples::most(markers.len()) {
-        let expected = format!("at most {}", samples::most(markers.len()));
+    let rate = recording.rate().map_err(texts)?;
+    if recording.frames() > samples::max_samples(markers.len()) {
+        let expected = format!("at most {}", samples::max_samples(markers.len()));
         return Err((format!("{} frames", recording.frames()), expected));
     }
-    let places = markers.iter().map(|marker| point_index(&recording, marker));
-    let places = places.collect::<Result<Vec<usize>, Wrong>>()?;
+    let points = markers.iter().map(|marker| point_index(&recording, marker));
+    let points = points.collect::<Result<Vec<usize>, Unexpected>>()?;
     let mut table = Table::default();
     for frame in 0..recording.frames() {
         let time = (f64::from(recording.first_frame()) + frame as f64) / rate;
-        samples::time(table.times.first(), table.times.last(), time)?;
+        samples::check_time(table.times.first(), table.times.last(), time)?;
         let mut row = Vec::with_capacity(markers.len());
-        for (&place, marker) in places.iter().zip(markers) {
-            let position = recording.position(frame, place);
+        for (&point, marker) in points.iter().zip(markers) {
+            let position = recording.position(frame, point);
             let position = position.map(|raw| raw.map(|x| x * unit.metres()));
             let number = u64::from(recording.first_frame()) + frame as u64;
             for (value, axis) in position.into_iter().flatten().zip(["x", "y", "z"]) {
                 let name = format_args!("{marker}_{axis} of frame {number}");
-                samples::coordinate(&name, value)?;
+                samples::check_coordinate(&name, value)?;
             }
             row.push(position);
         }
@@ -60,12 +60,12 @@ fn table(bytes: &[u8], markers: &[&str]) -> Result<Table, Wrong> {
 
 /// Index, among the points of a frame, of the point with the marker's label. An error if no point or several points
 /// have this label.
-fn point_index(recording: &Recording<'_>, marker: &str) -> Result<usize, Wrong> {
+fn point_index(recording: &Recording<'_>, marker: &str) -> Result<usize, Unexpected> {
     let labels = recording.labels();
     let mut found =
-        (0..recording.points().min(labels.len())).filter(|&place| labels[place] == marker);
+        (0..recording.points().min(labels.len())).filter(|&point| labels[point] == marker);
     match (found.next(), found.next()) {
-        (Some(place), None) => Ok(place),
+        (Some(point), None) => Ok(point),
         (Some(_), Some(_)) => Err((
             format!("two points {}", shown(marker)),
             "each declared marker once in POINT:LABELS".into(),

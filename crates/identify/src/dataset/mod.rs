@@ -207,7 +207,7 @@ fn assemble(
     let origin_error =
         unplaced::estimate_positions(&mut markers, unplaced, &mut sensors, &flights)?;
     for (path, flight) in paths.iter().zip(&flights) {
-        samples::whole(path, flight, &markers)?;
+        samples::check_flight(path, flight, &markers)?;
     }
     Ok(Dataset {
         model: manifest.model,

@@ -24,16 +24,20 @@ const MIN_REJECTED: f64 = 1.0;
 const MAX_VALUES: usize = 1 << 23;
 
 /// Texts of an error: what was found, and what was expected.
-pub(super) type Wrong = (String, String);
+pub(super) type Unexpected = (String, String);
 
 /// Maximum number of samples of a flight; `markers` is the total number of its markers and sensor channels.
-pub(super) fn most(markers: usize) -> usize {
+pub(super) fn max_samples(markers: usize) -> usize {
     MAX_VALUES / markers.max(1)
 }
 
 /// Returns an error if `time`, the time of a sample, s, is not after that of the previous sample, `before`, or is more
 /// than [`MAX_SECONDS`] after that of the first sample, `first`. Both are `None` for the first sample.
-pub(super) fn time(first: Option<&f64>, before: Option<&f64>, time: f64) -> Result<(), Wrong> {
+pub(super) fn check_time(
+    first: Option<&f64>,
+    before: Option<&f64>,
+    time: f64,
+) -> Result<(), Unexpected> {
     let (Some(&first), Some(&before)) = (first, before) else {
         return Ok(());
     };
@@ -51,7 +55,7 @@ pub(super) fn time(first: Option<&f64>, before: Option<&f64>, time: f64) -> Resu
 
 /// Returns an error if `value`, a coordinate of a marker position, m, exceeds [`MAX_COORDINATE`] in magnitude; `name`
 /// is the column's name in the error.
-pub(super) fn coordinate(name: &dyn Display, value: f64) -> Result<(), Wrong> {
+pub(super) fn check_coordinate(name: &dyn Display, value: f64) -> Result<(), Unexpected> {
     if value.abs() <= MAX_COORDINATE {
         return Ok(());
     }
@@ -62,7 +66,11 @@ pub(super) fn coordinate(name: &dyn Display, value: f64) -> Result<(), Wrong> {
 
 /// Checks a flight after all of its samples have been read: it must have at least one measured value, and the distances
 /// and speeds of markers must be plausible for coordinates in metres and times in seconds.
-pub(super) fn whole(file: &Path, flight: &Flight, markers: &[Marker]) -> Result<(), InputError> {
+pub(super) fn check_flight(
+    file: &Path,
+    flight: &Flight,
+    markers: &[Marker],
+) -> Result<(), InputError> {
     let wrong = |found: String, expected: &str| Err(InputError::of_file(file, found, expected));
     if flight.measurements() == 0 {
         return wrong(

@@ -89,7 +89,7 @@ fn row(
         return Err(lines.fault(header.time, "no time", "the time of the sample, s"));
     };
     let time = recording.seconds(time);
-    samples::time(table.times.first(), table.times.last(), time)
+    samples::check_time(table.times.first(), table.times.last(), time)
         .map_err(|(found, expected)| lines.fault(header.time, found, expected))?;
     let mut positions = Vec::with_capacity(markers.len());
     for (axes, marker) in header.columns.iter().zip(markers) {
@@ -97,7 +97,7 @@ fn row(
         for ((slot, &index), axis) in point.iter_mut().zip(axes).zip(["x", "y", "z"]) {
             *slot = read(index)?.map(|value| recording.metres(value));
             if let Some(value) = *slot {
-                samples::coordinate(&format_args!("{marker}_{axis}"), value)
+                samples::check_coordinate(&format_args!("{marker}_{axis}"), value)
                     .map_err(|(found, expected)| lines.fault(index, found, expected))?;
             }
         }
@@ -111,7 +111,7 @@ fn row(
     for columns in &header.channels {
         readings.push(reading(lines, columns, read)?);
     }
-    let most = samples::most(markers.len() + header.channels.len());
+    let most = samples::max_samples(markers.len() + header.channels.len());
     if table.times.len() >= most {
         let expected = format!("at most {most} samples");
         return Err(lines.fault(0, "a sample more", expected));

@@ -1,7 +1,7 @@
 //! Number and size of the frames in a C3D file, from the header, the parameters and the file length.
 
 use super::parameters::Parameters;
-use super::{Deviation, Wrong, wrong};
+use super::{C3dError, Deviation, refuse};
 
 /// Maximum frame number that the 16-bit words of the header can state; as the number of the last frame it may also mean
 /// any greater number.
@@ -38,7 +38,7 @@ pub(super) fn frames(
     last: u32,
     layout: &Layout,
     deviations: &mut Vec<Deviation>,
-) -> Result<(Extent, usize), Wrong> {
+) -> Result<(Extent, usize), C3dError> {
     let (first, count) = stated(parameters, first, last, deviations)?;
     let mut size = layout.width * (4 * layout.points + layout.analog);
     // Some programs write the number of channels instead of the number of analogue words.
@@ -50,7 +50,7 @@ pub(super) fn frames(
     };
     if layout.analog_per_channel > 1 && fills(whole) && !fills(size) {
         deviations.push(Deviation {
-            wrong: Wrong {
+            contradiction: C3dError {
                 byte: 4,
                 found: format!("{} analogue words per frame", layout.analog),
                 expected: format!("{all}, by the length of the file"),
@@ -63,7 +63,7 @@ pub(super) fn frames(
     if layout.points > 0 && held >= count {
         return Ok((Extent { first, count }, size));
     }
-    let short = Wrong {
+    let short = C3dError {
         byte: layout.data_start,
         found: format!("{} bytes of data", layout.available),
         expected: format!(
@@ -75,7 +75,7 @@ pub(super) fn frames(
         return Err(short);
     }
     deviations.push(Deviation {
-        wrong: short,
+        contradiction: short,
         read_as: format!("the {held} whole frames that the file holds"),
     });
     Ok((Extent { first, count: held }, size))
@@ -88,7 +88,7 @@ fn stated(
     first: u32,
     last: u32,
     deviations: &mut Vec<Deviation>,
-) -> Result<(u32, usize), Wrong> {
+) -> Result<(u32, usize), C3dError> {
     let start = parameters.long("TRIAL", "ACTUAL_START_FIELD")?;
     let end = parameters.long("TRIAL", "ACTUAL_END_FIELD")?;
     let (first, last) = match (start, end) {
@@ -104,7 +104,7 @@ fn stated(
         }
     };
     if last < first {
-        return wrong(
+        return refuse(
             6,
             format!("the frames {first} to {last}"),
             "a last frame that is not before the first",
@@ -116,7 +116,7 @@ fn stated(
         && frames != count
         && count < u64::from(LAST_OF_HEADER)
     {
-        let contradiction = Wrong {
+        let contradiction = C3dError {
             byte: 6,
             found: format!("POINT:FRAMES = {frames} and the frames {first} to {last}"),
             expected: "one number of frames".into(),
@@ -126,12 +126,12 @@ fn stated(
             return Err(contradiction);
         }
         deviations.push(Deviation {
-            wrong: contradiction,
+            contradiction,
             read_as: format!("the frames {first} to {last}"),
         });
     }
     match usize::try_from(count) {
         Ok(count) => Ok((first, count)),
-        Err(_) => wrong(6, format!("{count} frames"), "fewer"),
+        Err(_) => refuse(6, format!("{count} frames"), "fewer"),
     }
 }

@@ -22,7 +22,7 @@ use crate::words::shown;
 
 /// Error in a C3D file: its byte offset, what was found and what was expected.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Wrong {
+pub struct C3dError {
     /// Byte offset of the error in the file.
     pub byte: usize,
     /// What was found at this offset.
@@ -35,13 +35,13 @@ pub struct Wrong {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Deviation {
     /// The contradiction: its byte offset, what was found and what was expected.
-    pub wrong: Wrong,
+    pub contradiction: C3dError,
     /// Description of how the reader interprets the contradictory data.
     pub read_as: String,
 }
 
-fn wrong<T>(byte: usize, found: impl Display, expected: impl Display) -> Result<T, Wrong> {
-    Err(Wrong {
+fn refuse<T>(byte: usize, found: impl Display, expected: impl Display) -> Result<T, C3dError> {
+    Err(C3dError {
         byte,
         found: found.to_string(),
         expected: expected.to_string(),
@@ -82,21 +82,21 @@ impl<'a> Recording<'a> {
     /// Reads the header and the parameters, and checks their counts against the length of the file.
     ///
     /// # Errors
-    /// [`Wrong`] if the file is malformed, or contradicts itself in a way that has several sensible interpretations.
-    pub fn open(bytes: &'a [u8]) -> Result<Self, Wrong> {
+    /// [`C3dError`] if the file is malformed, or contradicts itself in a way that has several sensible interpretations.
+    pub fn open(bytes: &'a [u8]) -> Result<Self, C3dError> {
         if bytes.len() < 2 * BLOCK || bytes[1] != 0x50 {
-            return wrong(1, "no C3D header", "a C3D file, whose second byte is 0x50");
+            return refuse(1, "no C3D header", "a C3D file, whose second byte is 0x50");
         }
         let start = usize::from(bytes[0]).wrapping_sub(1).saturating_mul(BLOCK);
         let Some(&processor) = bytes.get(start.saturating_add(3)).filter(|_| start > 0) else {
-            return wrong(
+            return refuse(
                 0,
                 format!("the parameters in block {}", bytes[0]),
                 "a block of the file after the first",
             );
         };
         let Some(order) = Order::of_processor(processor) else {
-            return wrong(
+            return refuse(
                 start + 3,
                 format!("the processor type {processor}"),
                 "84 (Intel), 85 (DEC) or 86 (MIPS)",
@@ -109,7 +109,7 @@ impl<'a> Recording<'a> {
         let word = |number: usize| u32::from(header.u16(2 * (number - 1)));
         let data_start = (word(9) as usize).saturating_sub(1) * BLOCK;
         if data_start <= start || data_start > bytes.len() {
-            return wrong(
+            return refuse(
                 16,
                 format!("the data in block {}", word(9)),
                 "a block of the file after the parameters",
@@ -121,7 +121,7 @@ impl<'a> Recording<'a> {
         if let Some(used) = parameters.number("POINT", "USED")?
             && used != points as f64
         {
-            return wrong(
+            return refuse(
                 2,
                 format!("POINT:USED = {used} and {points} points in the header"),
                 "one number",
@@ -196,8 +196,8 @@ impl<'a> Recording<'a> {
     /// Frame rate, Hz.
     ///
     /// # Errors
-    /// [`Wrong`] if the header and `POINT:RATE` state different rates, or if the rate is absent or out of range.
-    pub fn rate(&self) -> Result<f64, Wrong> {
+    /// [`C3dError`] if the header and `POINT:RATE` state different rates, or if the rate is absent or out of range.
+    pub fn rate(&self) -> Result<f64, C3dError> {
         let rate = agreed(
             20,
             "POINT:RATE",
@@ -205,21 +205,21 @@ impl<'a> Recording<'a> {
             self.header_rate,
             1e-3,
         )?;
-        checked_rate(rate).or_else(|(found, expected)| wrong(20, found, expected))
+        checked_rate(rate).or_else(|(found, expected)| refuse(20, found, expected))
     }
 
     /// Unit of the coordinates specified in `POINT:UNITS`, with the text of that parameter.
     ///
     /// # Errors
-    /// [`Wrong`] if the parameter is absent or contains an unknown unit.
-    pub fn unit(&self) -> Result<(LengthUnit, String), Wrong> {
+    /// [`C3dError`] if the parameter is absent or contains an unknown unit.
+    pub fn unit(&self) -> Result<(LengthUnit, String), C3dError> {
         const EXPECTED: &str = "m, cm or mm in POINT:UNITS";
         let at = self.parameters.offset("POINT", "UNITS");
         match self.parameters.first_text("POINT", "UNITS")? {
-            None => wrong(at, "no POINT:UNITS", EXPECTED),
+            None => refuse(at, "no POINT:UNITS", EXPECTED),
             Some(text) => match LengthUnit::parse(&text) {
                 Some(unit) => Ok((unit, text)),
-                None => wrong(at, format!("the unit {}", shown(&text)), EXPECTED),
+                None => refuse(at, format!("the unit {}", shown(&text)), EXPECTED),
             },
         }
     }
@@ -264,17 +264,17 @@ impl<'a> Recording<'a> {
 /// the preceding parameters suffice and the extending parameter ends within the file of `length` bytes, the result is a
 /// [`Deviation`] by which only the preceding parameters are used. Otherwise the result is the error `cut`.
 fn after_the_cut(
-    cut: Wrong,
+    cut: C3dError,
     parameters: &Parameters<'_>,
     length: usize,
-) -> Result<Deviation, Wrong> {
+) -> Result<Deviation, C3dError> {
     let needed = ["USED", "FRAMES", "SCALE", "RATE", "LABELS", "UNITS"];
     if parameters.end_of_cut() > length || !needed.iter().all(|name| parameters.has("POINT", name))
     {
         return Err(cut);
     }
     Ok(Deviation {
-        wrong: cut,
+        contradiction: cut,
         read_as: "the parameters before it".into(),
     })
 }
@@ -283,14 +283,14 @@ fn storage(
     parameters: &Parameters<'_>,
     in_header: f32,
     deviations: &mut Vec<Deviation>,
-) -> Result<Storage, Wrong> {
+) -> Result<Storage, C3dError> {
     let stated = parameters.number("POINT", "SCALE")?;
     let in_header = f64::from(in_header);
     let scale = match agreed(12, "POINT:SCALE", stated, in_header, 1e-5) {
         // The magnitude of a negative scale is unused: the sign only states that the coordinates are floats.
-        Err(wrong) if in_header < 0.0 && stated.is_some_and(|scale| scale < 0.0) => {
+        Err(contradiction) if in_header < 0.0 && stated.is_some_and(|scale| scale < 0.0) => {
             deviations.push(Deviation {
-                wrong,
+                contradiction,
                 read_as: "the coordinates are floats by both, and are not scaled".into(),
             });
             in_header
@@ -298,7 +298,7 @@ fn storage(
         scale => scale?,
     };
     if !scale.is_finite() {
-        wrong(12, format!("the scale {scale}"), "a finite number")
+        refuse(12, format!("the scale {scale}"), "a finite number")
     } else if scale > 0.0 {
         Ok(Storage::Integer(scale))
     } else {
@@ -314,11 +314,11 @@ fn agreed(
     parameter: Option<f64>,
     header: f64,
     within: f64,
-) -> Result<f64, Wrong> {
+) -> Result<f64, C3dError> {
     let agrees = |value: f64| header == 0.0 || (value - header).abs() <= within * header.abs();
     match parameter {
         Some(value) if agrees(value) => Ok(value),
-        Some(value) => wrong(
+        Some(value) => refuse(
             byte,
             format!("{name} = {value} and {header} in the header"),
             "one number",

@@ -1,7 +1,7 @@
 //! One parameter of a C3D file, with its value as stored bytes.
 
 use super::bytes::{Bytes, Order};
-use super::{Wrong, wrong};
+use super::{C3dError, refuse};
 use crate::words::shown;
 
 /// A C3D parameter whose value is not decoded yet.
@@ -26,14 +26,14 @@ pub(super) struct Shape<'a> {
 }
 
 impl<'a> Shape<'a> {
-    pub fn read(section: &'a [u8], start: usize, at: usize, name: &str) -> Result<Self, Wrong> {
+    pub fn read(section: &'a [u8], start: usize, at: usize, name: &str) -> Result<Self, C3dError> {
         let offset = start + at;
         let &[kind, count] = part(section, start, at, 2)? else {
-            return wrong(offset, "half a parameter", "a whole one");
+            return refuse(offset, "half a parameter", "a whole one");
         };
         let kind = kind.cast_signed();
         if ![-1, 1, 2, 4].contains(&kind) || count > 7 {
-            return wrong(
+            return refuse(
                 offset,
                 format!(
                     "the parameter {} of type {kind} with {count} dimensions",
@@ -65,7 +65,7 @@ impl<'a> Shape<'a> {
         section: &'a [u8],
         start: usize,
         order: Order,
-    ) -> Result<Parameter<'a>, Wrong> {
+    ) -> Result<Parameter<'a>, C3dError> {
         Ok(Parameter {
             offset: self.offset,
             kind: self.kind,
@@ -80,11 +80,16 @@ impl<'a> Shape<'a> {
 
 /// Returns the bytes `at..at + length` of the parameter section, or an error if the section is shorter; `start` is the
 /// byte offset of the section in the file.
-pub(super) fn part(section: &[u8], start: usize, at: usize, length: usize) -> Result<&[u8], Wrong> {
+pub(super) fn part(
+    section: &[u8],
+    start: usize,
+    at: usize,
+    length: usize,
+) -> Result<&[u8], C3dError> {
     let end = at.checked_add(length);
     match end.and_then(|end| section.get(at..end)) {
         Some(part) => Ok(part),
-        None => wrong(
+        None => refuse(
             start + at,
             format!("a parameter of {length} bytes at byte {at} of the parameters"),
             format!("all of it within their {} bytes", section.len()),

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::bytes::{Bytes, Order};
 use super::parameter::{Parameter, Shape, part};
-use super::{Wrong, wrong};
+use super::{C3dError, refuse};
 
 /// Maximum total number of groups and parameters in a C3D file; a greater number is an error, which bounds the memory
 /// used.
@@ -27,7 +27,7 @@ impl<'a> Parameters<'a> {
         section: &'a [u8],
         start: usize,
         order: Order,
-    ) -> Result<(Self, Option<Wrong>), Wrong> {
+    ) -> Result<(Self, Option<C3dError>), C3dError> {
         let mut found = Self {
             groups: BTreeMap::new(),
             parameters: BTreeMap::new(),
@@ -42,7 +42,7 @@ impl<'a> Parameters<'a> {
                 break;
             }
             if found.groups.len() + found.parameters.len() >= MAX_ENTRIES {
-                return wrong(
+                return refuse(
                     start + at,
                     "a parameter more",
                     format!("at most {MAX_ENTRIES}"),
@@ -75,7 +75,7 @@ impl<'a> Parameters<'a> {
             match offset {
                 0 => break,
                 1 => {
-                    return wrong(
+                    return refuse(
                         start + at,
                         "an entry of the parameters that ends in itself",
                         "a next entry",
@@ -118,7 +118,7 @@ impl<'a> Parameters<'a> {
     }
 
     /// First value of a numeric parameter; `None` if the parameter is absent, an error if it is not numeric.
-    pub fn number(&self, group: &str, name: &str) -> Result<Option<f64>, Wrong> {
+    pub fn number(&self, group: &str, name: &str) -> Result<Option<f64>, C3dError> {
         let Some(parameter) = self.get(group, name) else {
             return Ok(None);
         };
@@ -126,7 +126,7 @@ impl<'a> Parameters<'a> {
             (2, 2..) => Ok(Some(f64::from(parameter.data.i16(0)))),
             (4, 4..) => Ok(Some(f64::from(parameter.data.f32(0)))),
             (1, 1..) => Ok(Some(f64::from(parameter.data.bytes[0]))),
-            _ => wrong(
+            _ => refuse(
                 parameter.offset,
                 format!("{group}:{name} without a number"),
                 "a number",
@@ -136,7 +136,7 @@ impl<'a> Parameters<'a> {
 
     /// Value of a parameter that is a count, stored as an unsigned 16-bit integer or a float; `None` if the parameter
     /// is absent.
-    pub fn count(&self, group: &str, name: &str) -> Result<Option<u64>, Wrong> {
+    pub fn count(&self, group: &str, name: &str) -> Result<Option<u64>, C3dError> {
         match self.number(group, name)? {
             None => Ok(None),
             Some(number) if (-32768.0..0.0).contains(&number) => {
@@ -145,7 +145,7 @@ impl<'a> Parameters<'a> {
             Some(number) if (0.0..=4294967295.0).contains(&number) && number.fract() == 0.0 => {
                 Ok(Some(number as u64))
             }
-            Some(number) => wrong(
+            Some(number) => refuse(
                 self.offset(group, name),
                 format!("{group}:{name} = {number}"),
                 "a number of frames",
@@ -155,14 +155,14 @@ impl<'a> Parameters<'a> {
 
     /// Value of an unsigned 32-bit integer stored as two 16-bit words, low word first; `None` if the parameter is
     /// absent.
-    pub fn long(&self, group: &str, name: &str) -> Result<Option<u32>, Wrong> {
+    pub fn long(&self, group: &str, name: &str) -> Result<Option<u32>, C3dError> {
         match self.get(group, name) {
             None => Ok(None),
             Some(parameter) if parameter.kind == 2 && parameter.data.bytes.len() == 4 => {
                 let [low, high] = [0, 2].map(|at| u32::from(parameter.data.u16(at)));
                 Ok(Some(low | high << 16))
             }
-            Some(parameter) => wrong(
+            Some(parameter) => refuse(
                 parameter.offset,
                 format!("{group}:{name} of another kind"),
                 "two integers",
@@ -172,11 +172,11 @@ impl<'a> Parameters<'a> {
 
     /// Text of a parameter, without surrounding blanks; `None` if the parameter is absent, an error if it is not a
     /// text.
-    pub fn text(&self, group: &str, name: &str) -> Result<Option<String>, Wrong> {
+    pub fn text(&self, group: &str, name: &str) -> Result<Option<String>, C3dError> {
         match self.get(group, name) {
             None => Ok(None),
             Some(parameter) if parameter.kind == -1 => Ok(Some(text(parameter.data.bytes))),
-            Some(parameter) => wrong(
+            Some(parameter) => refuse(
                 parameter.offset,
                 format!("{group}:{name} of another kind"),
                 "a text",
@@ -185,7 +185,7 @@ impl<'a> Parameters<'a> {
     }
 
     /// First text of a parameter that may be an array of texts; `None` if the parameter is absent.
-    pub fn first_text(&self, group: &str, name: &str) -> Result<Option<String>, Wrong> {
+    pub fn first_text(&self, group: &str, name: &str) -> Result<Option<String>, C3dError> {
         let whole = self.text(group, name)?;
         let several = self.get(group, name).filter(|it| it.dimensions.len() > 1);
         let first = several.and_then(|it| {
@@ -197,7 +197,7 @@ impl<'a> Parameters<'a> {
 
     /// Labels from the parameters LABELS, LABELS2, …, each of which contains at most 255 labels. Only the first
     /// `points` labels are returned; there may be fewer.
-    pub fn labels(&self, points: usize) -> Result<Vec<String>, Wrong> {
+    pub fn labels(&self, points: usize) -> Result<Vec<String>, C3dError> {
         let mut labels = Vec::new();
         for number in 1.. {
             let name = match number {
@@ -208,7 +208,7 @@ impl<'a> Parameters<'a> {
                 break;
             };
             if parameter.kind != -1 {
-                return wrong(
+                return refuse(
                     parameter.offset,
                     format!("POINT:{name} of another kind"),
                     "texts",
@@ -221,7 +221,7 @@ impl<'a> Parameters<'a> {
             }
         }
         if labels.is_empty() {
-            return wrong(self.start, "no POINT:LABELS", "the name of every point");
+            return refuse(self.start, "no POINT:LABELS", "the name of every point");
         }
         Ok(labels)
     }

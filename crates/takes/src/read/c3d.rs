@@ -1,7 +1,7 @@
 //! Reader of the points of a C3D file.
 
 use crate::axes::Axis;
-use crate::c3d::{Recording, Wrong};
+use crate::c3d::{C3dError, Recording};
 use crate::error::{Fault, Location};
 use crate::format::Format;
 use crate::layout::{MAX_COORDINATE, MAX_LABELS, MAX_POSITIONS, unique};
@@ -9,8 +9,8 @@ use crate::options::ReadOptions;
 use crate::take::{Point, Take};
 use crate::words::shown;
 
-fn fault(wrong: Wrong) -> Fault {
-    Fault::new(Location::Byte(wrong.byte), wrong.found, wrong.expected)
+fn fault(error: C3dError) -> Fault {
+    Fault::new(Location::Byte(error.byte), error.found, error.expected)
 }
 
 pub(super) fn read(bytes: &[u8], options: &ReadOptions) -> Result<Take, Fault> {
@@ -19,18 +19,18 @@ pub(super) fn read(bytes: &[u8], options: &ReadOptions) -> Result<Take, Fault> {
     for deviation in recording.deviations() {
         notes.push(format!(
             "found {}, expected {}: read as {}",
-            deviation.wrong.found, deviation.wrong.expected, deviation.read_as
+            deviation.contradiction.found, deviation.contradiction.expected, deviation.read_as
         ));
     }
     let length = length(&recording, options, &mut notes)?;
     let rate = match (recording.rate(), options.rate) {
         (Ok(rate), _) => options.rate(Some(rate), Location::Byte(20), &mut notes)?,
-        (Err(wrong), Some(_)) => {
-            notes.push(format!("found {}: the option --rate was used", wrong.found));
+        (Err(error), Some(_)) => {
+            notes.push(format!("found {}: the option --rate was used", error.found));
             options.rate(None, Location::Byte(20), &mut notes)?
         }
-        (Err(wrong), None) => {
-            let mut fault = fault(wrong);
+        (Err(error), None) => {
+            let mut fault = fault(error);
             fault.expected += ", or the option --rate";
             return Err(fault);
         }
@@ -117,15 +117,15 @@ fn length(
             }
             options.length(Some(unit), Location::Byte(0), notes)
         }
-        (Err(wrong), Some(unit)) => {
+        (Err(error), Some(unit)) => {
             notes.push(format!(
                 "found {}: the option --length was used",
-                wrong.found
+                error.found
             ));
             Ok(unit)
         }
-        (Err(wrong), None) => {
-            let mut fault = fault(wrong);
+        (Err(error), None) => {
+            let mut fault = fault(error);
             fault.expected += ", or the option --length";
             Err(fault)
         }
