@@ -5,8 +5,8 @@ use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Tables of built-in files to generate: name of the constant and its doc comment, then folder and extension of the
-/// files.
+/// Constants to generate, each a table of the built-in files of one folder: name of the constant, its doc comment, name
+/// of the folder, and extension of the files.
 const TABLES: [(&str, &str, &str, &str); 7] = [
     ("MODELS", "Built-in models: name and text.", "models", "hyz"),
     (

@@ -171,7 +171,7 @@ pub fn compile_values(model: &Model) -> (Layout, Program) {
     (layout, program)
 }
 
-/// Compiles a program whose outputs are the values of the nodes `wanted`. No expressions are moved to a separate
+/// Compiles a program whose outputs are the values of the graph nodes `wanted`. No expressions are moved to a separate
 /// function `prepare`.
 pub(crate) fn scheduled_values(
     graph: &mut ExprGraph,
@@ -186,7 +186,7 @@ pub(crate) fn scheduled_values(
 
 struct Compiler {
     lowered: Lowered,
-    /// Values of the parameters that are replaced by constants, by symbol.
+    /// Values of the parameters that are replaced by constants, with the parameters' symbols as keys.
     fixed: Values,
     effort: Effort,
     columns: Vec<usize>,
@@ -256,7 +256,8 @@ impl Compiler {
             .map_or_else(Vec::new, |y| y.to_vec())
     }
 
-    /// Compiles a function with one dense output section and no derivatives.
+    /// Compiles the function `name`, which computes `values` and no derivatives. Its only output section is the vector
+    /// `section`.
     fn values(&mut self, name: &'static str, section: &'static str, values: &[NodeId]) -> Function {
         let ssa = self.optimised(values);
         self.scheduled(name, &ssa, vec![dense(section, values.len())])
@@ -337,7 +338,7 @@ impl Compiler {
     }
 }
 
-/// Output section that holds all `len` entries of a vector.
+/// Output section with the name `name` that holds all `len` entries of a vector.
 pub(crate) fn dense(name: &'static str, len: usize) -> Section {
     Section {
         name,

@@ -10,7 +10,8 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Generates the source files of the crate `generated`, sorted by path relative to its `src` directory.
+/// Generates the source files of the crate `generated` (Rust code of the models), sorted by path relative to its `src`
+/// directory.
 pub fn generate(models: &[Model]) -> Vec<SourceFile> {
     let mut ordered: Vec<&Model> = models.iter().collect();
     ordered.sort_by(|a, b| a.name.cmp(&b.name));
@@ -48,8 +49,9 @@ impl fmt::Display for Difference {
     }
 }
 
-/// Compares `directory`, the `src` of the crate `generated`, with the generated files. Rust files in the directory that
-/// are not among the generated files also count as differences. Returns an empty list if nothing differs.
+/// Compares `directory`, the `src` of the crate `generated` (Rust code of the models), with the files that `models`
+/// give. Rust files in the directory that are not among the generated files also count as differences. Returns an empty
+/// list if nothing differs.
 ///
 /// # Errors
 /// If the directory or a file in it cannot be read.
@@ -97,8 +99,8 @@ fn difference(path: &str, found: &str, expected: &str) -> Option<Difference> {
     })
 }
 
-/// Writes the changed files of the crate `generated`, and removes Rust files that are not among the generated files.
-/// Returns the paths of all changed and removed files.
+/// Writes the changed files of the crate `generated` (Rust code of the models) to `directory`, and removes Rust files
+/// that are not among the generated files. Returns the paths of all changed and removed files.
 ///
 /// # Errors
 /// If a file cannot be read, written or removed.

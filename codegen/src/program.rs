@@ -50,7 +50,7 @@ pub enum Binary {
     Max,
 }
 
-/// Multiply-add of the operands (a, b, c); rounded once where the number type fuses, else twice.
+/// Multiply-add of the operands (a, b, c); rounded once if the number type has a fused multiply-add, else twice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Fused {
     /// `a * b + c`

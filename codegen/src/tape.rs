@@ -11,7 +11,7 @@ use crate::program::{Binary, Fused, Op, Operand, Program, Unary};
 use crate::table::Tables;
 use lanes::Real;
 
-/// Operation code of an instruction.
+/// Operation code of an instruction of the register bytecode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Opcode {
     Add,
@@ -57,7 +57,7 @@ pub struct Tape {
     /// Inputs and constants that the program reads, each with the register into which it is loaded.
     loads: Vec<(Operand, u32)>,
     runs: Vec<Run>,
-    /// Instructions of all runs, in order.
+    /// Instructions of the program in order of execution.
     instructions: Vec<Instruction>,
     outputs: Vec<u32>,
     registers: usize,

@@ -7,7 +7,7 @@ use crate::suggest;
 /// counted.
 pub(crate) const MAX_SHOWN: usize = 50;
 
-/// Category of an error; [`Kind::slug`] is its stable name.
+/// Category of an error in a model file, such as a syntax error or a unit error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[allow(missing_docs)]
 pub enum Kind {
@@ -45,10 +45,11 @@ impl Kind {
     }
 }
 
-/// An additional source span of an error, with an annotation.
+/// An additional source span that helps to explain an error, such as an earlier declaration of the same name, with an
+/// annotation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Label {
-    /// Annotated source span.
+    /// Source span to which the annotation refers.
     pub span: Span,
     /// Annotation of the span, such as `the divisor`.
     pub text: String,
@@ -84,7 +85,7 @@ impl Diagnostic {
         }
     }
 
-    /// Adds an annotated source span.
+    /// Adds the source span `span` with the annotation `text`, which helps to explain the error.
     #[must_use]
     pub fn label(mut self, span: Span, text: impl Into<String>) -> Diagnostic {
         self.labels.push(Label {
@@ -115,7 +116,8 @@ impl Diagnostic {
         self
     }
 
-    /// Suggests the name that is nearest in spelling to `wrong`; leaves the remedy unchanged if no name is near.
+    /// Sets the suggested remedy to the name in `names` that is nearest in spelling to `wrong`; leaves the remedy
+    /// unchanged if no name is near.
     pub(crate) fn did_you_mean<'n>(
         self,
         wrong: &str,

@@ -23,9 +23,9 @@ pub enum LoadError {
     /// A file cannot be read.
     #[error("`{path}` cannot be read: {error}")]
     Unreadable {
-        /// Path of the file.
+        /// Path of the file that cannot be read.
         path: String,
-        /// The error of the operating system.
+        /// Error that the operating system returned when the file was read.
         error: Arc<io::Error>,
     },
     /// The path is a folder, not a model file.

@@ -38,8 +38,8 @@ pub struct Layout {
     pub coefficients: usize,
     /// Names of the marker's three coordinates; empty if the model has no marker.
     pub marker: Vec<String>,
-    /// Names of the auxiliary variables, one per scalar and per vector component. Variables that can be evaluated only
-    /// together with an observation ([`is_of_observation`]) are omitted.
+    /// Names of the auxiliary variables, one per scalar and per vector component. Variables that depend on the marker,
+    /// the specific force or the angular acceleration are omitted.
     pub quantities: Vec<String>,
     /// Default values of the parameters, SI, in parameter-vector order.
     pub defaults: Vec<f64>,
@@ -171,8 +171,8 @@ fn position(names: &[String], name: &str) -> Option<usize> {
     names.iter().position(|own| own == name)
 }
 
-/// For each auxiliary variable, whether it can be evaluated only together with an observation, because it depends on
-/// the marker, on the specific force or on the angular acceleration.
+/// For each auxiliary variable, whether it depends on the marker, the specific force or the angular acceleration. Such
+/// a variable can be evaluated only together with an observation (measured position of the marker).
 pub fn is_of_observation(model: &Model) -> Vec<bool> {
     depending_on(model, |kind| {
         matches!(kind, ExprKind::Marker) || is_acceleration(kind)

@@ -1,7 +1,7 @@
 //! Lines and columns of a text, both counted from 1; lines end with LF, columns count characters.
 
-/// Line and column of a byte offset in a text. An offset inside a character counts as the character's first byte, an
-/// offset past the end as the end.
+/// Line and column of a byte offset in a text, both counted from 1; columns count characters. An offset inside a
+/// character counts as the character's first byte, an offset past the end as the end.
 pub fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
     let before = &text[..text.floor_char_boundary(byte)];
     let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
@@ -11,13 +11,13 @@ pub fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
     )
 }
 
-/// Line of a byte offset in a text; the last line for an offset past the end.
+/// Line, counted from 1, of a byte offset in a text; the last line for an offset past the end.
 pub fn line_of(text: &str, byte: usize) -> usize {
     let before = &text.as_bytes()[..byte.min(text.len())];
     before.iter().filter(|&&b| b == b'\n').count() + 1
 }
 
-/// Line of a byte offset in a text, as [`line_of`] gives it, and the text of this line without surrounding blanks.
+/// Line, counted from 1, of a byte offset in a text, and the text of this line without surrounding blanks.
 pub fn trimmed_line(text: &str, byte: usize) -> (usize, &str) {
     let line = line_of(text, byte);
     (line, text.lines().nth(line - 1).unwrap_or_default().trim())

@@ -141,7 +141,7 @@ pub struct State {
     pub span: Span,
 }
 
-/// A frame of reference.
+/// A frame of reference, in which vectors have their components.
 #[derive(Clone, Debug)]
 pub struct Frame {
     /// Name of the frame.
@@ -192,13 +192,13 @@ pub struct Body {
     pub velocity: [usize; 3],
     /// Index into [`Model::frames`] of the frame of the velocity's components.
     pub velocity_frame: usize,
-    /// Rotational motion; `None` for a point mass.
+    /// Frames, inertia tensor and angular-velocity states of the rotational motion; `None` for a point mass.
     pub rotation: Option<Rotation>,
     /// Source span of the declaration.
     pub span: Span,
 }
 
-/// Rotational motion of a rigid body.
+/// Rotational motion of a rigid body: its frames, inertia tensor and angular-velocity states.
 #[derive(Clone, Debug)]
 pub struct Rotation {
     /// Index into [`Model::frames`] of the body-fixed frame.

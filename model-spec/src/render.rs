@@ -147,8 +147,8 @@ fn within(inner: Span, outer: Span) -> bool {
     inner.source == outer.source && inner.start >= outer.start && inner.end <= outer.end
 }
 
-/// Source texts with their names, by [`Span::source`], in the form in which the crate `ariadne` (formatter of error
-/// messages) looks up texts.
+/// Source texts with their names, indexed by [`Span::source`], in the form in which the crate `ariadne` (formatter of
+/// error messages) looks up texts.
 struct Texts<'a>(&'a [(String, ariadne::Source<&'a str>)]);
 
 impl<'a> ariadne::Cache<u16> for Texts<'a> {

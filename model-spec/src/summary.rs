@@ -202,7 +202,8 @@ fn tables(out: &mut String, model: &Model) -> std::fmt::Result {
     Ok(())
 }
 
-/// Text of a limit that the checker added to avoid gimbal lock: sine or cosine of an angle.
+/// Text of the expression that a validity limit bounds from below, for a limit that the checker added to avoid gimbal
+/// lock: sine or cosine of an angle, such as `cos(theta)`.
 fn automatic(model: &Model, limit: &ValidityLimit) -> String {
     if let ExprKind::Call(function, angle) = &limit.value.kind
         && let ExprKind::State(state) = angle.kind

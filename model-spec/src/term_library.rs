@@ -46,8 +46,8 @@ use crate::syntax::ast::{
     Quantity, UnitExpr,
 };
 
-/// Text that stands for a literature reference in every effect generated from a [`Term`], and for the documentation of
-/// its coefficient.
+/// Text that stands for the literature reference of a candidate term (a term that a model may lack): in the effect that
+/// adds the term to the model, and in the documentation of the term's coefficient.
 const FOUND_IN_FLIGHTS: &str = "found in measured flights";
 
 index_type!(
@@ -88,8 +88,8 @@ pub struct Channel {
     pub name: String,
     /// Component of the model that terms added to the quantity change: one of [`SITES`](crate::SITES).
     pub site: String,
-    /// Effect (named change to a model) that adds a term to the quantity; it contains the placeholders `NAME` and
-    /// `TERM`.
+    /// Effect (named change to a model) that adds a term to the quantity; it contains the placeholders `NAME` for the
+    /// name of the effect and `TERM` for the product of variables.
     template: Effect,
 }
 
@@ -122,11 +122,11 @@ pub struct Factor {
 pub struct Term {
     /// Channel (component of a force or moment, or derivative of a state) to which the term is added.
     pub channel: ChannelId,
-    /// Product of variables in the term.
+    /// Index of the product of variables by which the coefficient is multiplied.
     pub product: ProductId,
 }
 
-/// Error of parsing a term library.
+/// Error of parsing a term library (library of terms that a model may lack).
 #[derive(Clone, Debug, Error)]
 pub enum TermLibraryError {
     /// The text is not valid TOML or does not have the structure of a term library.
@@ -150,7 +150,7 @@ pub enum TermLibraryError {
     },
 }
 
-/// Structure of a term-library file (TOML).
+/// Structure of a term-library file (TOML), which lists terms that a model may lack.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct LibraryFile {
@@ -177,7 +177,8 @@ struct ChannelEntry {
 }
 
 impl TermLibrary {
-    /// Returns the built-in term libraries, which are parsed on the first call.
+    /// Returns the built-in term libraries (libraries of terms that a model may lack), which are parsed on the first
+    /// call.
     pub fn built_in() -> &'static [Arc<TermLibrary>] {
         static BUILT_IN: LazyLock<Vec<Arc<TermLibrary>>> = LazyLock::new(|| {
             let parse = |(name, text): &(&str, &str)| TermLibrary::parse(name, text).map(Arc::new);
@@ -427,7 +428,7 @@ fn filled(part: &EffectPart, name: &str, term: &Expr) -> EffectPart {
     part
 }
 
-/// Substitutes the expression `term` for each name `TERM` in `e`.
+/// Substitutes the expression `term` for each occurrence of the placeholder name `TERM` in `e`.
 fn substitute(e: &mut Expr, term: &Expr) {
     if matches!(&e.kind, ExprKind::Name(name) if name == "TERM") {
         e.clone_from(term);

@@ -53,8 +53,8 @@ pub(crate) struct Body<'a> {
 }
 
 impl<'a> Body<'a> {
-    /// Plans the body of a function for one language; `is_reserved` returns whether a name cannot be a local variable
-    /// in that language.
+    /// Lists the lines of the body of a function in one output language; `is_reserved` returns whether a name cannot be
+    /// a local variable in that language.
     pub fn new(
         compiled: &'a Compiled,
         function: &'a Function,

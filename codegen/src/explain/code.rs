@@ -17,7 +17,7 @@ pub(super) struct GeneratedCode {
     pub code: String,
     pub cost_once: Count,
     pub cost: Count,
-    /// Compiled model whose function `quantities` computes the explained quantity; used by tests.
+    /// Compiled model whose function `quantities` computes the explained quantity; read only by tests.
     #[cfg_attr(not(test), allow(dead_code))]
     pub compiled: Compiled,
     /// Indices of the components of the quantity or derivative that are not identically 0.

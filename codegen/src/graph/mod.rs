@@ -36,7 +36,8 @@ pub enum Symbol {
     Parameter(u32),
     /// Body-fixed coordinate, m, of the marker (observed point of the body), by its index (0 to 2).
     Marker(u32),
-    /// Named intermediate value with its own definition, by index; see [`ExprGraph::local`].
+    /// Local symbol: stands for an intermediate value with its own definition, and is given by its index among the
+    /// local symbols of the graph.
     Local(u32),
 }
 
@@ -162,7 +163,8 @@ impl ExprGraph {
         }
     }
 
-    /// Adds the properties `nonneg` and `nonzero` of `facts` to the known properties of a node; `fixed` is not changed.
+    /// Records that the value of a node is known to be ≥ 0 or nonzero, as stated by `facts.nonneg` and `facts.nonzero`.
+    /// Properties already recorded remain, and `facts.fixed` is ignored.
     pub fn know(&mut self, id: NodeId, facts: ValueFacts) {
         self.facts[id.index()].nonneg |= facts.nonneg;
         if facts.nonzero {

@@ -4,8 +4,8 @@ use super::steps::{Step, Steps, Value};
 use super::{Instruction, Run, Tape};
 use crate::program::{Operand, Program};
 
-/// Index of the last use that is assigned to program outputs, which stay live after the last instruction: greater than
-/// every instruction index.
+/// Step index that is recorded as the last use of each program output, so that outputs stay live after the last step:
+/// greater than every step index.
 const END: usize = usize::MAX;
 
 /// Compiles a program to a tape.
@@ -41,8 +41,8 @@ pub(super) fn tape(program: &Program) -> Tape {
     }
 }
 
-/// For each value, the index of the last step that reads it. Inputs and constants keep their registers for the whole
-/// evaluation.
+/// For each value, the index of the last step that reads it. For inputs, constants and program outputs it is [`END`],
+/// so that they keep their registers for the whole evaluation.
 fn last_uses(steps: &Steps) -> Vec<usize> {
     let mut last = vec![0; steps.statements];
     last.resize(steps.values(), END);

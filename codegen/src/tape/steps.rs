@@ -36,6 +36,9 @@ pub(super) struct Steps {
 }
 
 impl Steps {
+    /// Translates the statements of a program to steps and reorders the steps, so that many consecutive ones have the
+    /// same operation code.
+    ///
     /// # Panics
     /// If an operand refers to a statement that does not precede its use.
     pub(super) fn new(program: &Program) -> Steps {
@@ -198,7 +201,8 @@ impl Readers {
 #[derive(Default)]
 struct Ready {
     steps: VecDeque<usize>,
-    /// Maximum number of changes of operation code that must follow a ready step, over the ready steps.
+    /// Number of changes of operation code that must follow a step in `steps`; the maximum over the steps added since
+    /// `steps` was last empty.
     changes: usize,
 }
 

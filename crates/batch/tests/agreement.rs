@@ -38,8 +38,8 @@ der(vy) = dot(drag, N.2);
 der(vz) = dot(drag, N.3) - g;
 ";
 
-/// Queue of flights, each given by its initial states and parameters, which are integrated in the sequence `order`
-/// reversed. `ends` collects the results.
+/// Queue of flights, each given by its initial states and parameters. `order` contains indices of flights, which are
+/// integrated from the last entry to the first. `ends` collects the results, by index of the flight.
 struct Queue<'f> {
     flights: &'f [(Vec<f64>, Vec<f64>)],
     order: Vec<usize>,

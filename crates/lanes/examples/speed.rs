@@ -38,7 +38,7 @@ functions! {
     ByChoice x by_choice(x), by_choice(x);
 }
 
-/// The elementary function with this index in [`ElementaryFunction::ALL`].
+/// Elementary function whose evaluation is timed, by its index in [`ElementaryFunction::ALL`].
 #[derive(Clone, Copy)]
 struct Elementary<const INDEX: usize>;
 

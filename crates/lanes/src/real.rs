@@ -79,22 +79,22 @@ pub trait Real:
     fn atan2(self, x: Self) -> Self;
     /// An elementary function; [`ElementaryFunction`] states its accuracy.
     fn elementary(self, function: ElementaryFunction) -> Self;
-    /// Exponential function.
+    /// Exponential function, within 2 ulp.
     #[inline(always)]
     fn exp(self) -> Self {
         self.elementary(ElementaryFunction::Exp)
     }
-    /// Natural logarithm; 0 where the argument is 0 or less.
+    /// Natural logarithm, within 2 ulp; 0 where the argument is 0 or less.
     #[inline(always)]
     fn log(self) -> Self {
         self.elementary(ElementaryFunction::Log)
     }
-    /// Hyperbolic tangent.
+    /// Hyperbolic tangent, within 3 ulp.
     #[inline(always)]
     fn tanh(self) -> Self {
         self.elementary(ElementaryFunction::Tanh)
     }
-    /// Arcsine of the argument clamped to [-1, 1].
+    /// Arcsine of the argument clamped to [-1, 1], within 3 ulp.
     #[inline(always)]
     fn asin(self) -> Self {
         self.elementary(ElementaryFunction::Asin)

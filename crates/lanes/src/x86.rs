@@ -30,7 +30,7 @@ pub(crate) struct Eight(__m512d);
 #[derive(Clone, Copy)]
 pub(crate) struct Four(__m256d);
 
-/// Runs a kernel on eight AVX-512 lanes.
+/// Runs a kernel (a computation that is generic over the lane type) in eight AVX-512 lanes.
 ///
 /// # Panics
 /// If the processor does not support AVX-512 F and DQ.
@@ -44,7 +44,7 @@ pub(crate) fn run_avx512<K: Kernel>(kernel: K) -> K::Output {
     unsafe { run(kernel) }
 }
 
-/// Runs a kernel on four AVX2 lanes.
+/// Runs a kernel (a computation that is generic over the lane type) in four AVX2 lanes.
 ///
 /// # Panics
 /// If the processor does not support AVX2 and FMA.
@@ -58,7 +58,7 @@ pub(crate) fn run_avx2<K: Kernel>(kernel: K) -> K::Output {
     unsafe { run(kernel) }
 }
 
-/// Target features that scalar kernels are compiled for.
+/// Instruction set for which a scalar kernel (computation on single numbers) is compiled.
 #[derive(Clone, Copy)]
 enum ScalarIsa {
     Avx512,
@@ -78,7 +78,7 @@ impl ScalarIsa {
     }
 }
 
-/// Runs a scalar kernel compiled for the detected target features.
+/// Runs a scalar kernel (computation on single numbers), compiled for the instruction set that the processor supports.
 #[inline(always)]
 pub(crate) fn run_scalar<K: ScalarKernel>(kernel: K) {
     #[target_feature(enable = "avx512f,avx512dq,avx512vl,fma")]

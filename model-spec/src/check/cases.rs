@@ -12,7 +12,7 @@ use crate::syntax::ast::{self, CheckPart, ItemKind, Name, Number, UnitExpr};
 use crate::unit::Unit;
 
 impl Checker<'_> {
-    /// Checks every `check` block and adds it to the model's check cases.
+    /// Checks every `check` block (test case of the model file) and adds it to the model's check cases.
     pub fn cases(&mut self) {
         let file = self.file;
         let mut titles: HashMap<&str, Span> = HashMap::new();
@@ -92,8 +92,8 @@ impl Checker<'_> {
         Some(targets.into_iter().zip(values).collect())
     }
 
-    /// Targets that the name in `set NAME` refers to, with their common unit; `None`, with an error reported, if the
-    /// name cannot be set.
+    /// Scalars, such as a state or the components of an input, to which the name in `set NAME` refers, with their
+    /// common unit; `None`, with an error reported, if the name cannot be set.
     fn targets(&mut self, name: &Name) -> Option<(Vec<Target>, Term)> {
         let Some(symbol) = self.scope.find(&name.text) else {
             self.nothing_named(name, "parameter, coefficient, input, state or marker");

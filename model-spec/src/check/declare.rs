@@ -88,9 +88,9 @@ impl<'a> Checker<'a> {
         );
     }
 
-    /// Unit of the declared quantity `name`, as a [`Measure`] and as a [`Term`] for unit inference. The `bool` is
-    /// `true` if the written unit is `[?]` or invalid; the term is then a new unknown. Without a written unit, the term
-    /// is 1, or an unknown if this run of the checker infers missing units.
+    /// Unit of the declared quantity `name`: as SI unit with conversion factor ([`Measure`]), and as term for unit
+    /// inference ([`Term`]). The `bool` is `true` if the written unit is `[?]` or invalid; the term is then a new
+    /// unknown. Without a written unit, the term is 1, or an unknown if this run of the checker infers missing units.
     fn declared_unit(&mut self, name: &Name, unit: Option<&UnitExpr>) -> (Measure, Term, bool) {
         let Some(unit) = unit else {
             let term = self.unitless.term(name.span);

@@ -191,7 +191,7 @@ impl Checker<'_> {
         self.in_range(a.times_power(&b, power), span)
     }
 
-    /// Converts a computed unit to [`UnitOf::Term`]. If an exponent is out of range, which includes a `term` of `None`,
+    /// Converts the computed unit `term` to [`UnitOf::Term`]. If `term` is `None` or an exponent is out of range,
     /// reports an error and returns [`UnitOf::Faulty`].
     pub fn in_range(&mut self, term: Option<Term>, span: Span) -> UnitOf {
         match term {

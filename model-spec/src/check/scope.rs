@@ -168,8 +168,8 @@ impl Checker<'_> {
         None
     }
 
-    /// Names of quantities among which an error may suggest one; none if so many errors were found that further ones
-    /// are not shown.
+    /// Names of quantities that an error message may suggest in place of a misspelt one; none if so many errors were
+    /// found that further ones are not shown.
     pub fn declared_names(&self) -> impl Iterator<Item = &str> {
         let is_shown = self.diagnostics.len() < MAX_SHOWN;
         let count = if is_shown { usize::MAX } else { 0 };

@@ -19,11 +19,11 @@ const ANGULAR_VELOCITY: &str = "angular_velocity";
 const SPECIFIC_FORCE: &str = "specific_force";
 const ANGULAR_ACCELERATION: &str = "angular_acceleration";
 
-/// Name, for messages, of what a model lacks if an effect uses the mass, position, velocity or specific force and the
-/// model declares no body.
+/// Text in messages for what a model without a body lacks if an effect (named change to a model) uses the mass,
+/// position, velocity or specific force.
 const BODY: &str = "a body or a point";
-/// Name, for messages, of what a model lacks if an effect uses moments, angular rates or the body-fixed frame and the
-/// model declares no rotating body.
+/// Text in messages for what a model without a rotating body lacks if an effect (named change to a model) uses moments,
+/// angular rates or the body-fixed frame.
 const TURNING: &str = "a body that turns";
 
 /// Reason why an effect (named change to a model) cannot be applied to a model: a requirement of the effect that the
@@ -137,7 +137,7 @@ impl Binding {
         }
     }
 
-    /// First requirement of the effect that the model does not meet; `None` if it meets all of them.
+    /// First requirement of the effect (named change to a model) that the model does not meet; `None` if it meets all.
     pub fn unmet(&self, effect: &EffectTree) -> Option<Unmet> {
         self.fits(effect).err()
     }

@@ -60,8 +60,8 @@ impl ModelTree {
 }
 
 impl Model {
-    /// Returns the model with an auxiliary variable for each of the instruments, as [`ModelTree::with_instruments`]
-    /// does.
+    /// Returns the model with an auxiliary variable for each of `instruments`, which predicts the value that the
+    /// instrument measures.
     ///
     /// # Errors
     /// [`LoadError::Faults`] if the default definition of an instrument is invalid for the model.

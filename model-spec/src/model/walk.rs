@@ -6,8 +6,8 @@ use super::{
 };
 use crate::source::Span;
 
-/// Function body of [`Expr::children`] and [`Expr::children_mut`], which differ only in the kind of reference (shared
-/// or mutable).
+/// Visits the direct subexpressions of an expression: function body of [`Expr::children`] and [`Expr::children_mut`],
+/// which differ only in the kind of reference (shared or mutable).
 macro_rules! visit_children {
     ($kind:expr, $visit:expr, $iter:ident) => {{
         use ExprKind as K;
@@ -56,8 +56,8 @@ macro_rules! visit_children {
     }};
 }
 
-/// Function body of [`Model::expressions`] and [`Model::expressions_mut`], which differ only in the kind of reference
-/// (shared or mutable).
+/// Collects references to the expressions of a model: function body of [`Model::expressions`] and
+/// [`Model::expressions_mut`], which differ only in the kind of reference (shared or mutable).
 macro_rules! collect_expressions {
     ($model:expr, $iter:ident, $claimed:ident) => {{
         let model = $model;
@@ -149,7 +149,8 @@ impl Model {
         collect_expressions!(self, iter, expressions)
     }
 
-    /// The expressions of [`Model::expressions`], for modification.
+    /// Mutable references to all expressions that are not part of another expression, in the order of
+    /// [`Model::expressions`].
     pub fn expressions_mut(&mut self) -> Vec<&mut Expr> {
         collect_expressions!(self, iter_mut, expressions_mut)
     }

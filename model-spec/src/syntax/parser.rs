@@ -224,8 +224,8 @@ impl<'a> Parser<'a> {
         Err(Reported)
     }
 
-    /// Names among which an error may suggest one: `words`, or none if so many errors were found that further ones are
-    /// not shown.
+    /// Names that an error message may suggest in place of a misspelt one: `words`, or none if so many errors were
+    /// found that further ones are not shown.
     pub fn suggestions<'w>(&self, words: &'w [&'w str]) -> impl Iterator<Item = &'w str> + use<'w> {
         let is_shown = self.lexed.diagnostics.len() < MAX_SHOWN;
         words.iter().copied().filter(move |_| is_shown)

@@ -1,13 +1,13 @@
 //! Tokens: their kinds, their spelling, and the longest one that a text begins with.
 
-/// Kinds of token.
+/// Kinds of token of the model language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Token {
     Comment,
     Name,
     Number,
     Text,
-    /// A text without its closing quotation mark, up to the end of the line.
+    /// A quoted text whose closing quotation mark is missing, up to the end of the line.
     OpenText,
     Superscript,
     Plus,

@@ -16,17 +16,20 @@ use crate::layout::depending_on;
 use crate::model::{Body, Expr, ExprKind, Model, Shape};
 use crate::unit::Unit;
 
-/// Maximum number of variables, in order of rank, of which all products of two (squares included) are formed.
+/// Number of variables of highest priority of which a generated term library contains all products of two (squares
+/// included). It contains other variables only alone.
 const MAX_IN_PRODUCTS: usize = 4;
 
-/// Maximum number of auxiliary variables of the model that become variables of the generated term library.
+/// Maximum number of auxiliary variables of a model that become variables of its generated term library (library of
+/// terms that the model may lack).
 const MAX_NAMED: usize = 3;
 
-/// Maximum number of states of a model without a body that become variables of the generated term library.
+/// Maximum number of states of a model without a body that become variables of its generated term library (library of
+/// terms that the model may lack).
 const MAX_STATES: usize = 6;
 
-/// Maximum number of explicitly written equations `der(STATE) = …` of a model to which terms of the generated library
-/// can be added; further equations are skipped.
+/// Maximum number of explicitly written equations `der(STATE) = …` of a model to which the candidate terms of the
+/// generated library can be added; further equations are skipped.
 const MAX_EQUATIONS: usize = 8;
 
 /// `needs` statement of every generated effect that uses `air_velocity`, the velocity of the body relative to the air.
@@ -45,9 +48,9 @@ struct Variable {
     rank: u8,
 }
 
-/// Generates a term library for a model. `None` if there is nothing to which a term can be added. This is the case if
-/// the model has no body, and each equation in the model file only equates a derivative with a state, as in `der(phi) =
-/// phidot`.
+/// Generates a library of candidate terms for a model. `None` if there is nothing to which a term can be added. This is
+/// the case if the model has no body, and each equation in the model file only equates a derivative with a state, as in
+/// `der(phi) = phidot`.
 pub(super) fn library(model: &Model) -> Option<LibraryFile> {
     let (mut loads, channels) = match &model.body {
         Some(body) => channels_of_body(model, body),

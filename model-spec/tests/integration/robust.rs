@@ -326,7 +326,7 @@ fn powers_of_powers_are_digested() {
 #[test]
 fn files_as_long_as_they_may_be_are_digested_quickly() {
     let base = MODELS[0].1;
-    /// Returns the line of a generated model file with the given line number.
+    /// Function that returns one line of a long model text, for the given line number.
     type Line = fn(usize) -> String;
     let lines: [(&str, Line); 23] = [
         ("", |_| "a;".into()),

@@ -146,7 +146,7 @@ fn pairs() -> (Vec<f64>, Vec<f64>) {
     (a, b)
 }
 
-/// Scalar kernel that applies a [`Map`] to one number at a time.
+/// Scalar kernel that applies the operations under test to one pair of numbers at a time.
 struct OneByOne<'a>(Map<'a>);
 
 impl ScalarKernel for OneByOne<'_> {

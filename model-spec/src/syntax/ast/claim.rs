@@ -49,7 +49,7 @@ pub enum ClaimPartKind {
 }
 
 impl ClaimPartKind {
-    /// Keywords with which the statement begins.
+    /// Keywords with which the statement begins, such as `angular velocity`.
     pub fn words(&self) -> &'static str {
         match self {
             ClaimPartKind::Mass(_) => "mass",
