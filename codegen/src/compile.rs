@@ -93,8 +93,8 @@ impl Compiled {
             .find(|function| function.name == name)
     }
 
-    /// Counts, by kind, the operations of `prepare` on which the function with this name depends: the operations that
-    /// hoisting removes from that function. All counts are zero for an unknown name.
+    /// Counts, by kind, the operations that the function with this name needs but leaves to `prepare`, which runs once
+    /// per flight. All counts are zero for an unknown name.
     pub fn count_prepared(&self, name: &str) -> count::Count {
         let Some(function) = self.function(name) else {
             return count::Count::default();

@@ -18,7 +18,8 @@ pub struct Specialized {
 }
 
 impl Specialized {
-    /// Specializes the nodes of `old` reachable from `roots`, with `values` substituted for symbols.
+    /// Copies the nodes of `old` on which `roots` depend to a new graph, with `values` substituted for symbols, and
+    /// simplifies them.
     pub fn new(old: &ExprGraph, roots: &[NodeId], values: &Values) -> Specialized {
         let mut new = Specialized {
             graph: ExprGraph::with_tables(old.tables().clone()),
@@ -43,7 +44,8 @@ impl Specialized {
         new
     }
 
-    /// Specialized node of the original node `id`; the constant 0 if the roots do not depend on `id`.
+    /// Node of the new graph that corresponds to the node `id` of the original graph; the constant 0 if the roots do
+    /// not depend on `id`.
     pub fn image(&mut self, id: NodeId) -> NodeId {
         match self.images[id.index()] {
             Some(image) => image,

@@ -217,7 +217,7 @@ impl Differentiable {
 }
 
 impl Jacobians {
-    /// Returns the restriction to the first `sections` output sections.
+    /// Returns a copy that contains only the first `sections` output sections.
     fn first_sections(&self, sections: usize) -> Jacobians {
         let sections = self.sections[..sections].to_vec();
         let mut ssa = self.ssa.clone();

@@ -4,8 +4,8 @@ use crate::graph::{ExprGraph, Node, NodeId, Symbol, ValueFacts};
 use crate::schedule::Namer;
 use crate::ssa::{Ssa, SsaDef};
 
-/// Replaces every sum, and every product that is used several times, by a local symbol defined by its value; `namer`
-/// names the shared values. Returns the roots expressed by these symbols.
+/// Builds graph nodes for the definitions of `ssa`. Every sum, and every product that is used several times, becomes a
+/// local symbol defined by its value; `namer` names these symbols. Returns the nodes of the requested results (roots).
 pub(crate) fn share_values(ssa: &Ssa, graph: &mut ExprGraph, namer: &mut Namer) -> Vec<NodeId> {
     let uses = ssa.uses();
     let order = ssa.order();

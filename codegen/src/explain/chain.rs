@@ -9,7 +9,8 @@ use crate::layout::Layout;
 use crate::number::Number;
 use model_spec::model::Model;
 
-/// LaTeX formulas `left = right` of a quantity and of its derivatives.
+/// LaTeX formulas `left = right` of a quantity, of its derivative with respect to one symbol, and of the intermediate
+/// derivatives to which that derivative refers.
 pub(super) struct Formulas {
     pub values: Vec<String>,
     pub derivatives: Vec<String>,

@@ -102,7 +102,7 @@ impl ExprGraph {
         }
     }
 
-    /// Returns a term as a monomial: (base, doubled exponent) pairs.
+    /// Returns a term as a monomial: pairs of a base and twice its exponent.
     pub(super) fn monomial(&self, id: NodeId) -> Vec<(NodeId, i32)> {
         match self.node(id) {
             Node::Product(factors) => factors.to_vec(),

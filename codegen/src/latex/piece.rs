@@ -2,7 +2,7 @@
 
 use crate::functions::commands_with_exponent;
 
-/// Precedence of a fragment's outermost operator, loosest first.
+/// Precedence of the outermost operator of a LaTeX fragment, loosest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Bind {
     Sum,

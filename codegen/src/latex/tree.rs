@@ -104,7 +104,7 @@ pub(super) fn pair(a: Piece, b: Piece) -> Piece {
     Piece::new(format!(r"{},\, {}", a.text, b.text), Bind::Sum)
 }
 
-/// LaTeX of the lookup of `x` in a table of this name.
+/// LaTeX of the lookup of `x` in the table whose LaTeX name is `name`.
 pub(super) fn table(name: String, x: Piece) -> Piece {
     Piece::atom(format!(r"{name}\left({}\right)", x.text))
 }

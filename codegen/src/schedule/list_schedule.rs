@@ -22,7 +22,7 @@ pub(super) fn list_schedule(program: Program) -> Program {
 
 struct Order<'a> {
     program: &'a Program,
-    /// For each statement, the statements whose results it reads; `users` is the inverse relation.
+    /// For each statement, the indices of the statements whose results it reads.
     needs: Vec<Vec<usize>>,
     users: Vec<Vec<usize>>,
     /// Latency of the longest path from each statement to a result, in clock cycles.
@@ -32,8 +32,8 @@ struct Order<'a> {
     ready: Vec<Option<u32>>,
     /// Indices of the statements whose ready cycle is known and that are not yet issued.
     waiting: Vec<usize>,
-    /// For each angle of which both sine and cosine are computed, the indices of the two statements, see
-    /// [`sin_cos_pairs`].
+    /// For each angle of which both sine and cosine are computed, the indices (sine, cosine) of the two statements,
+    /// stored under both indices.
     pairs: HashMap<usize, (usize, usize)>,
     end: Vec<u32>,
     /// Number of pending uses of each statement's result.

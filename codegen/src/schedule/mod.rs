@@ -66,7 +66,7 @@ fn takes_long(def: &SsaDef) -> bool {
     )
 }
 
-/// Use counts of the definitions of a program.
+/// How often, and in which role, the definitions of an SSA program are used.
 struct Uses {
     /// Number of uses of each definition, as operand or root.
     count: IndexVec<DefId, u32>,

@@ -122,7 +122,8 @@ impl Namer {
         self.given.insert(id, name.to_string());
     }
 
-    /// Releases the name `old`, if any, and returns a unique form of `name`.
+    /// Makes the name `old`, if any, available again. Returns `name`, with a numeric suffix if that name is already
+    /// used.
     pub fn rename(&mut self, old: Option<String>, name: &str) -> String {
         if let Some(old) = old {
             self.taken.remove(&old);

@@ -169,7 +169,7 @@ fn one(ssa: &mut Ssa) -> DefId {
     constant(ssa, Number::ONE)
 }
 
-/// Returns the definition of a positive constant.
+/// Returns the definition of the positive constant `number`, which is added if missing.
 fn constant(ssa: &mut Ssa, number: Number) -> DefId {
     let facts = crate::graph::ValueFacts {
         fixed: true,

@@ -149,7 +149,7 @@ impl Ssa {
         }
     }
 
-    /// Definition of the product of the factors; a single factor is returned unchanged.
+    /// Definition of the product of the factors, which is added if missing; a single factor is returned unchanged.
     fn product(&mut self, mut factors: Vec<DefId>) -> DefId {
         factors.sort_unstable();
         match factors.as_slice() {

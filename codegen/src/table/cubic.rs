@@ -3,7 +3,7 @@
 use lanes::Real;
 use model_spec::model::{Continuation, Interpolation, Table};
 
-/// A piecewise cubic function, in the form that [`Real::piecewise_cubic`] evaluates.
+/// A piecewise cubic function, given by its knots and by the coefficients of one cubic for each interval.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PiecewiseCubic {
     knots: Vec<f64>,
@@ -11,7 +11,8 @@ pub struct PiecewiseCubic {
 }
 
 impl PiecewiseCubic {
-    /// Builds a function from its knots and cubics, in the form that [`Real::piecewise_cubic`] requires.
+    /// Builds a piecewise cubic function from its knots and from the coefficients of its cubics, of which there must be
+    /// one more than knots.
     pub fn new(knots: Vec<f64>, cubics: Vec<[f64; 4]>) -> PiecewiseCubic {
         PiecewiseCubic { knots, cubics }
     }

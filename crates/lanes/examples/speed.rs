@@ -77,8 +77,8 @@ const CUBICS: [[f64; 4]; 34] = {
     cubics
 };
 
-/// Evaluates the piecewise cubic without a search: compares `x` with every knot, and adds up the differences of origins
-/// and coefficients of the knots below `x`.
+/// Evaluates the piecewise cubic at `x` without a search. The origin and the coefficients of the cubic at `x` are those
+/// of the first cubic plus, for each knot below `x`, the change from one cubic to the next.
 #[inline(always)]
 fn by_choice<T: Real>(x: T) -> T {
     let mut origin = T::splat(KNOTS[0]);

@@ -14,10 +14,12 @@ pub trait Kernel {
     fn run<T: Lanes>(self) -> Self::Output;
 }
 
-/// A computation on single numbers (one lane), for [`dispatch_scalar`](crate::dispatch_scalar).
+/// A computation on single numbers (one lane), which [`dispatch_scalar`](crate::dispatch_scalar) runs as compiled for
+/// the widest supported instruction set.
 ///
 /// `run` and its callees should be `#[inline(always)]`; otherwise they are compiled for the baseline processor.
 pub trait ScalarKernel {
-    /// Runs the computation. `T` is `f64` on machines without FMA.
+    /// Runs the computation on numbers of type `T`: a type with fused multiply-add if the processor supports it, else
+    /// `f64`.
     fn run<T: ScalarLane>(self);
 }

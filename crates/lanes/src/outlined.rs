@@ -1,6 +1,7 @@
 //! Computations that are compiled as functions of their own.
 
-/// A computation on lanes of type `T`, for [`Lanes::outlined`](crate::Lanes::outlined).
+/// A computation on SIMD lanes of type `T` that [`Lanes::outlined`](crate::Lanes::outlined) runs in a function that is
+/// not inlined.
 ///
 /// `run` and all its callees over `T` must be `#[inline(always)]`, as in a [`Kernel`](crate::Kernel).
 pub trait LaneKernel<T> {

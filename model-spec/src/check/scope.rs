@@ -13,7 +13,7 @@ pub(super) enum Symbol {
     Param(usize),
     Coefficient(usize),
     Input(usize),
-    /// Component of an input, such as `wind_x`: index of the input, and number of the component (1 to 3).
+    /// Component of an input, such as `wind_x`: index into `Model::inputs`, and number of the component (1 to 3).
     InputPart(usize, u8),
     State(usize),
     /// Auxiliary variable: index into `Checker::definitions`.
@@ -59,7 +59,7 @@ const OTHER_FUNCTIONS: [&str; 11] = [
     "in_frame_of",
 ];
 
-/// Names of the built-in functions.
+/// Names of the built-in functions of the model language.
 pub(super) fn function_names() -> impl Iterator<Item = &'static str> {
     Function::NAMES
         .into_iter()

@@ -8,7 +8,8 @@ use std::collections::{HashMap, HashSet};
 /// Maximum length, in characters, of the name that follows `part_of_` in the variable name of a subexpression.
 const MAX_STEM: usize = 24;
 
-/// Local variable names of input elements, and of statements that are not inlined.
+/// Names of the local variables of a generated function: one for each element that it reads from an input array, and
+/// one for each statement that is not inlined.
 pub(crate) struct Variables {
     inputs: HashMap<(super::Input, u32), String>,
     statements: Vec<Option<String>>,

@@ -42,7 +42,8 @@ impl<P: Copy + Ord + Hash> Candidates<P> {
         }
     }
 
-    /// Computes the scores of the pairs recorded since the last call; a pair is dropped if `score` returns `None`.
+    /// Computes the scores of the pairs recorded since the last call. `score` receives a pair and the definitions that
+    /// contain it, and returns `None` if the pair is to be dropped.
     pub fn rate(&mut self, score: impl Fn(P, &[DefId]) -> Option<Score>) {
         self.touched.sort_unstable();
         self.touched.dedup();
