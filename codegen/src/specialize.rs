@@ -12,7 +12,7 @@ pub type Values = FastMap<Symbol, Number>;
 /// Expression graph with some symbols replaced by constants and the results simplified.
 #[derive(Debug)]
 pub struct Specialized {
-    /// Graph of the specialized nodes.
+    /// Graph in which the symbols are replaced by constants.
     pub graph: ExprGraph,
     images: Vec<Option<NodeId>>,
 }

@@ -231,7 +231,7 @@ fn run(
     }
 }
 
-/// Scalar kernel that evaluates one [`Tape`].
+/// Scalar kernel that evaluates one [`Tape`] (register bytecode of a model function).
 struct Run<'a> {
     tape: &'a Tape,
     at: At<'a>,

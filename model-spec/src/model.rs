@@ -251,7 +251,7 @@ impl AuxVariable {
 /// A force or a moment that acts on the body.
 #[derive(Clone, Debug)]
 pub struct Load {
-    /// Name of the load.
+    /// Name of the force or moment, such as `drag`.
     pub name: String,
     /// Force or moment vector in any frame, N or N m.
     pub value: Expr,

@@ -82,7 +82,8 @@ pub struct TermLibrary {
 /// Component of a force or moment (such as drag), or derivative of a state, to which a term can be added.
 #[derive(Clone, Debug)]
 pub struct Channel {
-    /// Name of the coefficient by which the effect [`TermLibrary::loads`] adds a term to the quantity.
+    /// Name of the coefficient by which the effect (named change to a model) [`TermLibrary::loads`] adds a term to the
+    /// quantity.
     pub coefficient: String,
     /// Name of the quantity in names of terms, such as `drag` in `drag-by-alpha-squared`.
     pub name: String,
@@ -189,8 +190,8 @@ impl TermLibrary {
     }
 
     /// Returns the first compatible built-in term library, or else one generated from the model's quantities. The
-    /// second result is the model with the effect [`TermLibrary::loads`] of that library applied. `None` if the model
-    /// has neither a body nor an equation `der(STATE) = …` to which a term can be added.
+    /// second result is the model with the effect (named change to a model) [`TermLibrary::loads`] of that library
+    /// applied. `None` if the model has neither a body nor an equation `der(STATE) = …` to which a term can be added.
     pub fn for_model(model: &Model) -> Option<(Arc<TermLibrary>, ModelTree)> {
         let (tree, binding) = (ModelTree::of(model), Binding::new(model));
         let with_loads = |library: &TermLibrary| {
@@ -357,9 +358,9 @@ impl TermLibrary {
 }
 
 impl Variable {
-    /// Creates a variable for the quantity named `entry.quantity`. If the effect `loads` declares this quantity by a
-    /// `let`, the definition of the variable is the right-hand side of the `let`. Otherwise the definition is the name
-    /// itself, which the model must then declare.
+    /// Creates a variable for the quantity named `entry.quantity`. If the effect (named change to a model) `loads`
+    /// declares this quantity by a `let`, the definition of the variable is the right-hand side of the `let`. Otherwise
+    /// the definition is the name itself, which the model must then declare.
     fn new(entry: VariableEntry, loads: &EffectTree) -> Variable {
         let defined = loads.tree().parts.iter().find_map(|part| match part {
             EffectPart::Add(item) => match &item.kind {
@@ -413,8 +414,8 @@ fn powers(variables: &[VariableId]) -> Vec<Factor> {
     .collect()
 }
 
-/// Copy of a statement of the effect [`Channel::template`], in which `name` replaces the placeholder `NAME` and `term`
-/// replaces the placeholder `TERM`.
+/// Copy of a statement of the effect (named change to a model) [`Channel::template`], in which `name` replaces the
+/// placeholder `NAME` and `term` replaces the placeholder `TERM`.
 fn filled(part: &EffectPart, name: &str, term: &Expr) -> EffectPart {
     let mut part = part.clone();
     if let EffectPart::Replace(item) | EffectPart::Add(item) = &mut part {

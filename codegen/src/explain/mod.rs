@@ -40,9 +40,9 @@ pub struct Explanation {
     pub once: String,
     /// Generated statements that run in every evaluation, in order.
     pub code: String,
-    /// Operation count of [`Explanation::once`].
+    /// Operation count of the generated statements that run once per flight.
     pub cost_once: Count,
-    /// Operation count of [`Explanation::code`].
+    /// Operation count of the generated statements that run in every evaluation.
     pub cost: Count,
 }
 

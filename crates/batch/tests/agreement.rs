@@ -182,8 +182,8 @@ fn scattered(x: &[f64], p: &[f64], height: usize, count: usize) -> Vec<(Vec<f64>
         .collect()
 }
 
-/// Largest difference between the states and times of two results of a flight, relative to the magnitude of the number
-/// or to 1 if that is larger.
+/// Largest difference between the final states, end times and apex heights of two results `a` and `b` of a flight. Each
+/// difference is relative to the magnitude of the value in `b`, or to 1 if that is larger.
 fn difference(a: &End, b: &End) -> f64 {
     let a = a.state.iter().chain([&a.time, &a.apex.1]);
     let b = b.state.iter().chain([&b.time, &b.apex.1]);

@@ -111,7 +111,8 @@ impl Config {
         Ok(files)
     }
 
-    /// Prints `cargo::rerun-if-changed` for each model and effect file, if cargo runs this process as a build script.
+    /// Prints `cargo::rerun-if-changed` for the file of each model and effect (named change to a model), if cargo runs
+    /// this process as a build script.
     fn request_reruns(&self) {
         if env::var_os("OUT_DIR").is_none() {
             return;

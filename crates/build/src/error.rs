@@ -4,7 +4,7 @@ use model_spec::load::LoadError;
 use std::io;
 use std::path::PathBuf;
 
-/// Error of [`Config::compile`](crate::Config::compile).
+/// Error of compiling flight models to Rust modules by [`Config::compile`](crate::Config::compile).
 #[derive(thiserror::Error)]
 pub enum BuildError {
     /// No output directory: `OUT_DIR` is set only while cargo runs a build script.
@@ -14,7 +14,7 @@ pub enum BuildError {
     /// no model to which the effect (named change to a model) could be applied.
     #[error("effect `{effect}` has no model: call `with` after `model`")]
     NoModel {
-        /// Name or path of the effect, as passed to [`Config::with`](crate::Config::with).
+        /// Name or path of the effect (named change to a model), as passed to [`Config::with`](crate::Config::with).
         effect: String,
     },
     /// A model, or an effect (named change) applied to it, is missing or invalid.

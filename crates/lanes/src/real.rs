@@ -19,7 +19,7 @@ pub enum ElementaryFunction {
 }
 
 impl ElementaryFunction {
-    /// All functions.
+    /// All elementary functions that are evaluated by polynomials.
     pub const ALL: [ElementaryFunction; 4] = [Self::Exp, Self::Log, Self::Tanh, Self::Asin];
 
     /// Name of the method of [`Real`] that evaluates the function.

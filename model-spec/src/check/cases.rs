@@ -232,7 +232,8 @@ impl Checker<'_> {
     }
 
     /// Whether the unit `measure` of a literal agrees with the unit `expected` of `quantity`; reports an error if not.
-    /// A unit that is still unknown agrees with any unit.
+    /// A unit that is still unknown agrees with any unit. `label` returns a source span and its annotation for the
+    /// error, given a description of the expected unit.
     fn agrees(
         &mut self,
         quantity: &str,

@@ -155,7 +155,7 @@ impl Checker<'_> {
 /// Progress mark of a definition in the depth-first search over the dependencies between definitions.
 #[derive(Clone, Copy, PartialEq)]
 enum Mark {
-    /// Not yet visited.
+    /// The definition is not yet visited.
     New,
     /// Visit begun but not finished: the definition is on the stack of the depth-first search.
     Open,

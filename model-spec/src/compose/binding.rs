@@ -58,7 +58,8 @@ pub enum Unmet {
     /// statement to be replaced.
     #[error("the model has no {what} to replace")]
     Replaced {
-        /// Description of the statement that the effect's `replace` statement is to replace, for messages.
+        /// Description of the statement that the `replace` statement of the effect (named change to the model) is to
+        /// replace, for messages.
         what: String,
     },
     /// The effect (named change to a model) declares a name that the model already declares.
@@ -201,8 +202,9 @@ impl Binding {
         Ok(())
     }
 
-    /// Tests whether the model has a quantity that an effect needs. Returns `Some(())` if it has, `None` if it lacks
-    /// the quantity and a fallback expression replaces the quantity, or an error in any other case.
+    /// Tests whether the model has a quantity that an effect (named change to the model) needs. Returns `Some(())` if
+    /// it has, `None` if it lacks the quantity and a fallback expression replaces the quantity, or an error in any
+    /// other case.
     fn needed(&self, need: &Need) -> Result<Option<()>, Unmet> {
         let name = &need.name.text;
         let unit = need.unit.as_ref().map_or(Some(Unit::ONE), si_unit);
@@ -222,10 +224,10 @@ impl Binding {
         }
     }
 
-    /// Tests whether a statement that an effect adds is compatible with the model. Returns the name of the parameter,
-    /// state, auxiliary variable or input that the statement declares, or `None` if it declares something else, such as
-    /// a force. Returns an error if the model already declares the name, or lacks the frame of an input or the body on
-    /// which a load acts.
+    /// Tests whether a statement that an effect (named change to the model) adds is compatible with the model. Returns
+    /// the name of the parameter, state, auxiliary variable or input that the statement declares, or `None` if it
+    /// declares something else, such as a force. Returns an error if the model already declares the name, or lacks the
+    /// frame of an input or the body on which a load acts.
     fn declared<'e>(&self, item: &'e ItemKind) -> Result<Option<&'e str>, Unmet> {
         let name = match item {
             ItemKind::Parameter(own) => &own.name,
@@ -261,7 +263,8 @@ impl Binding {
         Ok(Some(&name.text))
     }
 
-    /// Whether the model has a statement that the statement `new` of an effect's `replace` can replace.
+    /// Whether the model has a statement that the statement `new` in `replace new` of an effect (named change to the
+    /// model) can replace.
     fn has_replaceable(&self, new: &ItemKind) -> bool {
         let mut items = self.file.items.iter();
         items.any(|old| effect::replaces(new, &old.kind))
@@ -353,7 +356,8 @@ fn kind(is_vector: bool) -> &'static str {
     if is_vector { "vector" } else { "number" }
 }
 
-/// Text that describes a quantity that an effect needs: kind (scalar or vector), name and unit.
+/// Text that describes a quantity that an effect (named change to a model) needs: kind (scalar or vector), name and
+/// unit.
 fn described(need: &Need) -> String {
     let unit = need.unit.as_ref().map(|unit| format!(" in {unit}"));
     let (kind, name) = (kind(need.is_vector), &need.name.text);

@@ -18,7 +18,8 @@ use crate::syntax::{self, Parsed};
 #[derive(Clone, Debug)]
 pub struct EffectTree {
     tree: Effect,
-    /// Source text that the tree's spans refer to; `None` for an effect declared in a model's file.
+    /// Source text that the tree's spans refer to; `None` for an effect (named change to a model) declared in a model's
+    /// file.
     source: Option<Source>,
 }
 
@@ -82,8 +83,8 @@ impl EffectTree {
         BUILT_IN.iter().find(|effect| effect.name() == name)
     }
 
-    /// Names in the `generalises` statement: effects of which this effect is the general form, each made for a narrower
-    /// family of models.
+    /// Names in the `generalises` statement: effects (named changes to a model) of which this effect is the general
+    /// form, each made for a narrower family of models.
     pub fn generalises(&self) -> impl Iterator<Item = &str> {
         self.tree.parts.iter().flat_map(|part| match part {
             EffectPart::Generalises(names) => names.iter().map(|name| name.text.as_str()).collect(),
@@ -133,8 +134,8 @@ impl EffectTree {
         }
     }
 
-    /// Quantities that a model must have for the effect to be applicable (`needs` statement), without those for which
-    /// the `needs` statement contains a fallback expression.
+    /// Quantities that a model must have for the effect (named change to the model) to be applicable (`needs`
+    /// statement), without those for which the `needs` statement contains a fallback expression.
     pub fn needs(&self) -> impl Iterator<Item = &Need> {
         let all = self.tree.parts.iter().flat_map(|part| match part {
             EffectPart::Needs(needs) => needs.as_slice(),
@@ -143,8 +144,8 @@ impl EffectTree {
         all.filter(|need| need.otherwise.is_none())
     }
 
-    /// Instruments whose measured quantities the effect needs, without those for which the `needs` statement of the
-    /// effect contains a fallback expression.
+    /// Instruments whose measured quantities the effect (named change to a model) needs, without those for which the
+    /// `needs` statement of the effect contains a fallback expression.
     pub(crate) fn instruments(&self) -> Vec<Instrument> {
         let is_needed = |instrument: &Instrument| {
             let mut needs = self.needs();
@@ -153,18 +154,18 @@ impl EffectTree {
         Instrument::ALL.into_iter().filter(is_needed).collect()
     }
 
-    /// Name of the effect, words separated by underscores.
+    /// Name of the effect (named change to a model), words separated by underscores.
     pub fn name(&self) -> &str {
         &self.tree.name.text
     }
 
-    /// Syntax tree of the effect.
+    /// Syntax tree of the effect (named change to a model).
     pub fn tree(&self) -> &Effect {
         &self.tree
     }
 
-    /// Source text of a span of the tree; empty if the effect is declared in a model file, because it then has no
-    /// separate source text.
+    /// Source text of a span of the tree; empty if the effect (named change to a model) is declared in a model file,
+    /// because it then has no separate source text.
     pub(crate) fn text(&self, span: Span) -> &str {
         let source = self.source.as_ref();
         source
@@ -172,8 +173,8 @@ impl EffectTree {
             .unwrap_or_default()
     }
 
-    /// Copy of the tree with spans that refer to `sources`. Appends the effect's text to `sources` unless it is already
-    /// present.
+    /// Copy of the effect's syntax tree with spans that refer to `sources`. Appends the effect's text to `sources`
+    /// unless it is already present.
     pub(super) fn in_sources(&self, sources: &mut Vec<Source>) -> Effect {
         let mut tree = self.tree.clone();
         if let Some(own) = &self.source {

@@ -33,26 +33,27 @@ pub enum Refused {
     /// The effect (named change to the model) is already applied to the model.
     #[error("it is switched on")]
     Applied,
-    /// The effect is the general form of a more specific effect that is applicable to the model; a diagnosis considers
-    /// only the specific effect.
+    /// The effect (named change to the model) is the general form of a more specific effect that is applicable to the
+    /// model; a diagnosis considers only the specific effect.
     #[error("`{by}` says it of this model")]
     Covered {
-        /// Name of the more specific effect, which a diagnosis considers in place of the general one.
+        /// Name of the more specific effect (named change to the model), which a diagnosis considers in place of the
+        /// general one.
         by: String,
     },
 }
 
-/// An effect that can be found by name for a model, and whether a diagnosis (the search for effects that the model
-/// lacks, given measured flights) considers the effect.
+/// An effect (named change to the model) that can be found by name for a model, and whether a diagnosis (the search for
+/// effects that the model lacks, given measured flights) considers the effect.
 #[derive(Clone, Debug)]
 pub struct KnownEffect {
     /// Syntax tree of the effect (named change to a model).
     pub effect: EffectTree,
-    /// Where the effect is defined: in the model's file, in the built-in library, or nowhere, because it is created
-    /// from an equation of the model.
+    /// Where the effect (named change to the model) is defined: in the model's file, in the built-in library, or
+    /// nowhere, because it is created from an equation of the model.
     pub origin: Origin,
-    /// Reason why a diagnosis does not consider the effect as a possibly missing effect of the model; `None` if the
-    /// diagnosis considers the effect.
+    /// Reason why a diagnosis does not consider the effect (named change to the model) as possibly missing from the
+    /// model; `None` if the diagnosis considers the effect.
     pub refused: Option<Refused>,
 }
 

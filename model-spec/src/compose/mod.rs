@@ -178,8 +178,8 @@ impl ModelTree {
         Ok(extended)
     }
 
-    /// Applies an effect in place. The tree is unchanged if there are errors, but the effect's text is appended to the
-    /// sources in any case.
+    /// Applies an effect (named change to the model) in place. The tree is unchanged if there are errors, but the
+    /// effect's text is appended to the sources in any case.
     pub(crate) fn apply(&mut self, effect: &EffectTree) -> Result<(), Vec<Diagnostic>> {
         let tree = effect.in_sources(&mut self.sources);
         self.file = Arc::new(effect::apply(&self.file, &tree)?);

@@ -35,7 +35,8 @@ pub(super) fn rate_effects(file: &File) -> Vec<EffectTree> {
         .collect()
 }
 
-/// States that the file itself declares, in the order of declaration; states that applied effects added are omitted.
+/// States that the file itself declares, in the order of declaration; states that applied effects (named changes to the
+/// model) added are omitted.
 fn states(file: &File) -> Vec<&State> {
     let own = file.items.iter().filter(|item| item.effect.is_none());
     own.filter_map(|item| match &item.kind {
@@ -45,8 +46,8 @@ fn states(file: &File) -> Vec<&State> {
     .collect()
 }
 
-/// All equations `der(STATE) = …` of a file. If an applied effect has replaced an equation, only the replacement is
-/// included.
+/// All equations `der(STATE) = …` of a file. If an applied effect (named change to the model) has replaced an equation,
+/// only the replacement is included.
 fn equations(file: &File) -> impl Iterator<Item = &Equation> {
     file.items.iter().filter_map(|item| match &item.kind {
         ItemKind::Equation(equation) => Some(equation),

@@ -96,7 +96,7 @@ impl Change<'_> {
     }
 
     /// Adds the statement `clock 1;` (true time runs at the rate of recorded time) to a model without a clock rate, so
-    /// that an effect can replace it.
+    /// that an effect (named change to the model) can replace it.
     fn own_clock(&mut self, span: Span) {
         let items = &mut self.file.items;
         if items.iter().any(|i| matches!(i.kind, ItemKind::Clock(_))) {

@@ -29,9 +29,10 @@ struct Standard {
     frames: HashMap<&'static str, String>,
 }
 
-/// Returns a copy of an effect that refers to the quantities of the model in `file`. The standard names ([`MASS`],
-/// [`INERTIA`], [`FRAMES`]) are replaced by expressions and frame names of the model, except names that the model or
-/// the effect declares. Needed quantities that the model lacks are replaced by their fallback expressions.
+/// Returns a copy of an effect (named change to a model) that refers to the quantities of the model in `file`. The
+/// standard names ([`MASS`], [`INERTIA`], [`FRAMES`]) are replaced by expressions and frame names of the model, except
+/// names that the model or the effect declares. Needed quantities that the model lacks are replaced by their fallback
+/// expressions.
 ///
 /// # Errors
 /// One diagnostic per needed quantity that the model does not declare and that has no fallback expression.
@@ -139,7 +140,8 @@ impl Standard {
         standard
     }
 
-    /// Replaces the standard names in an expression of an effect by the model's expressions and frame names.
+    /// Replaces the standard names in an expression of an effect (named change to a model) by the model's expressions
+    /// and frame names.
     fn rename(&self, e: &mut Expr) {
         if let ExprKind::Name(name) = &e.kind
             && let Some(value) = self.values.get(name)
@@ -186,8 +188,8 @@ fn replace_names(e: &mut Expr, by: &HashMap<String, Expr>) {
     e.children_mut(&mut |child| replace_names(child, by));
 }
 
-/// Mutable references to the right-hand sides of all statements in an effect that add or replace something in a model,
-/// and to the entries of the inertia tensor in the effect's `replace inertia` statement.
+/// Mutable references to the right-hand sides of all statements in an effect (named change to a model) that add or
+/// replace something in a model, and to the entries of the inertia tensor in the effect's `replace inertia` statement.
 fn expressions(effect: &mut Effect) -> impl Iterator<Item = &mut Expr> {
     effect.parts.iter_mut().flat_map(|part| match part {
         EffectPart::Replace(item) | EffectPart::Add(item) => {

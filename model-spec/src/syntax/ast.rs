@@ -31,27 +31,28 @@ pub struct File {
 /// are part of [`File::items`] and are not repeated here.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Applied {
-    /// Name of the effect.
+    /// Name of the applied effect (named change to the model), words separated by underscores.
     pub name: Name,
     /// Documentation: the `///` lines before the effect.
     pub doc: String,
-    /// Name of the component of the model that the effect changes, such as `drag`.
+    /// Name of the component of the model that the effect (named change to the model) changes, such as `drag`.
     pub site: String,
-    /// Kinds of variables on which the magnitude of the effect depends, from [`VARIABLES`](crate::VARIABLES), such as
-    /// `alpha`.
+    /// Kinds of variables on which the magnitude of the effect (named change to the model) depends, from
+    /// [`VARIABLES`](crate::VARIABLES), such as `alpha`.
     pub variables: Vec<String>,
-    /// Literature reference of the effect; empty if none is stated.
+    /// Literature reference of the effect (named change to the model); empty if none is stated.
     pub citation: String,
-    /// Sentence that describes the effect if its first coefficient exceeds its null value (the value at which the
-    /// effect is absent); empty if none is stated.
+    /// Sentence that describes the effect (named change to the model) if its first coefficient exceeds its null value
+    /// (the value at which the effect is absent); empty if none is stated.
     pub increases: String,
-    /// Sentence that describes the effect if its first coefficient is below its null value (the value at which the
-    /// effect is absent); empty if none is stated.
+    /// Sentence that describes the effect (named change to the model) if its first coefficient is below its null value
+    /// (the value at which the effect is absent); empty if none is stated.
     pub decreases: String,
     /// Smallest effect sizes of interest, as stated by `negligible`: name of a coefficient or state of the effect, and
     /// the smallest difference from its null value (the value at which the effect is absent) that matters in practice.
     pub negligible: Vec<(Name, Quantity)>,
-    /// Quantities of the model that the effect needs, without quantities that a fallback expression replaces.
+    /// Quantities of the model that the effect (named change to the model) needs, without quantities that a fallback
+    /// expression replaces.
     pub needs: Vec<Need>,
 }
 

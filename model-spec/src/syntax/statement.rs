@@ -268,7 +268,8 @@ impl Parser<'_> {
         Ok(ItemKind::Observe(Observe { name, value }))
     }
 
-    /// Parses the rest of a clock statement after the keyword: `clock EXPR;`, or `replace clock = EXPR;` in an effect.
+    /// Parses the rest of a clock statement after the keyword: `clock EXPR;`, or `replace clock = EXPR;` in an effect
+    /// (named change to a model).
     pub fn clock(&mut self) -> Read<ItemKind> {
         let value = self.expr()?;
         self.semicolon("this `clock`")?;

@@ -32,8 +32,9 @@ const MAX_STATES: usize = 6;
 /// generated library can be added; further equations are skipped.
 const MAX_EQUATIONS: usize = 8;
 
-/// `needs` statement of every generated effect that uses `air_velocity`, the velocity of the body relative to the air.
-/// In a model without `air_velocity`, the velocity of the body replaces it.
+/// `needs` statement of every generated effect (addition of one candidate term to a model) that uses `air_velocity`,
+/// the velocity of the body relative to the air. In a model without `air_velocity`, the velocity of the body replaces
+/// it.
 const NEEDS_AIR_VELOCITY: &str = "needs vector air_velocity: m/s or velocity;";
 const DOWNSTREAM: &str = "unit(in_inertial(air_velocity))";
 const LEFTWARD: &str = "unit(cross(inertial.3, in_inertial(air_velocity)))";
@@ -226,7 +227,7 @@ fn variables_of_body(model: &Model, body: &Body) -> Vec<Variable> {
 }
 
 /// Variables of the term library for a model without a body: one for each of the first [`MAX_STATES`] states that the
-/// model declares itself, not through effects.
+/// model declares itself, not through effects (named changes to the model).
 fn variables_of_states(model: &Model) -> Vec<Variable> {
     let of_effects = model.added_states();
     let own = model.states.iter().enumerate();

@@ -76,8 +76,8 @@ fn an_effect_says_what_it_depends_on() {
     assert!(!summary(&model).contains("depends on"));
 }
 
-/// Applies the effects `names` to the model in `text`, prints the result without the effect declarations, and parses
-/// the printed text.
+/// Applies the effects (named changes to a model) `names` to the model in `text`, prints the result without the effect
+/// declarations, and parses the printed text.
 fn written_and_read(text: &str, names: &[&str]) -> Model {
     let mut file = load::inspect_text("stone.hyz", text, names).unwrap().file;
     file.items

@@ -11,14 +11,15 @@ pub struct Effect {
     pub name: Name,
     /// Documentation: the `///` lines before the effect.
     pub doc: String,
-    /// Names of the models that the effect is compatible with; empty for any model.
+    /// Names of the models that the effect (named change to a model) is compatible with; empty for any model.
     pub on: Vec<Name>,
-    /// Statements of the effect's block, in order.
+    /// Statements in the block of the effect (named change to a model), in order.
     pub parts: Vec<EffectPart>,
 }
 
 impl Effect {
-    /// Whether the effect is restricted to certain models by `on MODEL, …`, and `model` is not one of them.
+    /// Whether the effect (named change to a model) is restricted to certain models by `on MODEL, …`, and `model` is
+    /// not one of them.
     pub(crate) fn excludes(&self, model: &str) -> bool {
         !self.on.is_empty() && self.on.iter().all(|on| on.text != model)
     }
@@ -27,14 +28,14 @@ impl Effect {
 /// A quantity that a model must have for an effect (named change to a model) to be applicable.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Need {
-    /// Name of the quantity.
+    /// Name of the needed quantity, such as `air_velocity`.
     pub name: Name,
-    /// Whether the quantity is a vector.
+    /// Whether the needed quantity is a vector.
     pub is_vector: bool,
-    /// Unit of the quantity; `None` for an angle or a pure number.
+    /// Unit of the needed quantity; `None` for an angle or a pure number.
     pub unit: Option<UnitExpr>,
-    /// Fallback expression that replaces the quantity in a model that lacks it; `None` if the effect is not applicable
-    /// to such a model.
+    /// Fallback expression that replaces the quantity in a model that lacks it; `None` if the effect (named change to a
+    /// model) is not applicable to such a model.
     pub otherwise: Option<Expr>,
 }
 
@@ -44,22 +45,22 @@ pub enum EffectPart {
     /// `needs NAME: UNIT, …;`: quantities that the model must have, each with its kind (scalar or vector), unit and
     /// optional fallback expression.
     Needs(Vec<Need>),
-    /// `generalises NAME, …;`: more specific effects, each made for a narrower family of models, of which this effect
-    /// is the general form. If one of them is applicable to a model, the search for effects that the model lacks does
-    /// not consider this effect.
+    /// `generalises NAME, …;`: more specific effects (named changes to a model), each made for a narrower family of
+    /// models, of which this effect is the general form. If one of them is applicable to a model, the search for
+    /// effects that the model lacks does not consider this effect.
     Generalises(Vec<Name>),
     /// `source "…";`: literature reference, with the source span of the statement.
     Citation(String, Span),
-    /// `increases "…";`: sentence that describes the effect if its first coefficient exceeds its null value (the value
-    /// at which the effect is absent), with the source span of the statement.
+    /// `increases "…";`: sentence that describes the effect (named change to a model) if its first coefficient exceeds
+    /// its null value (the value at which the effect is absent), with the source span of the statement.
     Increases(String, Span),
-    /// `decreases "…";`: sentence that describes the effect if its first coefficient is below its null value (the value
-    /// at which the effect is absent), with the source span of the statement.
+    /// `decreases "…";`: sentence that describes the effect (named change to a model) if its first coefficient is below
+    /// its null value (the value at which the effect is absent), with the source span of the statement.
     Decreases(String, Span),
-    /// `site NAME;`: the component of the model that the effect changes.
+    /// `site NAME;`: the component of the model that the effect (named change to a model) changes.
     Site(Name),
-    /// `variables NAME, NAME;`: kinds of variables on which the magnitude of the effect depends, from
-    /// [`VARIABLES`](crate::VARIABLES), with the source span of the statement.
+    /// `variables NAME, NAME;`: kinds of variables on which the magnitude of the effect (named change to a model)
+    /// depends, from [`VARIABLES`](crate::VARIABLES), with the source span of the statement.
     Variables(Vec<Name>, Span),
     /// `negligible NAME value;`: smallest difference of a coefficient or initial state from its null value (the value
     /// at which the effect is absent) that matters in practice (smallest effect size of interest).
@@ -69,6 +70,6 @@ pub enum EffectPart {
     /// `replace inertia … in FRAME;`: inertia tensor that replaces that of the model's body, with the source span of
     /// the statement.
     ReplaceInertia(Box<Inertia>, Span),
-    /// A declaration, such as a coefficient or a load, that the effect adds to the model.
+    /// A declaration, such as a coefficient or a load, that the effect (named change to a model) adds to the model.
     Add(Box<Item>),
 }
