@@ -50,7 +50,7 @@ pub struct Compiled {
     /// Function that computes the invariants, which depend on parameters alone. It runs once per flight, and its
     /// results are inputs of all other functions.
     pub prepare: Function,
-    /// Names of the invariants that `prepare` computes.
+    /// Names of the invariants (values that depend on parameters alone) that `prepare` computes.
     pub prepared: Vec<String>,
     /// Function that computes the time derivatives of the states (output section `dx`).
     pub f: Function,
@@ -62,7 +62,8 @@ pub struct Compiled {
     /// Function that computes the measurement equation: the position `y`, m, of a marker (observed point of the body)
     /// in the inertial frame. It has no outputs if the model has no measurement equation.
     pub observe: Function,
-    /// Function that computes the marker position `y` and its Jacobians `dy_dx`, `dy_dp`, `dy_dmarker`.
+    /// Function that computes the marker position `y`, m, and its Jacobians `dy_dx`, `dy_dp` and `dy_dmarker` with
+    /// respect to states, parameters and marker coordinates.
     pub observe_jac: Function,
     /// Function that computes the values of all auxiliary variables of the model.
     pub quantities: Function,
@@ -153,8 +154,8 @@ pub fn compile_at(
 }
 
 /// Compiles a program whose outputs are the time derivatives of the states, followed by the observed marker position.
-/// The program has no Jacobians, and no expressions are moved to a separate function `prepare`; compilation takes a
-/// tenth of the time of [`compile`].
+/// The program has no Jacobians, and expressions of parameters alone are not moved to a separate function `prepare`,
+/// which would run once per flight; compilation takes a tenth of the time of [`compile`].
 pub fn compile_values(model: &Model) -> (Layout, Program) {
     let Lowered {
         mut graph,
@@ -171,8 +172,8 @@ pub fn compile_values(model: &Model) -> (Layout, Program) {
     (layout, program)
 }
 
-/// Compiles a program whose outputs are the values of the graph nodes `wanted`. No expressions are moved to a separate
-/// function `prepare`.
+/// Compiles a program whose outputs are the values of the graph nodes `wanted`. Expressions of parameters alone are not
+/// moved to a separate function `prepare`, which would run once per flight.
 pub(crate) fn scheduled_values(
     graph: &mut ExprGraph,
     layout: &Layout,
@@ -249,7 +250,8 @@ impl Compiler {
         }
     }
 
-    /// Components of the observed marker position; empty if the model has no measurement equation.
+    /// Components of the observed marker position in the inertial frame, m; empty if the model has no measurement
+    /// equation.
     fn observed(&self) -> Vec<NodeId> {
         self.lowered
             .observation

@@ -44,8 +44,8 @@ impl Specialized {
         new
     }
 
-    /// Node of the new graph that corresponds to the node `id` of the original graph; the constant 0 if the roots do
-    /// not depend on `id`.
+    /// Node of the new graph that corresponds to the node `id` of the original graph; the constant 0 if the roots
+    /// (requested outputs) do not depend on `id`.
     pub fn image(&mut self, id: NodeId) -> NodeId {
         match self.images[id.index()] {
             Some(image) => image,
@@ -90,8 +90,8 @@ impl Specialized {
         }
     }
 
-    /// Node of the new graph for a local symbol of the original graph: a local symbol again, or the specialized
-    /// definition if that is a leaf or a constant.
+    /// Node of the new graph for a local symbol (leaf that stands for a shared subexpression) of the original graph: a
+    /// local symbol again, or the specialized definition if that is a leaf or a constant.
     fn local(
         &mut self,
         old: &ExprGraph,
@@ -137,8 +137,8 @@ impl Specialized {
     }
 }
 
-/// For each node of the graph, whether a node of `roots` depends on it, directly or through the definitions of local
-/// symbols.
+/// For each node of the graph, whether a node of `roots` (requested outputs) depends on it, directly or through the
+/// definitions of local symbols.
 fn needed(graph: &ExprGraph, roots: &[NodeId]) -> Vec<bool> {
     let mut needed = vec![false; graph.len()];
     for root in roots {

@@ -73,7 +73,7 @@ pub struct Inputs<'a, T> {
     pub x: &'a [T],
     /// Parameters: known constants, then coefficients, then components of inputs.
     pub p: &'a [T],
-    /// Results of the function `prepare` for these parameters.
+    /// Results of the function `prepare` for these parameters: values that depend on parameters alone.
     pub prepared: &'a [T],
     /// Body-fixed coordinates, m, of the marker (observed point of the body).
     pub marker: &'a [T],

@@ -52,19 +52,22 @@ pub struct TapeModel {
     pub states: usize,
     /// Number of parameters: known constants, coefficients and components of inputs together.
     pub parameters: usize,
-    /// Number of invariants that `prepare` computes.
+    /// Number of invariants (values that depend on parameters alone) that `prepare` computes.
     pub prepared: usize,
-    /// Function that computes the invariants of a flight from the parameters.
+    /// Function that computes the invariants of a flight (values that depend on parameters alone) from the parameters.
     pub prepare: TapeFunction,
     /// Function that computes the time derivatives `dx` of the states.
     pub f: TapeFunction,
-    /// Function that computes `dx` and its state Jacobian `j`.
+    /// Function that computes the time derivatives `dx` of the states and their state Jacobian `j`.
     pub f_jac: TapeFunction,
-    /// Function that computes `dx`, its state Jacobian `j` and its parameter Jacobian `jp`.
+    /// Function that computes the time derivatives `dx` of the states, their state Jacobian `j` and their parameter
+    /// Jacobian `jp`.
     pub f_jac_par: TapeFunction,
-    /// Function that computes the position `y`, m, of a marker (observed point of the body) in the inertial frame.
+    /// Function that computes the position `y`, m, of a marker (observed point of the body) in the inertial frame, from
+    /// its body-fixed coordinates.
     pub observe: TapeFunction,
-    /// Function that computes `y` and its Jacobians `dy_dx`, `dy_dp`, `dy_dmarker`.
+    /// Function that computes the marker position `y`, m, and its Jacobians `dy_dx`, `dy_dp` and `dy_dmarker` with
+    /// respect to states, parameters and marker coordinates.
     pub observe_jac: TapeFunction,
     /// Function that computes the auxiliary variables of the model.
     pub quantities: TapeFunction,
@@ -82,7 +85,7 @@ pub struct At<'a> {
     pub x: &'a [f64],
     /// Parameters: known constants, then coefficients, then components of inputs.
     pub p: &'a [f64],
-    /// Invariants that [`TapeModel::prepare`] returned for the parameters `p`.
+    /// Invariants (values that depend on parameters alone) that [`TapeModel::prepare`] returned for the parameters `p`.
     pub prepared: &'a [f64],
 }
 
@@ -115,17 +118,19 @@ impl TapeModel {
         self.f_jac_par.pattern("jp")
     }
 
-    /// Sparsity pattern: (row, column) of each entry of `dy_dx` = ∂y/∂state.
+    /// Sparsity pattern: (row, column) of each entry of `dy_dx` = ∂y/∂state, where `y` is the observed marker position.
     pub fn dy_dx_pattern(&self) -> &[(u32, u32)] {
         self.observe_jac.pattern("dy_dx")
     }
 
-    /// Sparsity pattern: (row, column) of each entry of `dy_dp` = ∂y/∂parameters.
+    /// Sparsity pattern: (row, column) of each entry of `dy_dp` = ∂y/∂parameters, where `y` is the observed marker
+    /// position.
     pub fn dy_dp_pattern(&self) -> &[(u32, u32)] {
         self.observe_jac.pattern("dy_dp")
     }
 
-    /// Sparsity pattern: (row, column) of each entry of `dy_dmarker` = ∂y/∂marker.
+    /// Sparsity pattern: (row, column) of each entry of `dy_dmarker` = ∂y/∂marker, the derivatives of the observed
+    /// position `y` with respect to the body-fixed marker coordinates.
     pub fn dy_dmarker_pattern(&self) -> &[(u32, u32)] {
         self.observe_jac.pattern("dy_dmarker")
     }

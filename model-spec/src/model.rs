@@ -333,9 +333,10 @@ pub struct ValidityLimit {
 /// values.
 #[derive(Clone, Debug)]
 pub struct CheckCase {
-    /// Title of the check case.
+    /// Title of the check case (test case in a model file), as in `check "title" { … }`.
     pub title: String,
-    /// Quantities that the check case sets, with their values, SI; all other quantities have their default values.
+    /// Quantities that the check case (test case in a model file) sets, with their values, SI; all other quantities
+    /// have their default values.
     pub settings: Vec<(Target, f64)>,
     /// Results to compare, with expected values and tolerances.
     pub expectations: Vec<Expectation>,
@@ -354,11 +355,11 @@ pub enum Target {
     Input(usize, usize),
     /// A state, by index into [`Model::states`].
     State(usize),
-    /// Coordinate 0, 1 or 2 of the observed marker in its frame, m.
+    /// Coordinate 0, 1 or 2 of the marker (observed point) in the frame in which it is fixed, m.
     Marker(usize),
 }
 
-/// A scalar result of the model that a check case compares with an expected value.
+/// A scalar result of the model that a check case (test case in a model file) compares with an expected value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Observable {
     /// The time derivative of a state, by index into [`Model::states`].
@@ -444,7 +445,7 @@ pub enum ExprKind {
     /// Time derivative of the angular velocity in the inertial frame, with components in
     /// [`Rotation::angular_velocity_frame`], rad/s². It can be evaluated only after the forces and moments.
     AngularAcceleration,
-    /// Coordinates of the marker in the frame [`Marker::frame`], m.
+    /// Coordinates of the marker (observed point) in the frame [`Marker::frame`], m.
     Marker,
     /// A vector made of three scalar components, which refer to the frame in [`Expr::shape`].
     Components(Box<[Expr; 3]>),

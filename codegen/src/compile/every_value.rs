@@ -12,7 +12,8 @@ use model_spec::model::Model;
 pub struct EveryValue {
     /// Names and order of the states and parameters.
     pub layout: Layout,
-    /// Program that computes all outputs; no expressions are moved to a separate function `prepare`.
+    /// Program that computes all outputs; expressions of parameters alone are not moved to a separate function
+    /// `prepare`, which would run once per flight.
     pub program: Program,
     /// Number of outputs that are components of the observed marker position: 3, or 0 if the model has no measurement
     /// equation.

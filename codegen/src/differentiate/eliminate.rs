@@ -139,8 +139,8 @@ fn name_derivative(graph: &mut ExprGraph, partial: NodeId, of: &str, by: &str) {
     }
 }
 
-/// Replaces a sum that becomes a factor of several products by a local symbol, so that it is computed once; returns
-/// other nodes unchanged.
+/// Replaces a sum that becomes a factor of several products by a local symbol (leaf defined by that sum), so that it is
+/// computed once; returns other nodes unchanged.
 fn bind(graph: &mut ExprGraph, id: NodeId) -> NodeId {
     match graph.node(id) {
         Node::Sum(terms, _) if terms.len() > 1 => {

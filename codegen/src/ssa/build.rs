@@ -55,8 +55,8 @@ struct Builder<'a> {
 }
 
 impl Builder<'_> {
-    /// Nodes on which the nodes `roots` depend, including the definitions of local symbols; operands precede the nodes
-    /// that use them.
+    /// Nodes on which the nodes `roots` (requested outputs) depend, including the definitions of local symbols (leaves
+    /// that stand for shared subexpressions); operands precede the nodes that use them.
     fn needed(&self, roots: &[NodeId]) -> Vec<NodeId> {
         let mut order = Vec::new();
         let mut seen = vec![false; self.graph.len()];

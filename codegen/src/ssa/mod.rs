@@ -220,7 +220,7 @@ impl Ssa {
         }
     }
 
-    /// Number of uses of each definition by reachable definitions and by roots; 0 if unreachable.
+    /// Number of uses of each definition by reachable definitions and by roots (requested results); 0 if unreachable.
     pub fn uses(&self) -> IndexVec<DefId, u32> {
         let mut uses = self.side_table(0);
         let mut live = self.side_table(false);
@@ -273,7 +273,7 @@ impl Ssa {
         signs::settle(self);
     }
 
-    /// Definitions on which the roots depend, in depth-first order, operands before users.
+    /// Definitions on which the roots (requested results) depend, in depth-first order, operands before users.
     pub fn order(&self) -> Vec<DefId> {
         let mut order = Vec::new();
         let mut state = self.side_table(0_u8);

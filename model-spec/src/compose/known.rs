@@ -34,11 +34,11 @@ pub enum Refused {
     #[error("it is switched on")]
     Applied,
     /// The effect (named change to the model) is the general form of a more specific effect that is applicable to the
-    /// model; a diagnosis considers only the specific effect.
+    /// model; a diagnosis (search for effects that the model lacks) considers only the specific effect.
     #[error("`{by}` says it of this model")]
     Covered {
-        /// Name of the more specific effect (named change to the model), which a diagnosis considers in place of the
-        /// general one.
+        /// Name of the more specific effect (named change to the model), which a diagnosis (search for effects that the
+        /// model lacks) considers in place of the general one.
         by: String,
     },
 }
@@ -52,8 +52,8 @@ pub struct KnownEffect {
     /// Where the effect (named change to the model) is defined: in the model's file, in the built-in library, or
     /// nowhere, because it is created from an equation of the model.
     pub origin: Origin,
-    /// Reason why a diagnosis does not consider the effect (named change to the model) as possibly missing from the
-    /// model; `None` if the diagnosis considers the effect.
+    /// Reason why a diagnosis (search for effects that the model lacks) does not consider the effect (named change to
+    /// the model) as possibly missing from the model; `None` if the diagnosis considers the effect.
     pub refused: Option<Refused>,
 }
 

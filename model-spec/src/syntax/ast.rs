@@ -115,7 +115,7 @@ pub enum ItemKind {
     Clock(Expr),
     /// Validity limit: `limit … > bound "reason";`
     Limit(Limit),
-    /// Check case: `check "title" { … }`
+    /// Check case (test case with values to set and expected results): `check "title" { … }`
     Check(Check),
     /// Declared physical meaning of the explicitly written equations: `claim body NAME { … }` or `claim point NAME { …
     /// }`
@@ -367,13 +367,13 @@ pub struct Limit {
 /// A test case, `check "title" { … }`: values to set, and results expected for these values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Check {
-    /// Title of the check case; no other check case of the file has the same title.
+    /// Title of the check case (test case in a model file); no other check case of the file has the same title.
     pub title: String,
     /// Statements of the case's block, in order.
     pub parts: Vec<CheckPart>,
 }
 
-/// A statement of a check case.
+/// A statement of a check case (test case in a model file): sets a value or states an expected result.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CheckPart {
     /// Sets a value: `set NAME = value;`
