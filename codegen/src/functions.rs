@@ -51,7 +51,7 @@ pub enum Parity {
 /// Derivative of a function f at x, in terms of x and of the value f(x).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Derivative {
-    /// 0 everywhere, by definition also at jumps.
+    /// f'(x) = 0 everywhere, by definition also at jumps.
     Zero,
     /// f'(x) = f(x).
     Value,
@@ -320,7 +320,7 @@ impl MathFunction {
 /// Lowering of a function of the model language: to one operation, or to a composition of operations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FunctionLowering {
-    /// Lowered to one operation.
+    /// Function that is lowered to the one operation `MathFunction`.
     Call(MathFunction),
     /// Tangent, lowered to sin x / cos x.
     Tan,

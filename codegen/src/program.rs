@@ -134,7 +134,7 @@ pub struct Program {
 }
 
 impl Program {
-    /// Renumbers the operands that are results of statements, after the statement `k` has moved to `places[k]`.
+    /// Renumbers the operands that are results of statements, after each statement `k` has moved to `places[k]`.
     pub(crate) fn renumber(&mut self, places: &[u32]) {
         let moved = |operand: &mut Operand| {
             if let Operand::Temp(t) = operand {

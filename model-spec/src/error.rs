@@ -40,7 +40,7 @@ pub enum LoadError {
         suggestion(wanted, known), known.join(", ")
     )]
     UnknownModel {
-        /// Name or path that was requested.
+        /// Name or path of the requested model.
         wanted: String,
         /// Names of the built-in models.
         known: Vec<String>,
@@ -52,7 +52,7 @@ pub enum LoadError {
         suggestion(wanted, known), known.join(", ")
     )]
     UnknownEffect {
-        /// Name or path that was requested.
+        /// Name or path of the requested effect (named change to a model).
         wanted: String,
         /// Names of the effects (named changes to a model) of the model's file and of the built-in effects.
         known: Vec<String>,

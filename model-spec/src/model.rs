@@ -27,8 +27,8 @@ pub struct Model {
     pub name: String,
     /// Documentation: the `//!` lines of the file.
     pub doc: String,
-    /// Name of the reference implementation with which `hyzer verify` compares the model; `None` if the model names
-    /// none.
+    /// Name of the reference implementation (equations coded by hand) with which `hyzer verify` compares the model;
+    /// `None` if the model names none.
     pub reference: Option<String>,
     /// Source texts: the text of the model file first, then the text of each applied effect (named change to the
     /// model).
@@ -295,7 +295,7 @@ pub struct Marker {
 /// The measurement equation: the position that a sensor reports.
 #[derive(Clone, Debug)]
 pub struct Observation {
-    /// Name of the observation.
+    /// Name of the observed position.
     pub name: String,
     /// Observed position, a vector with components in the inertial frame, m.
     pub value: Expr,

@@ -3,7 +3,8 @@
 use model_spec::nearest_name;
 use std::fmt;
 
-/// Reason why a quantity or derivative cannot be explained.
+/// Reason why a quantity or derivative cannot be explained, that is, shown with its source lines, formulas and
+/// generated code.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ExplainError {
     /// No quantity has the requested name.
@@ -12,7 +13,7 @@ pub enum ExplainError {
         wanted: String,
         /// Name of the quantity whose name is most similar to `wanted`; `None` if no quantity has a similar name.
         nearest: Option<String>,
-        /// Names of all quantities of the model that can be explained.
+        /// Names of all quantities of the model for which formulas and generated code can be shown.
         known: Vec<String>,
     },
     /// No state, parameter or other symbol with respect to which a quantity can be differentiated has the requested

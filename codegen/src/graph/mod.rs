@@ -120,7 +120,7 @@ impl ExprGraph {
         &self.tables
     }
 
-    /// Name of a function, for printed expressions and names of variables.
+    /// Name of a function, such as `exp` or the name of a table, for printed expressions and names of variables.
     pub fn function_name(&self, function: MathFunction) -> String {
         match function {
             MathFunction::Table(function) => self.tables.name(function),

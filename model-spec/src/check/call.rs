@@ -175,8 +175,8 @@ impl Checker<'_> {
         Some(Typed::new(kind, Shape::Scalar, span, unit))
     }
 
-    /// Elaborates `unit(v)` or `unit(v, otherwise)`: unit vector along `v`; `otherwise` is the value at the zero
-    /// vector.
+    /// Elaborates (resolves and type-checks) `unit(v)` or `unit(v, otherwise)`: unit vector along `v`; `otherwise` is
+    /// the value at the zero vector.
     fn direction(
         &mut self,
         name: &ast::Name,
@@ -243,7 +243,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Elaborates `ratio(a, b, otherwise)`: the quotient a / b, or `otherwise` where b is 0.
+    /// Elaborates (resolves and type-checks) `ratio(a, b, otherwise)`: the quotient a / b, or `otherwise` where b is 0.
     fn ratio(&mut self, name: &ast::Name, arguments: &[ast::Expr], span: Span) -> Option<Typed> {
         let takes = "three numbers: above, below, and the value where the one below is 0";
         let [a, b, c] = self.arguments(name, arguments, span, takes)?;
@@ -270,7 +270,7 @@ impl Checker<'_> {
         Some(Typed::new(kind, Shape::Scalar, span, unit))
     }
 
-    /// Elaborates `in_F(v)`: the vector `v` with its components transformed to the frame F.
+    /// Elaborates (resolves and type-checks) `in_F(v)`: the vector `v` with its components transformed to the frame F.
     fn reexpress(
         &mut self,
         frame: &str,
@@ -286,7 +286,8 @@ impl Checker<'_> {
         Some(reexpressed(v, from, frame, span))
     }
 
-    /// Elaborates `in_frame_of(v, w)`: the vector `v` with its components transformed to the frame of `w`.
+    /// Elaborates (resolves and type-checks) `in_frame_of(v, w)`: the vector `v` with its components transformed to the
+    /// frame of `w`.
     fn in_frame_of(
         &mut self,
         name: &ast::Name,

@@ -72,8 +72,8 @@ impl Checker<'_> {
         }
     }
 
-    /// Elaborates an expression that must be a scalar, described by `what` in messages. `None`, with an error reported,
-    /// if it is a vector or invalid.
+    /// Elaborates (resolves and type-checks) an expression that must be a scalar, described by `what` in messages.
+    /// `None`, with an error reported, if it is a vector or invalid.
     pub fn scalar(&mut self, e: &ast::Expr, what: &str) -> Option<Typed> {
         let typed = self.elaborate(e)?;
         if typed.expr.shape == Shape::Scalar {
@@ -90,8 +90,9 @@ impl Checker<'_> {
         None
     }
 
-    /// Elaborates an expression that must be a vector, described by `what` in messages. Returns it with the index of
-    /// the frame of its components; `None`, with an error reported, if it is a scalar or invalid.
+    /// Elaborates (resolves and type-checks) an expression that must be a vector, described by `what` in messages.
+    /// Returns it with the index of the frame of its components; `None`, with an error reported, if it is a scalar or
+    /// invalid.
     pub fn vector(&mut self, e: &ast::Expr, what: &str) -> Option<(Typed, usize)> {
         let typed = self.elaborate(e)?;
         if let Shape::Vector(frame) = typed.expr.shape {
@@ -118,7 +119,8 @@ impl Checker<'_> {
         Some(Typed { expr, unit })
     }
 
-    /// Elaborates `(a, b, c) in F`: a vector with three components of equal unit in the frame F.
+    /// Elaborates (resolves and type-checks) `(a, b, c) in F`: a vector with three components of equal unit in the
+    /// frame F.
     fn components(
         &mut self,
         parts: &[ast::Expr; 3],

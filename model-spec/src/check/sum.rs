@@ -7,7 +7,8 @@ use crate::model::{ExprKind, Shape};
 use crate::syntax::ast::{self, BinaryOp};
 
 impl Checker<'_> {
-    /// Elaborates `a + b - c …` as one n-ary sum, so that one inconsistent term causes only one error message.
+    /// Elaborates (resolves and type-checks) `a + b - c …` as one n-ary sum, so that one inconsistent term causes only
+    /// one error message.
     pub fn sum(&mut self, e: &ast::Expr) -> Option<Typed> {
         // Terms from the left, each with its operator and the source span of the partial sum.
         let mut terms: Vec<(BinaryOp, &ast::Expr, Span)> = Vec::new();

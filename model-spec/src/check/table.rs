@@ -139,7 +139,8 @@ impl Checker<'_> {
         }
     }
 
-    /// Elaborates the call of a table, by its index in the model, and checks the unit of the argument.
+    /// Elaborates (resolves and type-checks) the call of a table, by its index in the model, and checks the unit of the
+    /// argument.
     pub fn call_of_table(&mut self, index: usize, argument: Typed, span: Span) -> Typed {
         let table = &self.model.tables[index];
         let (unit, expected) = (table.unit, Term::known(table.argument_unit));

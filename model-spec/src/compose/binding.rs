@@ -263,8 +263,8 @@ impl Binding {
         Ok(Some(&name.text))
     }
 
-    /// Whether the model has a statement that the statement `new` in `replace new` of an effect (named change to the
-    /// model) can replace.
+    /// Whether the model has a statement that the statement `replace new` of an effect (named change to the model) can
+    /// replace.
     fn has_replaceable(&self, new: &ItemKind) -> bool {
         let mut items = self.file.items.iter();
         items.any(|old| effect::replaces(new, &old.kind))

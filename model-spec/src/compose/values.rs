@@ -177,8 +177,8 @@ fn set_input(input: &mut Input, unit: Unit, si: [f64; 3]) {
     }
 }
 
-/// Adds to a check case a `set` statement for each default value in `earlier` that the case does not set, so that the
-/// expected results of the case remain valid after the defaults have been replaced.
+/// Adds to a check case (test case in the model file) a `set` statement for each default value in `earlier` that the
+/// case does not set, so that the expected results of the case remain valid after the defaults have been replaced.
 fn keep_defaults(case: &mut Check, earlier: &[Default]) {
     let is_set = |case: &Check, default: &Default| {
         case.parts.iter().any(|part| match part {

@@ -320,7 +320,7 @@ impl LoadClass {
 pub struct Load {
     /// Whether the load is a force or a moment.
     pub class: LoadClass,
-    /// Name of the load.
+    /// Name of the force or moment.
     pub name: Name,
     /// Vector expression of the load, N or N m.
     pub value: Expr,
@@ -347,7 +347,7 @@ pub struct Marker {
 /// The measurement equation: `observe NAME = …`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Observe {
-    /// Name of the observation.
+    /// Name of the observed position.
     pub name: Name,
     /// Expression of the observed position, m.
     pub value: Expr,
