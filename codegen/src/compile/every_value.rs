@@ -24,8 +24,8 @@ pub struct EveryValue {
     pub lets: Vec<usize>,
 }
 
-/// Compiles a program that computes the state derivatives, the observed marker position, the left-hand sides of the limits
-/// of validity and all auxiliary variables of a model, without Jacobians.
+/// Compiles a program that computes the state derivatives, the observed marker position, the left-hand sides of the
+/// limits of validity and all auxiliary variables of a model, without Jacobians.
 pub fn compile_every_value(model: &Model) -> EveryValue {
     let Lowered {
         mut graph,
