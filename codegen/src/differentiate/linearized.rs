@@ -29,8 +29,8 @@ pub(crate) struct LinearizedGraph {
 }
 
 impl LinearizedGraph {
-    /// Builds the linearized graph of `results` with respect to `symbols`. `rows` and `columns` are the names of results
-    /// and symbols in generated code.
+    /// Builds the linearized graph of `results` with respect to `symbols`. `rows` and `columns` are the names of
+    /// results and symbols in generated code.
     pub fn new(
         graph: &mut ExprGraph,
         results: &[NodeId],
