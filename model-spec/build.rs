@@ -8,28 +8,33 @@ use std::path::{Path, PathBuf};
 /// Constants to generate, each a table of the built-in files of one folder: name of the constant, its doc comment, name
 /// of the folder, and extension of the files.
 const TABLES: [(&str, &str, &str, &str); 7] = [
-    ("MODELS", "Built-in models: name and text.", "models", "hyz"),
+    (
+        "MODELS",
+        "Built-in models with generated Rust code in this repository, as pairs of name and text.",
+        "models",
+        "hyz",
+    ),
     (
         "BODIES",
-        "Built-in models that are flown by tape, without generated code in this repository: name and text.",
+        "Built-in models without generated Rust code in this repository, as pairs of name and text.",
         "bodies",
         "hyz",
     ),
     (
         "EFFECTS",
-        "Built-in effects: name and text.",
+        "Built-in effects (optional model extensions), as pairs of name and text.",
         "effects",
         "hyz",
     ),
     (
         "GENERAL_EFFECTS",
-        "Built-in effects for models of any kind, candidates where no effect of `EFFECTS` says the same: name and text.",
+        "Built-in effects for models of any kind, tested where no effect of `EFFECTS` has the same meaning: name and text.",
         "general_effects",
         "hyz",
     ),
     (
         "WINDS",
-        "Winds that a release can state, as effects for any model; no candidates of a diagnosis: name and text.",
+        "Winds that a release can specify, as effects for any model; a diagnosis does not test them: name and text.",
         "winds",
         "hyz",
     ),
