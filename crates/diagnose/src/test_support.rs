@@ -16,7 +16,7 @@ pub(crate) struct Fixture {
 }
 
 impl Fixture {
-    /// Index of the candidate with the given display name; panics if there is none.
+    /// Index of the candidate effect with the given display name; panics if there is none.
     pub fn candidate(&self, name: &str) -> CandidateId {
         let mut candidates = self.model.candidates();
         let found = candidates.find(|(_, candidate)| candidate.name == name);

@@ -23,7 +23,8 @@ pub struct DiagnosisOptions<'a> {
     pub dataset: &'a str,
     /// Names of effects that are excluded from the candidates, the effects that the model may lack.
     pub without: &'a [String],
-    /// Options of every fit in the diagnosis. Threads, progress and cancellation apply to the whole diagnosis.
+    /// Options of every fit in the diagnosis. The number of threads, the progress callback and the cancellation apply
+    /// to the whole diagnosis.
     pub fit: FitOptions<'a>,
     /// Probability that any candidate effect is detected although the model is correct, familywise over all candidates;
     /// default 0.004.

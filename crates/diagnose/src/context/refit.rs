@@ -12,8 +12,9 @@ use super::ids::{CandidateId, ColumnId};
 use super::partition::select_vector;
 use super::score_test_model::ScoreTestModel;
 
-/// Stopping criteria of a refit. The relative tolerance suffices because hypotheses are compared by whole units of
-/// χ²; a refit that needs more than 30 steps counts as not converged.
+/// Stopping criteria of a refit, a fit of the model under test with some candidate effects. The relative tolerance
+/// suffices because hypotheses are compared by whole units of χ²; a refit that needs more than 30 steps counts as not
+/// converged.
 const REFIT_STOPPING: StoppingCriteria = StoppingCriteria {
     ftol_rel: 1e-5,
     max_steps: 30,

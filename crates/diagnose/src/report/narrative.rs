@@ -234,8 +234,8 @@ pub(crate) fn refused(validated: &Validated) -> String {
     )
 }
 
-/// Sentences on a lack of fit that no candidate effect explains: the load channels (force or moment components) in
-/// which it lies, and the library terms that `model` selected.
+/// Sentences on a lack of fit that no candidate effect explains: the loads (force or moment components) in which it
+/// lies, and the library terms (products of variables added to a load) that `model` selected.
 pub(crate) fn unattributed(model: &StepwiseModel, channels: &[LoadChannel]) -> String {
     let selected: Vec<&StepwiseTerm> = model.terms.iter().filter(|term| term.selected).collect();
     let most = channels

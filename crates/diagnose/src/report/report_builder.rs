@@ -134,8 +134,8 @@ fn flight_before(flight: &FlightReport) -> FlightGain {
     }
 }
 
-/// Estimates of all coefficients in `fit`, by name. If the fit of the model without the extension is given as `before`,
-/// each coefficient also contains its value in that fit.
+/// Estimates of all coefficients in `fit`, by name. If the fit of the model without the added effects is given as
+/// `before`, each coefficient also contains its value in that fit.
 pub(super) fn coefficients(fit: &Fit, before: Option<&Fit>) -> BTreeMap<String, Coefficient> {
     let each = fit.report.coefficients.iter().map(|(name, c)| {
         let earlier = before.and_then(|before| before.report.coefficients.get(name));

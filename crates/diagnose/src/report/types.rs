@@ -34,14 +34,15 @@ pub struct Report {
     pub causes: Vec<Cause>,
     /// Estimated noise of the measured coordinates.
     pub noise: NoiseSummary,
-    /// Out-of-sample error reduction of the extension; `None` if the model is not extended or no flight can be
-    /// predicted.
+    /// Reduction of the out-of-sample prediction error by the effects added to the model; `None` if the model is not
+    /// extended or no flight can be predicted.
     pub gain: Option<PredictiveGain>,
     /// Coefficients by name: those of the extended model, or of the model under test if it is not extended.
     pub coefficients: BTreeMap<String, Coefficient>,
-    /// Candidate effects that these flights cannot identify.
+    /// Candidate effects (effects that the model may lack) that these flights cannot identify.
     pub undetectable: Vec<NotIdentifiable>,
-    /// Minimum detectable sizes of the identifiable candidates' coefficients, for power 0.9.
+    /// Minimum detectable sizes of the coefficients of those candidate effects that the flights can identify, for power
+    /// 0.9.
     pub smallest_detectable: Vec<MinDetectableEffect>,
     /// Throw that would best distinguish the accepted explanations (`causes`); `None` if fewer than two are accepted.
     pub next_throw: Option<NextThrow>,
@@ -50,20 +51,20 @@ pub struct Report {
     /// Computing time, s, by stage (`fit` and `search`): time from the start of the diagnosis to the end of the stage.
     /// `total` is the time of the whole diagnosis.
     pub seconds: BTreeMap<String, f64>,
-    /// Score test of each candidate effect, smallest p-value first.
+    /// Score test of each candidate effect (effect that the model may lack), smallest p-value first.
     pub candidates: Vec<CandidateTest>,
     /// Significance threshold of the score tests.
     pub threshold: Threshold,
-    /// Correlations between the effective scores of the candidates' coefficients.
+    /// Correlations between the effective scores of the coefficients of the candidate effects.
     #[serde(rename = "alike")]
     pub score_correlations: ScoreCorrelations,
     /// Detected errors in the data of the flights, in the order of the dataset.
     #[serde(default)]
     pub data_faults: Vec<DataFault>,
-    /// Residuals of each flight without and with the extension, in the order of the dataset.
+    /// Residuals of each flight without and with the effects added to the model, in the order of the dataset.
     pub flights: Vec<FlightGain>,
-    /// Coefficients of the model over angle of attack or speed, without and with the extension; empty if the model is
-    /// not extended.
+    /// Coefficients of the model over angle of attack or speed, without and with the added effects; empty if the model
+    /// is not extended.
     pub curves: Vec<CoefficientCurve>,
     /// Lack of fit that no candidate effect explains; `None` if there is none.
     #[serde(rename = "outside")]
@@ -76,7 +77,8 @@ pub struct Report {
     /// from smooth motion. The verdict [`Verdict::None`] requires that this test is absent or not significant.
     #[serde(default)]
     pub lack_of_fit: Option<LackOfFit>,
-    /// Results of verifying the extended model; `None` if it was not verified.
+    /// Result of verifying the extended model: the result of each check, and whether any of them refuted the model.
+    /// `None` if it was not verified.
     pub verified: Option<Verified>,
     /// Whether every fit converged.
     #[serde(default = "converged_by_default")]
@@ -146,7 +148,7 @@ pub struct RemainingEffect {
     pub p: f64,
 }
 
-/// One effect of an explanation (a [`Cause`]), with the estimates of its coefficients.
+/// One effect of an explanation of the misfit (a [`Cause`]), with the estimates of its coefficients.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CauseEffect {
     /// Display name, with hyphens, of the candidate effect or of the effect created from library terms.
@@ -157,7 +159,8 @@ pub struct CauseEffect {
     pub site: String,
     /// Names of the variables on which the effect depends.
     pub variables: Vec<String>,
-    /// Estimates of the effect's coefficients by name; for a state, the root mean square over the flights.
+    /// Estimates of the effect's coefficients by name. For a state, which has one value for each flight, the root mean
+    /// square over the flights of its differences from the null value.
     pub estimates: BTreeMap<String, Estimate>,
     /// Score statistic of the effect, χ², tested at the fit of the model under test; 0 for an effect created from
     /// library terms.
@@ -193,17 +196,17 @@ pub struct NoiseSummary {
     pub outlier_fraction: f64,
 }
 
-/// Fitted coefficient of the model, without and with the extension.
+/// Fitted coefficient of the model, without and with the effects that the diagnosis adds.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Coefficient {
-    /// Fitted value, SI; with the extension if the model is extended.
+    /// Fitted value, SI; with the added effects if the model is extended.
     pub value: f64,
     /// Standard error of the value, SI.
     pub std_error: f64,
     /// SI unit of the coefficient, as text.
     pub unit: String,
-    /// Fitted value without the extension, SI; `None` if the model is not extended or the extension adds the
-    /// coefficient.
+    /// Fitted value without the added effects, SI; `None` if the model is not extended or an added effect introduces
+    /// the coefficient.
     pub before: Option<f64>,
 }
 
@@ -223,7 +226,7 @@ pub struct CandidateTest {
     pub dof: usize,
     /// Natural logarithm of the p-value.
     pub ln_p: f64,
-    /// Equivalent z of the p-value: its two-sided standard normal quantile.
+    /// Equivalent z of the p-value: the two-sided standard normal quantile that has this p-value.
     #[serde(rename = "sigmas")]
     pub z: f64,
     /// Whether the p-value is below the familywise threshold.
@@ -244,7 +247,7 @@ pub struct Threshold {
     pub alpha: f64,
     /// Natural logarithm of the p-value below which a single test is significant.
     pub ln_p: f64,
-    /// Equivalent z above which a single test is significant.
+    /// Equivalent z of the threshold (two-sided standard normal quantile), above which a single test is significant.
     #[serde(rename = "sigmas")]
     pub z: f64,
 }
@@ -258,7 +261,7 @@ pub struct ScoreCorrelations {
     pub matrix: Vec<Vec<f64>>,
 }
 
-/// RMS residuals of one flight in the model without and with the extension.
+/// RMS residuals of one flight in the model without and with the added effects.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FlightGain {
     /// File name of the flight.
@@ -271,9 +274,9 @@ pub struct FlightGain {
     /// Reason why the flight was excluded from the fit or from the prediction; `None` if it was not excluded.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reason: Option<String>,
-    /// Root mean square residual of one coordinate without the extension, m; `None` if the flight was excluded.
+    /// Root mean square residual of one coordinate without the added effects, m; `None` if the flight was excluded.
     pub rms_before_m: Option<f64>,
-    /// Root mean square residual of one coordinate with the extension, m; `None` if the flight was excluded or the
+    /// Root mean square residual of one coordinate with the added effects, m; `None` if the flight was excluded or the
     /// model is not extended.
     pub rms_after_m: Option<f64>,
 }
@@ -286,7 +289,7 @@ pub struct Unattributed {
     pub says: String,
     /// Estimated missing load of each load channel (force or moment component).
     pub channels: Vec<LoadChannel>,
-    /// Tested terms of the term library, most significant first.
+    /// Tested library terms (products of variables added to one load), most significant first.
     pub terms: Vec<StepwiseTerm>,
 }
 
@@ -313,7 +316,8 @@ pub struct Consensus {
 pub struct LoadChannel {
     /// Site of the load: lift, drag, side, roll, pitch or spin.
     pub site: String,
-    /// Ratio of the χ² decrease by the terms of this channel alone to the decrease by all library terms, 0 … 1.
+    /// Ratio of the χ² decrease by the library terms of this load alone to the decrease by the terms of all loads, 0 …
+    /// 1.
     #[serde(rename = "explains")]
     pub explained: f64,
     /// Time history of the load coefficient in each flight.

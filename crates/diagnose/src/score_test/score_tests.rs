@@ -29,26 +29,28 @@ pub(crate) struct ScoreTests {
     pub terms: IndexVec<TermId, ScoreTest>,
     /// Partition of the columns of the normal equations into nuisance and tested columns.
     pub partition: Partition,
-    /// Effective information of the tested columns, with rows and columns multiplied by `scale`. The diagonal would be
+    /// Effective information of the tested unknowns, with rows and columns multiplied by `scale`. The diagonal would be
     /// 1 if the nuisance parameters were not projected out.
     pub information: DMatrix<f64>,
-    /// Effective scores of the tested columns, scaled by `scale`.
+    /// Effective scores of the tested unknowns, each multiplied by its entry in `scale`.
     pub score: DVector<f64>,
-    /// Factor by which each tested column is multiplied, so that its norm is 1 after eliminating the local parameters.
+    /// Factor by which the Jacobian column of each tested unknown is multiplied, so that its norm is 1 after
+    /// eliminating the local parameters (initial states of the flights).
     pub scale: Vec<f64>,
-    /// Projection coefficients of the tested columns on the nuisance columns.
+    /// Coefficients of the projection of the Jacobian columns of the tested unknowns on those of the nuisance
+    /// parameters.
     pub nuisance_projection: DMatrix<f64>,
     /// Information matrix of the nuisance parameters.
     pub nuisance_information: DMatrix<f64>,
-    /// Squared norms of each tested column of the Jacobian, before and after elimination of the local parameters
-    /// (initial states of the flights).
+    /// Squared norms of the Jacobian column of each tested unknown, before and after elimination of the local
+    /// parameters (initial states of the flights).
     pub norms: Vec<ColumnNorms>,
     pub(super) nuisance_step: DVector<f64>,
     /// For each test with at least one degree of freedom: matrix that maps the effective scores of all tested columns
     /// to independent standard normal variables; one matrix column for each tested column.
     whitenings: Vec<DMatrix<f64>>,
-    /// Number of tests of candidate effects with one value for each flight, whose states are not among the tested
-    /// columns.
+    /// Number of tests of candidate effects that are represented by states with one value for each flight. These states
+    /// have no column in the normal equations of the global parameters.
     state_tests: usize,
 }
 
@@ -57,7 +59,8 @@ pub(crate) struct ScoreTests {
 pub(crate) struct ColumnNorms {
     /// Squared norm of the column, over all flights.
     pub total: f64,
-    /// Squared norm of the column after projection orthogonal to the local columns of each flight.
+    /// Squared norm of the column after projection orthogonal to the derivatives with respect to each flight's initial
+    /// state.
     pub locals_eliminated: f64,
 }
 

@@ -75,7 +75,8 @@ impl ScoreTestModel<'_> {
         self.fit_hypothesis_cached(effects, from, noise, TrajectoryCache::DISABLED)
     }
 
-    /// Like [`fit_hypothesis`](Self::fit_hypothesis), but stores the trajectories at the fitted values in `cache`.
+    /// Fits the candidate effects `effects` together with the model under test, starting at `from`, and stores the
+    /// trajectories at the fitted values in `cache`. `None` if the fit or the score tests fail.
     pub fn fit_hypothesis_cached(
         &self,
         effects: &[CandidateId],

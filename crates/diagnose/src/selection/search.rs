@@ -9,11 +9,12 @@ use crate::error::{DiagnosisError, if_possible};
 use crate::score_test::{ScoreTest, ScoreTests};
 
 /// A hypothesis is fitted only if its sum of squares, χ², expected from linearization exceeds the smallest expected sum
-/// of all hypotheses by less than this amount plus that of [`CHI2_MARGIN_RELATIVE`].
+/// of all hypotheses by less than a margin: this amount plus an allowance, [`CHI2_MARGIN_RELATIVE`], for linearization
+/// error.
 const CHI2_MARGIN: f64 = 30.0;
 
-/// Addition to [`CHI2_MARGIN`] that allows for linearization error, as a fraction of the largest expected decrease of
-/// the sum of squares.
+/// Part of the margin within which a hypothesis is fitted, as a fraction of the largest expected decrease of the sum of
+/// squares. It allows for linearization error and is added to [`CHI2_MARGIN`].
 const CHI2_MARGIN_RELATIVE: f64 = 0.25;
 
 /// Maximum number of hypotheses fitted in one round of the search; all of them have the same number of effects.
@@ -57,9 +58,9 @@ pub(crate) struct TestsAtPoint {
 /// Noise model with which a search weights the residuals.
 #[derive(Clone, Copy)]
 pub(crate) enum Weights<'n> {
-    /// The noise is estimated from residuals that are weighted with this noise model.
+    /// The noise is estimated by the search, from residuals that are weighted with this noise model.
     EstimatedFrom(&'n NoiseModel),
-    /// The noise is known.
+    /// The noise is known: the search weights residuals with this noise model and does not estimate another one.
     Known(&'n NoiseModel),
 }
 

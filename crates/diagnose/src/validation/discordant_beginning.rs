@@ -7,13 +7,13 @@ use identify::{CONDITIONING_FRACTION, Fit};
 /// the flight's samples (its conditioning segment) by more than this amount.
 const MAX_CHI2_INCREASE: f64 = 10.0;
 
-/// Rule that selects the held-out flights to which an extension is applied.
+/// Rule that selects the held-out flights that are predicted with the extension (the effects added to the model).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ApplyTo {
-    /// The extension is applied to all held-out flights.
+    /// All held-out flights are predicted with the extension (the effects added to the model).
     AllFlights,
-    /// The extension is applied to held-out flights whose conditioning segment, the first 30 % of the samples, does not
-    /// contradict the extension.
+    /// The extension (added effects) is applied to those held-out flights whose conditioning segment, the first 30 % of
+    /// the samples, does not contradict it.
     ConcordantFlights,
 }
 

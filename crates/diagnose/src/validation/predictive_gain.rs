@@ -4,9 +4,9 @@ use identify::dataset::Role;
 use identify::{Fit, FitReport, median_of};
 use serde::{Deserialize, Serialize};
 
-/// Prediction errors on held-out flights without and with an extension. The initial state of a held-out flight is
-/// fitted on the first 30 % of its samples. Flights that neither model predicts are set apart and not included in any
-/// statistic.
+/// Prediction errors on held-out flights without and with the extension (the effects added to the model). The initial
+/// state of a held-out flight is fitted on the first 30 % of its samples. Flights that neither model predicts are set
+/// apart and not included in any statistic.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PredictiveGain {
     /// RMS prediction error of one coordinate by the model without the extension, m; the mean is over all predicted
@@ -97,8 +97,8 @@ pub(super) struct FlightErrors {
     is_applied: bool,
 }
 
-/// Out-of-sample error reduction between two fits, on the held-out flights of the dataset; `None` if no held-out
-/// flight is predicted. `noise_floor_m` is the noise of one coordinate, m.
+/// Reduction of the out-of-sample error from the fit `before` to the fit `after`, on the held-out flights of the
+/// dataset; `None` if no held-out flight is predicted. `noise_floor_m` is the noise of one coordinate, m.
 pub fn held_out_gain(
     before: &FitReport,
     after: &FitReport,
@@ -107,8 +107,9 @@ pub fn held_out_gain(
     summarize(errors(before, after, &[]), noise_floor_m, true)
 }
 
-/// Out-of-sample error reduction between two fits, on the held-out flights of the dataset. The extension is not
-/// applied to the flights in `not_applied` (dataset indices). `None` if no held-out flight is predicted.
+/// Reduction of the out-of-sample error from the fit `before` to the fit `after` of the extended model, on the held-out
+/// flights of the dataset. The extension is not applied to the flights in `not_applied` (dataset indices). `None` if no
+/// held-out flight is predicted.
 pub(crate) fn gain_of_fits(
     before: &Fit,
     after: &Fit,
@@ -119,7 +120,8 @@ pub(crate) fn gain_of_fits(
     summarize(errors, noise_floor_m, true)
 }
 
-/// Prediction errors of the held-out flights that both fits predict.
+/// Prediction errors of the held-out flights that both fits predict. For the flights in `not_applied` (dataset
+/// indices), the error of the fit `before` is used twice.
 pub(super) fn errors(
     before: &FitReport,
     after: &FitReport,
