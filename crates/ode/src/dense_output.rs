@@ -58,7 +58,8 @@ impl DenseOutput<'_> {
     }
 }
 
-/// Accepted step with states and derivatives at both ends, interpolated by the cubic Hermite polynomial.
+/// Accepted step with the states and time derivatives at its start and end, interpolated by the cubic Hermite
+/// polynomial.
 pub(crate) struct HermiteStep<'a, X> {
     /// Time at the start of the step.
     pub t: f64,

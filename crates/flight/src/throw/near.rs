@@ -7,12 +7,12 @@ use super::motion::{MotionModel, POINT_VECTORS, VECTORS};
 use super::{RPM, Throw, ThrowError, ThrownModel};
 use crate::functions::{EvaluationPoint, Workspace};
 
-/// Maximum number of unknowns of a linear system in the search: all states of a rigid body whose attitude is a
-/// quaternion (3 of position, 4 of attitude, 6 of velocities).
+/// Maximum number of unknowns of a linear system in the search for the state of a throw: all states of a rigid body
+/// whose attitude is a quaternion (3 of position, 4 of attitude, 6 of velocities).
 const UNKNOWNS: usize = 13;
-/// Maximum number of steps of Newton's method.
+/// Maximum number of steps of Newton's method in the search for the attitude states.
 const MAX_STEPS: usize = 20;
-/// Maximum angle of a rotation that Newton's method is to find at once, rad; greater rotations are split.
+/// Maximum angle of a rotation of the body that Newton's method is to find at once, rad; greater rotations are split.
 const WIDEST_TURN: f64 = 0.5;
 /// Offset of an attitude state to either side in the central differences of the body axes, rad for an angle,
 /// dimensionless for a quaternion component.
@@ -22,7 +22,7 @@ const DIFFERENCE_STEP: f64 = 1e-5;
 /// SI units.
 const SAME: f64 = 1e-9;
 
-/// Finds the states of throws that are near a known throw.
+/// Finds the model states for throws (motions at release) that are near a throw whose state is known.
 pub struct NearThrows<'m> {
     thrown: &'m ThrownModel,
     /// State of the known throw: the starting point of the search for the state of each other throw.

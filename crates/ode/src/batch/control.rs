@@ -9,7 +9,7 @@ use crate::step_control::{PiGains, PiMemory};
 /// Maximum number of SIMD lanes of any instruction set.
 pub(crate) const MAX_LANES: usize = 8;
 
-/// Flight, time, step size and step counts of each lane.
+/// Flight, time, step size and step counts of each SIMD lane of a batch integration.
 pub(crate) struct Control {
     /// Number that identifies the flight in each lane, as returned by `FlightQueue::next`; `None` if the lane is idle.
     pub flight: [Option<u64>; MAX_LANES],

@@ -185,7 +185,8 @@ pub fn fly<R: LaneRhs>(
     dispatch(batch(rhs, queue, span, options))
 }
 
-/// Integrates as [`fly`] does, on the lanes of one instruction set; `None` if the processor does not support it.
+/// Integrates all flights of a queue on the SIMD lanes of one instruction set, and returns the number of vector
+/// evaluations of the right-hand side. `None` if the processor does not support the instruction set.
 ///
 /// # Panics
 /// Under the same conditions as [`fly`].
@@ -199,8 +200,9 @@ pub fn fly_on<R: LaneRhs>(
     dispatch_with(isa, batch(rhs, queue, span, options))
 }
 
-/// Integrates as [`fly_on`] does, but is compiled only for the widest instruction sets of the architecture (see
-/// [`lanes::dispatch_widest`]). Returns `None` for other instruction sets, and if the processor does not support `isa`.
+/// Integrates all flights of a queue on the SIMD lanes of the instruction set `isa`, and returns the number of vector
+/// evaluations of the right-hand side. Is compiled only for the widest instruction sets of the architecture (see
+/// [`lanes::dispatch_widest`]). `None` for other instruction sets, and if the processor does not support `isa`.
 ///
 /// # Panics
 /// Under the same conditions as [`fly`].

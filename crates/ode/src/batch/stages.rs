@@ -7,7 +7,8 @@ use lanes::Lanes;
 /// latency of the additions.
 pub(crate) const BLOCK: usize = 6;
 
-/// Stage derivatives of a step in all lanes: component i of stage s is at index `s · n + i` of `k`.
+/// Stage derivatives of a Runge–Kutta step in all SIMD lanes: component i of stage s is at index `s · n + i` of `k`,
+/// where n is the number of states.
 pub(crate) struct Stages<T> {
     pub n: usize,
     pub k: Vec<T>,

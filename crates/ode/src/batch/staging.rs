@@ -31,7 +31,7 @@ impl<T: Lanes> LaneValues<T> {
         }
     }
 
-    /// Replaces the values by those of `from` in the lanes where `keep` is 0.
+    /// Replaces the values by those of `from` in the SIMD lanes where the mask `keep` is 0.
     #[inline(always)]
     pub(crate) fn take(&mut self, keep: T, from: &LaneValues<T>) {
         merge(keep, &from.x, &mut self.x);
@@ -42,7 +42,7 @@ impl<T: Lanes> LaneValues<T> {
     }
 }
 
-/// Copies `from` to `to` in the lanes where `keep` is 0.
+/// Copies `from` to `to` in the SIMD lanes where the mask `keep` is 0.
 #[inline(always)]
 pub(crate) fn merge<T: Lanes>(keep: T, from: &[T], to: &mut [T]) {
     let n = to.len();

@@ -10,7 +10,7 @@ use ode::Trajectory;
 
 use super::{MODELS, compiled, model, released, throw, tight};
 
-/// Velocity of the air, m/s.
+/// Velocity of the air in the test flights, m/s, in the inertial frame.
 const W: [f64; 3] = [3.0, -2.0, 0.4];
 const SECONDS: f64 = 1.2;
 const GUSTS: &str = "[wind.gusts]\nmodel = \"dryden\"\nseed = 11\nheading = 20.0\nsd = [1.5, 1.2, 0.6]\nlength = [12.0, 15.0, 4.0]\n";
