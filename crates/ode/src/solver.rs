@@ -29,7 +29,7 @@ pub struct Endpoint<X> {
     pub event: Option<String>,
     /// Recorded events, in order of time; a terminal event is the last.
     pub occurrences: Vec<Occurrence>,
-    /// Numbers of steps and evaluations of the integration.
+    /// Numbers of steps and of right-hand side evaluations of the integration.
     pub stats: SolverStats,
 }
 

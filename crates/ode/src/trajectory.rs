@@ -27,7 +27,7 @@ pub struct Trajectory {
     pub terminal_event: Option<String>,
     /// Recorded events, in order of time; a terminal event is the last.
     pub events: Vec<Occurrence>,
-    /// Numbers of steps and evaluations of the integration.
+    /// Numbers of steps and of right-hand side evaluations of the integration.
     pub stats: SolverStats,
 }
 

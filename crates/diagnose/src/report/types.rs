@@ -165,7 +165,8 @@ pub struct CauseEffect {
     /// Score statistic of the effect, χ², tested at the fit of the model under test; 0 for an effect created from
     /// library terms.
     pub statistic: f64,
-    /// Whether every estimate is below the smallest effect size of interest.
+    /// Whether every estimate of the effect differs from its null value by less than the smallest effect size of
+    /// interest.
     #[serde(rename = "immaterial")]
     pub negligible: bool,
 }
@@ -255,9 +256,9 @@ pub struct Threshold {
 /// Correlation matrix of the effective scores of the candidate effects' coefficients.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ScoreCorrelations {
-    /// Names of the coefficients, in the order of the rows and columns.
+    /// Names of the coefficients to which the rows and columns of the correlation matrix belong, in their order.
     pub names: Vec<String>,
-    /// Correlations, −1 … 1, as rows of the matrix.
+    /// Rows of the correlation matrix; the correlations are −1 … 1.
     pub matrix: Vec<Vec<f64>>,
 }
 
@@ -314,7 +315,7 @@ pub struct Consensus {
 /// Missing load in one load channel (a force or moment component), as estimated from the residuals.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LoadChannel {
-    /// Site of the load: lift, drag, side, roll, pitch or spin.
+    /// Name of the load in which the force or moment is missing: lift, drag, side, roll, pitch or spin.
     pub site: String,
     /// Ratio of the χ² decrease by the library terms of this load alone to the decrease by the terms of all loads, 0 …
     /// 1.
@@ -329,6 +330,6 @@ pub struct LoadChannel {
 pub struct Verified {
     /// Whether no check refuted the extended model.
     pub holds: bool,
-    /// Name and result of each check, as text.
+    /// Name and result, as text, of each check by which the extended model was verified.
     pub checks: Vec<(String, String)>,
 }

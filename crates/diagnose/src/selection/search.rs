@@ -42,7 +42,7 @@ pub(crate) struct Search {
     pub at_base: TestsAtPoint,
     /// Model confidence set: hypotheses that are not rejected, best fit first.
     pub accepted: Vec<Hypothesis>,
-    /// Hypotheses fitted in the last search round in which none was adequate, best fit first.
+    /// Hypotheses of the most recent search round in which no hypothesis was adequate, best fit first.
     pub rejected: Vec<Hypothesis>,
 }
 
@@ -400,7 +400,8 @@ mod tests {
     use super::*;
     use crate::test_support::{Fixture, fixture};
 
-    /// Calls `with` with the test fixture and with a search at its fit, from which the accepted hypotheses are removed.
+    /// Calls `with` with the test fixture and with a search that starts at the fit of the fixture; the accepted
+    /// hypotheses are removed from the search.
     fn searched(with: impl FnOnce(&Fixture, Search)) {
         let mut fixture = fixture();
         let noise = fixture.fit.noise().clone();

@@ -3,8 +3,8 @@
 use identify::dataset::Role;
 use identify::{CONDITIONING_FRACTION, Fit};
 
-/// A flight contradicts an extension if the extension increases the weighted sum of squares, χ², of the first 30 % of
-/// the flight's samples (its conditioning segment) by more than this amount.
+/// A flight contradicts the effects added to a model if they increase the weighted sum of squares, χ², of the first
+/// 30 % of the flight's samples (its conditioning segment) by more than this amount.
 const MAX_CHI2_INCREASE: f64 = 10.0;
 
 /// Rule that selects the held-out flights that are predicted with the extension (the effects added to the model).
@@ -76,9 +76,9 @@ fn contradicted(before: &Fit, after: &Fit) -> Vec<usize> {
     worse(&segments.collect::<Vec<_>>())
 }
 
-/// Indices of the flights whose weighted sum of squares in the conditioning segment increases significantly with the
-/// extension. Each tuple contains a flight's index and its sums of squares without and with the extension. The noise
-/// variance is estimated from the smaller of the two sums of each flight.
+/// Indices of the flights whose weighted sum of squares in the conditioning segment (first 30 % of the samples)
+/// increases significantly with the added effects. Each tuple contains a flight's index and its sums of squares without
+/// and with these effects. The noise variance is estimated from the smaller of the two sums of each flight.
 fn worse(segments: &[(usize, SegmentSquares, SegmentSquares)]) -> Vec<usize> {
     let mut noise = SegmentSquares::default();
     for (_, before, after) in segments {

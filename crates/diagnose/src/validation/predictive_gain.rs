@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 /// apart and not included in any statistic.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PredictiveGain {
-    /// RMS prediction error of one coordinate by the model without the extension, m; the mean is over all predicted
+    /// RMS prediction error of one coordinate by the model without the added effects, m; the mean is over all predicted
     /// flights.
     pub held_out_rms_before_m: f64,
     /// RMS prediction error of one coordinate by the extended model, m; the mean is over all predicted flights.
@@ -21,22 +21,24 @@ pub struct PredictiveGain {
     pub noise_floor_m: f64,
     /// Number of flights predicted both without and with the extension; flights in `set_apart` are not counted.
     pub flights: usize,
-    /// Number of predicted flights to which the extension is not applied, because it contradicts their first samples.
+    /// Number of predicted flights to which the added effects are not applied, because they contradict the first
+    /// samples of these flights.
     #[serde(default)]
     pub without: usize,
     /// Whether the held-out flights are declared in the dataset. If false, every flight is predicted by a fit of
     /// other flights (2-fold cross-validation).
     pub held_out_by_dataset: bool,
-    /// Number of flights with a smaller RMS prediction error with the extension than without it.
+    /// Number of flights whose RMS prediction error is smaller with the added effects than without them.
     #[serde(default)]
     pub improved: usize,
-    /// Number of flights with a larger RMS prediction error with the extension than without it.
+    /// Number of flights whose RMS prediction error is larger with the added effects than without them.
     #[serde(default)]
     pub worsened: usize,
-    /// Median, over the predicted flights, of the flight's RMS prediction error by the model without the extension, m.
+    /// Median, over the predicted flights, of the RMS prediction error of a flight by the model without the added
+    /// effects, m.
     #[serde(default)]
     pub median_before_m: f64,
-    /// Median, over the predicted flights, of the flight's RMS prediction error by the extended model, m.
+    /// Median, over the predicted flights, of the RMS prediction error of a flight by the extended model, m.
     #[serde(default)]
     pub median_after_m: f64,
     /// p-value of the sign test: probability that at least `improved` flights improve if improvement and worsening are
@@ -49,17 +51,17 @@ pub struct PredictiveGain {
 }
 
 impl PredictiveGain {
-    /// RMS error without the extension minus RMS error with it, m.
+    /// RMS prediction error without the added effects minus RMS prediction error with them, m.
     pub fn error_reduction_m(&self) -> f64 {
         self.held_out_rms_before_m - self.held_out_rms_after_m
     }
 
-    /// Whether the extension reduces the RMS prediction error by more than the standard error of the reduction.
+    /// Whether the added effects reduce the RMS prediction error by more than the standard error of the reduction.
     pub(crate) fn is_improvement(&self) -> bool {
         self.error_reduction_m() > self.standard_error_m
     }
 
-    /// Whether the extension increases the RMS prediction error by more than the standard error of the increase.
+    /// Whether the added effects increase the RMS prediction error by more than the standard error of the increase.
     pub(crate) fn is_worse(&self) -> bool {
         self.error_reduction_m() < -self.standard_error_m
     }
@@ -72,8 +74,8 @@ impl PredictiveGain {
     }
 }
 
-/// Maximum difference of two RMS errors, as a fraction of the noise standard deviation, at which two models count as
-/// making the same predictions.
+/// Maximum difference of the RMS prediction errors of two models, as a fraction of the noise standard deviation, at
+/// which the models count as making the same predictions.
 const SAME_ERROR: f64 = 1e-3;
 
 /// Factor of the limit above which a flight is set apart (excluded from the statistics, because neither model predicts
@@ -84,15 +86,15 @@ const SET_APART: f64 = 6.0;
 /// Minimum number of predicted flights; with fewer flights, no flight is set apart.
 const MIN_FLIGHTS: usize = 4;
 
-/// Prediction errors of one flight, without and with the extension.
+/// Prediction errors of one flight, without and with the effects added to the model.
 #[derive(Clone, Debug)]
 pub(super) struct FlightErrors {
     /// File name of the flight.
     file: String,
-    /// Mean squared prediction error of one coordinate by the model without the extension, m².
+    /// Mean squared prediction error of one coordinate by the model without the added effects, m².
     before: f64,
-    /// Mean squared prediction error of one coordinate by the extended model, m²; equal to `before` if the extension is
-    /// not applied to the flight.
+    /// Mean squared prediction error of one coordinate by the extended model, m²; equal to `before` if the added
+    /// effects are not applied to the flight.
     after: f64,
     is_applied: bool,
 }
@@ -121,7 +123,7 @@ pub(crate) fn gain_of_fits(
 }
 
 /// Prediction errors of the held-out flights that both fits predict. For the flights in `not_applied` (dataset
-/// indices), the error of the fit `before` is used twice.
+/// indices), the error of the fit `before` counts as that of both fits.
 pub(super) fn errors(
     before: &FitReport,
     after: &FitReport,

@@ -96,7 +96,8 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Returns the value if no fault was recorded; `file` is the name of the text in error messages.
+    /// Returns `value`, the result of parsing the text, if no fault was recorded; `file` is the name of the text in
+    /// error messages.
     ///
     /// # Errors
     /// [`ReleaseError`] with the faults in order of location if there are any, or if `value` is `None`.
@@ -336,8 +337,8 @@ impl<'t> Reader<'t> {
     }
 
     /// Parses the table `key` of the document, either `parameters` or `coefficients`, and returns its names and values.
-    /// `names` are the names that are valid in this table, `others` those that are valid in the other of the two
-    /// tables.
+    /// `names` are the names that are valid in this table. `others` are the names of the model's constants that belong
+    /// in the second of the two tables; they are used in error messages.
     fn constants(
         &mut self,
         document: &DeTable<'t>,

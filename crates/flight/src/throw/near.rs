@@ -25,7 +25,7 @@ const SAME: f64 = 1e-9;
 /// Finds the model states for throws (motions at release) that are near a throw whose state is known.
 pub struct NearThrows<'m> {
     thrown: &'m ThrownModel,
-    /// State of the known throw: the starting point of the search for the state of each other throw.
+    /// State of the known throw, from which the search for the state of a similar throw starts.
     near: Vec<f64>,
     /// Indices of the attitude states (field `attitude`), and of the states on which the motion depends linearly (field
     /// `linear`).
@@ -65,7 +65,7 @@ impl<'m> NearThrows<'m> {
     }
 
     /// Writes to `state` the state in which the body has the motion of `throw` and its mass centre is above the point
-    /// `ground` (x, y), m; see [`ThrownModel::state`].
+    /// `ground` (x, y), m.
     ///
     /// # Errors
     /// [`ThrowError`] as for [`ThrownModel::state`].

@@ -104,7 +104,7 @@ pub struct FlightEnd<'a> {
     /// Time and value of the maximum height, which is at the start, at the end, or where the time derivative of the
     /// height falls to 0. The value is NaN if [`FlightSpan::seeks_apex`] is false or [`FlightSpan::height`] is `None`.
     pub apex: (f64, f64),
-    /// Numbers of steps and evaluations of this flight.
+    /// Numbers of steps and of right-hand side evaluations of this flight.
     pub stats: SolverStats,
 }
 
