@@ -163,9 +163,9 @@ struct Analysis<'a> {
     notes: Vec<String>,
 }
 
-/// Searches for missing effects. If the samples of a flight do not determine its initial state, or its trajectory
-/// cannot be integrated, the flight is removed from the score-test model, its file name is added to `set_aside`, and
-/// the search starts again with the other flights.
+/// Searches for missing effects. A flight is removed from the score-test model if its samples do not determine its
+/// initial state, or its trajectory cannot be integrated. Its file name is then added to `set_aside`, and the search
+/// starts again with the other flights.
 fn search_testable(
     model: &mut ScoreTestModel<'_>,
     base: &mut Iterate,

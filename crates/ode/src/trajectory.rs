@@ -17,7 +17,7 @@ pub struct Trajectory {
     pub(crate) steps: Vec<(f64, f64)>,
     /// Dense-output coefficients of all steps, concatenated.
     pub(crate) rows: Vec<f64>,
-    /// Initial time.
+    /// Initial time, in the time unit of the right-hand side.
     pub start: f64,
     /// Final time: the requested one, or that of the terminal event.
     pub end: f64,

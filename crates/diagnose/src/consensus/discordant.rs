@@ -13,8 +13,8 @@ const MAX_ITERATIONS: usize = 20;
 /// information.
 const MIN_EXPECTED_CHI2: f64 = 10.0;
 
-/// A flight is discordant if the value of an unknown that is estimated from this flight alone is less than this
-/// fraction of the common value, which is estimated from all concordant flights.
+/// Minimum ratio of the value of an unknown estimated from one flight alone to the common value estimated from all
+/// concordant flights. A flight with enough information and a smaller ratio is discordant.
 const MIN_SHARE: f64 = 0.25;
 
 /// Flights divided by whether they agree with a common value of one unknown.

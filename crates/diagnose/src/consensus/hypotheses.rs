@@ -36,8 +36,9 @@ pub(crate) struct Consensus {
     /// hypothesis explains at least half of the excess χ² of the flights outside `discordant`, but none explains half
     /// of that of all flights.
     pub hypotheses: Vec<Hypothesis>,
-    /// Fraction, 0 … 1, of the excess χ² (weighted sum of squares minus its expectation for pure noise) that the best
-    /// hypothesis explains, over all flights, or over the concordant flights if `hypotheses` is empty.
+    /// Fraction, 0 … 1, of the excess χ² that the best hypothesis explains, over all flights, or over the concordant
+    /// flights if `hypotheses` is empty. The excess χ² is the weighted sum of squares minus its expectation for pure
+    /// noise.
     pub explained: f64,
     /// Familywise p-value of the sign-flip test of the effect of the best hypothesis: probability that the flights
     /// agree as much by chance.

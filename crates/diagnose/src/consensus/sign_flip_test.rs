@@ -112,7 +112,7 @@ impl SignFlipTest {
         }
     }
 
-    /// Number of flights tested.
+    /// Number of flights whose scores are tested.
     pub fn flights(&self) -> usize {
         self.scores.nrows()
     }

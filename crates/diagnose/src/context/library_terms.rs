@@ -19,7 +19,7 @@ use super::ids::TermId;
 /// coefficients and variables in the layout of a model.
 #[derive(Clone, Debug)]
 pub(crate) struct LibraryTerms {
-    /// The term library.
+    /// The term library: variables, products of their powers, and the quantities to which the products can be added.
     library: Arc<TermLibrary>,
     /// The terms, ordered by load channel, the force or moment component to which they contribute: all products of
     /// variables for the first component, then all products for the second, and so on.

@@ -82,7 +82,7 @@ impl ScoreTestModel<'_> {
         })
     }
 
-    /// Calls `each` with every residual of a flight and the derivatives of the residual with respect to the tangent
+    /// Calls `each` with every residual of a flight and its derivatives with respect to all unknowns: the tangent
     /// directions of the flight's initial state, the global parameters and the coefficients of the library terms.
     ///
     /// # Errors

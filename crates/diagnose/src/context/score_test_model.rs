@@ -21,7 +21,7 @@ use super::{Context, Partition};
 /// Model with all candidate effects (encompassing model), its estimation problem, and the observations of the fitted
 /// flights.
 pub(crate) struct ScoreTestModel<'a> {
-    /// Inputs of the diagnosis.
+    /// Inputs of the diagnosis: model under test, dataset and options.
     pub context: Context<'a>,
     encompassing: EncompassingModel,
     /// The estimation problem with every candidate at its null value. Its global parameters are those of the model

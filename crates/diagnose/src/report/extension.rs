@@ -9,7 +9,7 @@ use crate::extension::ExtendedModel;
 use crate::selection::{FittedTerms, Search};
 
 /// Adds the library terms `terms` (products of variables added to loads) to the report as a further explanation of the
-/// lack of fit, which the data do not distinguish from the other explanations.
+/// lack of fit. The data do not distinguish it from the other explanations.
 pub(crate) fn add_alternative(report: &mut Report, terms: &FittedTerms, search: &Search) {
     let chi2_decrease = (search.at_base.squares - terms.squares).max(0.0);
     let mut cause = cause(&terms.extension, &terms.fit, chi2_decrease);

@@ -25,7 +25,7 @@ pub struct Report {
     pub model: String,
     /// Names of the effects (optional extensions) that were switched on in the model under test.
     pub effects: Vec<String>,
-    /// Outcome of the diagnosis.
+    /// Outcome of the diagnosis: whether the model has an error, and whether the missing effects are identified.
     pub verdict: Verdict,
     /// Summary of the result, one paragraph of text.
     pub summary: String,
@@ -80,7 +80,7 @@ pub struct Report {
     /// Result of verifying the extended model: the result of each check, and whether any of them refuted the model.
     /// `None` if it was not verified.
     pub verified: Option<Verified>,
-    /// Whether every fit converged.
+    /// Whether every fit of the diagnosis converged.
     #[serde(default = "converged_by_default")]
     pub converged: bool,
     /// Whether the search was completed. If false, the deadline or the maximum number of least-squares steps was
@@ -96,7 +96,7 @@ fn converged_by_default() -> bool {
     true
 }
 
-/// Outcome of a diagnosis.
+/// Outcome of a diagnosis: whether the model has an error, and whether the missing effects are identified.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
@@ -174,7 +174,7 @@ pub struct CauseEffect {
 /// Estimate of a coefficient, with its standard error.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Estimate {
-    /// Estimated value, SI.
+    /// Estimated value of the coefficient, SI.
     pub value: f64,
     /// Standard error of the estimate, SI.
     pub std_error: f64,
@@ -216,7 +216,7 @@ pub struct Coefficient {
 pub struct CandidateTest {
     /// Display name of the effect: its identifier in the model language, with hyphens instead of underscores.
     pub name: String,
-    /// Description of the effect.
+    /// Description of the candidate effect: the doc comment of its declaration in the model language.
     pub doc: String,
     /// Site of the effect: the load or equation that it changes.
     pub site: String,

@@ -88,7 +88,7 @@ pub(crate) struct ScoreTest {
 pub(crate) struct OneStepEstimate {
     /// Column of the coefficient in the normal equations.
     pub column: ColumnId,
-    /// Estimated value, SI.
+    /// Estimated value of the coefficient, SI.
     pub value: f64,
     /// Standard error of the value, SI; infinite if the flights do not determine the value.
     pub std_error: f64,

@@ -70,7 +70,7 @@ pub(crate) struct StepwiseModel {
 
 /// The model extended by some library terms, with its fit.
 pub(crate) struct FittedTerms {
-    /// The extended model.
+    /// The model under test, extended by the library terms.
     pub extension: ExtendedModel,
     /// Fit of the extended model.
     pub fit: Fit,

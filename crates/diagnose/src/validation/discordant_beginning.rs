@@ -3,8 +3,8 @@
 use identify::dataset::Role;
 use identify::{CONDITIONING_FRACTION, Fit};
 
-/// A flight contradicts the effects added to a model if they increase the weighted sum of squares, χ², of the first
-/// 30 % of the flight's samples (its conditioning segment) by more than this amount.
+/// Maximum increase of the weighted sum of squares, χ², of the first 30 % of a flight's samples (its conditioning
+/// segment) by the effects added to a model. If the increase is larger, the flight contradicts these effects.
 const MAX_CHI2_INCREASE: f64 = 10.0;
 
 /// Rule that selects the held-out flights that are predicted with the extension (the effects added to the model).

@@ -83,7 +83,7 @@ pub enum ThrowError {
     NoAttitude {
         /// Name of the field that is stated although the body has no attitude.
         name: &'static str,
-        /// Name of the model.
+        /// Name of the model, which describes a point mass.
         model: String,
     },
     /// A wobble (angle between axis and angular momentum) is stated without a spin, so that the axis describes no cone.
@@ -98,7 +98,7 @@ pub enum ThrowError {
          [initial] with every state"
     )]
     NoBody {
-        /// Name of the model.
+        /// Name of the model that neither declares a body nor states that its equations describe one.
         model: String,
     },
     /// No state within the model's domain of validity has the motion of the throw (motion of the body at release).
@@ -107,7 +107,7 @@ pub enum ThrowError {
          nose or hyzer"
     )]
     NoState {
-        /// Name of the model.
+        /// Name of the model that has no state with this motion.
         model: String,
     },
 }

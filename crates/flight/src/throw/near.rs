@@ -18,8 +18,8 @@ const WIDEST_TURN: f64 = 0.5;
 /// dimensionless for a quaternion component.
 const DIFFERENCE_STEP: f64 = 1e-5;
 /// Tolerance for a state to have the wanted motion. It applies to each component of the body axes, and to each
-/// component of position, velocity and angular velocity divided by 1 plus the sum of the magnitudes of these vectors in
-/// SI units.
+/// component of position, velocity and angular velocity after division by a scale. The scale is 1 plus the sum of the
+/// magnitudes of these vectors in SI units.
 const SAME: f64 = 1e-9;
 
 /// Finds the model states for throws (motions at release) that are near a throw whose state is known.

@@ -31,7 +31,7 @@ pub enum Profile {
     Log {
         /// Speed and direction at the reference height.
         at: ReferenceWind,
-        /// Roughness length z₀, m.
+        /// Roughness length z₀ of the logarithmic law, m.
         roughness: f64,
     },
     /// Power law for the speed at height z, with U and h from `at`: U ((z² + ε²)/(h² + ε²))^(n/2) with ε = 5 cm, which
@@ -39,7 +39,7 @@ pub enum Profile {
     Power {
         /// Speed and direction at the reference height.
         at: ReferenceWind,
-        /// Exponent n.
+        /// Exponent n of the power law, dimensionless.
         exponent: f64,
     },
     /// Velocities at given heights, interpolated by monotone cubics with a continuous derivative; constant below the
@@ -53,7 +53,7 @@ pub enum Profile {
 /// Mean wind at a reference height.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReferenceWind {
-    /// Speed U, m/s.
+    /// Speed U of the mean wind at the reference height, m/s.
     pub speed: f64,
     /// Direction towards which the wind blows, from +x to the left (towards +y), deg.
     pub direction: f64,

@@ -80,7 +80,7 @@ pub(crate) struct HeightStep {
     pub method: Method,
     /// Time at the start of the step.
     pub t: f64,
-    /// Step size.
+    /// Step size, in the time unit of the right-hand side.
     pub h: f64,
     /// Coefficients of the nested products: for Tsit5 the coefficients of the powers of the fraction s of the step, for
     /// DOP853 the height components of the dense-output rows.
@@ -88,9 +88,9 @@ pub(crate) struct HeightStep {
 }
 
 impl HeightStep {
-    /// Returns the degree of the interpolant as a polynomial in the fraction `s` of the step, the factor at odd levels
-    /// of the nested products (`s` for Tsit5, `1 - s` for DOP853), and the derivative of that factor with respect to
-    /// `s`.
+    /// Returns three values: the degree of the interpolant as a polynomial in the fraction `s` of the step; the factor
+    /// at odd levels of the nested products (`s` for Tsit5, `1 - s` for DOP853); and the derivative of that factor with
+    /// respect to `s`.
     #[inline(always)]
     fn factors(&self, s: f64) -> (usize, f64, f64) {
         match self.method {

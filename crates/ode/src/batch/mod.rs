@@ -21,7 +21,7 @@ use lanes::{Isa, Lanes, dispatch, dispatch_widest, dispatch_with};
 /// Lengths of the arrays that a [`LaneRhs`] reads and writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LaneSizes {
-    /// Number of states x.
+    /// Number of states: length of the state vector x.
     pub states: usize,
     /// Number of parameters p of a flight.
     pub parameters: usize,
@@ -99,7 +99,7 @@ pub struct FlightEnd<'a> {
     pub outcome: FlightOutcome,
     /// Time at which the flight ended, in the time unit of the right-hand side.
     pub time: f64,
-    /// State at [`time`](Self::time).
+    /// State vector at the time at which the flight ended.
     pub state: &'a [f64],
     /// Time and value of the maximum height, which is at the start, at the end, or where the time derivative of the
     /// height falls to 0. The value is NaN if [`FlightSpan::seeks_apex`] is false or [`FlightSpan::height`] is `None`.
