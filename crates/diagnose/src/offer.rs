@@ -32,7 +32,8 @@ pub(crate) struct MeasuredExtension<R> {
     fit: Fit,
     gain: Option<PredictiveGain>,
     chi2_decrease: f64,
-    /// Indices of the held-out flights that are predicted without the added effects, because they contradict these.
+    /// Indices of the held-out flights that are predicted without the added effects, because their first samples
+    /// contradict these effects.
     not_applied: Vec<usize>,
     /// Result of the caller's function `on_extension` for the extended model.
     callback_result: R,

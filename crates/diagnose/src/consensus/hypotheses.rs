@@ -27,7 +27,8 @@ const MIN_FLIGHTS: usize = 20;
 /// of squares minus its expectation for pure noise, over all flights or over the concordant flights.
 const MIN_EXPLAINED: f64 = 0.5;
 
-/// Minimum fraction of concordant flights for the diagnosis to be repeated without the discordant flights.
+/// Minimum fraction of concordant flights, which agree on the effect, for the diagnosis to be repeated without the
+/// discordant flights, which contradict it.
 const MIN_CONCORDANT: f64 = 0.5;
 
 /// Result of the search for effects that the model may lack and on which the flights agree.
@@ -84,7 +85,7 @@ pub(crate) fn consensus(
     }))
 }
 
-/// A hypothesis, and the familywise p-value of the flights' agreement on its effect.
+/// A hypothesis of one missing effect, and the familywise p-value of the agreement of the flights on this effect.
 struct Agreed {
     hypothesis: Hypothesis,
     p_value: f64,

@@ -16,9 +16,9 @@ use super::ids::CandidateId;
 /// library.
 #[derive(Clone, Debug)]
 pub(crate) struct EncompassingModel {
-    /// The model with every candidate effect switched on.
+    /// The model with every candidate effect (effect that it may lack) switched on.
     pub model: Model,
-    /// The candidate effects, in the order in which they were switched on.
+    /// The candidate effects (effects that the model may lack), in the order in which they were switched on.
     pub candidates: IndexVec<CandidateId, Candidate>,
     /// The term library whose loads are part of the model; `None` if no library is compatible with the model.
     pub library: Option<Arc<TermLibrary>>,

@@ -100,7 +100,7 @@ impl LibraryTerms {
         self.library.formula(self.terms[term])
     }
 
-    /// Display name of a library term, such as `lift-by-alpha-squared`.
+    /// Display name of a library term (product of variables added to a load), such as `lift-by-alpha-squared`.
     pub fn name(&self, term: TermId) -> String {
         self.library.name(self.terms[term])
     }

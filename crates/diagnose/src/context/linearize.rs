@@ -115,7 +115,8 @@ impl ScoreTestModel<'_> {
         done.map_err(|reason| self.flight_error(flight, reason))
     }
 
-    /// Copy of the normal equations of one flight without the columns that belong to coefficients of library terms.
+    /// Copy of the normal equations of one flight without the columns that belong to coefficients of library terms
+    /// (products of variables added to loads).
     pub fn without_terms(&self, block: &NormalBlock) -> NormalBlock {
         let locals = (0..block.local.nrows()).map(LocalId::new);
         let globals = (0..self.global_columns()).map(GlobalId::new);

@@ -27,7 +27,8 @@ const MISFIT_RATIO: f64 = 3.0;
 
 /// Result of fitting the model under test extended by some of the candidate effects (effects that it may lack).
 pub(crate) struct Refitted {
-    /// Fitted values of all unknowns; candidates that were not fitted have their null values.
+    /// Fitted values of all unknowns; candidate effects that were not fitted have their null values, at which they
+    /// vanish.
     pub iterate: Iterate,
     /// Weighted sum of squares of the residuals at the fitted values.
     pub squares: f64,
@@ -83,7 +84,8 @@ impl ScoreTestModel<'_> {
     }
 }
 
-/// Least-squares problem whose unknowns are those of the model under test and those of some candidate effects.
+/// Least-squares problem whose unknowns are those of the model under test and of some candidate effects (effects that
+/// the model may lack).
 struct Refit<'a> {
     problem: FitProblem,
     flights: Vec<Observations>,

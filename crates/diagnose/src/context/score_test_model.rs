@@ -97,7 +97,8 @@ impl<'a> ScoreTestModel<'a> {
         self.problem.globals.len()
     }
 
-    /// Column of the normal equations that belongs to the coefficient of a library term.
+    /// Column of the normal equations that belongs to the coefficient of a library term (product of variables added to
+    /// a load).
     pub fn term_column(&self, term: TermId) -> ColumnId {
         ColumnId::new(self.global_columns() + term.index())
     }
@@ -107,7 +108,7 @@ impl<'a> ScoreTestModel<'a> {
         self.encompassing.candidates.iter_enumerated()
     }
 
-    /// The candidate effect with index `id`.
+    /// The candidate effect (effect that the model may lack) with index `id`.
     pub fn candidate(&self, id: CandidateId) -> &Candidate {
         &self.encompassing.candidates[id]
     }
@@ -214,7 +215,8 @@ impl<'a> ScoreTestModel<'a> {
         }
     }
 
-    /// Copy of an iterate with the coefficients and states of the candidate `dropped` set to their null values.
+    /// Copy of an iterate (values of all unknowns) with the coefficients and states of the candidate effect `dropped`
+    /// set to the null values, at which the effect vanishes.
     pub fn at_null_value(&self, iterate: &Iterate, dropped: CandidateId) -> Iterate {
         let candidate = self.candidate(dropped);
         let mut iterate = iterate.clone();

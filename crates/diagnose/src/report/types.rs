@@ -66,7 +66,7 @@ pub struct Report {
     /// Coefficients of the model over angle of attack or speed, without and with the added effects; empty if the model
     /// is not extended.
     pub curves: Vec<CoefficientCurve>,
-    /// Lack of fit that no candidate effect explains; `None` if there is none.
+    /// Lack of fit that no candidate effect (effect that the model may lack) explains; `None` if there is none.
     #[serde(rename = "outside")]
     pub unattributed: Option<Unattributed>,
     /// Agreement of the flights on the explanations in `causes`; `None` if these explain the entire misfit of every
@@ -298,16 +298,19 @@ pub struct Unattributed {
 /// unexplained, and this part differs from flight to flight.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Consensus {
-    /// Number of fitted flights on whose agreement the explanations are based; discordant flights are not counted.
+    /// Number of fitted flights on whose agreement the explanations are based; flights that contradict these are not
+    /// counted.
     pub flights: usize,
     /// Fraction, 0 … 1, of the excess χ² (weighted sum of squares minus its expectation for pure noise) that the first
     /// explanation accounts for; `None` if the explanations account for the entire misfit of the concordant flights.
     #[serde(rename = "part")]
     pub explained: Option<f64>,
-    /// p-value of the sign-flip test, familywise over all candidate effects and library terms.
+    /// p-value of the sign-flip test of whether the flights agree on an effect, familywise over all candidate effects
+    /// and library terms (products of variables added to loads).
     #[serde(rename = "chance")]
     pub p_value: f64,
-    /// File names of the discordant fitted flights, which are excluded from all other results of the report.
+    /// File names of the discordant fitted flights: they contradict the explanations and are excluded from all other
+    /// results of the report.
     #[serde(rename = "contradicting")]
     pub discordant: Vec<String>,
 }

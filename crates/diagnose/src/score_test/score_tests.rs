@@ -23,9 +23,11 @@ const THRESHOLD_SEED: u64 = 1;
 /// are included in the null hypothesis, are nuisance parameters.
 #[derive(Clone, Debug)]
 pub(crate) struct ScoreTests {
-    /// Test of each candidate effect; `None` if the parameters of the candidate are nuisance parameters.
+    /// Test of each candidate effect (effect that the model may lack); `None` if the parameters of the candidate are
+    /// nuisance parameters.
     pub candidates: IndexVec<CandidateId, Option<ScoreTest>>,
-    /// Test of each library term; empty if the normal equations have no columns for terms.
+    /// Test of each library term (product of variables added to a load); empty if the normal equations have no columns
+    /// for library terms.
     pub terms: IndexVec<TermId, ScoreTest>,
     /// Partition of the columns of the normal equations into nuisance and tested columns.
     pub partition: Partition,
@@ -64,7 +66,8 @@ pub(crate) struct ColumnNorms {
     pub locals_eliminated: f64,
 }
 
-/// Score test of one candidate effect or library term.
+/// Score test of one candidate effect (effect that the model may lack) or library term (product of variables added to a
+/// load).
 #[derive(Clone, Debug)]
 pub(crate) struct ScoreTest {
     /// Score statistic: the decrease of the weighted sum of squares that a refit would give, to second order.
@@ -75,8 +78,8 @@ pub(crate) struct ScoreTest {
     pub dof: usize,
     /// Natural logarithm of the p-value.
     pub ln_p: f64,
-    /// One-step estimates of the coefficients, with all other candidates at their null value; empty for a candidate
-    /// with states.
+    /// One-step estimates of the coefficients, with all other candidate effects at their null value; empty for a
+    /// candidate that is represented by states.
     pub one_step: Vec<OneStepEstimate>,
     /// Tolerance 1 − R² of the best determined direction: the fraction of its squared sensitivity that the nuisance
     /// parameters do not explain.
@@ -263,12 +266,13 @@ impl ScoreTests {
         std::array::from_fn(|index| found[index])
     }
 
-    /// The library term with the smallest p-value, and its test; `None` if no term can be tested.
+    /// The library term (product of variables added to a load) with the smallest p-value, and its test; `None` if no
+    /// term can be tested.
     pub fn strongest_term(&self) -> Option<(TermId, &ScoreTest)> {
         least_p(self.terms.iter_enumerated())
     }
 
-    /// The candidate with the smallest p-value, and its test; `None` if no candidate can be tested.
+    /// The candidate effect with the smallest p-value, and its test; `None` if no candidate can be tested.
     pub fn strongest_candidate(&self) -> Option<(CandidateId, &ScoreTest)> {
         let each = self.candidates.iter_enumerated();
         least_p(each.filter_map(|(id, test)| Some((id, test.as_ref()?))))

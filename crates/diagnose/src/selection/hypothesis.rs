@@ -46,7 +46,7 @@ impl Hypothesis {
         strongest.map(|(id, test)| (id, test.ln_p))
     }
 
-    /// Whether there are several effects, and all of them change the same load or equation, such as lift.
+    /// Whether the hypothesis contains several effects, and all of them change the same load or equation, such as lift.
     pub fn combines_one_site(&self, model: &ScoreTestModel<'_>) -> bool {
         let mut sites = self.effects.iter().map(|&id| &model.candidate(id).site);
         let first = sites.next();

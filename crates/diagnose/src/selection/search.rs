@@ -20,14 +20,14 @@ const CHI2_MARGIN_RELATIVE: f64 = 0.25;
 /// Maximum number of hypotheses fitted in one round of the search; all of them have the same number of effects.
 const MAX_REFITS: usize = 6;
 
-/// Maximum number of effects in one hypothesis.
+/// Maximum number of missing effects in one hypothesis.
 pub(crate) const MAX_EFFECTS: usize = 3;
 
 /// Maximum difference at which two noise estimates count as equal: relative for standard deviations, absolute for
 /// autocorrelations.
 const NOISE_TOLERANCE: f64 = 0.05;
 
-/// Maximum number of rejected hypotheses that are extended by a further effect.
+/// Maximum number of rejected hypotheses that the search extends by one further effect.
 const MAX_PARENTS: usize = 3;
 
 /// Familywise p-value below which the strongest candidate outside the accepted hypothesis is also reported, because the
@@ -38,7 +38,8 @@ const ALPHA_UNDECIDED: f64 = 0.05;
 pub(crate) struct Search {
     /// Noise model with which residuals are weighted.
     pub noise: NoiseModel,
-    /// Score tests of all candidates and terms at the fit of the model under test.
+    /// Score tests of all candidate effects and library terms (products of variables added to loads) at the fit of the
+    /// model under test.
     pub at_base: TestsAtPoint,
     /// Model confidence set: hypotheses that are not rejected, best fit first.
     pub accepted: Vec<Hypothesis>,

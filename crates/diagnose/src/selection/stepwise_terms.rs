@@ -16,7 +16,7 @@ use crate::extension::ExtendedModel;
 use crate::score_test::{ScoreTest, ScoreTests};
 use crate::text::three_figures;
 
-/// Maximum number of terms selected by the stepwise regression.
+/// Maximum number of library terms (products of variables added to loads) selected by the stepwise regression.
 pub(crate) const MAX_SELECTED: usize = 4;
 
 /// Maximum number of library terms listed in the report: those with the largest score statistics. Selected terms are
@@ -26,19 +26,19 @@ const MAX_REPORTED: usize = 12;
 /// Score test of one library term (product of variables added to a load), as listed in a report.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StepwiseTerm {
-    /// Display name of the effect that is created from the term.
+    /// Display name of the effect (model extension) that is created from the library term.
     pub name: String,
-    /// Site of the term: the load to which it is added.
+    /// Site of the library term: the load to which it is added, such as lift.
     pub site: String,
-    /// Formula of the term's product of variables, in the model language.
+    /// Formula of the product of variables of the library term, in the model language.
     pub formula: String,
     /// Score statistic, χ² with one degree of freedom.
     pub statistic: f64,
-    /// One-step estimate of the term's coefficient, SI.
+    /// One-step estimate of the coefficient of the library term, SI.
     pub value: f64,
     /// Standard error of `value`, SI.
     pub std_error: f64,
-    /// Whether the term is part of the extended model.
+    /// Whether the library term is part of the extended model.
     #[serde(rename = "taken")]
     pub selected: bool,
 }
@@ -47,13 +47,13 @@ pub struct StepwiseTerm {
 pub(crate) struct StepwiseModel {
     /// Identifiers of the candidate effects that are included in the model in addition to the library terms.
     pub effects: Vec<String>,
-    /// Number of unknowns that the candidate effects add, over all flights.
+    /// Number of unknowns that the candidate effects of this model add, over all flights.
     effect_unknowns: usize,
-    /// The selected terms, in the order of their selection.
+    /// The selected library terms, in the order of their selection.
     selected: Vec<TermId>,
     /// Library terms listed in the report: those with the largest score statistics, and the selected ones.
     pub terms: Vec<StepwiseTerm>,
-    /// Score test of each library term before the first term is selected.
+    /// Score test of each library term in the model without any selected term.
     first: IndexVec<TermId, StepwiseTerm>,
     /// Models extended by the first selected library term, by the first two terms, and so on, with their fits.
     pub fitted: Vec<FittedTerms>,
@@ -62,7 +62,7 @@ pub(crate) struct StepwiseModel {
     pub squares: f64,
     /// Whether no candidate effect and no other library term is significant once the selected terms are included.
     pub is_adequate: bool,
-    /// Whether any library term is significant before the first one is selected.
+    /// Whether any library term is significant in the model without selected terms.
     pub has_significant_term: bool,
     /// The library term to be selected next, and its score statistic; `None` if no further term is to be selected.
     next: Option<(TermId, f64)>,

@@ -19,7 +19,7 @@ pub struct PredictiveGain {
     pub standard_error_m: f64,
     /// Standard deviation of the noise of one coordinate, m: the smallest possible prediction error.
     pub noise_floor_m: f64,
-    /// Number of flights predicted both without and with the extension; flights in `set_apart` are not counted.
+    /// Number of flights predicted both without and with the added effects; flights in `set_apart` are not counted.
     pub flights: usize,
     /// Number of predicted flights to which the added effects are not applied, because they contradict the first
     /// samples of these flights.

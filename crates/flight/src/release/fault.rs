@@ -7,7 +7,7 @@ use model_spec::load::LoadError;
 /// Error for an invalid release file (initial conditions of a flight), with all faults of the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ReleaseError {
-    /// Name of the release file.
+    /// Name of the release file (initial conditions of a flight).
     pub file: String,
     /// Faults in order of location; at least one.
     pub faults: Vec<Fault>,

@@ -169,7 +169,7 @@ pub const BUILT_IN: [(&str, &str); 5] = [
     ("serve", include_str!("../../releases/serve.toml")),
 ];
 
-/// TOML text of the built-in release of this name; `None` if there is none.
+/// TOML text of the built-in release (initial conditions of a flight) of this name; `None` if there is none.
 pub fn built_in(name: &str) -> Option<&'static str> {
     BUILT_IN
         .iter()

@@ -50,7 +50,7 @@ pub struct Throw {
     pub wobble: Option<f64>,
 }
 
-/// Name, unit, minimum and maximum value of each field of a throw.
+/// Name, unit, minimum and maximum value of each field of a [`Throw`], the motion of a body at release.
 pub const FIELDS: [(&str, &str, f64, f64); 8] = [
     ("speed", "m/s", 0.0, 150.0),
     ("heading", "deg", -360.0, 360.0),
@@ -124,7 +124,7 @@ impl ThrowError {
 }
 
 impl Throw {
-    /// Height of a throw for which none is stated, m.
+    /// Height of the mass centre at release if none is stated, m.
     pub const DEFAULT_HEIGHT: f64 = 1.0;
 
     /// Horizontal throw along +x at a speed (m/s), from the default height, without a stated attitude or spin.

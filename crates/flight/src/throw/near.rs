@@ -43,7 +43,8 @@ pub struct NearThrows<'m> {
 struct Vectors([Vector3<f64>; VECTORS]);
 
 impl<'m> NearThrows<'m> {
-    /// Prepares the search for throws near a known one; Newton's method starts at `near`, the state of the known throw.
+    /// Prepares the search for the states of throws (motions at release) near a known throw. Newton's method starts at
+    /// `near`, the state of the known throw.
     pub fn new(thrown: &'m ThrownModel, near: &[f64]) -> NearThrows<'m> {
         let motion = &thrown.motion;
         let mut attitude = motion.angles.clone();
