@@ -24,7 +24,7 @@ pub(crate) struct HeightEnds {
 }
 
 impl HeightEnds {
-    /// Whether the cubic interpolant falls to 0 within the step.
+    /// Whether the cubic interpolant of the height falls to 0 within the step.
     #[inline(always)]
     pub(crate) fn may_land(&self) -> bool {
         let (a, b) = (self.start, self.end);
@@ -34,8 +34,8 @@ impl HeightEnds {
         self.dips()
     }
 
-    /// Whether the cubic interpolant falls from positive to 0 or below between the ends of one of four equal
-    /// subintervals of the step.
+    /// Whether the cubic interpolant of the height falls from positive to 0 or below between the ends of one of four
+    /// equal subintervals of the step.
     #[inline(never)]
     fn dips(&self) -> bool {
         let ends = (self.start, self.end, self.start_slope, self.end_slope);
@@ -52,8 +52,8 @@ impl HeightEnds {
         self.start.min(self.end) <= distance
     }
 
-    /// Whether the cubic interpolant is monotone within the step, by the sufficient condition on its slopes of Fritsch
-    /// & Carlson, SIAM J. Numer. Anal. 17 (1980).
+    /// Whether the cubic interpolant of the height is monotone within the step, by the sufficient condition on its
+    /// slopes of Fritsch & Carlson, SIAM J. Numer. Anal. 17 (1980).
     #[inline(always)]
     fn is_monotone(&self) -> bool {
         let steepest = 3.0 * (self.end - self.start);
@@ -62,7 +62,8 @@ impl HeightEnds {
         (least <= first) && (first <= greatest) && (least <= last) && (last <= greatest)
     }
 
-    /// Whether the cubic interpolant falls monotonically from above 0 to below 0, so that it has exactly one zero.
+    /// Whether the cubic interpolant of the height falls monotonically from above 0 to below 0, so that it has exactly
+    /// one zero.
     fn falls_once(&self) -> bool {
         self.start > 0.0 && self.end < 0.0 && self.is_monotone()
     }
@@ -164,7 +165,8 @@ impl HeightStep {
         (is_past && self.height(past - width) > 0.0).then_some(past)
     }
 
-    /// Fraction of the step at which the height has its maximum, for a step with a [peak](HeightEnds::has_peak).
+    /// Fraction of the step at which the height has its maximum, for a step in which the height first rises and then
+    /// falls.
     pub(crate) fn peak(&self) -> f64 {
         let slope = |s: f64| self.slope(s);
         let (first, last) = (slope(0.0), slope(1.0));

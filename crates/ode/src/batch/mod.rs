@@ -27,20 +27,20 @@ pub struct LaneSizes {
     pub parameters: usize,
     /// Number of invariants, which are computed once from the parameters of a flight.
     pub prepared: usize,
-    /// Number of limits of validity, whose margins [`LaneRhs::limits`] computes.
+    /// Number of limits of validity of the right-hand side, whose margins [`LaneRhs::limits`] computes.
     pub limits: usize,
     /// Length of the scratch array that each method of the [`LaneRhs`] requires.
     pub scratch: usize,
 }
 
-/// Arguments of a [`LaneRhs`], one flight per lane.
+/// Arguments of the functions of a [`LaneRhs`] (time, state, parameters), with one flight per SIMD lane.
 #[derive(Clone, Copy)]
 pub struct LanePoint<'a, T> {
     /// Time, in the time unit of the right-hand side.
     pub t: T,
-    /// State vector x.
+    /// State vector x of the flights, one flight per SIMD lane.
     pub x: &'a [T],
-    /// Parameter vector p.
+    /// Parameter vector p of the flights, one flight per SIMD lane.
     pub p: &'a [T],
     /// Invariants that [`LaneRhs::prepare`] computed from `p`.
     pub prepared: &'a [T],
@@ -78,7 +78,7 @@ pub enum FlightOutcome {
     Ground,
     /// The final time [`FlightSpan::t_end`] was reached.
     Time,
-    /// The limit of validity with this index was crossed, or was already exceeded at the start.
+    /// The limit of validity with this index was crossed, or the initial state was already beyond it.
     Limit(usize),
     /// The maximum number of steps was reached.
     TooManySteps,

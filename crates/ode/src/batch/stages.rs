@@ -58,7 +58,7 @@ impl<T: Lanes> Stages<T> {
         sums
     }
 
-    /// Computes `to = x + h Σ weight · stage` from the stage derivatives, with the weights `row`.
+    /// Computes `to = x + h Σ weight · stage` from the stage derivatives, with the weights `row`, in all SIMD lanes.
     #[inline(always)]
     pub(crate) fn advance(&self, to: &mut [T], x: &[T], h: T, row: Row) {
         let n = self.n;

@@ -9,7 +9,8 @@ use crate::method::ErrorTolerance;
 use crate::options::{IntegrationOptions, SolverStats};
 use lanes::Lanes;
 
-/// Per-lane data of flights: state, derivative, parameters, invariants, and margins of the limits of validity.
+/// Data of flights, one flight per SIMD lane: state, derivative, parameters, invariants, and margins of the limits of
+/// validity.
 pub(crate) struct LaneValues<T> {
     pub x: Vec<T>,
     pub dx: Vec<T>,
@@ -52,7 +53,7 @@ pub(crate) fn merge<T: Lanes>(keep: T, from: &[T], to: &mut [T]) {
     }
 }
 
-/// Flights that wait to be started, at most one per lane.
+/// Flights that wait to be started, at most one per SIMD lane.
 pub(crate) struct Staging<T> {
     pub values: LaneValues<T>,
     /// Number that identifies the flight that waits for each lane, as returned by `FlightQueue::next`; `None` if no
