@@ -12,11 +12,11 @@ use crate::parallel::join;
 /// Fit of the model under test, and the encompassing model, which includes all candidate effects (effects that the
 /// model under test may lack).
 pub(crate) struct BaseFit {
-    /// Computing time of the stages up to this fit.
+    /// Computing time of the diagnosis, s, by stage, up to this fit.
     pub clock: Clock,
     /// Fit of the model under test to all flights with role `fit`.
     pub fit: Fit,
-    /// The model with every candidate effect switched on at its null value.
+    /// The model extended by every candidate effect (effect that it may lack), each at the value at which it vanishes.
     pub encompassing: EncompassingModel,
     /// Whether every flight has a data fault, and the flights are nevertheless used because a physical effect that the
     /// model lacks may explain the faults.
@@ -65,8 +65,8 @@ impl BaseFit {
     }
 }
 
-/// Whether data faults may be the consequence of a physical effect that the model lacks: true if no fault is a wrong
-/// label, unit or axis.
+/// Whether the detected faults of the flight data may be the consequence of a physical effect that the model lacks:
+/// true if no fault is a wrong label, unit or axis.
 fn may_be_an_effect(faults: &[DataFault]) -> bool {
     faults.iter().all(|fault| fault.fault == FaultKind::Other)
 }

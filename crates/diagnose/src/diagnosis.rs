@@ -23,21 +23,21 @@ use crate::selection::{
 };
 use crate::validation::{Validated, predictive_terms};
 
-/// Maximum number of unknowns with which a hypothesis of a single effect is accepted without comparison by BIC.
+/// Maximum number of unknowns added by a hypothesis of one effect that is accepted without comparison by BIC.
 const FREE_UNKNOWNS: usize = 6;
 
 /// Result of a diagnosis: the report, the fits, and the model extended by the effects found, if any.
 pub struct Diagnosis {
     /// Report of the diagnosis, as written to `report.json`.
     pub report: Report,
-    /// Fit of the model under test, without an extension.
+    /// Fit of the model under test, without added effects.
     pub before: Fit,
-    /// The extended model and its fit; `None` if the model is not extended.
+    /// The model extended by the missing effects that were found, and its fit; `None` if the model is not extended.
     pub after: Option<(ExtendedModel, Fit)>,
 }
 
-/// Tests a model against the flights of a dataset, identifies missing effects, and measures the out-of-sample error
-/// reduction of the extended model.
+/// Tests a model against the flights of a dataset, identifies physical effects that the model lacks, and measures how
+/// far adding them reduces the out-of-sample prediction error.
 ///
 /// # Errors
 /// [`DiagnosisError`] if an option is invalid, the flights cannot be fitted, or the caller cancelled.
@@ -49,8 +49,8 @@ pub fn diagnose(
     diagnose_with(model, dataset, options, |_| ()).map(|(diagnosis, _)| diagnosis)
 }
 
-/// Runs [`diagnose`], and calls `on_extension` with the extended model, if any, in parallel with the measurement of
-/// its out-of-sample gain. Returns the result of `on_extension` with the diagnosis.
+/// Runs [`diagnose`], and calls `on_extension` with the extended model, if any, while its out-of-sample gain (error
+/// reduction) is measured. Returns the result of `on_extension` with the diagnosis.
 ///
 /// # Errors
 /// The errors of [`diagnose`].
@@ -159,13 +159,13 @@ struct Analysis<'a> {
     stepwise: Option<StepwiseModel>,
     consensus: Option<Consensus>,
     discordant: Option<Discordant>,
-    /// Messages for the report.
+    /// Messages on limitations of the result, for the report.
     notes: Vec<String>,
 }
 
-/// Searches for missing effects with the flights that can be tested. If the samples of a flight do not determine its
-/// initial state, or its trajectory cannot be integrated, the flight is removed from the score-test model, its file
-/// name is added to `set_aside`, and the search starts again with the other flights.
+/// Searches for missing effects. A flight is removed from the score-test model if its samples do not determine its
+/// initial state, or its trajectory cannot be integrated. Its file name is then added to `set_aside`, and the search
+/// starts again with the other flights.
 fn search_testable(
     model: &mut ScoreTestModel<'_>,
     base: &mut Iterate,
@@ -256,7 +256,8 @@ impl<'a> Analysis<'a> {
         self.search.accepted = select_by_bic(&self.model, accepted, stepwise, free);
     }
 
-    /// The fitted model with library terms; `None` unless its BIC is near the smallest BIC of the accepted hypotheses.
+    /// The fitted model with library terms (products of variables added to loads); `None` unless its BIC is near the
+    /// smallest BIC of the accepted hypotheses.
     fn alternative_terms(&self) -> Option<&FittedTerms> {
         let hypotheses = &self.search.accepted;
         let terms = self.stepwise.as_ref().filter(|_| !hypotheses.is_empty());
@@ -372,9 +373,10 @@ impl<'a> Analysis<'a> {
         Ok((None, refused))
     }
 
-    /// Chooses the effects by which the model is extended: those of the best explanation (accepted hypothesis), or
-    /// selected library terms if there is no explanation. Library terms are also added to the report. `None` if there
-    /// is neither, or if the extended model is not yet fitted and the deadline has passed.
+    /// Chooses the effects by which the model is extended: those of the best explanation (accepted hypothesis) or,
+    /// without an explanation, the selected library terms (products of variables added to loads). The terms are also
+    /// added to the report. `None` if there is neither, or if the extended model is not yet fitted and the deadline has
+    /// passed.
     fn choose(
         &mut self,
         validated: Option<Validated>,

@@ -21,7 +21,8 @@ pub(crate) struct ChosenExtension {
     pub fit: Option<Fit>,
     /// Out-of-sample gain (reduction of the prediction error); `None` if not yet measured.
     pub gain: Option<PredictiveGain>,
-    /// Decrease of the weighted sum of squares, χ², by effects created from library terms; 0 for other effects.
+    /// Decrease of the weighted sum of squares, χ², by effects created from library terms (products of variables added
+    /// to loads); 0 for other effects.
     pub chi2_decrease: f64,
 }
 
@@ -31,7 +32,8 @@ pub(crate) struct MeasuredExtension<R> {
     fit: Fit,
     gain: Option<PredictiveGain>,
     chi2_decrease: f64,
-    /// Indices of the held-out flights that are predicted without the added effects, because they contradict these.
+    /// Indices of the held-out flights that are predicted without the added effects, because their first samples
+    /// contradict these effects.
     not_applied: Vec<usize>,
     /// Result of the caller's function `on_extension` for the extended model.
     callback_result: R,
@@ -114,9 +116,9 @@ impl<R> MeasuredExtension<R> {
         gain.is_some_and(PredictiveGain::changes_nothing)
     }
 
-    /// Adds the extension and its out-of-sample gain (reduction of the prediction error) to the report. Returns the
-    /// extended model, its fit and the result of `on_extension`; `None` if the extended model predicts worse than the
-    /// model under test.
+    /// Adds the fit of the extended model and its out-of-sample gain (reduction of the prediction error) to the report.
+    /// Returns the extended model, its fit and the result of `on_extension`; `None` if the extended model predicts
+    /// worse than the model under test.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if the caller cancelled.
@@ -146,7 +148,7 @@ impl<R> MeasuredExtension<R> {
     }
 }
 
-/// Measured and predicted samples of the fitted flights of `fit`.
+/// Measured and predicted samples of the flights that were used in the fit `fit`.
 fn evidence(context: Context<'_>, fit: &Fit) -> Vec<FlightEvidence> {
     let flights = context.dataset.flights.iter().enumerate();
     let fitted = flights.filter(|(_, flight)| flight.role == Role::Fit);

@@ -5,7 +5,7 @@ use identify::{Fit, FitOptions, Iterate, fit};
 
 use crate::context::{CandidateId, Context, DiagnosisOptions, EncompassingModel, ScoreTestModel};
 
-/// The model `disc`, which lacks the effect `stall`, fitted to three flights of `examples/mystery`.
+/// The model `disc`, which lacks the effect (model extension) `stall`, fitted to three flights of `examples/mystery`.
 pub(crate) struct Fixture {
     /// Fit of the model under test.
     pub fit: Fit,
@@ -16,7 +16,7 @@ pub(crate) struct Fixture {
 }
 
 impl Fixture {
-    /// Index of the candidate with the given display name; panics if there is none.
+    /// Index of the candidate effect with the given display name; panics if there is none.
     pub fn candidate(&self, name: &str) -> CandidateId {
         let mut candidates = self.model.candidates();
         let found = candidates.find(|(_, candidate)| candidate.name == name);

@@ -17,7 +17,7 @@ pub fn each<R: Send>(count: usize, task: impl Fn(usize) -> R + Sync) -> Vec<R> {
     each_on(threads(), count, task)
 }
 
-/// Number of processors available to the program; 1 if it cannot be determined.
+/// Number of processors available to this process; 1 if it cannot be determined.
 pub fn threads() -> usize {
     // The operating system is asked once: reading the limits of a container takes longer than many a task.
     static THREADS: OnceLock<usize> = OnceLock::new();
@@ -66,7 +66,8 @@ pub fn within<R: Send>(threads: usize, task: impl FnOnce() -> R + Send) -> R {
     }
 }
 
-/// Runs `task(0)`, …, `task(count - 1)` on `threads` threads. It is compiled once for all kinds of tasks.
+/// Runs `task(0)`, …, `task(count - 1)` on `threads` threads. The task is a trait object, so that this function is
+/// compiled only once.
 fn run(threads: usize, count: usize, task: &(dyn Fn(usize) + Sync)) {
     // One task at a time per thread, since their durations differ.
     let parallel = || {

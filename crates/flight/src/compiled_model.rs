@@ -16,7 +16,7 @@ pub type ModelState = Box<[f64]>;
 /// parameter values.
 pub struct CompiledModel {
     pub(crate) layout: Layout,
-    /// Lower bound and reason of each limit of validity.
+    /// For each limit of validity of the model: lower bound of the limited quantity, and the reason to report below it.
     pub(crate) limits: Vec<(f64, String)>,
     pub(crate) functions: Box<dyn ModelFunctions>,
     pub(crate) patterns: Patterns,
@@ -83,8 +83,9 @@ impl CompiledModel {
         CompiledModel::with_functions(model, Box::new(TapeModel::new(&compiled)))
     }
 
-    /// Like [`specialized`](Self::specialized), but with derivatives with respect to `parameters` only, which are given
-    /// by their indices in the parameter vector of the model's [`Layout`].
+    /// Compiles the model to a tape (interpreted bytecode) specialized to the parameter values `fixed`, which are pairs
+    /// (index, value). The tape has derivatives with respect to `parameters` only. All indices refer to the parameter
+    /// vector of the model's [`Layout`].
     pub fn specialized_by(
         model: &Model,
         fixed: &[(usize, f64)],
@@ -95,9 +96,9 @@ impl CompiledModel {
         CompiledModel::of_selection(model, &compiled)
     }
 
-    /// Like [`new`](Self::new), but if the model is compiled to a tape (interpreted bytecode), the tape has derivatives
-    /// with respect to `parameters` only, which are given by their indices in the parameter vector of the model's
-    /// [`Layout`]. Such a tape is compiled and evaluated faster.
+    /// Uses the generated Rust code for this model if its source hash matches; otherwise compiles the model to a tape
+    /// (interpreted bytecode). Such a tape has derivatives with respect to `parameters` only (indices in the parameter
+    /// vector of the model's [`Layout`]), so that it is compiled and evaluated faster.
     pub fn with_derivatives_by(model: &Model, parameters: Vec<usize>) -> CompiledModel {
         CompiledModel::generated(model).unwrap_or_else(|| {
             let compiled = compile_for(model, &Selection::Only(parameters));
@@ -178,7 +179,7 @@ impl CompiledModel {
         }
     }
 
-    /// Whether the functions are generated Rust code rather than a tape (interpreted bytecode).
+    /// Whether the functions of the model are generated Rust code rather than a tape (interpreted bytecode).
     pub fn is_generated(&self) -> bool {
         self.is_generated
     }
@@ -197,8 +198,9 @@ impl CompiledModel {
         states
     }
 
-    /// Parameter vector of a release, in the order of the model's [`Layout`]: the model's defaults, overridden by the
-    /// release's parameters, coefficients, wind and known inputs. Inputs that the model lacks are ignored.
+    /// Parameter vector for a release (initial conditions of a flight), in the order of the model's [`Layout`]: the
+    /// model's defaults, overridden by the release's parameters, coefficients, wind and known inputs. Inputs that the
+    /// model lacks are ignored.
     pub fn release_parameters(&self, release: &Release) -> Vec<f64> {
         let names = self.layout.parameters.iter().map(String::as_str);
         let mut parameters = release.constants(names.zip(self.layout.default_parameters()));

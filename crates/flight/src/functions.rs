@@ -2,10 +2,10 @@
 
 use codegen::tape_model::{At, Scratch, TapeModel};
 
-/// Scratch memory of an evaluation, reused between calls.
+/// Scratch memory for evaluating the functions of a compiled model, reused between calls.
 pub type Workspace = Scratch;
 
-/// Point at which a model's functions are evaluated: the arguments of these functions.
+/// Point at which a model's functions are evaluated: time, state, parameters and the values computed from parameters.
 pub type EvaluationPoint<'a> = At<'a>;
 
 /// Sparsity patterns of a model's Jacobians: (row, column) of each stored entry, ordered by row.
@@ -23,8 +23,8 @@ pub struct SparsityPatterns<'a> {
     pub observation_by_marker: &'a [(u32, u32)],
 }
 
-/// Functions of a compiled model: dx/dt = f(t, x, p), its Jacobians, the observed position y of a marker, named
-/// quantities and limits of validity.
+/// Functions of a compiled model: the right-hand side of dx/dt = f(t, x, p) with its Jacobians, the observed position y
+/// of a marker, auxiliary variables and limits of validity.
 ///
 /// Results are written to slices that must have at least the size of the result; shorter slices cause a panic. The
 /// entries of Jacobians are in the order of [`SparsityPatterns`].

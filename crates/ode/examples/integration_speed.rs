@@ -19,8 +19,8 @@ fn microseconds(mut f: impl FnMut()) -> f64 {
     rounds.fold(f64::INFINITY, f64::min)
 }
 
-/// Disc model whose Jacobians with respect to states and parameters have 55 and 40 entries, all constants that cost
-/// nothing to evaluate, so that the timing shows the cost that the variational equations add.
+/// Disc model whose Jacobians with respect to states and parameters have 55 and 40 entries. All entries are constants,
+/// which cost nothing to evaluate, so that the timing shows the cost that the variational equations add.
 struct Entries([(usize, usize); 55], [(usize, usize); 40]);
 
 impl DifferentiableRhs for Entries {

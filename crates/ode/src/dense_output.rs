@@ -11,7 +11,7 @@ pub(crate) struct DenseOutput<'a> {
     pub method: Method,
     /// Time at the start of the step.
     pub t: f64,
-    /// Step size.
+    /// Step size, in the time unit of the right-hand side.
     pub h: f64,
     /// Coefficient vectors, each as long as the state.
     pub rows: [&'a [f64]; ROWS],
@@ -58,11 +58,12 @@ impl DenseOutput<'_> {
     }
 }
 
-/// Accepted step with states and derivatives at both ends, interpolated by the cubic Hermite polynomial.
+/// Accepted step with the states and time derivatives at its start and end, interpolated by the cubic Hermite
+/// polynomial.
 pub(crate) struct HermiteStep<'a, X> {
     /// Time at the start of the step.
     pub t: f64,
-    /// Step size.
+    /// Step size, in the time unit of the right-hand side.
     pub h: f64,
     pub x: &'a X,
     pub dx: &'a X,
@@ -98,8 +99,8 @@ impl<X: StateVector> HermiteStep<'_, X> {
     }
 }
 
-/// Value at the fraction `s` of a step of the cubic with the values `a` and `b` at the start and end of the step, where
-/// its derivatives times the step size are `da` and `db`.
+/// Value of a cubic polynomial at the fraction `s` of a step. At the start and end of the step, the cubic has the
+/// values `a` and `b`, and its derivatives times the step size are `da` and `db`.
 #[inline(always)]
 pub(crate) fn cubic((a, b, da, db): (f64, f64, f64, f64), s: f64) -> f64 {
     let r = 1.0 - s;

@@ -55,7 +55,7 @@ pub enum IntegrationFailure {
         /// [`IntegrationOptions::max_steps`](crate::IntegrationOptions::max_steps).
         steps: usize,
     },
-    /// A limit of the model's domain of validity was crossed; see [`Event::limit`](crate::Event::limit).
+    /// A limit of the model's domain of validity, given as [`Event::limit`](crate::Event::limit), was crossed.
     #[error("limit of validity of the model: {reason}")]
     Limit {
         /// Description of the crossed limit of validity: the argument `reason` of `Event::limit`.

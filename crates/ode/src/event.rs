@@ -20,13 +20,13 @@ pub struct Event<'a, X> {
 /// Boxed function of time and state with a scalar value.
 type Scalar<'a, X> = Box<dyn FnMut(f64, &X) -> f64 + 'a>;
 
-/// Event function g(t, x).
+/// Event function g(t, x), whose fall from positive to zero or below is the event.
 enum EventFunction<'a, X> {
     /// Value of a state component minus a level; contains the index of the component and the level.
     Component(usize, f64),
     /// Time derivative of a state component; contains the index of the component.
     Derivative(usize),
-    /// User function g(t, x).
+    /// Function g(t, x) given by the caller.
     Function(Scalar<'a, X>),
 }
 
@@ -41,7 +41,7 @@ pub(crate) enum EventAction {
 /// Time and state at which an event occurred.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Occurrence {
-    /// Name of the event.
+    /// Name of the event that occurred, as given when the event was defined.
     pub event: String,
     /// Time of the event, in the time unit of the right-hand side.
     pub time: f64,

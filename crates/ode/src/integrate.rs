@@ -59,7 +59,8 @@ pub fn integrate<D: OdeRhs>(
     })
 }
 
-/// Integrates as [`integrate`] does, but requires that a terminal event occurs before the time `t_end`.
+/// Integrates from the time `start.0` and the state `start.1` to the first terminal event, which must occur before the
+/// time `t_end`, and returns the trajectory with its dense output.
 ///
 /// # Errors
 /// [`IntegrationError`] if the integration fails; its cause is [`IntegrationFailure::NoTerminalEvent`] if no terminal
@@ -86,7 +87,8 @@ pub fn integrate_to_event<D: OdeRhs>(
     ))
 }
 
-/// Integrates as [`integrate`] does, without storing dense output; returns only the final state and the events.
+/// Integrates from the time `start.0` and the state `start.1` to the time `t_end`, or to the first terminal event.
+/// Returns only the final state and the events; dense output is not stored.
 ///
 /// # Errors
 /// [`IntegrationError`] if the integration fails; its `cause` is the return code.

@@ -56,7 +56,7 @@ impl IntegrationOptions {
 /// Solver statistics: counts of steps and right-hand side evaluations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SolverStats {
-    /// Number of accepted steps.
+    /// Number of accepted steps of the integration.
     pub steps: usize,
     /// Number of steps rejected by the error test or by a non-finite derivative.
     pub rejected: usize,

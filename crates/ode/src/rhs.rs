@@ -63,7 +63,7 @@ where
     }
 }
 
-/// Right-hand side that wraps a closure; see [`rhs_from_fn`].
+/// Right-hand side that wraps a closure `f(t, x, dx)`, as [`rhs_from_fn`] returns it.
 pub struct FnRhs<'n, X, F> {
     names: &'n [&'n str],
     f: F,

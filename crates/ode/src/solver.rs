@@ -29,7 +29,7 @@ pub struct Endpoint<X> {
     pub event: Option<String>,
     /// Recorded events, in order of time; a terminal event is the last.
     pub occurrences: Vec<Occurrence>,
-    /// Numbers of steps and evaluations of the integration.
+    /// Numbers of steps and of right-hand side evaluations of the integration.
     pub stats: SolverStats,
 }
 
@@ -308,9 +308,9 @@ impl<'s, 'e, D: OdeRhs, O: StepObserver, S: Stepper<D::State>> Solver<'s, 'e, D,
 }
 
 impl EventLog {
-    /// Records the events of a step in order of time, up to the first terminal event, and returns the (time, event
-    /// index) of the terminal event, or `None` if no terminal event occurred. On return `state` is the state at the
-    /// last recorded event; it is unchanged if there was no event. Returns an error if a limit of validity is crossed.
+    /// Records the events of a step in order of time, up to the first terminal event. Returns the (time, event index)
+    /// of the terminal event, or `None` if no terminal event occurred. On return `state` is the state at the last
+    /// recorded event; it is unchanged if there was no event. Returns an error if a limit of validity is crossed.
     #[cold]
     fn record<D: OdeRhs>(
         &mut self,

@@ -11,7 +11,7 @@ const SAFETY: f64 = 0.9;
 const MIN_REMEMBERED_ERROR: f64 = 1e-4;
 
 /// Constants of a proportional-integral step-size controller (Hairer & Wanner, IV.2), which computes the next step size
-/// from the last two error norms.
+/// from the error norms of the last two steps.
 #[derive(Clone, Copy)]
 pub(crate) struct PiGains {
     proportional_exponent: f64,

@@ -17,7 +17,7 @@ pub struct Trajectory {
     pub(crate) steps: Vec<(f64, f64)>,
     /// Dense-output coefficients of all steps, concatenated.
     pub(crate) rows: Vec<f64>,
-    /// Initial time.
+    /// Initial time, in the time unit of the right-hand side.
     pub start: f64,
     /// Final time: the requested one, or that of the terminal event.
     pub end: f64,
@@ -27,7 +27,7 @@ pub struct Trajectory {
     pub terminal_event: Option<String>,
     /// Recorded events, in order of time; a terminal event is the last.
     pub events: Vec<Occurrence>,
-    /// Numbers of steps and evaluations of the integration.
+    /// Numbers of steps and of right-hand side evaluations of the integration.
     pub stats: SolverStats,
 }
 

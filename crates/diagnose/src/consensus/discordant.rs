@@ -4,16 +4,17 @@
 use super::sign_flip_test::SignFlipTest;
 use crate::context::ColumnId;
 
-/// Maximum number of iterations that alternate between the value estimated from the concordant flights, which agree
-/// with it, and the set of these flights.
+/// Maximum number of iterations of the search for concordant flights. An iteration estimates the common value of an
+/// unknown from the concordant flights, then finds the flights that agree with this value.
 const MAX_ITERATIONS: usize = 20;
 
-/// A flight can be discordant only if the common estimate is expected to change its weighted sum of squares, χ², by at
-/// least this amount. Flights with a smaller expected change carry too little information to contradict the estimate.
+/// A flight can contradict the common estimate of an unknown only if this estimate is expected to change the flight's
+/// weighted sum of squares, χ², by at least this amount. Flights with a smaller expected change carry too little
+/// information.
 const MIN_EXPECTED_CHI2: f64 = 10.0;
 
-/// A flight is discordant if the value estimated from this flight alone is less than this fraction of the common value,
-/// which is estimated from all concordant flights.
+/// Minimum ratio of the value of an unknown estimated from one flight alone to the common value estimated from all
+/// concordant flights. A flight with enough information and a smaller ratio is discordant.
 const MIN_SHARE: f64 = 0.25;
 
 /// Flights divided by whether they agree with a common value of one unknown.

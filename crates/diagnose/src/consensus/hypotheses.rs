@@ -27,22 +27,25 @@ const MIN_FLIGHTS: usize = 20;
 /// of squares minus its expectation for pure noise, over all flights or over the concordant flights.
 const MIN_EXPLAINED: f64 = 0.5;
 
-/// Minimum fraction of concordant flights for the diagnosis to be repeated without the discordant flights.
+/// Minimum fraction of concordant flights, which agree on the effect, for the diagnosis to be repeated without the
+/// discordant flights, which contradict it.
 const MIN_CONCORDANT: f64 = 0.5;
 
-/// Result of the search for hypotheses (effects that the model may lack) on which the flights agree.
+/// Result of the search for effects that the model may lack and on which the flights agree.
 pub(crate) struct Consensus {
     /// Hypotheses that explain at least half of the excess χ² of all flights, best fit first. May be empty: then one
     /// hypothesis explains at least half of the excess χ² of the flights outside `discordant`, but none explains half
     /// of that of all flights.
     pub hypotheses: Vec<Hypothesis>,
-    /// Fraction, 0 … 1, of the excess χ² (weighted sum of squares minus its expectation for pure noise) that the best
-    /// hypothesis explains, over all flights, or over the concordant flights if `hypotheses` is empty.
+    /// Fraction, 0 … 1, of the excess χ² that the best hypothesis explains, over all flights, or over the concordant
+    /// flights if `hypotheses` is empty. The excess χ² is the weighted sum of squares minus its expectation for pure
+    /// noise.
     pub explained: f64,
-    /// Familywise p-value of the sign-flip test of the best hypothesis' effect: probability of such an agreement of the
-    /// flights by chance.
+    /// Familywise p-value of the sign-flip test of the effect of the best hypothesis: probability that the flights
+    /// agree as much by chance.
     pub p_value: f64,
-    /// Indices of the discordant flights; the search is to be repeated without them.
+    /// Indices of the discordant flights, which contradict the effect on which the other flights agree. The search is
+    /// to be repeated without them.
     pub discordant: Vec<usize>,
 }
 
@@ -82,7 +85,7 @@ pub(crate) fn consensus(
     }))
 }
 
-/// A hypothesis, and the familywise p-value of the flights' agreement on its effect.
+/// A hypothesis of one missing effect, and the familywise p-value of the agreement of the flights on this effect.
 struct Agreed {
     hypothesis: Hypothesis,
     p_value: f64,

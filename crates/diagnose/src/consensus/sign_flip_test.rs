@@ -27,7 +27,7 @@ pub(crate) struct SignFlipTest {
     pub(super) scores: DMatrix<f64>,
     /// Effective information by flight (row) and column of the normal equations. Zero if the column is not tested.
     pub(super) information: DMatrix<f64>,
-    /// Weighted sum of squares of each flight and its expectation.
+    /// For each flight: weighted sum of squares of its residuals, and the expectation of this sum for pure noise.
     pub(super) fits: Vec<FlightSquares>,
 }
 
@@ -112,7 +112,7 @@ impl SignFlipTest {
         }
     }
 
-    /// Number of flights tested.
+    /// Number of flights whose scores are tested.
     pub fn flights(&self) -> usize {
         self.scores.nrows()
     }

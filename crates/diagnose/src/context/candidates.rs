@@ -35,8 +35,8 @@ pub(crate) struct CandidateParameter<Id> {
     pub unit: String,
     /// Null value, SI: the value at which the effect vanishes.
     pub null_value: f64,
-    /// Smallest effect size of interest, SI: a smaller difference from the null value is negligible. `None` if the
-    /// effect declares none.
+    /// Smallest effect size of interest, SI: a smaller difference of the value from the null value is negligible.
+    /// `None` if the effect declares none.
     pub smallest_of_interest: Option<f64>,
     /// Minimum and maximum value, SI; `None` if unbounded.
     pub bounds: Option<(f64, f64)>,

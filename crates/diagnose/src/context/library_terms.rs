@@ -19,7 +19,7 @@ use super::ids::TermId;
 /// coefficients and variables in the layout of a model.
 #[derive(Clone, Debug)]
 pub(crate) struct LibraryTerms {
-    /// The term library.
+    /// The term library: variables, products of their powers, and the quantities to which the products can be added.
     library: Arc<TermLibrary>,
     /// The terms, ordered by load channel, the force or moment component to which they contribute: all products of
     /// variables for the first component, then all products for the second, and so on.
@@ -31,8 +31,8 @@ pub(crate) struct LibraryTerms {
 }
 
 impl LibraryTerms {
-    /// Finds the library's load coefficients and variables in the layout of a model; `None` if one of them is
-    /// missing.
+    /// Finds the load coefficients and the variables of a term library in the layout of a model; `None` if one of them
+    /// is missing.
     pub fn new(library: Arc<TermLibrary>, layout: &Layout) -> Option<Self> {
         let loads = library.channels.iter();
         let loads = loads.map(|channel| layout.parameter(&channel.coefficient));
@@ -46,8 +46,8 @@ impl LibraryTerms {
         })
     }
 
-    /// Equations of motion under the conditions of one flight, extended by the terms' coefficients as parameters with
-    /// indices from `first` on.
+    /// Equations of motion under the conditions of one flight, extended by one parameter for the coefficient of each
+    /// library term, with indices from `first` on.
     pub fn motion<'a>(
         &'a self,
         conditions: &'a BoundModel<'a>,
@@ -75,7 +75,7 @@ impl LibraryTerms {
         )
     }
 
-    /// Factors of a term: pairs of a variable's index and its power.
+    /// Factors of the product of variables of a library term: pairs of a variable's index and its power.
     fn factors(&self, term: Term) -> Vec<(usize, i32)> {
         let factors = self.library.factors(term).iter();
         factors
@@ -90,17 +90,17 @@ impl LibraryTerms {
         channels.map(|(id, channel)| (id, channel.site.as_str()))
     }
 
-    /// Site of a term: the name of the load (such as lift) to which the term is added.
+    /// Site of a library term: the name of the load (such as lift) to which the term is added.
     pub fn site(&self, term: TermId) -> &str {
         &self.library.channels[self.terms[term].channel].site
     }
 
-    /// Formula of a term's product of variables, in the model language.
+    /// Formula of the product of variables of a library term, in the model language.
     pub fn formula(&self, term: TermId) -> String {
         self.library.formula(self.terms[term])
     }
 
-    /// Display name of a term, such as `lift-by-alpha-squared`.
+    /// Display name of a library term (product of variables added to a load), such as `lift-by-alpha-squared`.
     pub fn name(&self, term: TermId) -> String {
         self.library.name(self.terms[term])
     }

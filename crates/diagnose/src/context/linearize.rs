@@ -15,8 +15,8 @@ use super::score_test_model::ScoreTestModel;
 use super::trajectory_cache::LinearizationPoint;
 
 impl ScoreTestModel<'_> {
-    /// Normal equations of every flight for its local parameters and the global parameters, with residuals whitened by
-    /// the noise model `noise`.
+    /// Normal equations of every flight for its local parameters (initial state) and the global parameters (common to
+    /// all flights), with residuals whitened by the noise model `noise`.
     ///
     /// # Errors
     /// [`FitError::Flight`] if a trajectory cannot be integrated; [`FitError::Interrupted`] if the caller cancelled.
@@ -42,8 +42,8 @@ impl ScoreTestModel<'_> {
         })
     }
 
-    /// Normal equations of every flight for its local parameters, the global parameters and the coefficients of the
-    /// library terms, with residuals whitened by the noise model `noise`.
+    /// Normal equations of every flight for its local parameters (initial state), the global parameters (common to all
+    /// flights) and the coefficients of the library terms, with residuals whitened by the noise model `noise`.
     ///
     /// # Errors
     /// [`FitError::Flight`] if a trajectory cannot be integrated; [`FitError::Interrupted`] if the caller cancelled.
@@ -82,7 +82,7 @@ impl ScoreTestModel<'_> {
         })
     }
 
-    /// Calls `each` with every residual of a flight and the derivatives of the residual with respect to the tangent
+    /// Calls `each` with every residual of a flight and its derivatives with respect to all unknowns: the tangent
     /// directions of the flight's initial state, the global parameters and the coefficients of the library terms.
     ///
     /// # Errors
@@ -115,15 +115,16 @@ impl ScoreTestModel<'_> {
         done.map_err(|reason| self.flight_error(flight, reason))
     }
 
-    /// Copy of the normal equations of one flight without the columns of library terms.
+    /// Copy of the normal equations of one flight without the columns that belong to coefficients of library terms
+    /// (products of variables added to loads).
     pub fn without_terms(&self, block: &NormalBlock) -> NormalBlock {
         let locals = (0..block.local.nrows()).map(LocalId::new);
         let globals = (0..self.global_columns()).map(GlobalId::new);
         block.select(&locals.collect::<Vec<_>>(), &globals.collect::<Vec<_>>())
     }
 
-    /// Removes the flight of `file` from the model and from `iterate`, so that no test uses it; returns whether the
-    /// flight was found.
+    /// Removes the flight with the file name `file` from the model and from `iterate`, so that no test uses it; returns
+    /// whether the flight was found.
     pub fn set_aside(&mut self, file: &str, iterate: &mut Iterate) -> bool {
         let Some(flight) = self.flights.iter().position(|flight| flight.file == file) else {
             return false;

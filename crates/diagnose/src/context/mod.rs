@@ -33,7 +33,7 @@ pub use options::{DiagnosisOptions, OptionsError, ThrowRanges};
 pub(crate) struct Context<'a> {
     /// The model under test.
     pub model: &'a Model,
-    /// The measured flights.
+    /// The dataset of measured flights, fitted and held out.
     pub dataset: &'a Dataset,
     /// Options of the diagnosis, including those of its fits.
     pub options: &'a DiagnosisOptions<'a>,

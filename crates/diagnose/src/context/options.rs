@@ -18,12 +18,13 @@ use super::candidates::identifier;
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct DiagnosisOptions<'a> {
-    /// Name of the dataset, as shown in the report and in the comments of the effects that are created from library
-    /// terms.
+    /// Name of the dataset, as shown in the report and in the doc comments of the effects that a diagnosis creates from
+    /// library terms (products of variables added to loads).
     pub dataset: &'a str,
     /// Names of effects that are excluded from the candidates, the effects that the model may lack.
     pub without: &'a [String],
-    /// Options of every fit in the diagnosis. Threads, progress and cancellation apply to the whole diagnosis.
+    /// Options of every fit in the diagnosis. The number of threads, the progress callback and the cancellation apply
+    /// to the whole diagnosis.
     pub fit: FitOptions<'a>,
     /// Probability that any candidate effect is detected although the model is correct, familywise over all candidates;
     /// default 0.004.
@@ -59,7 +60,7 @@ pub struct ThrowRanges {
     pub nose: (f64, f64),
     /// Hyzer angle: tilt of the body about the velocity, rad.
     pub hyzer: (f64, f64),
-    /// Absolute spin rate about the axis of symmetry, rad/s; throws of both signs are drawn.
+    /// Absolute spin rate about the axis of symmetry, rad/s; throws with either sense of rotation are drawn.
     pub spin: (f64, f64),
     /// Number of headings of the velocity, evenly spaced over the full circle.
     pub headings: usize,

@@ -12,8 +12,9 @@ use super::ids::{CandidateId, ColumnId};
 use super::partition::select_vector;
 use super::score_test_model::ScoreTestModel;
 
-/// Stopping criteria of a refit. The relative tolerance suffices because hypotheses are compared by whole units of
-/// χ²; a refit that needs more than 30 steps counts as not converged.
+/// Stopping criteria of a refit, a fit of the model under test with some candidate effects. The relative tolerance
+/// suffices because hypotheses are compared by whole units of χ²; a refit that needs more than 30 steps counts as not
+/// converged.
 const REFIT_STOPPING: StoppingCriteria = StoppingCriteria {
     ftol_rel: 1e-5,
     max_steps: 30,
@@ -26,7 +27,8 @@ const MISFIT_RATIO: f64 = 3.0;
 
 /// Result of fitting the model under test extended by some of the candidate effects (effects that it may lack).
 pub(crate) struct Refitted {
-    /// Fitted values of all unknowns; candidates that were not fitted have their null values.
+    /// Fitted values of all unknowns; candidate effects that were not fitted have their null values, at which they
+    /// vanish.
     pub iterate: Iterate,
     /// Weighted sum of squares of the residuals at the fitted values.
     pub squares: f64,
@@ -82,7 +84,8 @@ impl ScoreTestModel<'_> {
     }
 }
 
-/// Least-squares problem whose unknowns are those of the model under test and those of some candidate effects.
+/// Least-squares problem whose unknowns are those of the model under test and of some candidate effects (effects that
+/// the model may lack).
 struct Refit<'a> {
     problem: FitProblem,
     flights: Vec<Observations>,

@@ -21,7 +21,7 @@ use super::{Context, Partition};
 /// Model with all candidate effects (encompassing model), its estimation problem, and the observations of the fitted
 /// flights.
 pub(crate) struct ScoreTestModel<'a> {
-    /// Inputs of the diagnosis.
+    /// Inputs of the diagnosis: model under test, dataset and options.
     pub context: Context<'a>,
     encompassing: EncompassingModel,
     /// The estimation problem with every candidate at its null value. Its global parameters are those of the model
@@ -38,7 +38,7 @@ pub(crate) struct ScoreTestModel<'a> {
     /// Observations of the fitted flights. Every state without a known initial value, including the states of
     /// candidates, is an unknown of the flight's initial state.
     pub flights: Vec<Observations>,
-    /// Number of least-squares steps taken so far, over all refits.
+    /// Number of least-squares steps taken so far, over all refits (fits of the model with some candidate effects).
     steps: AtomicUsize,
 }
 
@@ -46,8 +46,9 @@ pub(crate) struct ScoreTestModel<'a> {
 const MAX_STEPS: usize = 250;
 
 impl<'a> ScoreTestModel<'a> {
-    /// Creates the model from the encompassing model and the flights that `fit` fitted. Also returns the iterate of
-    /// `fit` in the unknowns of this model, with candidates at their null values.
+    /// Creates the score-test model from the encompassing model (the model with all candidate effects) and the flights
+    /// that were used in `fit`. Also returns the values fitted in `fit`, as unknowns of the score-test model, with
+    /// candidates at their null values.
     ///
     /// # Errors
     /// [`FitError`] if the flights cannot be used with the encompassing model.
@@ -96,7 +97,8 @@ impl<'a> ScoreTestModel<'a> {
         self.problem.globals.len()
     }
 
-    /// Column of the normal equations that belongs to the coefficient of a library term.
+    /// Column of the normal equations that belongs to the coefficient of a library term (product of variables added to
+    /// a load).
     pub fn term_column(&self, term: TermId) -> ColumnId {
         ColumnId::new(self.global_columns() + term.index())
     }
@@ -106,7 +108,7 @@ impl<'a> ScoreTestModel<'a> {
         self.encompassing.candidates.iter_enumerated()
     }
 
-    /// The candidate with index `id`.
+    /// The candidate effect (effect that the model may lack) with index `id`.
     pub fn candidate(&self, id: CandidateId) -> &Candidate {
         &self.encompassing.candidates[id]
     }
@@ -196,8 +198,8 @@ impl<'a> ScoreTestModel<'a> {
         }
     }
 
-    /// The problem of [`problem_with`](Self::problem_with) in which only the global parameters of `columns` are
-    /// unknowns; the compiled model has no derivatives with respect to other parameters.
+    /// Estimation problem in which, of all candidates, only `effects` are estimated, and only the global parameters of
+    /// `columns` are unknowns. The compiled model has no derivatives with respect to other parameters.
     pub fn refit_problem(&self, effects: &[CandidateId], columns: &[ColumnId]) -> FitProblem {
         let fixed = fixed_parameters(&self.encompassing, effects);
         let globals = columns
@@ -213,7 +215,8 @@ impl<'a> ScoreTestModel<'a> {
         }
     }
 
-    /// Copy of an iterate with the coefficients and states of the candidate `dropped` set to their null values.
+    /// Copy of an iterate (values of all unknowns) with the coefficients and states of the candidate effect `dropped`
+    /// set to the null values, at which the effect vanishes.
     pub fn at_null_value(&self, iterate: &Iterate, dropped: CandidateId) -> Iterate {
         let candidate = self.candidate(dropped);
         let mut iterate = iterate.clone();

@@ -16,7 +16,7 @@ pub(crate) type CachedTrajectory = Option<Vec<f64>>;
 /// terms are included.
 #[derive(Debug)]
 pub(crate) struct TrajectoryCache {
-    /// One cache slot for each flight, by its index; empty if no trajectory is stored.
+    /// One cache slot for each flight, by its index; the vector is empty if the cache is disabled.
     slots: Vec<Mutex<CachedTrajectory>>,
 }
 

@@ -7,8 +7,8 @@ use model_spec::model::Model;
 /// The model under test extended by the effects that a diagnosis selected.
 #[derive(Clone, Debug)]
 pub struct ExtendedModel {
-    /// Identifiers of the added effects: first existing effects (built in or from the model's file), then effects
-    /// created from library terms.
+    /// Identifiers of the added effects: first existing effects (built in or from the model's file), then effects that
+    /// the diagnosis created from library terms.
     pub effects: Vec<String>,
     /// The model with the added effects switched on.
     pub model: Model,

@@ -1,7 +1,8 @@
 //! Least squares with a banded design matrix: Gram matrix, its Cholesky factor, and projections on the columns of the
 //! design.
 
-/// Number of subdiagonals of the Gram matrix. A whitened row combines the splines of two successive samples.
+/// Number of subdiagonals of the Gram matrix of a B-spline design. A whitened row of the design combines the splines of
+/// two successive samples.
 pub(super) const BANDWIDTH: usize = 8;
 
 /// Minimum pivot of the Cholesky factor, relative to the diagonal of the Gram matrix; a column with a smaller pivot

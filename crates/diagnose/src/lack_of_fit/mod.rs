@@ -35,7 +35,7 @@ pub use self::localize::SmoothMisfit;
 const SLOW_INTERVALS: f64 = 5.0;
 
 /// Minimum number of knot intervals over the duration of a flight, for the splines that follow fast deviations of the
-/// residuals from zero. A flight with few samples can have fewer; see [`MIN_SAMPLES_PER_KNOT`].
+/// residuals from zero. A flight with few samples can have fewer intervals.
 const FINE_INTERVALS: f64 = 12.0;
 
 /// Number of spline knots in one period of the fastest predicted motion of the markers, for the splines that follow
@@ -50,7 +50,7 @@ const MIN_SAMPLES_PER_KNOT: f64 = 3.0;
 /// from the samples before any fit. Noise smaller than this error cannot be distinguished from 0.
 const INTEGRATION_ERROR: f64 = 0.02;
 
-/// Maximum number of flights whose largest smooth deviation is described in the report.
+/// Maximum number of flights whose largest smooth deviation is listed in the result of the lack-of-fit test.
 const MAX_DESCRIBED: usize = 6;
 
 /// Result of the lack-of-fit test, which compares the residuals of a fit with the measurement noise. The noise is

@@ -20,7 +20,7 @@ pub(super) struct Series {
     pub count: usize,
 }
 
-/// Products of the whitened values of a series, and their projections on a spline basis.
+/// Products of the whitened values of a series (residual and derivatives), and their projections on a spline basis.
 #[derive(Clone, Debug)]
 pub(super) struct WhitenedProducts {
     /// Gram matrix of the whitened values (residual first, then derivatives), row by row.

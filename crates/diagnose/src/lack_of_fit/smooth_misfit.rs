@@ -14,7 +14,7 @@ use super::spline_basis::SplineBasis;
 /// are dropped, because the splines reproduce them.
 const MIN_TOLERANCE: f64 = 1e-9;
 
-/// Lack-of-fit statistics of one flight: reduction of its sum of squares by two sets of splines.
+/// Lack-of-fit statistics of one flight: reduction of the sum of squares of its residuals by two sets of splines.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct FlightMisfit {
     /// Reduction of the sum of squares by splines that follow slow deviations, such as those caused by wrong forces.
@@ -25,8 +25,8 @@ pub(super) struct FlightMisfit {
     pub fine: ScaledStatistic,
 }
 
-/// Sums of products over all series of a flight, before and after projecting out one spline basis. Local columns are
-/// the derivatives of the residuals with respect to the flight's initial state.
+/// Sums of products over all residual series of a flight, before and after projecting out one spline basis. Local
+/// columns are the derivatives of the residuals with respect to the flight's initial state.
 struct Projection {
     /// Sum of squares of the residuals' projection on the splines.
     squares: f64,
@@ -35,8 +35,8 @@ struct Projection {
     /// projected columns with the residuals.
     left: DMatrix<f64>,
     left_gradient: DVector<f64>,
-    /// Sum of squares of the residuals. Like `local` (Gram matrix of the local columns) and `gradient` (products of the
-    /// local columns with the residuals), this is the value before the splines are projected out.
+    /// Sum of squares of the residuals before the splines are projected out. `local` (Gram matrix of the local columns)
+    /// and `gradient` (products of these columns with the residuals) are also values before this projection.
     total: f64,
     local: DMatrix<f64>,
     gradient: DVector<f64>,

@@ -27,7 +27,8 @@ const MAX_FLIGHTS: usize = 12;
 /// value at the first knot, and that of its increments between knots.
 const INITIAL_SIGMA: f64 = 0.03;
 
-/// Number of iterations of the expectation maximization.
+/// Number of iterations of the expectation maximization that estimates the standard deviations of the load
+/// coefficients.
 const EM_ITERATIONS: usize = 40;
 
 /// Minimum standard deviation of the first value and of the increments of a random walk; prevents division by 0.

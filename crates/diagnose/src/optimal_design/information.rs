@@ -30,7 +30,8 @@ pub(super) fn information(
 /// absent).
 pub(super) struct Alternative {
     columns: Vec<ColumnId>,
-    /// For each of `columns`: fitted value minus null value of the coefficient to which the column belongs, SI.
+    /// For each column of the normal equations in `columns`: fitted value minus null value, SI, of the coefficient to
+    /// which the column belongs.
     departures: Vec<f64>,
 }
 

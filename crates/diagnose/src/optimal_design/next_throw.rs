@@ -15,7 +15,7 @@ use crate::context::{ScoreTestModel, ThrowRanges};
 use crate::error::DiagnosisError;
 use crate::selection::Search;
 
-/// Number of simulated throws among which the best is chosen.
+/// Number of simulated throws, from which the throw that best distinguishes the hypotheses is chosen.
 const THROWS: usize = 96;
 
 /// Seed of the random launch conditions of the simulated throws.

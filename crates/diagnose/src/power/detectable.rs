@@ -17,7 +17,7 @@ const Z_OF_POWER: f64 = 1.281_551_565_544_6;
 /// this fraction of the longest projection.
 const MIN_SHARE: f64 = 0.25;
 
-/// Maximum number of confounding parameters named for one effect.
+/// Maximum number of parameters named in the report as confounded with one effect.
 const MAX_NAMED: usize = 8;
 
 /// Maximum ratio of an effect's minimum detectable size to the width of its bounds; above it, the effect counts as

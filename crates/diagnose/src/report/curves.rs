@@ -20,7 +20,8 @@ const ABSCISSAE: [&str; 2] = ["alpha", "V"];
 const COEFFICIENT_PREFIX: &str = "C_";
 
 /// A coefficient of the model as a function of the abscissa, the angle of attack or the speed, without and with the
-/// extension of the model. Each value is the median of the samples within one interval of the abscissa.
+/// extension (the effects added to the model). Each value is the median of the samples within one interval of the
+/// abscissa.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CoefficientCurve {
     /// Name of the coefficient, such as `C_D`.
@@ -31,11 +32,11 @@ pub struct CoefficientCurve {
     pub unit: String,
     /// Centres of the intervals into which the abscissa is divided, in the unit of the abscissa.
     pub x: Vec<f64>,
-    /// Medians of the coefficient in the model without the extension, one for each interval of the abscissa.
+    /// Medians of the coefficient in the model without the added effects, one for each interval of the abscissa.
     pub before: Vec<f64>,
     /// Medians of the coefficient in the extended model, one for each interval of the abscissa.
     pub after: Vec<f64>,
-    /// Number of samples in each interval of the abscissa, counted for the model without the extension.
+    /// Number of samples in each interval of the abscissa, counted for the model without the added effects.
     pub support: Vec<usize>,
 }
 
@@ -75,8 +76,8 @@ pub(crate) fn curves(
         .collect()
 }
 
-/// Medians of a coefficient in one interval of the abscissa in the models without and with the extension, and number of
-/// samples of the model without the extension in this interval.
+/// Medians of a coefficient in one interval of the abscissa in the models without and with the added effects, and
+/// number of samples of the model without them in this interval.
 struct Interval {
     /// Abscissa of the centre of the interval.
     centre: f64,
@@ -87,7 +88,7 @@ struct Interval {
 
 /// Intervals of the abscissa that contain enough samples, with the medians in each interval; `None` if all abscissae
 /// are equal or there are no samples. The arguments are samples (abscissa, value) of the models without and with the
-/// extension.
+/// added effects.
 fn medians(mut before: Vec<(f64, f64)>, mut after: Vec<(f64, f64)>) -> Option<Vec<Interval>> {
     if before.is_empty() || after.is_empty() {
         return None;

@@ -8,8 +8,8 @@ use crate::context::display_name;
 use crate::extension::ExtendedModel;
 use crate::selection::{FittedTerms, Search};
 
-/// Adds the library terms `terms` to the report as a further explanation of the lack of fit, which the data do not
-/// distinguish from the other explanations.
+/// Adds the library terms `terms` (products of variables added to loads) to the report as a further explanation of the
+/// lack of fit. The data do not distinguish it from the other explanations.
 pub(crate) fn add_alternative(report: &mut Report, terms: &FittedTerms, search: &Search) {
     let chi2_decrease = (search.at_base.squares - terms.squares).max(0.0);
     let mut cause = cause(&terms.extension, &terms.fit, chi2_decrease);
@@ -38,7 +38,8 @@ pub(crate) fn add_extension(
     }
 }
 
-/// Explanation of the lack of fit by the effects of an extension; its share of the excess χ² is not computed.
+/// Explanation of the lack of fit by the effects of an extended model. The fraction of the excess χ² that it explains
+/// is not computed.
 fn cause(extension: &ExtendedModel, fit: &Fit, chi2_decrease: f64) -> Cause {
     Cause {
         effects: extension_effects(extension, fit),
@@ -49,7 +50,7 @@ fn cause(extension: &ExtendedModel, fit: &Fit, chi2_decrease: f64) -> Cause {
     }
 }
 
-/// Effects of an extension, with estimates of their coefficients from the fit of the extended model.
+/// Effects by which a model was extended, with estimates of their coefficients from the fit of the extended model.
 fn extension_effects(extension: &ExtendedModel, after: &Fit) -> Vec<CauseEffect> {
     let effects = extension.model.effects.iter();
     let added = effects.filter(|effect| extension.effects.contains(&effect.name));
@@ -79,7 +80,7 @@ fn extension_effects(extension: &ExtendedModel, after: &Fit) -> Vec<CauseEffect>
 }
 
 /// Replaces standard errors in the report by cluster-robust (by flight) standard errors where these are larger, because
-/// misfit that the extension does not explain is correlated within a flight. Also replaces the estimates of the first
+/// misfit that the added effects do not explain is correlated within a flight. Also replaces the estimates of the first
 /// explanation (`causes`) by those of `after`, the fit of the extended model.
 pub(crate) fn use_clustered_errors(report: &mut Report, after: &Fit) {
     let fitted = |name: &str| {
@@ -102,7 +103,7 @@ pub(crate) fn use_clustered_errors(report: &mut Report, after: &Fit) {
     }
 }
 
-/// Adds a note on the held-out flights to which the extension is not applied; `flights` are their indices.
+/// Adds a note on the held-out flights that are predicted without the added effects; `flights` are their indices.
 pub(crate) fn note_not_applied(report: &mut Report, flights: &[usize]) {
     if flights.is_empty() {
         return;

@@ -5,8 +5,8 @@ use crate::selection::{StepwiseModel, StepwiseTerm};
 use crate::text::{millimetres, three_figures};
 use crate::validation::{PredictiveGain, Validated};
 
-/// Minimum bias of a coefficient caused by the missing effect, in standard errors, for the summary to name the
-/// coefficient.
+/// Minimum bias of a coefficient caused by the missing effect, in standard errors of the coefficient, for the summary
+/// of the report to name the coefficient.
 const MIN_BIAS: f64 = 3.0;
 
 /// Maximum number of flights named in a sentence.
@@ -160,7 +160,7 @@ fn prediction(gain: &PredictiveGain) -> String {
     text
 }
 
-/// Sentence on the coefficients that were biased because the effect was missing; empty if none was.
+/// Sentence on the coefficients whose estimates were biased because the model lacked an effect; empty if none was.
 fn omitted_variable_bias(report: &Report) -> String {
     let biased: Vec<String> = report
         .coefficients
@@ -234,8 +234,8 @@ pub(crate) fn refused(validated: &Validated) -> String {
     )
 }
 
-/// Sentences on a lack of fit that no candidate effect explains: the load channels (force or moment components) in
-/// which it lies, and the library terms that `model` selected.
+/// Sentences on a lack of fit that no candidate effect explains: the loads (force or moment components) in which it
+/// lies, and the library terms (products of variables added to a load) that `model` selected.
 pub(crate) fn unattributed(model: &StepwiseModel, channels: &[LoadChannel]) -> String {
     let selected: Vec<&StepwiseTerm> = model.terms.iter().filter(|term| term.selected).collect();
     let most = channels

@@ -92,9 +92,9 @@ pub(super) fn verdict(is_significant: bool, causes: &[Cause]) -> Verdict {
     }
 }
 
-/// Sets two fields of `cause`: `explained`, the fraction of the excess χ² (misfit beyond noise) that the cause
-/// explains, and `remaining_m`, the root mean square of the residuals in excess of the noise once the cause is
-/// included, m.
+/// Sets two fields of `cause`. `explained` is the fraction of the excess χ² (misfit beyond noise) that the cause
+/// explains. `remaining_m` is the root mean square of the residuals in excess of the noise once the cause is included,
+/// m.
 pub(super) fn add_share(cause: &mut Cause, residuals: &LackOfFit) {
     let share = cause.chi2_decrease / residuals.excess_chi2.max(f64::MIN_POSITIVE);
     cause.explained = share.clamp(0.0, 1.0);
@@ -134,8 +134,8 @@ fn flight_before(flight: &FlightReport) -> FlightGain {
     }
 }
 
-/// Estimates of all coefficients in `fit`, by name. If the fit of the model without the extension is given as `before`,
-/// each coefficient also contains its value in that fit.
+/// Estimates of all coefficients in `fit`, by name. If the fit of the model without the added effects is given as
+/// `before`, each coefficient also contains its value in that fit.
 pub(super) fn coefficients(fit: &Fit, before: Option<&Fit>) -> BTreeMap<String, Coefficient> {
     let each = fit.report.coefficients.iter().map(|(name, c)| {
         let earlier = before.and_then(|before| before.report.coefficients.get(name));

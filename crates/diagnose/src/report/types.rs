@@ -25,7 +25,7 @@ pub struct Report {
     pub model: String,
     /// Names of the effects (optional extensions) that were switched on in the model under test.
     pub effects: Vec<String>,
-    /// Outcome of the diagnosis.
+    /// Outcome of the diagnosis: whether the model has an error, and whether the missing effects are identified.
     pub verdict: Verdict,
     /// Summary of the result, one paragraph of text.
     pub summary: String,
@@ -34,14 +34,15 @@ pub struct Report {
     pub causes: Vec<Cause>,
     /// Estimated noise of the measured coordinates.
     pub noise: NoiseSummary,
-    /// Out-of-sample error reduction of the extension; `None` if the model is not extended or no flight can be
-    /// predicted.
+    /// Reduction of the out-of-sample prediction error by the effects added to the model; `None` if the model is not
+    /// extended or no flight can be predicted.
     pub gain: Option<PredictiveGain>,
     /// Coefficients by name: those of the extended model, or of the model under test if it is not extended.
     pub coefficients: BTreeMap<String, Coefficient>,
-    /// Candidate effects that these flights cannot identify.
+    /// Candidate effects (effects that the model may lack) that these flights cannot identify.
     pub undetectable: Vec<NotIdentifiable>,
-    /// Minimum detectable sizes of the identifiable candidates' coefficients, for power 0.9.
+    /// Minimum detectable sizes of the coefficients of those candidate effects that the flights can identify, for power
+    /// 0.9.
     pub smallest_detectable: Vec<MinDetectableEffect>,
     /// Throw that would best distinguish the accepted explanations (`causes`); `None` if fewer than two are accepted.
     pub next_throw: Option<NextThrow>,
@@ -50,22 +51,22 @@ pub struct Report {
     /// Computing time, s, by stage (`fit` and `search`): time from the start of the diagnosis to the end of the stage.
     /// `total` is the time of the whole diagnosis.
     pub seconds: BTreeMap<String, f64>,
-    /// Score test of each candidate effect, smallest p-value first.
+    /// Score test of each candidate effect (effect that the model may lack), smallest p-value first.
     pub candidates: Vec<CandidateTest>,
     /// Significance threshold of the score tests.
     pub threshold: Threshold,
-    /// Correlations between the effective scores of the candidates' coefficients.
+    /// Correlations between the effective scores of the coefficients of the candidate effects.
     #[serde(rename = "alike")]
     pub score_correlations: ScoreCorrelations,
     /// Detected errors in the data of the flights, in the order of the dataset.
     #[serde(default)]
     pub data_faults: Vec<DataFault>,
-    /// Residuals of each flight without and with the extension, in the order of the dataset.
+    /// Residuals of each flight without and with the effects added to the model, in the order of the dataset.
     pub flights: Vec<FlightGain>,
-    /// Coefficients of the model over angle of attack or speed, without and with the extension; empty if the model is
-    /// not extended.
+    /// Coefficients of the model over angle of attack or speed, without and with the added effects; empty if the model
+    /// is not extended.
     pub curves: Vec<CoefficientCurve>,
-    /// Lack of fit that no candidate effect explains; `None` if there is none.
+    /// Lack of fit that no candidate effect (effect that the model may lack) explains; `None` if there is none.
     #[serde(rename = "outside")]
     pub unattributed: Option<Unattributed>,
     /// Agreement of the flights on the explanations in `causes`; `None` if these explain the entire misfit of every
@@ -76,9 +77,10 @@ pub struct Report {
     /// from smooth motion. The verdict [`Verdict::None`] requires that this test is absent or not significant.
     #[serde(default)]
     pub lack_of_fit: Option<LackOfFit>,
-    /// Results of verifying the extended model; `None` if it was not verified.
+    /// Result of verifying the extended model: the result of each check, and whether any of them refuted the model.
+    /// `None` if it was not verified.
     pub verified: Option<Verified>,
-    /// Whether every fit converged.
+    /// Whether every fit of the diagnosis converged.
     #[serde(default = "converged_by_default")]
     pub converged: bool,
     /// Whether the search was completed. If false, the deadline or the maximum number of least-squares steps was
@@ -94,7 +96,7 @@ fn converged_by_default() -> bool {
     true
 }
 
-/// Outcome of a diagnosis.
+/// Outcome of a diagnosis: whether the model has an error, and whether the missing effects are identified.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
@@ -146,7 +148,7 @@ pub struct RemainingEffect {
     pub p: f64,
 }
 
-/// One effect of an explanation (a [`Cause`]), with the estimates of its coefficients.
+/// One effect of an explanation of the misfit (a [`Cause`]), with the estimates of its coefficients.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CauseEffect {
     /// Display name, with hyphens, of the candidate effect or of the effect created from library terms.
@@ -157,12 +159,14 @@ pub struct CauseEffect {
     pub site: String,
     /// Names of the variables on which the effect depends.
     pub variables: Vec<String>,
-    /// Estimates of the effect's coefficients by name; for a state, the root mean square over the flights.
+    /// Estimates of the effect's coefficients by name. For a state, which has one value for each flight, the root mean
+    /// square over the flights of its differences from the null value.
     pub estimates: BTreeMap<String, Estimate>,
     /// Score statistic of the effect, χ², tested at the fit of the model under test; 0 for an effect created from
     /// library terms.
     pub statistic: f64,
-    /// Whether every estimate is below the smallest effect size of interest.
+    /// Whether every estimate of the effect differs from its null value by less than the smallest effect size of
+    /// interest.
     #[serde(rename = "immaterial")]
     pub negligible: bool,
 }
@@ -170,7 +174,7 @@ pub struct CauseEffect {
 /// Estimate of a coefficient, with its standard error.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Estimate {
-    /// Estimated value, SI.
+    /// Estimated value of the coefficient, SI.
     pub value: f64,
     /// Standard error of the estimate, SI.
     pub std_error: f64,
@@ -193,17 +197,17 @@ pub struct NoiseSummary {
     pub outlier_fraction: f64,
 }
 
-/// Fitted coefficient of the model, without and with the extension.
+/// Fitted coefficient of the model, without and with the effects that the diagnosis adds.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Coefficient {
-    /// Fitted value, SI; with the extension if the model is extended.
+    /// Fitted value, SI; with the added effects if the model is extended.
     pub value: f64,
     /// Standard error of the value, SI.
     pub std_error: f64,
     /// SI unit of the coefficient, as text.
     pub unit: String,
-    /// Fitted value without the extension, SI; `None` if the model is not extended or the extension adds the
-    /// coefficient.
+    /// Fitted value without the added effects, SI; `None` if the model is not extended or an added effect introduces
+    /// the coefficient.
     pub before: Option<f64>,
 }
 
@@ -212,7 +216,7 @@ pub struct Coefficient {
 pub struct CandidateTest {
     /// Display name of the effect: its identifier in the model language, with hyphens instead of underscores.
     pub name: String,
-    /// Description of the effect.
+    /// Description of the candidate effect: the doc comment of its declaration in the model language.
     pub doc: String,
     /// Site of the effect: the load or equation that it changes.
     pub site: String,
@@ -223,7 +227,7 @@ pub struct CandidateTest {
     pub dof: usize,
     /// Natural logarithm of the p-value.
     pub ln_p: f64,
-    /// Equivalent z of the p-value: its two-sided standard normal quantile.
+    /// Equivalent z of the p-value: the two-sided standard normal quantile that has this p-value.
     #[serde(rename = "sigmas")]
     pub z: f64,
     /// Whether the p-value is below the familywise threshold.
@@ -244,7 +248,7 @@ pub struct Threshold {
     pub alpha: f64,
     /// Natural logarithm of the p-value below which a single test is significant.
     pub ln_p: f64,
-    /// Equivalent z above which a single test is significant.
+    /// Equivalent z of the threshold (two-sided standard normal quantile), above which a single test is significant.
     #[serde(rename = "sigmas")]
     pub z: f64,
 }
@@ -252,13 +256,13 @@ pub struct Threshold {
 /// Correlation matrix of the effective scores of the candidate effects' coefficients.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ScoreCorrelations {
-    /// Names of the coefficients, in the order of the rows and columns.
+    /// Names of the coefficients to which the rows and columns of the correlation matrix belong, in their order.
     pub names: Vec<String>,
-    /// Correlations, −1 … 1, as rows of the matrix.
+    /// Rows of the correlation matrix; the correlations are −1 … 1.
     pub matrix: Vec<Vec<f64>>,
 }
 
-/// RMS residuals of one flight in the model without and with the extension.
+/// RMS residuals of one flight in the model without and with the added effects.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FlightGain {
     /// File name of the flight.
@@ -271,9 +275,9 @@ pub struct FlightGain {
     /// Reason why the flight was excluded from the fit or from the prediction; `None` if it was not excluded.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reason: Option<String>,
-    /// Root mean square residual of one coordinate without the extension, m; `None` if the flight was excluded.
+    /// Root mean square residual of one coordinate without the added effects, m; `None` if the flight was excluded.
     pub rms_before_m: Option<f64>,
-    /// Root mean square residual of one coordinate with the extension, m; `None` if the flight was excluded or the
+    /// Root mean square residual of one coordinate with the added effects, m; `None` if the flight was excluded or the
     /// model is not extended.
     pub rms_after_m: Option<f64>,
 }
@@ -286,7 +290,7 @@ pub struct Unattributed {
     pub says: String,
     /// Estimated missing load of each load channel (force or moment component).
     pub channels: Vec<LoadChannel>,
-    /// Tested terms of the term library, most significant first.
+    /// Tested library terms (products of variables added to one load), most significant first.
     pub terms: Vec<StepwiseTerm>,
 }
 
@@ -294,16 +298,19 @@ pub struct Unattributed {
 /// unexplained, and this part differs from flight to flight.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Consensus {
-    /// Number of fitted flights on whose agreement the explanations are based; discordant flights are not counted.
+    /// Number of fitted flights on whose agreement the explanations are based; flights that contradict these are not
+    /// counted.
     pub flights: usize,
     /// Fraction, 0 … 1, of the excess χ² (weighted sum of squares minus its expectation for pure noise) that the first
     /// explanation accounts for; `None` if the explanations account for the entire misfit of the concordant flights.
     #[serde(rename = "part")]
     pub explained: Option<f64>,
-    /// p-value of the sign-flip test, familywise over all candidate effects and library terms.
+    /// p-value of the sign-flip test of whether the flights agree on an effect, familywise over all candidate effects
+    /// and library terms (products of variables added to loads).
     #[serde(rename = "chance")]
     pub p_value: f64,
-    /// File names of the discordant fitted flights, which are excluded from all other results of the report.
+    /// File names of the discordant fitted flights: they contradict the explanations and are excluded from all other
+    /// results of the report.
     #[serde(rename = "contradicting")]
     pub discordant: Vec<String>,
 }
@@ -311,9 +318,10 @@ pub struct Consensus {
 /// Missing load in one load channel (a force or moment component), as estimated from the residuals.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LoadChannel {
-    /// Site of the load: lift, drag, side, roll, pitch or spin.
+    /// Name of the load in which the force or moment is missing: lift, drag, side, roll, pitch or spin.
     pub site: String,
-    /// Ratio of the χ² decrease by the terms of this channel alone to the decrease by all library terms, 0 … 1.
+    /// Ratio of the χ² decrease by the library terms of this load alone to the decrease by the terms of all loads, 0 …
+    /// 1.
     #[serde(rename = "explains")]
     pub explained: f64,
     /// Time history of the load coefficient in each flight.
@@ -325,6 +333,6 @@ pub struct LoadChannel {
 pub struct Verified {
     /// Whether no check refuted the extended model.
     pub holds: bool,
-    /// Name and result of each check, as text.
+    /// Name and result, as text, of each check by which the extended model was verified.
     pub checks: Vec<(String, String)>,
 }

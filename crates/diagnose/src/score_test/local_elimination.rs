@@ -22,9 +22,10 @@ pub(crate) struct GlobalEquations {
 #[derive(Clone, Debug)]
 pub(super) struct PerFlightCandidate {
     pub equations: GlobalEquations,
-    /// Decrease of the weighted sum of squares by fitting the candidate's states with the global parameters fixed.
+    /// Decrease of the weighted sum of squares by fitting the states of the candidate effect with the global parameters
+    /// (common to all flights) fixed.
     pub decrease: f64,
-    /// Number of the candidate's states that the flights determine.
+    /// Number of the states of the candidate effect, over all flights, that the samples determine.
     pub dof: usize,
 }
 

@@ -5,9 +5,9 @@ use nalgebra::{DVector, SymmetricEigen};
 use super::score_tests::{MIN_TOLERANCE, ScoreTests};
 
 impl ScoreTests {
-    /// Gauss–Newton step of all global columns along the principal directions of the tested columns whose score
-    /// exceeds `limit` standard deviations, with the nuisance parameters re-estimated. Also returns the number of
-    /// these directions.
+    /// Gauss–Newton step of all global unknowns (parameters and library-term coefficients). The tested unknowns move
+    /// along the principal directions whose score exceeds `limit` standard deviations; the nuisance parameters are
+    /// re-estimated. Also returns the number of these directions.
     pub fn one_step_along_significant(&self, limit: f64) -> (DVector<f64>, usize) {
         let tested = &self.partition.tested;
         let mut along = DVector::zeros(tested.len());

@@ -11,7 +11,7 @@ pub(super) fn inverse_sqrt(value: f64) -> f64 {
     if root > 1e-150 { 1.0 / root } else { 1.0 }
 }
 
-/// Score and information of the tested columns after the nuisance parameters are projected out.
+/// Score and information of the tested unknowns after the nuisance parameters are projected out.
 #[derive(Clone, Debug)]
 pub(super) struct EffectiveScore {
     /// Effective information of the tested columns: the Schur complement H_tt − H_tn H_nn⁻¹ H_nt, with rows and columns
@@ -70,7 +70,7 @@ mod tests {
     use super::*;
     use crate::context::ColumnId;
 
-    /// JᵀJ and Jᵀr of fixed rows with columns of very different size.
+    /// JᵀJ and Jᵀr of a fixed example in which the columns of J differ in size by eight orders of magnitude.
     fn equations() -> (DMatrix<f64>, DVector<f64>) {
         let size = [1.0, 1e-5, 1e3, 2.0];
         let jacobian = DMatrix::from_fn(9, 4, |i, j| {

@@ -23,32 +23,36 @@ const THRESHOLD_SEED: u64 = 1;
 /// are included in the null hypothesis, are nuisance parameters.
 #[derive(Clone, Debug)]
 pub(crate) struct ScoreTests {
-    /// Test of each candidate effect; `None` if the parameters of the candidate are nuisance parameters.
+    /// Test of each candidate effect (effect that the model may lack); `None` if the parameters of the candidate are
+    /// nuisance parameters.
     pub candidates: IndexVec<CandidateId, Option<ScoreTest>>,
-    /// Test of each library term; empty if the normal equations have no columns for terms.
+    /// Test of each library term (product of variables added to a load); empty if the normal equations have no columns
+    /// for library terms.
     pub terms: IndexVec<TermId, ScoreTest>,
     /// Partition of the columns of the normal equations into nuisance and tested columns.
     pub partition: Partition,
-    /// Effective information of the tested columns, with rows and columns multiplied by `scale`. The diagonal would be
+    /// Effective information of the tested unknowns, with rows and columns multiplied by `scale`. The diagonal would be
     /// 1 if the nuisance parameters were not projected out.
     pub information: DMatrix<f64>,
-    /// Effective scores of the tested columns, scaled by `scale`.
+    /// Effective scores of the tested unknowns, each multiplied by its entry in `scale`.
     pub score: DVector<f64>,
-    /// Factor by which each tested column is multiplied, so that its norm is 1 after eliminating the local parameters.
+    /// Factor by which the Jacobian column of each tested unknown is multiplied, so that its norm is 1 after
+    /// eliminating the local parameters (initial states of the flights).
     pub scale: Vec<f64>,
-    /// Projection coefficients of the tested columns on the nuisance columns.
+    /// Coefficients of the projection of the Jacobian columns of the tested unknowns on those of the nuisance
+    /// parameters.
     pub nuisance_projection: DMatrix<f64>,
     /// Information matrix of the nuisance parameters.
     pub nuisance_information: DMatrix<f64>,
-    /// Squared norms of each tested column of the Jacobian, before and after elimination of the local parameters
-    /// (initial states of the flights).
+    /// Squared norms of the Jacobian column of each tested unknown, before and after elimination of the local
+    /// parameters (initial states of the flights).
     pub norms: Vec<ColumnNorms>,
     pub(super) nuisance_step: DVector<f64>,
     /// For each test with at least one degree of freedom: matrix that maps the effective scores of all tested columns
     /// to independent standard normal variables; one matrix column for each tested column.
     whitenings: Vec<DMatrix<f64>>,
-    /// Number of tests of candidate effects with one value for each flight, whose states are not among the tested
-    /// columns.
+    /// Number of tests of candidate effects that are represented by states with one value for each flight. These states
+    /// have no column in the normal equations of the global parameters.
     state_tests: usize,
 }
 
@@ -57,11 +61,13 @@ pub(crate) struct ScoreTests {
 pub(crate) struct ColumnNorms {
     /// Squared norm of the column, over all flights.
     pub total: f64,
-    /// Squared norm of the column after projection orthogonal to the local columns of each flight.
+    /// Squared norm of the column after projection orthogonal to the derivatives with respect to each flight's initial
+    /// state.
     pub locals_eliminated: f64,
 }
 
-/// Score test of one candidate effect or library term.
+/// Score test of one candidate effect (effect that the model may lack) or library term (product of variables added to a
+/// load).
 #[derive(Clone, Debug)]
 pub(crate) struct ScoreTest {
     /// Score statistic: the decrease of the weighted sum of squares that a refit would give, to second order.
@@ -72,8 +78,8 @@ pub(crate) struct ScoreTest {
     pub dof: usize,
     /// Natural logarithm of the p-value.
     pub ln_p: f64,
-    /// One-step estimates of the coefficients, with all other candidates at their null value; empty for a candidate
-    /// with states.
+    /// One-step estimates of the coefficients, with all other candidate effects at their null value; empty for a
+    /// candidate that is represented by states.
     pub one_step: Vec<OneStepEstimate>,
     /// Tolerance 1 − R² of the best determined direction: the fraction of its squared sensitivity that the nuisance
     /// parameters do not explain.
@@ -85,7 +91,7 @@ pub(crate) struct ScoreTest {
 pub(crate) struct OneStepEstimate {
     /// Column of the coefficient in the normal equations.
     pub column: ColumnId,
-    /// Estimated value, SI.
+    /// Estimated value of the coefficient, SI.
     pub value: f64,
     /// Standard error of the value, SI; infinite if the flights do not determine the value.
     pub std_error: f64,
@@ -260,12 +266,13 @@ impl ScoreTests {
         std::array::from_fn(|index| found[index])
     }
 
-    /// The library term with the smallest p-value, and its test; `None` if no term can be tested.
+    /// The library term (product of variables added to a load) with the smallest p-value, and its test; `None` if no
+    /// term can be tested.
     pub fn strongest_term(&self) -> Option<(TermId, &ScoreTest)> {
         least_p(self.terms.iter_enumerated())
     }
 
-    /// The candidate with the smallest p-value, and its test; `None` if no candidate can be tested.
+    /// The candidate effect with the smallest p-value, and its test; `None` if no candidate can be tested.
     pub fn strongest_candidate(&self) -> Option<(CandidateId, &ScoreTest)> {
         let each = self.candidates.iter_enumerated();
         least_p(each.filter_map(|(id, test)| Some((id, test.as_ref()?))))

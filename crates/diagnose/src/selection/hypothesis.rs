@@ -46,7 +46,7 @@ impl Hypothesis {
         strongest.map(|(id, test)| (id, test.ln_p))
     }
 
-    /// Whether there are several effects, and all of them change the same load or equation, such as lift.
+    /// Whether the hypothesis contains several effects, and all of them change the same load or equation, such as lift.
     pub fn combines_one_site(&self, model: &ScoreTestModel<'_>) -> bool {
         let mut sites = self.effects.iter().map(|&id| &model.candidate(id).site);
         let first = sites.next();
@@ -75,7 +75,8 @@ impl ScoreTestModel<'_> {
         self.fit_hypothesis_cached(effects, from, noise, TrajectoryCache::DISABLED)
     }
 
-    /// Like [`fit_hypothesis`](Self::fit_hypothesis), but stores the trajectories at the fitted values in `cache`.
+    /// Fits the candidate effects `effects` together with the model under test, starting at `from`, and stores the
+    /// trajectories at the fitted values in `cache`. `None` if the fit or the score tests fail.
     pub fn fit_hypothesis_cached(
         &self,
         effects: &[CandidateId],

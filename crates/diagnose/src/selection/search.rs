@@ -9,24 +9,25 @@ use crate::error::{DiagnosisError, if_possible};
 use crate::score_test::{ScoreTest, ScoreTests};
 
 /// A hypothesis is fitted only if its sum of squares, χ², expected from linearization exceeds the smallest expected sum
-/// of all hypotheses by less than this amount plus that of [`CHI2_MARGIN_RELATIVE`].
+/// of all hypotheses by less than a margin: this amount plus an allowance, [`CHI2_MARGIN_RELATIVE`], for linearization
+/// error.
 const CHI2_MARGIN: f64 = 30.0;
 
-/// Addition to [`CHI2_MARGIN`] that allows for linearization error, as a fraction of the largest expected decrease of
-/// the sum of squares.
+/// Part of the margin within which a hypothesis is fitted, as a fraction of the largest expected decrease of the sum of
+/// squares. It allows for linearization error and is added to [`CHI2_MARGIN`].
 const CHI2_MARGIN_RELATIVE: f64 = 0.25;
 
 /// Maximum number of hypotheses fitted in one round of the search; all of them have the same number of effects.
 const MAX_REFITS: usize = 6;
 
-/// Maximum number of effects in one hypothesis.
+/// Maximum number of missing effects in one hypothesis.
 pub(crate) const MAX_EFFECTS: usize = 3;
 
 /// Maximum difference at which two noise estimates count as equal: relative for standard deviations, absolute for
 /// autocorrelations.
 const NOISE_TOLERANCE: f64 = 0.05;
 
-/// Maximum number of rejected hypotheses that are extended by a further effect.
+/// Maximum number of rejected hypotheses that the search extends by one further effect.
 const MAX_PARENTS: usize = 3;
 
 /// Familywise p-value below which the strongest candidate outside the accepted hypothesis is also reported, because the
@@ -37,11 +38,12 @@ const ALPHA_UNDECIDED: f64 = 0.05;
 pub(crate) struct Search {
     /// Noise model with which residuals are weighted.
     pub noise: NoiseModel,
-    /// Score tests of all candidates and terms at the fit of the model under test.
+    /// Score tests of all candidate effects and library terms (products of variables added to loads) at the fit of the
+    /// model under test.
     pub at_base: TestsAtPoint,
     /// Model confidence set: hypotheses that are not rejected, best fit first.
     pub accepted: Vec<Hypothesis>,
-    /// Hypotheses fitted in the last search round in which none was adequate, best fit first.
+    /// Hypotheses of the most recent search round in which no hypothesis was adequate, best fit first.
     pub rejected: Vec<Hypothesis>,
 }
 
@@ -57,9 +59,9 @@ pub(crate) struct TestsAtPoint {
 /// Noise model with which a search weights the residuals.
 #[derive(Clone, Copy)]
 pub(crate) enum Weights<'n> {
-    /// The noise is estimated from residuals that are weighted with this noise model.
+    /// The noise is estimated by the search, from residuals that are weighted with this noise model.
     EstimatedFrom(&'n NoiseModel),
-    /// The noise is known.
+    /// The noise is known: the search weights residuals with this noise model and does not estimate another one.
     Known(&'n NoiseModel),
 }
 
@@ -399,7 +401,8 @@ mod tests {
     use super::*;
     use crate::test_support::{Fixture, fixture};
 
-    /// Calls `with` with the test fixture and with a search at its fit, from which the accepted hypotheses are removed.
+    /// Calls `with` with the test fixture and with a search that starts at the fit of the fixture; the accepted
+    /// hypotheses are removed from the search.
     fn searched(with: impl FnOnce(&Fixture, Search)) {
         let mut fixture = fixture();
         let noise = fixture.fit.noise().clone();

@@ -16,61 +16,61 @@ use crate::extension::ExtendedModel;
 use crate::score_test::{ScoreTest, ScoreTests};
 use crate::text::three_figures;
 
-/// Maximum number of terms selected by the stepwise regression.
+/// Maximum number of library terms (products of variables added to loads) selected by the stepwise regression.
 pub(crate) const MAX_SELECTED: usize = 4;
 
-/// Maximum number of terms with the largest statistics that are listed in the report. Selected terms are listed in
-/// addition.
+/// Maximum number of library terms listed in the report: those with the largest score statistics. Selected terms are
+/// listed in addition.
 const MAX_REPORTED: usize = 12;
 
-/// Result for one library term in a report.
+/// Score test of one library term (product of variables added to a load), as listed in a report.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StepwiseTerm {
-    /// Display name of the effect that is created from the term.
+    /// Display name of the effect (model extension) that is created from the library term.
     pub name: String,
-    /// Site of the term: the load to which it is added.
+    /// Site of the library term: the load to which it is added, such as lift.
     pub site: String,
-    /// Formula of the term's product of variables, in the model language.
+    /// Formula of the product of variables of the library term, in the model language.
     pub formula: String,
     /// Score statistic, χ² with one degree of freedom.
     pub statistic: f64,
-    /// One-step estimate of the term's coefficient, SI.
+    /// One-step estimate of the coefficient of the library term, SI.
     pub value: f64,
     /// Standard error of `value`, SI.
     pub std_error: f64,
-    /// Whether the term is part of the extended model.
+    /// Whether the library term is part of the extended model.
     #[serde(rename = "taken")]
     pub selected: bool,
 }
 
-/// The model under test with library terms selected one by one.
+/// The model under test with library terms (products of variables added to loads) selected one by one.
 pub(crate) struct StepwiseModel {
     /// Identifiers of the candidate effects that are included in the model in addition to the library terms.
     pub effects: Vec<String>,
-    /// Number of unknowns that the candidate effects add, over all flights.
+    /// Number of unknowns that the candidate effects of this model add, over all flights.
     effect_unknowns: usize,
-    /// The selected terms, in the order of their selection.
+    /// The selected library terms, in the order of their selection.
     selected: Vec<TermId>,
-    /// Library terms listed in the report: those with the largest statistics, and the selected ones.
+    /// Library terms listed in the report: those with the largest score statistics, and the selected ones.
     pub terms: Vec<StepwiseTerm>,
-    /// Score test of each library term before the first term is selected.
+    /// Score test of each library term in the model without any selected term.
     first: IndexVec<TermId, StepwiseTerm>,
-    /// Models extended by the first selected term, by the first two terms, and so on, with their fits.
+    /// Models extended by the first selected library term, by the first two terms, and so on, with their fits.
     pub fitted: Vec<FittedTerms>,
     /// Weighted sum of squares of the residuals of the model with the selected terms; the weights follow from the noise
     /// that the search estimated.
     pub squares: f64,
-    /// Whether no candidate and no other term is significant once the selected terms are included in the model.
+    /// Whether no candidate effect and no other library term is significant once the selected terms are included.
     pub is_adequate: bool,
-    /// Whether any library term is significant before the first one is selected.
+    /// Whether any library term is significant in the model without selected terms.
     pub has_significant_term: bool,
-    /// The term to be selected next, and its score statistic; `None` if no further term is to be selected.
+    /// The library term to be selected next, and its score statistic; `None` if no further term is to be selected.
     next: Option<(TermId, f64)>,
 }
 
-/// The model extended by some terms, with its fit.
+/// The model extended by some library terms, with its fit.
 pub(crate) struct FittedTerms {
-    /// The extended model.
+    /// The model under test, extended by the library terms.
     pub extension: ExtendedModel,
     /// Fit of the extended model.
     pub fit: Fit,
@@ -79,7 +79,7 @@ pub(crate) struct FittedTerms {
 }
 
 impl StepwiseModel {
-    /// Keeps only the first `count` selected terms; the removed terms are reported as not selected.
+    /// Keeps only the first `count` selected library terms; the removed terms are reported as not selected.
     pub fn keep_first(&mut self, count: usize, terms: &LibraryTerms) {
         if count >= self.selected.len() {
             return;
@@ -96,7 +96,7 @@ impl StepwiseModel {
         self.is_adequate = false;
     }
 
-    /// Number of unknowns that terms and candidate effects add to the model under test, over all flights.
+    /// Number of unknowns that library terms and candidate effects add to the model under test, over all flights.
     pub fn unknowns(&self) -> usize {
         self.selected.len() + self.effect_unknowns
     }
@@ -160,7 +160,9 @@ impl StepwiseModel {
         }))
     }
 
-    /// Starts the regression as [`start`](Self::start), and selects up to [`MAX_SELECTED`] terms.
+    /// Starts the regression without a selected term, with the effects of the rejected hypothesis `beside`, if given,
+    /// included in the model. Then selects up to [`MAX_SELECTED`] library terms. `None` if no term library is
+    /// compatible with the model.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if the caller cancelled.
@@ -177,9 +179,9 @@ impl StepwiseModel {
         Ok(found)
     }
 
-    /// Selects the strongest remaining term and fits the model again, repeatedly. Stops if `most` terms are selected,
-    /// the model is adequate, no term decreases the sum of squares, or the remaining terms cannot be expected to
-    /// explain as much as an accepted hypothesis. `before` is the fit of the model under test.
+    /// Selects the most significant remaining library term and fits the model again, repeatedly. Stops if `most` terms
+    /// are selected, the model is adequate, no term decreases the sum of squares, or the remaining terms cannot be
+    /// expected to explain as much as an accepted hypothesis. `before` is the fit of the model under test.
     ///
     /// # Errors
     /// [`DiagnosisError::Fit`] if the caller cancelled.
@@ -285,8 +287,8 @@ fn fit_terms(
     Ok(both.min_by(|a, b| a.fitted.squares.total_cmp(&b.fitted.squares)))
 }
 
-/// Computes the score tests at `fit`, the fit of `extension`, and returns them with both arguments. `None` if the fit
-/// used other flights than `model`.
+/// Computes the score tests at `fit`, the fit of the extended model `extension`. Returns the extended model, its fit
+/// and the tests; `None` if the fit used other flights than `model`.
 fn step(
     model: &ScoreTestModel<'_>,
     search: &Search,
@@ -328,7 +330,7 @@ fn next_term(tests: &ScoreTests, reject: f64, selected: &[TermId]) -> Option<(Te
     (test.ln_p < reject && !selected.contains(&term)).then_some((term, test.statistic))
 }
 
-/// Reported results of all library terms, from their score tests.
+/// Results of the score tests of all library terms, in the form in which the report lists them.
 fn reported(terms: &LibraryTerms, tests: &ScoreTests) -> IndexVec<TermId, StepwiseTerm> {
     let each = tests.terms.iter_enumerated();
     each.map(|(id, test)| StepwiseTerm::new(terms, id, test))

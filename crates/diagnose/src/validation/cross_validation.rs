@@ -9,7 +9,8 @@ use super::discordant_beginning::ApplyTo;
 use super::predictive_gain::{PredictiveGain, errors, held_out_gain, summarize};
 use crate::context::Context;
 
-/// Number of folds of the cross-validation: each half of the flights is predicted by a fit of the other half.
+/// Number of folds of the cross-validation. With 2 folds, each half of the flights is predicted by a fit to the other
+/// half.
 const FOLDS: usize = 2;
 
 /// Out-of-sample gain (reduction of the prediction error) of the second model over the first by cross-validation: each

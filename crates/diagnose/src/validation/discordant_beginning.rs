@@ -3,17 +3,17 @@
 use identify::dataset::Role;
 use identify::{CONDITIONING_FRACTION, Fit};
 
-/// A flight contradicts an extension if the extension increases the weighted sum of squares, χ², of the first 30 % of
-/// the flight's samples (its conditioning segment) by more than this amount.
+/// Maximum increase of the weighted sum of squares, χ², of the first 30 % of a flight's samples (its conditioning
+/// segment) by the effects added to a model. If the increase is larger, the flight contradicts these effects.
 const MAX_CHI2_INCREASE: f64 = 10.0;
 
-/// Rule that selects the held-out flights to which an extension is applied.
+/// Rule that selects the held-out flights that are predicted with the extension (the effects added to the model).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ApplyTo {
-    /// The extension is applied to all held-out flights.
+    /// All held-out flights are predicted with the extension (the effects added to the model).
     AllFlights,
-    /// The extension is applied to held-out flights whose conditioning segment, the first 30 % of the samples, does not
-    /// contradict the extension.
+    /// The extension (added effects) is applied to those held-out flights whose conditioning segment, the first 30 % of
+    /// the samples, does not contradict it.
     ConcordantFlights,
 }
 
@@ -76,9 +76,9 @@ fn contradicted(before: &Fit, after: &Fit) -> Vec<usize> {
     worse(&segments.collect::<Vec<_>>())
 }
 
-/// Indices of the flights whose weighted sum of squares in the conditioning segment increases significantly with the
-/// extension. Each tuple contains a flight's index and its sums of squares without and with the extension. The noise
-/// variance is estimated from the smaller of the two sums of each flight.
+/// Indices of the flights whose weighted sum of squares in the conditioning segment (first 30 % of the samples)
+/// increases significantly with the added effects. Each tuple contains a flight's index and its sums of squares without
+/// and with these effects. The noise variance is estimated from the smaller of the two sums of each flight.
 fn worse(segments: &[(usize, SegmentSquares, SegmentSquares)]) -> Vec<usize> {
     let mut noise = SegmentSquares::default();
     for (_, before, after) in segments {

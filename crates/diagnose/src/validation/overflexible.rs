@@ -19,7 +19,8 @@ pub(crate) struct Validated {
     pub extension: ExtendedModel,
     /// Fit of the extended model.
     pub fit: Fit,
-    /// Out-of-sample gain of the extension (reduction of the prediction error); `None` if no flight can be predicted.
+    /// Reduction of the out-of-sample prediction error by the effects of the hypothesis; `None` if no flight can be
+    /// predicted.
     pub gain: Option<PredictiveGain>,
 }
 
@@ -47,8 +48,8 @@ impl Validated {
         })
     }
 
-    /// Whether the extension reduces the out-of-sample prediction error by more than the standard error of the
-    /// reduction. True if no flight can be predicted.
+    /// Whether the effects of the hypothesis reduce the out-of-sample prediction error by more than the standard error
+    /// of the reduction. True if no flight can be predicted.
     pub fn is_accepted(&self) -> bool {
         self.gain
             .as_ref()

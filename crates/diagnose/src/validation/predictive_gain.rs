@@ -4,12 +4,12 @@ use identify::dataset::Role;
 use identify::{Fit, FitReport, median_of};
 use serde::{Deserialize, Serialize};
 
-/// Prediction errors on held-out flights without and with an extension. The initial state of a held-out flight is
-/// fitted on the first 30 % of its samples. Flights that neither model predicts are set apart and not included in any
-/// statistic.
+/// Prediction errors on held-out flights without and with the extension (the effects added to the model). The initial
+/// state of a held-out flight is fitted on the first 30 % of its samples. Flights that neither model predicts are set
+/// apart and not included in any statistic.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PredictiveGain {
-    /// RMS prediction error of one coordinate by the model without the extension, m; the mean is over all predicted
+    /// RMS prediction error of one coordinate by the model without the added effects, m; the mean is over all predicted
     /// flights.
     pub held_out_rms_before_m: f64,
     /// RMS prediction error of one coordinate by the extended model, m; the mean is over all predicted flights.
@@ -19,24 +19,26 @@ pub struct PredictiveGain {
     pub standard_error_m: f64,
     /// Standard deviation of the noise of one coordinate, m: the smallest possible prediction error.
     pub noise_floor_m: f64,
-    /// Number of flights predicted both without and with the extension; flights in `set_apart` are not counted.
+    /// Number of flights predicted both without and with the added effects; flights in `set_apart` are not counted.
     pub flights: usize,
-    /// Number of predicted flights to which the extension is not applied, because it contradicts their first samples.
+    /// Number of predicted flights to which the added effects are not applied, because they contradict the first
+    /// samples of these flights.
     #[serde(default)]
     pub without: usize,
     /// Whether the held-out flights are declared in the dataset. If false, every flight is predicted by a fit of
     /// other flights (2-fold cross-validation).
     pub held_out_by_dataset: bool,
-    /// Number of flights with a smaller RMS prediction error with the extension than without it.
+    /// Number of flights whose RMS prediction error is smaller with the added effects than without them.
     #[serde(default)]
     pub improved: usize,
-    /// Number of flights with a larger RMS prediction error with the extension than without it.
+    /// Number of flights whose RMS prediction error is larger with the added effects than without them.
     #[serde(default)]
     pub worsened: usize,
-    /// Median, over the predicted flights, of the flight's RMS prediction error by the model without the extension, m.
+    /// Median, over the predicted flights, of the RMS prediction error of a flight by the model without the added
+    /// effects, m.
     #[serde(default)]
     pub median_before_m: f64,
-    /// Median, over the predicted flights, of the flight's RMS prediction error by the extended model, m.
+    /// Median, over the predicted flights, of the RMS prediction error of a flight by the extended model, m.
     #[serde(default)]
     pub median_after_m: f64,
     /// p-value of the sign test: probability that at least `improved` flights improve if improvement and worsening are
@@ -49,17 +51,17 @@ pub struct PredictiveGain {
 }
 
 impl PredictiveGain {
-    /// RMS error without the extension minus RMS error with it, m.
+    /// RMS prediction error without the added effects minus RMS prediction error with them, m.
     pub fn error_reduction_m(&self) -> f64 {
         self.held_out_rms_before_m - self.held_out_rms_after_m
     }
 
-    /// Whether the extension reduces the RMS prediction error by more than the standard error of the reduction.
+    /// Whether the added effects reduce the RMS prediction error by more than the standard error of the reduction.
     pub(crate) fn is_improvement(&self) -> bool {
         self.error_reduction_m() > self.standard_error_m
     }
 
-    /// Whether the extension increases the RMS prediction error by more than the standard error of the increase.
+    /// Whether the added effects increase the RMS prediction error by more than the standard error of the increase.
     pub(crate) fn is_worse(&self) -> bool {
         self.error_reduction_m() < -self.standard_error_m
     }
@@ -72,8 +74,8 @@ impl PredictiveGain {
     }
 }
 
-/// Maximum difference of two RMS errors, as a fraction of the noise standard deviation, at which two models count as
-/// making the same predictions.
+/// Maximum difference of the RMS prediction errors of two models, as a fraction of the noise standard deviation, at
+/// which the models count as making the same predictions.
 const SAME_ERROR: f64 = 1e-3;
 
 /// Factor of the limit above which a flight is set apart (excluded from the statistics, because neither model predicts
@@ -84,21 +86,21 @@ const SET_APART: f64 = 6.0;
 /// Minimum number of predicted flights; with fewer flights, no flight is set apart.
 const MIN_FLIGHTS: usize = 4;
 
-/// Prediction errors of one flight, without and with the extension.
+/// Prediction errors of one flight, without and with the effects added to the model.
 #[derive(Clone, Debug)]
 pub(super) struct FlightErrors {
     /// File name of the flight.
     file: String,
-    /// Mean squared prediction error of one coordinate by the model without the extension, m².
+    /// Mean squared prediction error of one coordinate by the model without the added effects, m².
     before: f64,
-    /// Mean squared prediction error of one coordinate by the extended model, m²; equal to `before` if the extension is
-    /// not applied to the flight.
+    /// Mean squared prediction error of one coordinate by the extended model, m²; equal to `before` if the added
+    /// effects are not applied to the flight.
     after: f64,
     is_applied: bool,
 }
 
-/// Out-of-sample error reduction between two fits, on the held-out flights of the dataset; `None` if no held-out
-/// flight is predicted. `noise_floor_m` is the noise of one coordinate, m.
+/// Reduction of the out-of-sample error from the fit `before` to the fit `after`, on the held-out flights of the
+/// dataset; `None` if no held-out flight is predicted. `noise_floor_m` is the noise of one coordinate, m.
 pub fn held_out_gain(
     before: &FitReport,
     after: &FitReport,
@@ -107,8 +109,9 @@ pub fn held_out_gain(
     summarize(errors(before, after, &[]), noise_floor_m, true)
 }
 
-/// Out-of-sample error reduction between two fits, on the held-out flights of the dataset. The extension is not
-/// applied to the flights in `not_applied` (dataset indices). `None` if no held-out flight is predicted.
+/// Reduction of the out-of-sample error from the fit `before` to the fit `after` of the extended model, on the held-out
+/// flights of the dataset. The extension is not applied to the flights in `not_applied` (dataset indices). `None` if no
+/// held-out flight is predicted.
 pub(crate) fn gain_of_fits(
     before: &Fit,
     after: &Fit,
@@ -119,7 +122,8 @@ pub(crate) fn gain_of_fits(
     summarize(errors, noise_floor_m, true)
 }
 
-/// Prediction errors of the held-out flights that both fits predict.
+/// Prediction errors of the held-out flights that both fits predict. For the flights in `not_applied` (dataset
+/// indices), the error of the fit `before` counts as that of both fits.
 pub(super) fn errors(
     before: &FitReport,
     after: &FitReport,

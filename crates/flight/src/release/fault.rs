@@ -4,16 +4,16 @@ use std::fmt;
 
 use model_spec::load::LoadError;
 
-/// Error for an invalid release file, with all of its faults.
+/// Error for an invalid release file (initial conditions of a flight), with all faults of the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ReleaseError {
-    /// Name of the release file.
+    /// Name of the release file (initial conditions of a flight).
     pub file: String,
     /// Faults in order of location; at least one.
     pub faults: Vec<Fault>,
 }
 
-/// A single fault in a release file.
+/// A single fault in a release file, which contains the initial conditions of a flight.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
     /// Line and column, from 1, in characters; `None` for a fault of the whole file.
@@ -41,10 +41,10 @@ impl fmt::Display for ReleaseError {
 
 impl std::error::Error for ReleaseError {}
 
-/// Reason why a model cannot fly in the wind of a release.
+/// Reason why a flight of a model cannot be simulated in the wind that its release file specifies.
 #[derive(Debug, thiserror::Error)]
 pub(super) enum WindError {
-    /// Only the names that the model defines are known, not the model itself, to which the wind would be added.
+    /// The wind cannot be added to the model, because only the names that the model defines are known.
     #[error("found a wind by height or gusts, and no model that could fly in it")]
     NoModel,
     /// The wind cannot be added to the model.
@@ -68,7 +68,7 @@ pub fn suggestion<'a>(found: &str, names: impl Iterator<Item = &'a str> + Clone)
     }
 }
 
-/// Levenshtein distance in characters, ignoring case.
+/// Levenshtein distance between two strings, in characters, ignoring case.
 fn distance(a: &str, b: &str) -> usize {
     // Bounds the cost on hostile input; valid names are shorter.
     if a.len() > 64 {

@@ -22,7 +22,7 @@ pub use values::number_of;
 /// Initial conditions, parameters, wind and end of a flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Release {
-    /// Name or path of the model, as written in the release file.
+    /// Name or path of the model, as written in the release file (initial conditions of a flight).
     pub model: String,
     /// Condition that ends the flight.
     pub stop: Stop,
@@ -93,7 +93,7 @@ impl Release {
     }
 }
 
-/// Names that a model defines and that the release files for this model may use.
+/// Names that a model defines and that its release files (initial conditions of a flight) may use.
 #[derive(Clone, Debug, Default)]
 pub struct Vocabulary {
     /// Parameters (known constants) of the body and its environment.
@@ -133,7 +133,7 @@ impl Vocabulary {
         Ok(Vocabulary::of(&composed))
     }
 
-    /// Collects the names and bounds that a model defines and that its release files may use.
+    /// Collects the names and bounds that a model defines and that its release files (initial conditions) may use.
     pub fn of(model: &Model) -> Vocabulary {
         let names = |of: &[Parameter]| {
             of.iter()
@@ -169,7 +169,7 @@ pub const BUILT_IN: [(&str, &str); 5] = [
     ("serve", include_str!("../../releases/serve.toml")),
 ];
 
-/// TOML text of the built-in release of this name; `None` if there is none.
+/// TOML text of the built-in release (initial conditions of a flight) of this name; `None` if there is none.
 pub fn built_in(name: &str) -> Option<&'static str> {
     BUILT_IN
         .iter()

@@ -11,10 +11,11 @@ use std::path::Path;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Maximum size of a release file, bytes.
+/// Maximum size of a release file (initial conditions of a flight), bytes.
 pub(crate) const MAX_FILE_BYTES: u64 = 1 << 20;
 
-/// Reads and parses a release file; see [`read`].
+/// Reads and parses a release file, the TOML file with the initial conditions of a flight. `vocabulary` returns the
+/// names defined by a model, given the model's name or path. Winds by height and gusts are rejected.
 ///
 /// # Errors
 /// [`ReleaseError`] with all faults of the file, also if it cannot be read or is larger than 1 MiB.
@@ -27,7 +28,8 @@ pub fn read_file(
     })
 }
 
-/// Reads and parses a release file that may specify winds by height and gusts; see [`read_in_wind`].
+/// Reads and parses a release file, the TOML file with the initial conditions of a flight. Winds by height and gusts
+/// are accepted. Also returns the names that the model defines after the wind has been added to it.
 ///
 /// # Errors
 /// [`ReleaseError`] as for [`read_file`].
@@ -59,9 +61,9 @@ pub fn read(
     reader.finish(file, release)
 }
 
-/// Like [`read`], but accepts winds by height and gusts, and also the top-level keys `own_keys`, whose values are
-/// ignored here. Also returns the names defined by the model after the wind has been added to it; the flight must be
-/// simulated with the model in [`Vocabulary::model`].
+/// Parses the text of a release file (TOML), which may specify winds by height and gusts. The top-level keys `own_keys`
+/// are allowed, but their values are ignored. Also returns the names defined by the model after the wind has been added
+/// to it; the flight must be simulated with the model in [`Vocabulary::model`].
 ///
 /// # Errors
 /// [`ReleaseError`] with all faults of the file.
@@ -94,7 +96,8 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Returns the value if no fault was recorded; `file` is the name of the text in error messages.
+    /// Returns `value`, the result of parsing the text, if no fault was recorded; `file` is the name of the text in
+    /// error messages.
     ///
     /// # Errors
     /// [`ReleaseError`] with the faults in order of location if there are any, or if `value` is `None`.
@@ -334,8 +337,8 @@ impl<'t> Reader<'t> {
     }
 
     /// Parses the table `key` of the document, either `parameters` or `coefficients`, and returns its names and values.
-    /// `names` are the names that are valid in this table, `others` those that are valid in the other of the two
-    /// tables.
+    /// `names` are the names that are valid in this table. `others` are the names of the model's constants that belong
+    /// in the second of the two tables; they are used in error messages.
     fn constants(
         &mut self,
         document: &DeTable<'t>,

@@ -75,7 +75,8 @@ pub fn number_of(value: &Value<'_>) -> Option<f64> {
 }
 
 impl Name {
-    /// Returns a description of the valid values of this constant if `value` is invalid; `None` if it is valid.
+    /// Returns a description of the valid values of this parameter or coefficient if `value` is invalid; `None` if it
+    /// is valid.
     pub fn expected_instead_of(&self, value: f64) -> Option<String> {
         let named = |names: &[&str]| names.contains(&&*self.name);
         match self.bounds {

@@ -119,8 +119,9 @@ impl BoundMotion<'_> {
             .unwrap_or_else(|_| DMatrix::zeros(state.len(), wanted.ncols()))
     }
 
-    /// Angular velocity in body axes for a spin of 1 rad/s about the third axis and the wobble of the throw, rad/s, and
-    /// its derivative with respect to the wobble, rad/s per rad.
+    /// Angular velocity of the body in body axes, rad/s, if its component along the third axis is 1 rad/s and the throw
+    /// has its wobble (angle between axis and angular momentum). Also returns the derivative with respect to the
+    /// wobble, rad/s per rad.
     fn rates_of_spin(&self, throw: &Throw, state: &[f64]) -> (Vector3<f64>, Vector3<f64>) {
         let axes = throw.attitude();
         let wobble = throw.wobble.unwrap_or(0.0).to_radians();

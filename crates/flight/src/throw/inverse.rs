@@ -6,14 +6,15 @@ use nalgebra::{DMatrix, DVector};
 
 use super::motion::{BoundMotion, Motion};
 
-/// Norm of [`BoundMotion::differences`] below which two motions count as equal.
+/// Norm of the differences between two motions of a body, as computed by [`BoundMotion::differences`], below which the
+/// motions count as equal.
 const SAME: f64 = 1e-9;
-/// Maximum number of Gauss–Newton steps from one starting state.
+/// Maximum number of Gauss–Newton steps from one starting state, in the search for a state with a given motion.
 const MAX_STEPS: usize = 100;
-/// Maximum number of starting states from which the search is run.
+/// Maximum number of starting states from which the search for a state with a given motion is run.
 const MAX_STARTS: usize = 16;
-/// Maximum number of starting states that are generated; the search runs from the `MAX_STARTS` of them whose motion is
-/// closest to the wanted one.
+/// Maximum number of starting states that are generated in the search for a state with a given motion. The search runs
+/// from the [`MAX_STARTS`] of them whose motion is closest to the given one.
 const MAX_COMPARED: usize = 4096;
 /// Offset of a state to either side in the central differences for the Jacobian, in the unit of the state.
 const DIFFERENCE_STEP: f64 = 1e-5;
@@ -35,7 +36,8 @@ pub fn state(bound: &BoundMotion<'_>, wanted: &Motion, near: Option<&[f64]>) -> 
     })
 }
 
-/// Starting states of the search: copies of the default state with each frame rotated by multiples of a quarter turn.
+/// Starting states of the search for a state with a given motion: copies of the default state with each frame rotated
+/// by multiples of a quarter turn.
 fn starts(bound: &BoundMotion<'_>) -> Vec<Vec<f64>> {
     let half = 0.5_f64;
     let root = half.sqrt();
@@ -78,8 +80,8 @@ fn starts(bound: &BoundMotion<'_>) -> Vec<Vec<f64>> {
     all
 }
 
-/// Runs the damped Gauss–Newton method from one starting state and returns the last state; `None` if the motion is not
-/// finite.
+/// Searches for a state with the motion `wanted` by the damped Gauss–Newton method. Returns the last state; `None` if
+/// the motion at a state is not finite.
 fn descend(bound: &BoundMotion<'_>, wanted: &Motion, start: Vec<f64>) -> Option<Vec<f64>> {
     let free: Vec<usize> = (0..start.len())
         .filter(|state| !bound.model.added.contains(state))

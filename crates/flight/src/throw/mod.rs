@@ -27,16 +27,17 @@ const RPM: f64 = PI / 30.0;
 /// Motion of a body at release, by the quantities that launch monitors report.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Throw {
-    /// Speed of the mass centre over the ground, m/s.
+    /// Speed of the mass centre relative to the ground, m/s.
     pub speed: f64,
-    /// Direction of the velocity over the ground, from +x to the left (towards +y), deg.
+    /// Horizontal direction of the velocity relative to the ground, deg; measured from +x to the left (towards +y).
     pub heading: f64,
     /// Angle of the velocity above the horizontal, deg.
     pub launch: f64,
-    /// Height of the mass centre, m.
+    /// Height of the mass centre at release, m.
     pub height: f64,
-    /// Angle of attack relative to the velocity over the ground, positive nose-up, deg. `None` if not stated, which
-    /// counts as 0; a body without attitude must not state it. The same applies to `hyzer`, `spin` and `wobble`.
+    /// Angle of attack with respect to the velocity relative to the ground, positive nose-up, deg. `None` if not
+    /// stated, which counts as 0; a body without attitude must not state it. The same applies to `hyzer`, `spin` and
+    /// `wobble`.
     pub nose: Option<f64>,
     /// Tilt of the body about the velocity, deg; positive if the left edge, seen from behind, is the lower one. `None`
     /// counts as 0.
@@ -49,7 +50,7 @@ pub struct Throw {
     pub wobble: Option<f64>,
 }
 
-/// Name, unit, minimum and maximum value of each field of a throw.
+/// Name, unit, minimum and maximum value of each field of a [`Throw`], the motion of a body at release.
 pub const FIELDS: [(&str, &str, f64, f64); 8] = [
     ("speed", "m/s", 0.0, 150.0),
     ("heading", "deg", -360.0, 360.0),
@@ -61,7 +62,7 @@ pub const FIELDS: [(&str, &str, f64, f64); 8] = [
     ("wobble", "deg", 0.0, 60.0),
 ];
 
-/// Reason why no state of a model has the motion of a throw.
+/// Reason why no state of a model has the motion of a throw (motion of the body at release).
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ThrowError {
     /// A field of the throw has a value outside its range.
@@ -82,10 +83,10 @@ pub enum ThrowError {
     NoAttitude {
         /// Name of the field that is stated although the body has no attitude.
         name: &'static str,
-        /// Name of the model.
+        /// Name of the model, which describes a point mass.
         model: String,
     },
-    /// A wobble is stated without a spin, so that the axis describes no cone.
+    /// A wobble (angle between axis and angular momentum) is stated without a spin, so that the axis describes no cone.
     #[error(
         "found wobble without spin; expected a spin other than 0, about which the axis can turn"
     )]
@@ -97,16 +98,16 @@ pub enum ThrowError {
          [initial] with every state"
     )]
     NoBody {
-        /// Name of the model.
+        /// Name of the model that neither declares a body nor states that its equations describe one.
         model: String,
     },
-    /// No state within the model's domain of validity has the motion of the throw.
+    /// No state within the model's domain of validity has the motion of the throw (motion of the body at release).
     #[error(
         "no state of the model {model} within its limits has this motion; expected a throw that it can have, as by another \
          nose or hyzer"
     )]
     NoState {
-        /// Name of the model.
+        /// Name of the model that has no state with this motion.
         model: String,
     },
 }
@@ -123,7 +124,7 @@ impl ThrowError {
 }
 
 impl Throw {
-    /// Height of a throw for which none is stated, m.
+    /// Height of the mass centre at release if none is stated, m.
     pub const DEFAULT_HEIGHT: f64 = 1.0;
 
     /// Horizontal throw along +x at a speed (m/s), from the default height, without a stated attitude or spin.
@@ -212,7 +213,8 @@ impl Throw {
         })
     }
 
-    /// Rotation to the inertial frame from the axes of the velocity: along the velocity, to its left, upwards.
+    /// Rotation to the inertial frame from the axes of the velocity: forward along the velocity, to its left, and
+    /// upwards.
     fn course(&self) -> Rotation3<f64> {
         Rotation3::from_axis_angle(&Vector3::z_axis(), self.heading.to_radians())
             * Rotation3::from_axis_angle(&Vector3::y_axis(), -self.launch.to_radians())
@@ -227,14 +229,14 @@ impl Throw {
     }
 }
 
-/// Model of a body, prepared for the conversion of throws to states and of states to throws.
+/// Model of a body, prepared for the conversion of throws (motions at release) to states and of states to throws.
 pub struct ThrownModel {
     motion: MotionModel,
     name: String,
 }
 
 impl ThrownModel {
-    /// Prepares a model for the conversion between throws and states.
+    /// Prepares a model for the conversion between throws (motions of the body at release) and states.
     ///
     /// # Errors
     /// [`ThrowError::NoBody`] if the model neither declares a body nor states that its equations describe one.
@@ -273,8 +275,9 @@ impl ThrownModel {
         self.search(throw, ground, parameters, None)
     }
 
-    /// Like [`state`](Self::state), but the search starts at `near`, the state of a similar throw. This is faster, and
-    /// of several states with the motion it finds the one near `near`.
+    /// Computes the state of the model that has the motion of a throw, with the mass centre above the point `ground`
+    /// (x, y), m. The search starts at `near`, the state of a similar throw. This is faster than
+    /// [`state`](Self::state), and of several states with the motion it finds the one near `near`.
     ///
     /// # Errors
     /// [`ThrowError`] as for [`state`](Self::state).
@@ -393,7 +396,7 @@ impl ThrownModel {
         [position.x, position.y]
     }
 
-    /// Converts a state to the throw with the same motion.
+    /// Converts a state of the model to the throw with the same motion: speed, direction, angles, spin and wobble.
     pub fn throw(&self, state: &[f64], parameters: &[f64]) -> Throw {
         let bound = self.motion.bind(parameters);
         let Motion {

@@ -7,25 +7,25 @@ use super::motion::{MotionModel, POINT_VECTORS, VECTORS};
 use super::{RPM, Throw, ThrowError, ThrownModel};
 use crate::functions::{EvaluationPoint, Workspace};
 
-/// Maximum number of unknowns of a linear system in the search: all states of a rigid body whose attitude is a
-/// quaternion (3 of position, 4 of attitude, 6 of velocities).
+/// Maximum number of unknowns of a linear system in the search for the state of a throw: all states of a rigid body
+/// whose attitude is a quaternion (3 of position, 4 of attitude, 6 of velocities).
 const UNKNOWNS: usize = 13;
-/// Maximum number of steps of Newton's method.
+/// Maximum number of steps of Newton's method in the search for the attitude states.
 const MAX_STEPS: usize = 20;
-/// Maximum angle of a rotation that Newton's method is to find at once, rad; greater rotations are split.
+/// Maximum angle of a rotation of the body that Newton's method is to find at once, rad; greater rotations are split.
 const WIDEST_TURN: f64 = 0.5;
 /// Offset of an attitude state to either side in the central differences of the body axes, rad for an angle,
 /// dimensionless for a quaternion component.
 const DIFFERENCE_STEP: f64 = 1e-5;
 /// Tolerance for a state to have the wanted motion. It applies to each component of the body axes, and to each
-/// component of position, velocity and angular velocity divided by 1 plus the sum of the magnitudes of these vectors in
-/// SI units.
+/// component of position, velocity and angular velocity after division by a scale. The scale is 1 plus the sum of the
+/// magnitudes of these vectors in SI units.
 const SAME: f64 = 1e-9;
 
-/// Finds the states of throws that are near a known throw.
+/// Finds the model states for throws (motions at release) that are near a throw whose state is known.
 pub struct NearThrows<'m> {
     thrown: &'m ThrownModel,
-    /// State of the known throw: the starting point of the search for the state of each other throw.
+    /// State of the known throw, from which the search for the state of a similar throw starts.
     near: Vec<f64>,
     /// Indices of the attitude states (field `attitude`), and of the states on which the motion depends linearly (field
     /// `linear`).
@@ -43,7 +43,8 @@ pub struct NearThrows<'m> {
 struct Vectors([Vector3<f64>; VECTORS]);
 
 impl<'m> NearThrows<'m> {
-    /// Prepares the search for throws near a known one; Newton's method starts at `near`, the state of the known throw.
+    /// Prepares the search for the states of throws (motions at release) near a known throw. Newton's method starts at
+    /// `near`, the state of the known throw.
     pub fn new(thrown: &'m ThrownModel, near: &[f64]) -> NearThrows<'m> {
         let motion = &thrown.motion;
         let mut attitude = motion.angles.clone();
@@ -65,7 +66,7 @@ impl<'m> NearThrows<'m> {
     }
 
     /// Writes to `state` the state in which the body has the motion of `throw` and its mass centre is above the point
-    /// `ground` (x, y), m; see [`ThrownModel::state`].
+    /// `ground` (x, y), m.
     ///
     /// # Errors
     /// [`ThrowError`] as for [`ThrownModel::state`].

@@ -53,7 +53,8 @@ impl WindField {
     }
 }
 
-/// Parses the built-in effect (model extension) of this name that adds a wind, a file in `model-spec/winds`.
+/// Parses the built-in effect (model extension) of this name, which adds a wind; its text is a file in
+/// `model-spec/winds`.
 fn law(name: &str) -> Result<EffectTree, LoadError> {
     let found = WINDS.iter().find(|(own, _)| *own == name);
     let text = found.map_or("", |(_, text)| *text);

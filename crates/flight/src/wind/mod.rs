@@ -31,7 +31,7 @@ pub enum Profile {
     Log {
         /// Speed and direction at the reference height.
         at: ReferenceWind,
-        /// Roughness length z₀, m.
+        /// Roughness length z₀ of the logarithmic law, m.
         roughness: f64,
     },
     /// Power law for the speed at height z, with U and h from `at`: U ((z² + ε²)/(h² + ε²))^(n/2) with ε = 5 cm, which
@@ -39,7 +39,7 @@ pub enum Profile {
     Power {
         /// Speed and direction at the reference height.
         at: ReferenceWind,
-        /// Exponent n.
+        /// Exponent n of the power law, dimensionless.
         exponent: f64,
     },
     /// Velocities at given heights, interpolated by monotone cubics with a continuous derivative; constant below the
@@ -53,7 +53,7 @@ pub enum Profile {
 /// Mean wind at a reference height.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReferenceWind {
-    /// Speed U, m/s.
+    /// Speed U of the mean wind at the reference height, m/s.
     pub speed: f64,
     /// Direction towards which the wind blows, from +x to the left (towards +y), deg.
     pub direction: f64,
@@ -65,7 +65,7 @@ pub struct ReferenceWind {
 /// flight, v across it to the left, w upwards.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gusts {
-    /// Seed of the random phases.
+    /// Seed of the random phases of the sinusoids that represent the gusts.
     pub seed: u64,
     /// Index of the flight with these gusts; each index yields different random phases.
     pub flight: u64,
@@ -80,12 +80,14 @@ pub struct Gusts {
     pub strength: GustStrength,
 }
 
-/// Standard deviations and length scales of gusts.
+/// Source of the standard deviations and length scales of gusts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum GustStrength {
-    /// Derived from the mean wind at 20 ft and the height, by the low-altitude model of MIL-F-8785C.
+    /// Standard deviations and length scales follow from the mean wind at 20 ft and the height of the gusts, by the
+    /// low-altitude model of MIL-F-8785C.
     LowAltitude,
-    /// Values specified in the wind file or release file, for the gust components u, v and w.
+    /// Standard deviations and length scales of the gust components u, v and w are specified in the release or wind
+    /// file.
     Stated {
         /// Standard deviations of u, v and w, m/s.
         sd: [f64; 3],

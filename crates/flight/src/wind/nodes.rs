@@ -76,7 +76,7 @@ pub(super) fn inertial_vector(components: [Expr; 3]) -> Expr {
     expr(ExprKind::Components(Box::new(components), frame))
 }
 
-/// Expression of the sum of terms; `None` if there are none.
+/// Expression of the sum of the given terms; `None` if there are none.
 pub(super) fn sum(terms: impl IntoIterator<Item = Expr>) -> Option<Expr> {
     let terms = terms.into_iter();
     terms.reduce(|a, b| binary(BinaryOp::Add, a, b))

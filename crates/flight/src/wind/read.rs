@@ -38,8 +38,8 @@ const GUST_KEYS: [&str; 8] = [
     "length",
 ];
 
-/// Wind specified in a release file: the constant wind in the inertial frame, m/s, and the wind by height and gusts;
-/// `None` if the file specifies neither.
+/// Wind specified in a release file (initial conditions of a flight): the constant wind in the inertial frame, m/s, 0
+/// if not specified; and the wind by height and gusts, `None` if neither of these is specified.
 pub type StatedWind = ([f64; 3], Option<WindField>);
 
 /// Reads the wind from the table `[wind]` of a TOML file; other tables are ignored, so that the flight of one release
@@ -66,7 +66,7 @@ pub fn read_wind_file(path: &Path) -> Result<StatedWind, ReleaseError> {
 }
 
 impl<'t> Reader<'t> {
-    /// Parses `[wind]` and records its faults; after a fault the result must not be used.
+    /// Parses the table `[wind]` of a release file and records its faults; after a fault the result must not be used.
     pub(crate) fn wind(&mut self, document: &DeTable<'t>) -> StatedWind {
         let none = ([0.0; 3], None);
         let Some(value) = document.get("wind") else {

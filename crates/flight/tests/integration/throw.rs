@@ -120,8 +120,8 @@ fn throws_of_a_body_of_ones_own_return() {
     round_trips("slab", 64);
 }
 
-/// Tests the conversion of throws for a model that states its equations directly and states that they describe a point:
-/// the states follow from the stated expressions of its motion.
+/// Tests the conversion of throws for a model without a declared body, whose claim block states that its equations
+/// describe a point mass. The states follow from the position and velocity in the claim block.
 #[test]
 fn a_throw_of_a_claimed_point_returns() {
     let text = "model glider;\nparam m = 3 g;\nframe N;\nstate range = 0 m;\nstate height = 2 m;\nstate V = 4 m/s;\n\

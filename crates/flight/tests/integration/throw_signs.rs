@@ -6,7 +6,7 @@ use model_spec::model::Model;
 use nalgebra::Vector3;
 use oracle::{Chart, Physical, Point, derivatives};
 
-/// Names of models with different states: attitude by three angles, attitude by a quaternion, and another body.
+/// Names of models with different states: a disc with attitude by three angles, a disc with a quaternion, and a discus.
 const MODELS: [&str; 3] = ["disc", "disc_quaternion", "discus"];
 
 fn model(name: &str) -> Model {
@@ -30,7 +30,7 @@ fn state(model: &Model, throw: &Throw) -> Vec<f64> {
     state.unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// Physical state of the body according to the reference evaluation in the crate `oracle`.
+/// Physical state of the body at the given model states, by the independent evaluation of models in the crate `oracle`.
 fn body(model: &Model, states: &[f64]) -> Physical<f64> {
     Chart::declared(model).expect("a chart").physical(states)
 }

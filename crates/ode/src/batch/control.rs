@@ -9,21 +9,22 @@ use crate::step_control::{PiGains, PiMemory};
 /// Maximum number of SIMD lanes of any instruction set.
 pub(crate) const MAX_LANES: usize = 8;
 
-/// Flight, time, step size and step counts of each lane.
+/// Flight, time, step size and step counts of each SIMD lane of a batch integration.
 pub(crate) struct Control {
-    /// Number that identifies the flight in each lane, as returned by `FlightQueue::next`; `None` if the lane is idle.
+    /// Number that identifies the flight in each SIMD lane, as returned by `FlightQueue::next`; `None` if the lane is
+    /// idle.
     pub flight: [Option<u64>; MAX_LANES],
-    /// Time at the start of the current step in each lane.
+    /// Time at the start of the current step in each SIMD lane.
     pub t: [f64; MAX_LANES],
-    /// Proposed size of the next step in each lane.
+    /// Proposed size of the next step of the flight in each SIMD lane.
     pub proposed: [f64; MAX_LANES],
-    /// Size of the current step in each lane; 0 in idle lanes.
+    /// Size of the current step in each SIMD lane; 0 in lanes without a flight.
     pub h: [f64; MAX_LANES],
-    /// Time at the end of the current step in each lane.
+    /// Time at the end of the current step in each SIMD lane.
     pub end: [f64; MAX_LANES],
-    /// Whether the current step of each lane ends at the final time.
+    /// Whether the current step of the flight in each SIMD lane ends at the final time.
     pub is_last: [bool; MAX_LANES],
-    /// Time and value of the maximum height of each lane's flight so far.
+    /// Time and value of the maximum height so far of the flight in each SIMD lane.
     pub apex: [(f64, f64); MAX_LANES],
     steps: [u64; MAX_LANES],
     rejected: [u64; MAX_LANES],
@@ -92,7 +93,8 @@ impl Control {
         }
     }
 
-    /// Sets the size and the end time of the next step in the first `lanes` lanes; the size is 0 in idle lanes.
+    /// Sets the size and the end time of the next step in the first `lanes` SIMD lanes; the size is 0 in lanes without
+    /// a flight.
     #[inline(always)]
     pub(crate) fn set_steps(&mut self, lanes: usize) {
         for lane in 0..lanes {
@@ -113,13 +115,13 @@ impl Control {
         }
     }
 
-    /// Whether the flight in a lane has made the maximum number of steps.
+    /// Whether the flight in a SIMD lane has made the maximum number of steps.
     #[inline(always)]
     pub(crate) fn is_exhausted(&self, lane: usize) -> bool {
         self.steps[lane] + self.rejected[lane] >= self.max_steps
     }
 
-    /// Solver statistics of the flight in a lane.
+    /// Solver statistics (numbers of steps and evaluations) of the flight in a SIMD lane.
     pub(crate) fn stats(&self, lane: usize) -> SolverStats {
         let (steps, rejected) = (self.steps[lane], self.rejected[lane]);
         SolverStats {
@@ -130,7 +132,7 @@ impl Control {
         }
     }
 
-    /// For every lane whose error norm is at most 1, counts the step as accepted and proposes the size of the next
+    /// For every SIMD lane whose error norm is at most 1, counts the step as accepted and proposes the size of the next
     /// step.
     #[inline(always)]
     #[allow(clippy::needless_range_loop)]

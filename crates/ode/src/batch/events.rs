@@ -24,7 +24,7 @@ pub(crate) struct HeightEnds {
 }
 
 impl HeightEnds {
-    /// Whether the cubic interpolant falls to 0 within the step.
+    /// Whether the cubic interpolant of the height falls to 0 within the step.
     #[inline(always)]
     pub(crate) fn may_land(&self) -> bool {
         let (a, b) = (self.start, self.end);
@@ -34,8 +34,8 @@ impl HeightEnds {
         self.dips()
     }
 
-    /// Whether the cubic interpolant falls from positive to 0 or below between the ends of one of four equal
-    /// subintervals of the step.
+    /// Whether the cubic interpolant of the height falls from positive to 0 or below between the ends of one of four
+    /// equal subintervals of the step.
     #[inline(never)]
     fn dips(&self) -> bool {
         let ends = (self.start, self.end, self.start_slope, self.end_slope);
@@ -52,8 +52,8 @@ impl HeightEnds {
         self.start.min(self.end) <= distance
     }
 
-    /// Whether the cubic interpolant is monotone within the step, by the sufficient condition on its slopes of Fritsch
-    /// & Carlson, SIAM J. Numer. Anal. 17 (1980).
+    /// Whether the cubic interpolant of the height is monotone within the step, by the sufficient condition on its
+    /// slopes of Fritsch & Carlson, SIAM J. Numer. Anal. 17 (1980).
     #[inline(always)]
     fn is_monotone(&self) -> bool {
         let steepest = 3.0 * (self.end - self.start);
@@ -62,7 +62,8 @@ impl HeightEnds {
         (least <= first) && (first <= greatest) && (least <= last) && (last <= greatest)
     }
 
-    /// Whether the cubic interpolant falls monotonically from above 0 to below 0, so that it has exactly one zero.
+    /// Whether the cubic interpolant of the height falls monotonically from above 0 to below 0, so that it has exactly
+    /// one zero.
     fn falls_once(&self) -> bool {
         self.start > 0.0 && self.end < 0.0 && self.is_monotone()
     }
@@ -80,7 +81,7 @@ pub(crate) struct HeightStep {
     pub method: Method,
     /// Time at the start of the step.
     pub t: f64,
-    /// Step size.
+    /// Step size, in the time unit of the right-hand side.
     pub h: f64,
     /// Coefficients of the nested products: for Tsit5 the coefficients of the powers of the fraction s of the step, for
     /// DOP853 the height components of the dense-output rows.
@@ -88,9 +89,9 @@ pub(crate) struct HeightStep {
 }
 
 impl HeightStep {
-    /// Returns the degree of the interpolant as a polynomial in the fraction `s` of the step, the factor at odd levels
-    /// of the nested products (`s` for Tsit5, `1 - s` for DOP853), and the derivative of that factor with respect to
-    /// `s`.
+    /// Returns three values: the degree of the interpolant as a polynomial in the fraction `s` of the step; the factor
+    /// at odd levels of the nested products (`s` for Tsit5, `1 - s` for DOP853); and the derivative of that factor with
+    /// respect to `s`.
     #[inline(always)]
     fn factors(&self, s: f64) -> (usize, f64, f64) {
         match self.method {
@@ -164,7 +165,8 @@ impl HeightStep {
         (is_past && self.height(past - width) > 0.0).then_some(past)
     }
 
-    /// Fraction of the step at which the height has its maximum, for a step with a [peak](HeightEnds::has_peak).
+    /// Fraction of the step at which the height has its maximum, for a step in which the height first rises and then
+    /// falls.
     pub(crate) fn peak(&self) -> f64 {
         let slope = |s: f64| self.slope(s);
         let (first, last) = (slope(0.0), slope(1.0));

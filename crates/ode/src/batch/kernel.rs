@@ -61,7 +61,7 @@ impl<T: Lanes> LaneKernel<T> for StepLoop<'_, T> {
     }
 }
 
-/// State of a batch integration between two steps: the flights in the lanes, and work arrays.
+/// State of a batch integration between two steps: the flights in the SIMD lanes, one per lane, and work arrays.
 struct Flying<'a, T> {
     rhs: &'a dyn LaneFunctions<T>,
     span: &'a FlightSpan,
@@ -74,7 +74,7 @@ struct Flying<'a, T> {
     stages: Stages<T>,
     /// State at which the current stage is evaluated; after the last stage, the state at the end of the step.
     end: Vec<T>,
-    /// State at an interior point of the step.
+    /// Work array for the state at an interior point of the step, such as its middle or the point where a flight ends.
     within: Vec<T>,
     /// Margins of the limits of validity (positive where the right-hand side is valid): in the middle of the step, at
     /// its end, and at the trial point of the search for a crossing.
@@ -134,7 +134,8 @@ impl<'a, T: Lanes> Flying<'a, T> {
         }
     }
 
-    /// Starts, in each idle lane, the flight that waits for the lane, and takes further waiting flights from the queue.
+    /// Starts, in each idle SIMD lane, the flight that waits for the lane, and takes further waiting flights from the
+    /// queue.
     #[inline(always)]
     fn refill(&mut self, queue: &mut dyn FlightQueue) {
         loop {
@@ -312,7 +313,7 @@ impl<'a, T: Lanes> Flying<'a, T> {
         asks
     }
 
-    /// Advances the lanes with accepted steps to the end of the step; flights that reach the final time end.
+    /// Advances the SIMD lanes with accepted steps to the end of the step; flights that reach the final time end.
     #[inline(always)]
     fn advance(&mut self, accepted: &[bool; MAX_LANES], queue: &mut dyn FlightQueue) {
         let mut keep = [1.0; MAX_LANES];
@@ -342,7 +343,7 @@ impl<'a, T: Lanes> Flying<'a, T> {
         }
     }
 
-    /// Reports the end of the flight in a lane and leaves the lane idle.
+    /// Reports the end of the flight in a SIMD lane to the queue, and leaves the lane idle.
     #[inline(always)]
     fn finish(
         &mut self,

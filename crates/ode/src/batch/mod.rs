@@ -21,26 +21,26 @@ use lanes::{Isa, Lanes, dispatch, dispatch_widest, dispatch_with};
 /// Lengths of the arrays that a [`LaneRhs`] reads and writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LaneSizes {
-    /// Number of states x.
+    /// Number of states: length of the state vector x.
     pub states: usize,
     /// Number of parameters p of a flight.
     pub parameters: usize,
     /// Number of invariants, which are computed once from the parameters of a flight.
     pub prepared: usize,
-    /// Number of limits of validity, whose margins [`LaneRhs::limits`] computes.
+    /// Number of limits of validity of the right-hand side, whose margins [`LaneRhs::limits`] computes.
     pub limits: usize,
     /// Length of the scratch array that each method of the [`LaneRhs`] requires.
     pub scratch: usize,
 }
 
-/// Arguments of a [`LaneRhs`], one flight per lane.
+/// Arguments of the functions of a [`LaneRhs`] (time, state, parameters), with one flight per SIMD lane.
 #[derive(Clone, Copy)]
 pub struct LanePoint<'a, T> {
     /// Time, in the time unit of the right-hand side.
     pub t: T,
-    /// State vector x.
+    /// State vector x of the flights, one flight per SIMD lane.
     pub x: &'a [T],
-    /// Parameter vector p.
+    /// Parameter vector p of the flights, one flight per SIMD lane.
     pub p: &'a [T],
     /// Invariants that [`LaneRhs::prepare`] computed from `p`.
     pub prepared: &'a [T],
@@ -78,7 +78,7 @@ pub enum FlightOutcome {
     Ground,
     /// The final time [`FlightSpan::t_end`] was reached.
     Time,
-    /// The limit of validity with this index was crossed, or was already exceeded at the start.
+    /// The limit of validity with this index was crossed, or the initial state was already beyond it.
     Limit(usize),
     /// The maximum number of steps was reached.
     TooManySteps,
@@ -99,12 +99,12 @@ pub struct FlightEnd<'a> {
     pub outcome: FlightOutcome,
     /// Time at which the flight ended, in the time unit of the right-hand side.
     pub time: f64,
-    /// State at [`time`](Self::time).
+    /// State vector at the time at which the flight ended.
     pub state: &'a [f64],
     /// Time and value of the maximum height, which is at the start, at the end, or where the time derivative of the
     /// height falls to 0. The value is NaN if [`FlightSpan::seeks_apex`] is false or [`FlightSpan::height`] is `None`.
     pub apex: (f64, f64),
-    /// Numbers of steps and evaluations of this flight.
+    /// Numbers of steps and of right-hand side evaluations of this flight.
     pub stats: SolverStats,
 }
 
@@ -185,7 +185,8 @@ pub fn fly<R: LaneRhs>(
     dispatch(batch(rhs, queue, span, options))
 }
 
-/// Integrates as [`fly`] does, on the lanes of one instruction set; `None` if the processor does not support it.
+/// Integrates all flights of a queue on the SIMD lanes of one instruction set, and returns the number of vector
+/// evaluations of the right-hand side. `None` if the processor does not support the instruction set.
 ///
 /// # Panics
 /// Under the same conditions as [`fly`].
@@ -199,8 +200,9 @@ pub fn fly_on<R: LaneRhs>(
     dispatch_with(isa, batch(rhs, queue, span, options))
 }
 
-/// Integrates as [`fly_on`] does, but is compiled only for the widest instruction sets of the architecture (see
-/// [`lanes::dispatch_widest`]). Returns `None` for other instruction sets, and if the processor does not support `isa`.
+/// Integrates all flights of a queue on the SIMD lanes of the instruction set `isa`, and returns the number of vector
+/// evaluations of the right-hand side. Is compiled only for the widest instruction sets of the architecture (see
+/// [`lanes::dispatch_widest`]). `None` for other instruction sets, and if the processor does not support `isa`.
 ///
 /// # Panics
 /// Under the same conditions as [`fly`].

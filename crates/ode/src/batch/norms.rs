@@ -112,8 +112,8 @@ pub(crate) fn euler_steps<T: Lanes>(norms: [T; 2], max_step: f64) -> T {
     T::from_fn(|lane| first_step(norms[0].lane(lane), norms[1].lane(lane), max_step))
 }
 
-/// Initial step size of one lane; `rate` is the norm of the derivative at the initial state, `change` is the norm of
-/// the change of the derivative over the trial Euler step of size `euler_step`, and `order` is the order of the error
+/// Initial step size of one lane. `rate` is the norm of the derivative at the initial state. `change` is the norm of
+/// the change of the derivative over the trial Euler step of size `euler_step`. `order` is the order of the error
 /// estimate.
 #[inline(always)]
 pub(crate) fn initial_step(

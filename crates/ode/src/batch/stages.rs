@@ -7,7 +7,8 @@ use lanes::Lanes;
 /// latency of the additions.
 pub(crate) const BLOCK: usize = 6;
 
-/// Stage derivatives of a step in all lanes: component i of stage s is at index `s · n + i` of `k`.
+/// Stage derivatives of a Runge–Kutta step in all SIMD lanes: component i of stage s is at index `s · n + i` of `k`,
+/// where n is the number of states.
 pub(crate) struct Stages<T> {
     pub n: usize,
     pub k: Vec<T>,
@@ -57,7 +58,7 @@ impl<T: Lanes> Stages<T> {
         sums
     }
 
-    /// Computes `to = x + h Σ weight · stage` from the stage derivatives, with the weights `row`.
+    /// Computes `to = x + h Σ weight · stage` from the stage derivatives, with the weights `row`, in all SIMD lanes.
     #[inline(always)]
     pub(crate) fn advance(&self, to: &mut [T], x: &[T], h: T, row: Row) {
         let n = self.n;

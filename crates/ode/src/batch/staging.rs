@@ -9,7 +9,8 @@ use crate::method::ErrorTolerance;
 use crate::options::{IntegrationOptions, SolverStats};
 use lanes::Lanes;
 
-/// Per-lane data of flights: state, derivative, parameters, invariants, and margins of the limits of validity.
+/// Data of flights, one flight per SIMD lane: state, derivative, parameters, invariants, and margins of the limits of
+/// validity.
 pub(crate) struct LaneValues<T> {
     pub x: Vec<T>,
     pub dx: Vec<T>,
@@ -31,7 +32,7 @@ impl<T: Lanes> LaneValues<T> {
         }
     }
 
-    /// Replaces the values by those of `from` in the lanes where `keep` is 0.
+    /// Replaces the values by those of `from` in the SIMD lanes where the mask `keep` is 0.
     #[inline(always)]
     pub(crate) fn take(&mut self, keep: T, from: &LaneValues<T>) {
         merge(keep, &from.x, &mut self.x);
@@ -42,7 +43,7 @@ impl<T: Lanes> LaneValues<T> {
     }
 }
 
-/// Copies `from` to `to` in the lanes where `keep` is 0.
+/// Copies `from` to `to` in the SIMD lanes where the mask `keep` is 0.
 #[inline(always)]
 pub(crate) fn merge<T: Lanes>(keep: T, from: &[T], to: &mut [T]) {
     let n = to.len();
@@ -52,7 +53,7 @@ pub(crate) fn merge<T: Lanes>(keep: T, from: &[T], to: &mut [T]) {
     }
 }
 
-/// Flights that wait to be started, at most one per lane.
+/// Flights that wait to be started, at most one per SIMD lane.
 pub(crate) struct Staging<T> {
     pub values: LaneValues<T>,
     /// Number that identifies the flight that waits for each lane, as returned by `FlightQueue::next`; `None` if no

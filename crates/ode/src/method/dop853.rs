@@ -5,7 +5,7 @@ use super::tableau::{Row, Tableau};
 use super::{ErrorTolerance, Method, ROWS, StepStart, Stepper, slices};
 use crate::rhs::{OdeRhs, StateVector};
 
-/// Butcher tableau of DOP853.
+/// Butcher tableau of the Runge–Kutta method DOP853, of order 8.
 pub(crate) static TABLEAU: Tableau = Tableau {
     method: Method::Dop853,
     c: &C,

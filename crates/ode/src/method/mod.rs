@@ -81,7 +81,7 @@ pub(crate) trait Stepper<X: StateVector> {
     /// Minimum and maximum ratio of successive step sizes.
     const STEP_FACTOR_BOUNDS: (f64, f64);
 
-    /// Allocates the stage derivatives, each of the length of `like`.
+    /// Creates the stepper and allocates its stage derivatives, each of the length of `like`.
     fn new(like: &X) -> Self;
 
     /// Computes a step of size `h` and returns its error norm, acceptable up to 1; NaN or infinite where the
@@ -141,7 +141,7 @@ pub(crate) fn combine<X: StateVector, const M: usize>(
     }
 }
 
-/// First `n` components of each stage vector.
+/// First `n` components of each vector in `k`, the stage derivatives.
 #[inline(always)]
 pub(crate) fn slices<X: StateVector, const M: usize>(k: [&X; M], n: usize) -> [&[f64]; M] {
     let mut slices: [&[f64]; M] = [&[]; M];

@@ -68,7 +68,7 @@ impl<const M: usize> Kernel for Combine<'_, M> {
     }
 }
 
-/// Kernel that evaluates dense output: `to = Σ weight · row`, where the first weight is 1.
+/// Kernel that evaluates dense output: `to = Σ weight · row` over the coefficient vectors, where the first weight is 1.
 pub(crate) struct WeightedRows<'a> {
     pub rows: [&'a [f64]; ROWS],
     pub weights: [f64; ROWS],

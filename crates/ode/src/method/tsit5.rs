@@ -56,7 +56,7 @@ const fn row<const M: usize>(weights: [f64; M]) -> [(usize, f64); M] {
     row
 }
 
-/// Butcher tableau of Tsit5.
+/// Butcher tableau of the Runge–Kutta method Tsit5, of order 5.
 pub(crate) static TABLEAU: Tableau = Tableau {
     method: Method::Tsit5,
     c: &C,

@@ -20,7 +20,7 @@ fn winds(table: &str, heights: &[f64]) -> Vec<[f64; 3]> {
     heights.iter().map(at).collect()
 }
 
-/// Component of the wind along a horizontal direction, deg; panics if the component across it is not 0.
+/// Component of the wind along a horizontal direction, deg; panics if the component across that direction is not 0.
 fn along(wind: [f64; 3], direction: f64) -> f64 {
     let (sin, cos) = f64::to_radians(direction).sin_cos();
     assert!((cos * wind[1] - sin * wind[0]).abs() < 1e-14 && wind[2] == 0.0);

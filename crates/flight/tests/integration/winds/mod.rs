@@ -31,7 +31,7 @@ fn model(name: &str) -> Model {
     }
 }
 
-/// Release read from a TOML text, and the model with its wind added.
+/// Release (initial conditions of a flight) read from a TOML text, and the model with the wind of the release added.
 fn released(text: &str) -> (Release, Model) {
     let names = |name: &str| Ok(Vocabulary::of(&model(name)));
     let (release, names) =
@@ -70,7 +70,7 @@ fn tight() -> IntegrationOptions {
     }
 }
 
-/// The model compiled without derivatives with respect to parameters, which takes less time.
+/// The model, compiled without derivatives with respect to parameters, which takes less time.
 fn compiled(model: &Model) -> CompiledModel {
     CompiledModel::with_derivatives_by(model, Vec::new())
 }

@@ -10,7 +10,7 @@ use ode::Trajectory;
 
 use super::{MODELS, compiled, model, released, throw, tight};
 
-/// Velocity of the air, m/s.
+/// Velocity of the air in the test flights, m/s, in the inertial frame.
 const W: [f64; 3] = [3.0, -2.0, 0.4];
 const SECONDS: f64 = 1.2;
 const GUSTS: &str = "[wind.gusts]\nmodel = \"dryden\"\nseed = 11\nheading = 20.0\nsd = [1.5, 1.2, 0.6]\nlength = [12.0, 15.0, 4.0]\n";
@@ -22,7 +22,8 @@ fn motions(model: &Model) -> ThrownModel {
     own.unwrap_or_else(|_| ThrownModel::new(&super::model("disc")).expect("the disc"))
 }
 
-/// Copy of a release in which the velocity over the ground is changed by `by`, m/s.
+/// Copy of a release (initial conditions of a flight) in which the velocity relative to the ground is changed by `by`,
+/// m/s.
 fn moved(release: &Release, model: &Model, by: Vector3<f64>) -> Release {
     let (thrown, state) = (motions(model), release.state());
     let parameters = thrown.release_parameters(release);

@@ -13,7 +13,7 @@ use crate::method::{Method, ROWS, dop853, tsit5};
 use lanes::Lanes;
 
 impl<T: Lanes> Flying<'_, T> {
-    /// Coefficients of the dense output of state component `i` in each lane.
+    /// Coefficients of the dense output of state component `i` over the current step, in each SIMD lane.
     #[inline(always)]
     fn dense_rows(&self, i: usize, h: T) -> [T; ROWS] {
         let (x, k) = (self.values.x[i], |s: usize| self.stages.stage(s)[i]);
