@@ -25,7 +25,7 @@ pub enum Value<T> {
 pub struct Tree<'a, T> {
     /// Model that is evaluated.
     pub model: &'a Model,
-    /// Point of evaluation.
+    /// Point (values of time, states, constants and inputs) at which the model is evaluated.
     pub point: &'a Point<T>,
     /// Frames of the model at the point, by frame index.
     pub frames: Vec<PlacedFrame<T>>,

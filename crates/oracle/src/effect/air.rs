@@ -46,7 +46,8 @@ impl Air {
         Vector3::new(values[0], values[1], T::zero()) * along
     }
 
-    /// Name of the constant that the effect scales, and the scale factor; `None` for an effect on the wind.
+    /// Name of the model's constant that the effect scales, `rho` (air density) or `g` (gravity), and the scale factor.
+    /// `None` for an effect on the wind.
     pub fn factor<T: Real>(self, values: &[T]) -> Option<(&'static str, T)> {
         let name = match self {
             Self::Density => "rho",

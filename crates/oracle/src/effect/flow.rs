@@ -65,7 +65,7 @@ impl<'a, T: Real> Flow<'a, T> {
         self.stream.through_air
     }
 
-    /// Axis of symmetry of the body, unit vector.
+    /// Unit vector along the axis of symmetry of the body, in inertial components.
     pub fn normal(&self) -> Vector3<T> {
         self.stream.normal
     }

@@ -30,7 +30,8 @@ pub use flow::Flow;
 use crate::physical::Load;
 use crate::reference::Law;
 
-/// Built-in effects (optional additions to a model), one slice per kind.
+/// Built-in effects (optional additions to a model), one slice per kind of quantity that they change, such as drag or
+/// lift.
 static KINDS: [&[Effect]; 11] = [
     drag::EFFECTS,
     pitch::EFFECTS,

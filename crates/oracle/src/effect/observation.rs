@@ -112,7 +112,7 @@ impl Observation {
         (at.velocity + omega.cross(&arm)) * later + centripetal * (later * later / T::lit(2.0))
     }
 
-    /// Converts the position of a marker to the one that the measurement reports, m.
+    /// Converts the true position of a marker to the position that a measurement with this effect reports, m.
     pub fn reported<T: Real>(self, values: &[T], position: Vector3<T>) -> Vector3<T> {
         match self {
             Self::Tilted => {
