@@ -157,7 +157,8 @@ fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
 }
 
 /// Integrates flights of 1, 0.3, 0.1 and 0.03 times [`DURATION`] until one ends within the validity limits of the
-/// model. Returns its final point and the ten time integrals of [`fly_with_sums`]; `None` if none of the four does.
+/// model. Returns its final point and ten time integrals: three components each of velocity, force and moment, then
+/// power. `None` if no flight ends within the limits.
 fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Option<(Point<f64>, Vec<f64>)> {
     if !is_valid(subject.model, from) {
         return None;

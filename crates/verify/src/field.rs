@@ -20,7 +20,7 @@ pub type Angle = (Prime, (Prime, Prime));
 /// cosine.
 const MULTIPLES: usize = 4;
 
-/// Evaluator of programs at a point of the prime field.
+/// Evaluator of compiled programs at a point of the prime field (integers modulo 2^61 − 1).
 pub struct Machine<'a> {
     point: &'a Point<Prime>,
     circles: &'a [(Prime, Prime)],
@@ -47,7 +47,8 @@ impl<'a> Machine<'a> {
         }
     }
 
-    /// Runs a program and returns its outputs; `None` for an output without a value in the field.
+    /// Runs a program and returns its outputs; `None` for an output without a value in the field, such as the square
+    /// root of a non-square.
     pub fn run(&self, program: &Program) -> Vec<Option<Prime>> {
         let mut temps: Vec<Option<Prime>> = Vec::with_capacity(program.statements.len());
         let mut angles: Vec<Angle> = self

@@ -25,8 +25,8 @@ impl Origin {
         }
     }
 
-    /// Name or full path of a model or effect, to be passed to the loader of models. `folder` is the folder of the
-    /// certificate.
+    /// Name or full path of a model or of an effect (optional model extension), to be passed to the loader of models.
+    /// `folder` is the folder of the certificate.
     pub(super) fn found(&self, folder: &Path) -> Result<String, OriginError> {
         match self {
             Self::Name(name) => Ok(name.clone()),

@@ -14,8 +14,8 @@ use oracle::{MassProperties, Motion, Point, Tree, inertia_in_n, mass_properties}
 /// Name of this check in reports: balances of momentum, angular momentum and energy.
 pub const IDENTITIES: &str = "momentum and energy";
 
-/// Checks the balances of momentum dp/dt = F, angular momentum dH/dt = M, energy dE/dt = F·v + M·ω and position
-/// dr/dt = v at random points.
+/// Checks at random points the balances of momentum dp/dt = F, angular momentum dH/dt = M, energy dE/dt = F·v + M·ω and
+/// position dr/dt = v, where F is the force and M the moment on the body.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     let model = subject.model;
     if subject.is_known_by_claim() {

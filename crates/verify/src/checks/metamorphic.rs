@@ -20,14 +20,15 @@ use model_spec::unit::Base;
 use nalgebra::{Matrix3, Vector3};
 use oracle::{Physical, PhysicalRate, Point, Quaternion, Tree};
 
-/// Name of this check in reports: invariance of the motion under transformations.
+/// Name of this check in reports: invariance of the motion under transformations, such as a translation or a mirror
+/// image.
 pub const METAMORPHIC: &str = "metamorphic relations";
 
 /// Maximum allowed relative error. It is larger than rounding errors because the states are computed with arcsines,
 /// which lose digits near ±1.
 const TOLERANCE: f64 = 1e-10;
 
-/// A transformation under which the laws are invariant.
+/// A transformation, such as a translation, under which the laws of motion are invariant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Relation {
     Translation,
@@ -168,9 +169,9 @@ impl RandomTransformation {
     }
 }
 
-/// Maximum relative error of one symmetry at a point. The physical state is transformed, and the rates of motion
-/// (velocities and accelerations) at the transformed state are compared with the transformed rates at the original
-/// state. `None` if the states or rates cannot be determined.
+/// Maximum relative error of the motion under one symmetry at a point. The physical state is transformed, and the rates
+/// of motion (velocities and accelerations) at the transformed state are compared with the transformed rates at the
+/// original state. `None` if the states or rates cannot be determined.
 fn error(
     subject: &Subject<'_>,
     meaning: &Meaning<'_>,

@@ -14,11 +14,11 @@ pub enum Change {
     Added,
     /// Only the old model has the statement.
     Removed,
-    /// The text and the computed function differ.
+    /// The text of the statement differs, and so does the function that the statement computes.
     Changed,
-    /// The text differs, but the computed function is the same.
+    /// The text of the statement differs, but the function that it computes is the same.
     Rewritten,
-    /// Only the name differs.
+    /// Only the name of what the statement declares differs.
     Renamed,
     /// The declaration of a constant, an input or a state differs, in its default value, unit or bounds.
     Restated,
@@ -139,7 +139,8 @@ pub fn causes(
 }
 
 impl Statement {
-    /// Creates the description of a change of the statement `key`, without texts, terms and keys.
+    /// Creates the description of a change of the statement with class and name `key`; texts, differing terms and keys
+    /// are empty.
     fn new(change: Change, key: &Key) -> Self {
         Self {
             change,

@@ -13,10 +13,11 @@ use lanes::Isa;
 use model_spec::model::Model;
 use oracle::Point;
 
-/// Name of the check of bitwise agreement between backends.
+/// Name in reports of the check of bitwise agreement between backends (generated code and bytecode interpreter).
 pub const BACKENDS: &str = "backends";
 
-/// Name of the comparison of backends with and without fused multiply-add.
+/// Name in reports of the comparison between backends with and without fused multiply-add; a backend is the generated
+/// code or the bytecode interpreter.
 pub const FMA: &str = "FMA and non-FMA";
 
 /// Name of the check that the running executable contains code generated from the model's current text.
@@ -33,7 +34,7 @@ pub struct Run {
     pub backend: String,
     /// Whether the backend fuses multiply and add.
     pub fuses: bool,
-    /// For each point, the concatenated results of all functions.
+    /// For each point, the concatenated results of all compiled functions of the model.
     pub results: Vec<Vec<f64>>,
 }
 
@@ -112,8 +113,8 @@ fn first(runs: &[Run], fuses: bool) -> Option<&Run> {
     runs.iter().find(|run| run.fuses == fuses)
 }
 
-/// Checks that the results of all backends that fuse multiply and add agree bit for bit, and likewise those of all
-/// backends that do not.
+/// Checks for bitwise agreement: the results of all backends that fuse multiply and add must be equal, and those of all
+/// backends that do not fuse must be equal.
 pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
     let mut worst = Worst::default();
     for run in runs {
