@@ -15,13 +15,15 @@ pub trait Equations: Sync {
     fn observation(&self, point: &Point<f64>) -> Option<Vector3<f64>>;
 }
 
-/// A model to be checked, its equations of motion, and its reference law.
+/// A model to be checked, its equations of motion, and its reference law (independent implementation of a law of
+/// motion).
 pub struct Subject<'a> {
     /// The checked model.
     pub model: &'a Model,
     /// Equations of motion under test.
     pub equations: &'a dyn Equations,
-    /// Reference law that the model names, bound to the names of the model; `None` if none is named or binding failed.
+    /// Reference law (independent implementation of a law of motion) that the model names, with its constants and
+    /// states found in the model by name. `None` if the model names none or a name was not found.
     pub reference: Option<Reference>,
     /// Why the names of the reference law that the model names cannot be matched to the states, parameters and
     /// coefficients of the model; `None` if they are matched, or the model names no reference law.
@@ -130,9 +132,10 @@ impl<'a> Subject<'a> {
         self.of_body_alone(point, self.of_effects())
     }
 
-    /// Result of a check that requires a reference law, for a model that names none. The check is skipped if other
-    /// checks apply: the model declares a body, from which its equations are derived, or it claims which body its
-    /// explicitly written equations describe. Otherwise the verdict is "unverified".
+    /// Result of a check that requires a reference law (independent implementation of a law of motion), for a model
+    /// that names none. The check is skipped if other checks apply: the model declares a body, from which its equations
+    /// are derived, or it claims which body its explicitly written equations describe. Otherwise the verdict is
+    /// "unverified".
     pub fn without_reference(&self, check: &'static str) -> Row {
         if self.model.body.is_some() {
             return Row::skipped(check, "the model claims no reference");
@@ -157,8 +160,8 @@ impl<'a> Subject<'a> {
         self.of_body_alone(point, self.extras())
     }
 
-    /// Returns the point with the given coefficients (index, value), and with all states that are not states of the
-    /// body at their default values.
+    /// Returns the point with the coefficients set to the given values (index, value), and with all states that are not
+    /// states of the body set to their default values.
     fn of_body_alone(
         &self,
         mut point: Point<f64>,

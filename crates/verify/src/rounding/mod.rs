@@ -86,12 +86,12 @@ pub struct Error {
 pub struct Rounding {
     /// Description of the unit of the errors.
     pub measure: &'static str,
-    /// Number of random points, and number of states along flights.
+    /// Number of random points and number of states along flights at which rounding errors were measured.
     pub points: [usize; 2],
     /// Number of points left out because a value is not finite there, or because the argument of a branch (such as that
     /// of abs) is so close to the branch point that rounding may change the result.
     pub left_out: usize,
-    /// Errors by backend, function and section of values.
+    /// Rounding errors by backend, compiled function and section of the function's values, such as its Jacobian.
     pub errors: Vec<Error>,
     /// Statements of the model that lose bits, in descending order of the loss.
     pub losses: Vec<Loss>,
@@ -110,7 +110,8 @@ struct Exact {
     values: Vec<(f64, f64, f64)>,
 }
 
-/// Measures the rounding errors of every backend and the bits that every statement of the model loses.
+/// Measures the rounding errors of every backend (generated code or bytecode interpreter) and the bits that every
+/// statement of the model loses.
 pub fn measure(
     subject: &Subject<'_>,
     compiled: &Compiled,

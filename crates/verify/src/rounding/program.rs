@@ -30,7 +30,7 @@ impl<T: Real> Inputs<T> {
         }
     }
 
-    /// Returns the inputs with the parameter vector replaced.
+    /// Returns the inputs with the parameter vector replaced by `parameters`.
     pub fn with_parameters(self, parameters: Vec<T>) -> Self {
         Self { parameters, ..self }
     }

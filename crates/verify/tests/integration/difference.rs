@@ -282,7 +282,7 @@ fn rewritings_are_the_same_function() {
     assert_eq!(exact, made);
 }
 
-/// Whether a changed statement still computes the same function.
+/// Whether a statement with this kind of change still computes the same function.
 fn quiet(change: Change) -> bool {
     !matches!(change, Change::Changed)
 }
