@@ -13,7 +13,7 @@ use oracle::Point;
 use oracle::scalar::{Field, PRIME, Prime};
 use std::f64::consts::PI;
 
-/// An angle and its (sine, cosine), as elements of the prime field.
+/// An angle and its (sine, cosine), as elements of the prime field (integers modulo 2^61 − 1).
 pub type Angle = (Prime, (Prime, Prime));
 
 /// Maximum n for which sine and cosine of n·α are derived by the addition formulas from an angle α with given sine and

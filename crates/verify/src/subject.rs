@@ -6,7 +6,8 @@ use model_spec::model::Model;
 use nalgebra::Vector3;
 use oracle::{BindError, Chart, Point, Reference, Tree, Unsupported, derivatives};
 
-/// Equations of motion that can be evaluated at a point, independent of the backend.
+/// Equations of motion that can be evaluated at a point, independent of the backend (generated code, bytecode
+/// interpreter or reference simulator).
 pub trait Equations: Sync {
     /// Derivative of every state with respect to recorded time (the time stamps of the measurements, which may run at
     /// another rate than true time), in state order.

@@ -10,7 +10,7 @@ use std::path::{Component, Path, PathBuf};
 pub enum Origin {
     /// Path of a file, relative to the folder of the certificate, with `/` as separator.
     File(String),
-    /// Name of a built-in model or effect, or of an effect in the model's file.
+    /// Name of a built-in model, of a built-in effect (optional model extension), or of an effect in the model's file.
     Name(String),
 }
 

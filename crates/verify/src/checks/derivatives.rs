@@ -125,9 +125,9 @@ impl Comparison<'_> {
         Some(())
     }
 
-    /// Compares the equations' Jacobians with the derivatives of the reference implementation, at a point where the
-    /// coefficients that the reference law does not contain have their null values. Does nothing if the model names no
-    /// reference law.
+    /// Compares the equations' Jacobians with the derivatives of the reference implementation at a point. Coefficients
+    /// that the reference law does not contain have their null values there, at which they change nothing. Does nothing
+    /// if the model names no reference law.
     fn with_reference(&mut self, equations: &dyn Differentiable, point: &Point<f64>) {
         let Some(reference) = &self.subject.reference else {
             return;

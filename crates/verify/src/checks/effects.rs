@@ -14,8 +14,8 @@ use model_spec::model::Model;
 use oracle::scalar::ErrorBound;
 use oracle::{Point, derivatives};
 
-/// Name of this check in reports: effects (optional model extensions) at their null values against the model without
-/// effects.
+/// Name of this check in reports: a model with effects (optional extensions) at their null values must compute the same
+/// as the model without effects.
 pub const EFFECTS: &str = "effects at null values";
 
 /// Returns (models with effects, model without effects); effects are optional model extensions. If the loaded model has

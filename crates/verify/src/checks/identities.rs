@@ -79,8 +79,8 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
 }
 
 /// Checks the balances of momentum, angular momentum, energy and position for the body that the model's explicitly
-/// written equations are declared to describe. Effects (optional model extensions) have their null values; coefficients
-/// added by the model's author have random values.
+/// written equations are declared to describe. Effects (optional model extensions) have their null values, at which
+/// they change nothing; coefficients added by the model's author have random values.
 fn of_claim(subject: &Subject<'_>, options: &Options) -> Row {
     let mut random = Random::new(options.seed, IDENTITIES);
     let mut worst = Worst::default();

@@ -51,9 +51,9 @@ impl Relation {
 }
 
 /// Checks that the motion is invariant under every transformation that applies to the model. Coefficients that the
-/// reference law does not contain have their null values. The detail of the result also lists, for each such
-/// coefficient, the transformations under which the motion is not invariant if the coefficient is not null; this is not
-/// a fault.
+/// reference law does not contain have their null values, at which they change nothing. The detail of the result also
+/// lists, for each such coefficient, the transformations under which the motion is not invariant if the coefficient is
+/// not null; this is not a fault.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     let Some(meaning) = Meaning::of(subject) else {
         return subject.without_meaning(METAMORPHIC);

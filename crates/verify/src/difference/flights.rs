@@ -83,9 +83,10 @@ pub fn shifts(
         .collect()
 }
 
-/// Built-in releases (launch conditions: initial states and constants of a flight) that fit the old model: name, point,
-/// and the indices of the parameters that the release sets. If `own` is true, only releases written for this model.
-/// Otherwise also releases written for other models, if the old model has all names that they use.
+/// Built-in releases (launch conditions: initial states and constants of a flight) that fit the old model. Each has its
+/// name, its point and the indices of the parameters that it sets. If `own` is true, only releases written for this
+/// model are returned. Otherwise releases written for other models are included if the old model has all names that
+/// they use.
 fn named(old: &Everything<'_>, own: bool) -> Vec<(String, Point<f64>, Vec<usize>)> {
     let model = old.model;
     let read = |&(name, text): &(&str, &str)| {

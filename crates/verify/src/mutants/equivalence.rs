@@ -18,8 +18,8 @@ const SAME: &str = "compiles to the same derivatives and observation, node for n
 const EQUAL: &str = "derivatives and observation equal at 4 random points of the field of 2^61 - 1 elements, \
                      functions being symbols";
 
-/// Number of random points of the prime field (integers modulo 2^61 − 1) at which the programs compiled from a model
-/// and from a mutant are compared.
+/// Number of random points at which the programs compiled from a model and from a mutant are compared: as many in the
+/// prime field (integers modulo 2^61 − 1) as in floating-point arithmetic.
 const POINTS: usize = 4;
 /// Maximum number of random trial points of the prime field in the comparison with a mutant. A trial point is usable if
 /// the argument of every square root is a square in the field, which has probability 1/2 per root.

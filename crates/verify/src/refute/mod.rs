@@ -146,7 +146,7 @@ fn used_derivatives(
 /// A random point at which the model's equations are compared with a reference law or with the laws of motion.
 struct ReferencePoint<'a> {
     /// Evaluator of the model's expressions at the point. State derivatives that occur in the expressions have the
-    /// values in `rates`.
+    /// values in `rates` where these are known.
     tree: Tree<'a, ErrorBound>,
     /// Rate of each state according to the reference law or the laws of motion; `None` for a rate that these do not
     /// determine.

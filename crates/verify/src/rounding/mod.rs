@@ -58,13 +58,13 @@ impl Effort {
     };
 }
 
-/// Rounding errors of one section of a function's values on one backend. The unit is the spacing of f64 numbers (ulp)
-/// at the sum of the magnitudes of a value's terms.
+/// Rounding errors of one section of a compiled function's values, such as its Jacobian, on one backend. The unit is
+/// the spacing of f64 numbers (ulp) at the sum of the magnitudes of a value's terms.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Error {
     /// Name of the backend (generated code or bytecode interpreter) that computed the values.
     pub backend: String,
-    /// Whether the backend fuses multiply and add.
+    /// Whether the backend computes with fused multiply-add operations.
     pub fuses: bool,
     /// Name of the compiled function whose results are compared.
     pub function: &'static str,

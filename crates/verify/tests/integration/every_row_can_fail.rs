@@ -80,8 +80,7 @@ impl Base {
 
 /// A defect of a model or of its compiled code that makes one check of the report fail.
 enum Breakage {
-    /// Defect (original text, replacement) in the model file, so that the model contradicts its reference law or its
-    /// `claim` block (declared meaning of its equations).
+    /// Defect (original text, replacement) in the model file, so that the model itself is wrong.
     Text(&'static str, &'static str),
     /// Defect (original text, replacement) in the text from which the code is compiled: the code is wrong, but the
     /// model is correct.

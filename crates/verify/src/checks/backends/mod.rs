@@ -27,12 +27,12 @@ pub const GENERATED: &str = "generated code";
 /// The value allows for an amplification of rounding errors by 1e4 through cancellation.
 const FMA_TOLERANCE: f64 = 1e-12;
 
-/// Results of one backend at a list of points.
+/// Results of one backend (generated code or bytecode interpreter) at a list of points.
 #[derive(Clone, Debug)]
 pub struct Run {
-    /// Name of the backend.
+    /// Name of the backend (generated code or bytecode interpreter) that computed the results.
     pub backend: String,
-    /// Whether the backend fuses multiply and add.
+    /// Whether the backend computes with fused multiply-add operations.
     pub fuses: bool,
     /// For each point, the concatenated results of all compiled functions of the model.
     pub results: Vec<Vec<f64>>,
@@ -46,8 +46,9 @@ pub fn functions(compiled: &Compiled) -> Vec<(&'static str, usize)> {
         .into()
 }
 
-/// Evaluates all compiled functions on all backends at the points. The generated code in the running executable is
-/// included only if the hash stored with it equals that of the current text of the model.
+/// Evaluates all compiled functions on all backends (generated code or bytecode interpreter) at the points. The
+/// generated code in the running executable is included only if the hash stored with it equals that of the current text
+/// of the model.
 pub fn runs(model: &Model, compiled: &Compiled, points: &[Point<f64>]) -> Vec<Run> {
     let tapes = Tapes::new(compiled.functions().map(|f| &f.program));
     let mut runs = vec![Run {
@@ -170,7 +171,8 @@ pub fn check_fma(compiled: &Compiled, runs: &[Run]) -> Row {
     Row::judged(FMA, plain.results.len(), &worst, FMA_TOLERANCE)
 }
 
-/// Name of the function to which the concatenated result with the given index belongs.
+/// Name of the compiled function to which the result with the given index belongs; the index counts the concatenated
+/// results of all functions.
 pub fn function_at(compiled: &Compiled, index: usize) -> &'static str {
     let mut end = 0;
     let found = functions(compiled).into_iter().find(|(_, len)| {
