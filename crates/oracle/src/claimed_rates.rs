@@ -30,7 +30,8 @@ pub struct ClaimedRates {
     /// Laws of motion that no rates of the states satisfy. Each comes with its residual, divided by the sum of the
     /// absolute values of the law's terms.
     pub unsatisfied: Vec<(BalanceLaw, f64)>,
-    /// Whether the unsatisfied equations contain no rate of a state, so that the rates satisfy all other equations.
+    /// Whether the equations that no rates satisfy contain no rate of a state. The rates then satisfy all other
+    /// equations.
     pub solves_the_others: bool,
 }
 
@@ -155,8 +156,8 @@ impl System {
         })
     }
 
-    /// Sum of the absolute values of the terms in each row of the linear system; `rates` are bounds on the absolute
-    /// values of the rates.
+    /// Sum of the absolute values of the terms in each row of the linear system of the laws of motion for the rates of
+    /// the states; `rates` are bounds on the absolute values of these rates.
     fn terms(&self, rates: impl Iterator<Item = f64> + Clone) -> Vec<f64> {
         let of_row = |(a, b): (&Vec<ErrorBound>, &ErrorBound)| {
             let of_rates = a.iter().zip(rates.clone());

@@ -25,8 +25,8 @@ pub struct Machine<'a> {
     point: &'a Point<Prime>,
     circles: &'a [(Prime, Prime)],
     parameters: Vec<Prime>,
-    /// Results of the program `prepare`, which computes values that depend on parameters only; `None` for a result that
-    /// has no value in the field.
+    /// Results of the program `prepare`, which computes values that depend on parameters only. `None` for a result
+    /// without a value in the prime field, such as the square root of a non-square.
     pub prepared: Vec<Option<Prime>>,
     /// Whether the value of a function that is not rational, such as exp, is a pseudo-random element that depends on
     /// function and argument. If false, such a function has no value.

@@ -80,8 +80,9 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Option<Row> {
     Some(row.with_detail(lines.join("\n")))
 }
 
-/// One line of text for each law of motion of the body described by the `claim` statement that no rates of the states
-/// can satisfy. Such a law means that the claim contradicts itself, whatever equations the model file contains.
+/// One line of text for each law of motion that no rates of the states can satisfy, for the body that the model's
+/// `claim` statement describes. Such a law means that the claim contradicts itself, whatever equations the model file
+/// contains.
 fn unsatisfied(subject: &Subject<'_>, options: &Options) -> Vec<String> {
     let mut random = Random::new(options.seed, CLAIM);
     let point = subject.without_effects(sample::point(subject.model, &mut random));

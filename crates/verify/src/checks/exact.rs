@@ -19,8 +19,8 @@ use oracle::{Point, free_load_derivatives};
 /// Name of this check in reports: derivatives of a rigid body under an arbitrary force and moment, in exact arithmetic.
 pub const EXACT: &str = "rigid body, exact";
 
-/// Number of random points of the prime field (integers modulo 2^61 − 1). Different functions of total degree d agree
-/// at one point with probability at most d / 2^61.
+/// Number of random points of the prime field (integers modulo 2^61 − 1) at which the functions are compared. Two
+/// different functions of total degree at most d agree at one point with probability at most d / 2^61.
 pub const POINTS: usize = 8;
 /// Upper bound of the total degree of the compared rational functions. The probability that different functions agree
 /// at a random point of the prime field follows from it (Schwartz-Zippel lemma).

@@ -35,8 +35,8 @@ impl Names {
     }
 }
 
-/// Words of a text that may be names of the model. A word `in_F` also gives `F` (name of a frame), and a word `w_x`,
-/// `w_y` or `w_z` also gives `w` (name of an input with these components).
+/// Words of a text that may be names declared in a model. A word `in_F` also gives `F` (name of a frame), and a word
+/// `w_x`, `w_y` or `w_z` also gives `w` (name of an input with these components).
 pub fn words(text: &str) -> Vec<&str> {
     let mut out: Vec<&str> = Vec::new();
     for word in text.split(is_separator).filter(|word| !word.is_empty()) {

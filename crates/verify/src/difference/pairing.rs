@@ -91,8 +91,8 @@ impl Pairing {
         out
     }
 
-    /// Returns the point `there` of the new model with the values of all paired states and parameters, the time and the
-    /// marker position replaced by those of the point `here` of the old model.
+    /// Returns a copy of the point `there` of the new model. The values of all paired states and parameters, the time
+    /// and the marker position are taken from the point `here` of the old model.
     pub fn carry<T: Field>(&self, here: &Point<T>, there: &Point<T>) -> Point<T> {
         let given = here.parameters();
         let mut out = there.clone();

@@ -27,7 +27,7 @@ pub enum Change {
 /// A statement that differs between the two models.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Statement {
-    /// How the statement differs.
+    /// How the statement differs between the two models: added, removed, changed, rewritten, renamed or restated.
     pub change: Change,
     /// Class and name of the statement, such as `let alpha` or `der(u)`, in the new model; in the old model if the
     /// statement was removed.
@@ -183,8 +183,8 @@ fn title((class, name): &Key) -> String {
     }
 }
 
-/// Statements with their class and name. Statements that do not influence the motion are left out: the model's name,
-/// reference, checks and effects.
+/// Statements of a model file with their class and name. Statements that do not influence the motion are left out: the
+/// model's name, reference law, check cases and effects (optional extensions).
 pub fn keyed(file: &File) -> Vec<(Key, &Item)> {
     let mut limits = 0;
     let mut key = |item: &Item| {

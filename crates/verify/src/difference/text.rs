@@ -31,7 +31,7 @@ impl Difference {
             .collect()
     }
 
-    /// Formats all results of the comparison as text for a terminal.
+    /// Formats all results of the comparison of the two models as text for a terminal.
     pub fn text(&self) -> String {
         let mut out = format!(
             "{} → {}: {}\n",

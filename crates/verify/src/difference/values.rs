@@ -25,7 +25,8 @@ pub struct Everything<'a> {
     tape: Tape,
 }
 
-/// An auxiliary variable or load of a model, with the indices of its values among the program's outputs.
+/// An auxiliary variable or load of a model, with the indices of its values among the outputs of the program that
+/// computes all values of the model.
 pub struct Named {
     /// Class of the statement: `let`, `force` or `moment`.
     pub class: &'static str,
@@ -36,7 +37,8 @@ pub struct Named {
 }
 
 impl<'a> Everything<'a> {
-    /// Compiles a model to one program that computes all outputs described at [`Self::code`].
+    /// Compiles a model to one program that computes its state derivatives, observation, validity limits, auxiliary
+    /// variables and loads.
     pub fn of(model: &'a Model) -> Self {
         let mut extended = model.clone();
         let mut sources: Vec<(&'static str, String, usize)> = Vec::new();

@@ -73,9 +73,11 @@ pub struct Error {
     pub values: &'static str,
     /// Number of compared values.
     pub compared: usize,
-    /// Maximum error over the compared values.
+    /// Maximum error over the compared values, in units of the spacing of f64 numbers (ulp) at the sum of the
+    /// magnitudes of a value's terms.
     pub worst: f64,
-    /// Median error over the compared values.
+    /// Median error over the compared values, in units of the spacing of f64 numbers (ulp) at the sum of the magnitudes
+    /// of a value's terms.
     pub median: f64,
     /// Name of the value with the maximum error.
     pub place: String,
