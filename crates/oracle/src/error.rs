@@ -25,7 +25,8 @@ pub enum BindError {
         /// Name, in the reference law, of the state that the model does not declare.
         name: &'static str,
     },
-    /// An effect (optional addition to a model) has no reference implementation for the model's law.
+    /// An effect (optional addition to a model) has no reference implementation for the law of motion that the model
+    /// names.
     #[error("the effect `{name}` has no reference implementation for this law")]
     UnknownEffect {
         /// Name of the effect.

@@ -15,7 +15,8 @@ use oracle::{MassProperties, Physical, Point, Quaternion, Reference, Tree, inert
 /// Name in reports of the check that energy and angular momentum are conserved in a flight without air.
 pub const INVARIANTS: &str = "flight without air";
 /// Name in reports of the check that compares flights computed from the model's equations with flights computed from
-/// the reference law. The reference law is integrated with momentum and angular momentum as states.
+/// the reference law (independent implementation of the law of motion). The reference law is integrated with momentum
+/// and angular momentum as states.
 pub const MOMENTA: &str = "flight: reference in momenta";
 /// Name in reports of the check that compares the flights of two models.
 const FLIGHTS: &str = "flights";
@@ -224,8 +225,8 @@ fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Result<Point<f64>, Integrati
     integration::fly(&rates, from, DURATION, &options)
 }
 
-/// Integrates the reference law in position, momentum, attitude and angular momentum, and returns the final physical
-/// state.
+/// Integrates the reference law (independent implementation of the law of motion) in position, momentum, attitude and
+/// angular momentum. Returns the physical state after the duration of the flight checks.
 fn fly_by_momenta(
     reference: &Reference,
     point: &Point<f64>,

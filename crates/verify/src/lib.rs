@@ -49,7 +49,7 @@ use values::Values;
 /// Options of a verification.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Options {
-    /// Seed of all random numbers.
+    /// Seed of all random numbers of the verification.
     pub seed: u64,
     /// Number of random points per check.
     pub cases: usize,

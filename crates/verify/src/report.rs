@@ -45,7 +45,7 @@ impl Outcome {
 pub struct Report {
     /// Name of the verified model.
     pub model: String,
-    /// Seed of all random numbers.
+    /// Seed of all random numbers of the verification.
     pub seed: u64,
     /// Results of the checks, one entry per check.
     pub rows: Vec<Row>,

@@ -26,8 +26,8 @@ pub struct Subject<'a> {
     /// Reference law (independent implementation of a law of motion) that the model names, with its constants and
     /// states found in the model by name. `None` if the model names none or a name was not found.
     pub reference: Option<Reference>,
-    /// Why the names of the reference law that the model names cannot be matched to the states, parameters and
-    /// coefficients of the model; `None` if they are matched, or the model names no reference law.
+    /// Why the constants and states of the reference law cannot be found in the model by name; `None` if they are
+    /// found, or the model names no reference law.
     pub unbound: Option<BindError>,
     /// Conversion between states and physical quantities (position, velocity, attitude, angular velocity): from the
     /// reference law, else from the body declared in the model; `None` if neither exists.
@@ -73,9 +73,9 @@ impl<'a> Subject<'a> {
         rates.into_iter().map(|rate| rate / pace).collect()
     }
 
-    /// Converts a point of this model to the point of the model `other` with the same physical state, time and marker
-    /// position, and the same values of parameters, coefficients and inputs of equal names. `None` if one of the models
-    /// has no [`Chart`], or if the chart cannot represent the attitude.
+    /// Converts a point of this model to a point of the model `other`. Both points have the same physical state, time
+    /// and marker position, and the same values of parameters, coefficients and inputs of equal names. `None` if one of
+    /// the models has no [`Chart`], or if the chart cannot represent the attitude.
     pub fn corresponding_point(
         &self,
         other: &Subject<'_>,

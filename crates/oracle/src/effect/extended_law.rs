@@ -9,9 +9,10 @@ use nalgebra::Vector3;
 /// A built-in effect (an optional addition to a model) with the values of its coefficients and states.
 #[derive(Clone, Debug)]
 pub struct ActiveEffect<T> {
-    /// Names of the effect's coefficients and states, and its reference implementation.
+    /// Description of the effect (optional addition to a model): names of its coefficients and states, and its
+    /// reference implementation.
     pub effect: &'static Effect,
-    /// Values of the effect's coefficients, then of its states.
+    /// Values of the coefficients of the effect (optional addition to a model), then of its states.
     pub values: Vec<T>,
 }
 

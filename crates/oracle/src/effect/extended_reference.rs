@@ -99,7 +99,8 @@ impl ExtendedReference {
     }
 }
 
-/// Indices in a model of the coefficients of an effect, followed by those of the states of the effect.
+/// Indices in a model of the coefficients of an effect (optional addition), followed by those of the states of the
+/// effect.
 fn slots(effect: &'static Effect, model: &Model) -> Result<Vec<Slot>, BindError> {
     let missing = |name| BindError::MissingEffectValue {
         effect: effect.name,

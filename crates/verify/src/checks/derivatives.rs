@@ -160,7 +160,7 @@ impl Comparison<'_> {
 
 /// Whether the reference implementation has the model's variable with this index, so that derivatives with respect to
 /// it can be compared. It lacks the states and coefficients that the reference law does not contain, such as those of
-/// effects.
+/// effects (optional model extensions).
 fn has_reference(model: &Model, reference: &Reference, variable: usize) -> bool {
     if model.added_states().contains(&variable) {
         return false;

@@ -135,7 +135,8 @@ impl FieldPoint {
     }
 }
 
-/// Draws a random unit quaternion over the field, by a rational parametrization of the sphere.
+/// Draws a random unit quaternion over the prime field (integers modulo 2^61 − 1), by a rational parametrization of the
+/// sphere.
 fn unit_quaternion(random: &mut Random) -> [Prime; 4] {
     let v = [random.prime(), random.prime(), random.prime()];
     let square = v.iter().fold(Prime::zero(), |sum, &t| sum + t * t);

@@ -15,7 +15,7 @@ use oracle::{MassProperties, Motion, Point, Tree, inertia_in_n, mass_properties}
 pub const IDENTITIES: &str = "momentum and energy";
 
 /// Checks at random points the balances of momentum dp/dt = F, angular momentum dH/dt = M, energy dE/dt = F·v + M·ω and
-/// position dr/dt = v, where F is the force and M the moment on the body.
+/// position dr/dt = v. F is the force and M the moment on the body.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     let model = subject.model;
     if subject.is_known_by_claim() {

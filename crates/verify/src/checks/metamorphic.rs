@@ -270,8 +270,8 @@ fn map_change(c: &PhysicalRate, polar: &Matrix3<f64>, axial: &Matrix3<f64>) -> P
     }
 }
 
-/// Whether the inertia tensor is invariant under reflection of the second axis of the frame in which it is declared
-/// (products of inertia 12 and 23 are 0), so that the mirrored body is the same body.
+/// Whether the mirrored body is the same body: its inertia tensor is invariant under reflection of the second axis of
+/// the frame in which it is declared (products of inertia 12 and 23 are 0).
 fn is_symmetric(model: &Model, point: &Point<f64>) -> bool {
     let rotation = model.body.as_ref().and_then(|b| b.rotation.as_ref());
     let claimed = model.claim.as_ref().and_then(|c| c.rotation.as_ref());

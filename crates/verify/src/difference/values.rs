@@ -20,7 +20,8 @@ pub struct Everything<'a> {
     /// validity limits and the auxiliary variables. After them come, in inertial components, all loads and those vector
     /// auxiliary variables that are given in another frame.
     pub code: EveryValue,
-    /// Indices of the outputs of each auxiliary variable and load, with its class and name.
+    /// For each auxiliary variable and load, its class, its name and the indices of its values among the outputs of
+    /// `code`.
     pub named: Vec<Named>,
     tape: Tape,
 }
@@ -32,7 +33,8 @@ pub struct Named {
     pub class: &'static str,
     /// Name of the auxiliary variable or load.
     pub name: String,
-    /// Indices of the program's outputs: one for a scalar, three for a vector in the inertial frame.
+    /// Indices of the values among the outputs of the program that computes all values of the model: one for a scalar,
+    /// three for a vector in the inertial frame.
     pub outputs: Range<usize>,
 }
 
@@ -91,13 +93,13 @@ impl<'a> Everything<'a> {
             .collect()
     }
 
-    /// All outputs of the program `code` at a point, as floating-point numbers.
+    /// All values that the program `code` computes at a point, in floating-point arithmetic.
     pub fn numbers(&self, point: &Point<f64>) -> Vec<f64> {
         evaluated(&self.tape, point)
     }
 
-    /// All outputs of the program `code` at a point of the prime field; `None` for a value that does not exist in the
-    /// field.
+    /// All values that the program `code` computes at a point of the prime field; `None` for a value that does not
+    /// exist in the field, such as the square root of a non-square.
     pub fn exact(&self, spot: &FieldPoint) -> Vec<Option<Prime>> {
         Machine::new(&spot.point, &spot.circles, true).run(&self.code.program)
     }

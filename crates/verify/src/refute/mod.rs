@@ -22,7 +22,7 @@ use serde::Serialize;
 /// the reference law that the model names or, without one, the laws of motion of the body that it claims to describe.
 #[derive(Clone, Debug, Serialize)]
 pub struct Refutation {
-    /// Name of the state whose derivative the equation defines.
+    /// Name of the state whose derivative the equation defines, such as `vz`.
     pub state: String,
     /// Source text of the right-hand side of the equation.
     pub equation: String,

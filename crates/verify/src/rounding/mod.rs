@@ -90,8 +90,8 @@ pub struct Rounding {
     pub measure: &'static str,
     /// Number of random points and number of states along flights at which rounding errors were measured.
     pub points: [usize; 2],
-    /// Number of points left out because a value is not finite there, or because the argument of a branch (such as that
-    /// of abs) is so close to the branch point that rounding may change the result.
+    /// Number of points left out because a value is not finite there, or because rounding may change the result of a
+    /// branch, such as that of abs, whose argument is close to the branch point.
     pub left_out: usize,
     /// Rounding errors by backend, compiled function and section of the function's values, such as its Jacobian.
     pub errors: Vec<Error>,

@@ -13,7 +13,8 @@ pub struct Inputs<T> {
     states: Vec<T>,
     parameters: Vec<T>,
     marker: Vec<T>,
-    /// Results of the program `prepare`, which depend on parameters only; empty for a program that does not read them.
+    /// Results of the program `prepare`, which computes values that depend on parameters only; empty for a program that
+    /// does not read them.
     pub prepared: Vec<T>,
 }
 
