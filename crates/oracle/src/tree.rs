@@ -14,9 +14,9 @@ use nalgebra::{Matrix3, Vector3};
 /// Value of an expression: scalar or vector.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value<T> {
-    /// Scalar value.
+    /// Value of a scalar expression.
     Scalar(T),
-    /// Vector value, in inertial components.
+    /// Value of a vector expression, in inertial components.
     Vector(Vector3<T>),
 }
 

@@ -127,8 +127,9 @@ impl<'a> Subject<'a> {
         self.chart.is_none() && self.model.claim.is_some()
     }
 
-    /// Returns the point with the coefficients of effects (optional model extensions) at their null values. All states
-    /// that are not states of the body, such as those of effects, are set to their default values.
+    /// Returns the point with the coefficients of effects (optional model extensions) at their null values, at which
+    /// they change nothing. All states that are not states of the body, such as those of effects, are set to their
+    /// default values.
     pub fn without_effects(&self, point: Point<f64>) -> Point<f64> {
         self.of_body_alone(point, self.of_effects())
     }
@@ -155,8 +156,9 @@ impl<'a> Subject<'a> {
         Row::unverified(check, "which state stands for what is not known")
     }
 
-    /// Returns the point with the coefficients that the reference law does not contain at their null values. All states
-    /// that are not states of the body, such as those of effects, are set to their default values.
+    /// Returns the point with the coefficients that the reference law does not contain at their null values, at which
+    /// they change nothing. All states that are not states of the body, such as those of effects (optional model
+    /// extensions), are set to their default values.
     pub fn without_extras(&self, point: Point<f64>) -> Point<f64> {
         self.of_body_alone(point, self.extras())
     }

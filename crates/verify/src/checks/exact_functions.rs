@@ -18,8 +18,8 @@ use codegen::program::{Binary, Op, Operand, Unary};
 use model_spec::model::Model;
 use oracle::scalar::{Dual, Prime};
 
-/// Name of this check in reports: state derivatives f, Jacobians J (states) and Jp (parameters) and the observation in
-/// exact arithmetic.
+/// Name of this check in reports: compiled state derivatives f, Jacobians J (states) and Jp (parameters) and
+/// observation, compared in exact arithmetic with the model's vector expressions.
 pub const FUNCTIONS: &str = "f, J and Jp, exact";
 
 /// Maximum number of random trial points of the prime field. A trial point is usable only if the argument of every
@@ -27,8 +27,8 @@ pub const FUNCTIONS: &str = "f, J and Jp, exact";
 const MAX_TRIALS: usize = 4096;
 
 /// Upper bound of the total degree of the compared functions, as polynomials in variables and transcendental function
-/// values. The probability that different functions agree at a random point of the prime field follows from it
-/// (Schwartz-Zippel lemma).
+/// values. The probability that different functions agree at a random point of the prime field (integers modulo 2^61 −
+/// 1) follows from it (Schwartz-Zippel lemma).
 const DEGREE: f64 = 1e4;
 /// Number of points of the prime field at which the model's vector expressions have all their square roots but a root
 /// in the compiled code does not exist. When this number is reached, the compiled code is reported to contain a

@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 use oracle::scalar::{Dual, ErrorBound, Real};
 use oracle::{MassProperties, Motion, Point, Tree, inertia_in_n, mass_properties};
 
-/// Name of this check in reports: balances of momentum, angular momentum and energy.
+/// Name of this check in reports: balances of momentum, angular momentum and energy at random points.
 pub const IDENTITIES: &str = "momentum and energy";
 
 /// Checks at random points the balances of momentum dp/dt = F, angular momentum dH/dt = M, energy dE/dt = F·v + M·ω and

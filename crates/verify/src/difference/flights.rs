@@ -13,8 +13,8 @@ use serde::Serialize;
 
 /// Number of random releases (initial states) from which flights are compared if the model has no built-in release.
 const RELEASES: usize = 3;
-/// Weight of a random point in the interpolation between the default point and the random point, which gives the
-/// initial values of a random release (launch conditions of a flight).
+/// Fraction of the way from the model's default point to a random point at which the initial values of a random release
+/// (launch conditions of a flight) lie.
 const SPREAD: f64 = 0.2;
 /// Relative tolerance with which the flights are integrated.
 const TOLERANCE: f64 = 1e-10;

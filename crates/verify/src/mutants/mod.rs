@@ -79,7 +79,7 @@ impl Operator {
 
 /// A mutation (small deliberate change) of a part of a model file.
 struct Mutation<T> {
-    /// Operator that produced the mutation.
+    /// Mutation operator, such as the change of a sign, that produced the mutation.
     operator: Operator,
     /// Short description of the mutation, such as `components 1 and 2 swapped`.
     how: String,

@@ -24,8 +24,8 @@ pub struct Editor<'a> {
 }
 
 impl<'a> Editor<'a> {
-    /// Creates a generator of changes for the equations of a model. Its changes do not include multiplying a term by a
-    /// missing factor.
+    /// Creates a generator of small changes that may correct a misprint in an equation of a model. Its changes do not
+    /// include multiplying a term by a missing factor.
     pub fn new(model: &'a Model) -> Self {
         Self {
             model,

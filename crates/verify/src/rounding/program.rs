@@ -122,8 +122,8 @@ fn unary<T: Real>(program: &Program, op: Unary, a: T) -> T {
     }
 }
 
-/// Distance of an operation's argument from the branch point (such as 0 for abs), relative to the magnitude of the
-/// argument's terms, below which rounding may change the result of the branch.
+/// Minimum distance of an operation's argument from the branch point (such as 0 for abs) at which rounding cannot
+/// change the result of the branch. It is relative to the magnitude of the argument's terms.
 const BRANCH_DISTANCE: f64 = 1e-9;
 
 /// Signed distance of an operation's argument to its branch point, such as 0 for abs; `None` for an operation without
