@@ -95,7 +95,7 @@ impl Quaternion<f64> {
     }
 }
 
-/// Unit vector along axis 1, 2 or 3.
+/// Unit vector along coordinate axis 1, 2 or 3: (1, 0, 0), (0, 1, 0) or (0, 0, 1).
 pub fn unit<T: Field>(axis: u8) -> Vector3<T> {
     let mut e = Vector3::zeros();
     e[usize::from(axis) - 1] = T::one();

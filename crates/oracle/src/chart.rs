@@ -32,14 +32,15 @@ pub struct Chart {
     pub defaults: Vec<f64>,
     /// State indices of the position components, in the inertial frame.
     pub position: [usize; 3],
-    /// State indices of the velocity components, in the frame after `velocity_after` rotations.
+    /// State indices of the velocity components. They are given in the frame to which the first `velocity_after`
+    /// rotations of `steps` lead from the inertial frame.
     pub velocity: [usize; 3],
     /// Number of rotations from the inertial frame to the frame of the velocity components.
     pub velocity_after: usize,
     /// Sequence of rotations from the inertial frame to the body frame.
     pub steps: Vec<Step>,
-    /// State indices of the angular velocity components, and number of rotations from the inertial frame to the frame
-    /// of these components; `None` if the angular velocity is not a state.
+    /// State indices of the angular velocity components, and number of rotations of `steps` that lead from the inertial
+    /// frame to the frame of these components. `None` if the angular velocity is not a state.
     pub angular_velocity: Option<([usize; 3], usize)>,
 }
 
@@ -279,8 +280,8 @@ impl Chart {
         Some(out)
     }
 
-    /// Attitude and angular velocity after 0, 1, … rotations of the sequence; quaternion rotations add no angular
-    /// velocity.
+    /// Attitude and angular velocity of the frames reached from the inertial frame after 0, 1, … rotations of `steps`.
+    /// Quaternion rotations add no angular velocity.
     fn attitudes_along<T: Real>(&self, states: &[T]) -> Vec<(Quaternion<T>, Vector3<T>)> {
         let mut placed = vec![(Quaternion::identity(), Vector3::zeros())];
         for (k, step) in self.steps.iter().enumerate() {
@@ -330,7 +331,8 @@ pub(crate) fn defaults(model: &Model) -> Vec<f64> {
     model.states.iter().map(|s| s.value).collect()
 }
 
-/// Indices of the frames from the inertial frame to `frame`, both included.
+/// Indices of the frames in the chain from the inertial frame, through the parents of `frame`, to `frame`, both ends
+/// included.
 fn chain(model: &Model, frame: usize) -> Vec<usize> {
     match model.frames[frame].kind {
         FrameKind::Inertial => vec![frame],

@@ -10,11 +10,11 @@ use model_spec::model::Model;
 use nalgebra::{DMatrix, DVector};
 use num_traits::{One, Zero};
 
-/// Minimum ratio of a singular value of the scaled linear system to the greatest one for the singular value to count as
-/// nonzero.
+/// Minimum ratio of a singular value to the greatest one for the singular value to count as nonzero. The singular
+/// values are those of the scaled linear system of the laws of motion for the rates of the states.
 const RANK: f64 = 1e-10;
-/// Bound on the components of an undetermined combination of rates (a singular vector with singular value 0). A state
-/// with a component of greater absolute value counts as undetermined, even if rounding causes the component.
+/// Bound on the components of an undetermined combination of state rates (a singular vector with singular value 0). A
+/// state with a component of greater absolute value counts as undetermined, even if rounding causes the component.
 const FREE: f64 = 1e-12;
 /// Residual of a law of motion above which the law counts as unsatisfied, relative to the sum of the absolute values of
 /// the law's terms.
@@ -27,9 +27,11 @@ pub struct ClaimedRates {
     /// Derivative of each state with respect to true time, in contrast to recorded time (the time stamps of the
     /// measurements); `None` if the laws do not determine it.
     pub rates: Vec<Option<ErrorBound>>,
-    /// Laws that no rates satisfy, each with its residual divided by the sum of the absolute values of the law's terms.
+    /// Laws of motion that no rates of the states satisfy. Each comes with its residual, divided by the sum of the
+    /// absolute values of the law's terms.
     pub unsatisfied: Vec<(BalanceLaw, f64)>,
-    /// Whether the unsatisfied equations contain no rate of a state, so that the rates satisfy all other equations.
+    /// Whether the equations that no rates satisfy contain no rate of a state. The rates then satisfy all other
+    /// equations.
     pub solves_the_others: bool,
 }
 
@@ -154,8 +156,8 @@ impl System {
         })
     }
 
-    /// Sum of the absolute values of the terms in each row of the linear system; `rates` are bounds on the absolute
-    /// values of the rates.
+    /// Sum of the absolute values of the terms in each row of the linear system of the laws of motion for the rates of
+    /// the states; `rates` are bounds on the absolute values of these rates.
     fn terms(&self, rates: impl Iterator<Item = f64> + Clone) -> Vec<f64> {
         let of_row = |(a, b): (&Vec<ErrorBound>, &ErrorBound)| {
             let of_rates = a.iter().zip(rates.clone());

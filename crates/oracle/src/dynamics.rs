@@ -18,8 +18,9 @@ pub fn derivatives<T: Real>(model: &Model, point: &Point<T>) -> Result<Vec<T>, U
     derivatives_of(&Tree::new(model, point))
 }
 
-/// Computes the derivative of every state of the model that `tree` has evaluated, at the same point, with respect to
-/// recorded time (the time stamps of the measurements, which may run at another rate than true time).
+/// Computes the derivative of every state of the model that `tree` has evaluated, at the point of this evaluation. The
+/// derivatives are with respect to recorded time (the time stamps of the measurements, which may run at another rate
+/// than true time).
 pub fn derivatives_of<T: Real>(tree: &Tree<'_, T>) -> Result<Vec<T>, Unsupported> {
     let model = tree.model;
     let mut out = match &model.body {
@@ -41,7 +42,7 @@ pub fn derivatives_of<T: Real>(tree: &Tree<'_, T>) -> Result<Vec<T>, Unsupported
     Ok(out)
 }
 
-/// Mass and inertia tensor of a body of the model that `tree` has evaluated, at the same point.
+/// Mass and inertia tensor of a body of the model that `tree` has evaluated, at the point of this evaluation.
 pub fn mass_properties<T: Real>(tree: &Tree<'_, T>, body: &Body) -> MassProperties<T> {
     MassProperties {
         mass: tree.scalar(&body.mass),

@@ -12,19 +12,21 @@ pub enum BindError {
         /// Unknown name that the model gives after `reference`.
         name: String,
     },
-    /// A parameter or coefficient of the reference law is missing from the model.
+    /// A parameter or coefficient of the reference law (independent implementation of a law of motion) is missing from
+    /// the model.
     #[error("`{name}` is not declared")]
     MissingConstant {
-        /// Name of the missing parameter or coefficient in the reference law.
+        /// Name, in the reference law, of the parameter or coefficient that the model does not declare.
         name: &'static str,
     },
-    /// A state of the reference law is missing from the model.
+    /// A state of the reference law (independent implementation of a law of motion) is missing from the model.
     #[error("the state `{name}` of the reference is not declared")]
     MissingState {
-        /// Name of the missing state in the reference law.
+        /// Name, in the reference law, of the state that the model does not declare.
         name: &'static str,
     },
-    /// An effect (optional addition to a model) has no reference implementation for the model's law.
+    /// An effect (optional addition to a model) has no reference implementation for the law of motion that the model
+    /// names.
     #[error("the effect `{name}` has no reference implementation for this law")]
     UnknownEffect {
         /// Name of the effect.
@@ -52,7 +54,7 @@ pub enum Unsupported {
     /// The components of a vector refer to a frame whose angular velocity the model does not define.
     #[error("the angular velocity of the frame of {vector} is not defined")]
     FrameRate {
-        /// Description of the vector, for the error message.
+        /// Name of the vector for the error message, such as `the velocity`.
         vector: &'static str,
     },
     /// The angular velocity is a state, but the attitude is not a quaternion from the inertial frame.

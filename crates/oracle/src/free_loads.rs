@@ -9,7 +9,7 @@ use crate::scalar::Field;
 use model_spec::model::{Body, Expr, ExprKind, Model};
 use nalgebra::{Matrix3, Vector3};
 
-/// Computes the derivative of every state under a given force (N) and moment (N·m) in inertial components; `sin_cos`
+/// Computes the derivative of every state under a given force (N) and moment (N·m) in inertial components. `sin_cos`
 /// returns the sine and cosine of the state with a given index.
 ///
 /// # Errors

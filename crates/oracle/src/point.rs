@@ -4,18 +4,19 @@ use crate::scalar::{Field, Real};
 use model_spec::model::Model;
 use nalgebra::Vector3;
 
-/// Values of time, parameters, coefficients, inputs, states and marker of a model.
+/// Values of the time, parameters, coefficients, inputs, states and marker position of a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point<T> {
     /// Recorded time since release, s; equal to true time unless the model declares another rate of the time stamps.
     pub time: T,
-    /// Values of [`Model::params`].
+    /// Values of the model's parameters, in the order of [`Model::params`].
     pub params: Vec<T>,
-    /// Values of [`Model::coefficients`].
+    /// Values of the model's coefficients, in the order of [`Model::coefficients`].
     pub coefficients: Vec<T>,
-    /// Values of [`Model::inputs`], each by its components in the frame in which the model declares it.
+    /// Values of the model's inputs, in the order of [`Model::inputs`]. Each consists of the components in the frame in
+    /// which the model declares the input.
     pub inputs: Vec<Vector3<T>>,
-    /// Values of [`Model::states`].
+    /// Values of the model's states, in the order of [`Model::states`].
     pub states: Vec<T>,
     /// Coordinates of the observed marker in the frame in which the model declares marker positions, m.
     pub marker: Vector3<T>,
@@ -38,7 +39,7 @@ impl Point<f64> {
         }
     }
 
-    /// Converts every value to a constant of another scalar type.
+    /// Converts every value to a constant of another scalar type, with derivative 0 if that type carries derivatives.
     pub fn lift<T: Real>(&self) -> Point<T> {
         self.map(T::lit)
     }
@@ -52,14 +53,14 @@ impl<T: Field> Point<T> {
         constants.chain(inputs).copied().collect()
     }
 
-    /// Iterates mutably over the values of [`parameters`](Self::parameters).
+    /// Iterates mutably over the values of parameters, coefficients and components of inputs, in this order.
     pub fn parameters_mut(&mut self) -> impl Iterator<Item = &mut T> {
         let inputs = self.inputs.iter_mut().flat_map(|v| v.iter_mut());
         let constants = self.params.iter_mut().chain(&mut self.coefficients);
         constants.chain(inputs)
     }
 
-    /// Applies a conversion to every value.
+    /// Applies the function `f` to every value, for example to convert it to another scalar type.
     pub fn map<U: Field>(&self, mut f: impl FnMut(T) -> U) -> Point<U> {
         Point {
             time: f(self.time),

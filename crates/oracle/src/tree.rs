@@ -14,9 +14,9 @@ use nalgebra::{Matrix3, Vector3};
 /// Value of an expression: scalar or vector.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value<T> {
-    /// Scalar value.
+    /// Value of a scalar expression.
     Scalar(T),
-    /// Vector value, in inertial components.
+    /// Value of a vector expression, in inertial components.
     Vector(Vector3<T>),
 }
 
@@ -25,7 +25,7 @@ pub enum Value<T> {
 pub struct Tree<'a, T> {
     /// Model that is evaluated.
     pub model: &'a Model,
-    /// Point of evaluation.
+    /// Point (values of time, states, constants and inputs) at which the model is evaluated.
     pub point: &'a Point<T>,
     /// Frames of the model at the point, by frame index.
     pub frames: Vec<PlacedFrame<T>>,

@@ -19,7 +19,8 @@ const MAX_DRAWS: usize = 100;
 /// the typical magnitude of quantities with the state's unit.
 const SPREAD: f64 = 0.2;
 
-/// Checks that energy and angular momentum are conserved in a flight without air.
+/// Checks that energy and angular momentum are conserved in flights without air of the body that the model claims to
+/// describe.
 pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
     let mut random = Random::new(options.seed, INVARIANTS);
     let mut worst = Worst::default();
@@ -64,8 +65,8 @@ pub fn invariants(subject: &Subject<'_>, options: &Options) -> Row {
     Row::judged(INVARIANTS, flown, &worst, TOLERANCE)
 }
 
-/// Compares the changes of position, momentum, angular momentum and energy in a flight with the time integrals of
-/// velocity, force, moment and power.
+/// Compares the changes of position, momentum, angular momentum and energy in flights of the body that the model claims
+/// to describe with the time integrals of velocity, force, moment and power.
 pub fn momenta(subject: &Subject<'_>, options: &Options) -> Row {
     let mut random = Random::new(options.seed, "flight by momenta");
     let mut worst = Worst::default();
@@ -157,7 +158,8 @@ fn release(subject: &Subject<'_>, random: &mut Random) -> Option<Point<f64>> {
 }
 
 /// Integrates flights of 1, 0.3, 0.1 and 0.03 times [`DURATION`] until one ends within the validity limits of the
-/// model. Returns its final point and the ten time integrals of [`fly_with_sums`]; `None` if none of the four does.
+/// model. Returns its final point and ten time integrals: three components each of velocity, force and moment, then
+/// power. `None` if no flight ends within the limits.
 fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Option<(Point<f64>, Vec<f64>)> {
     if !is_valid(subject.model, from) {
         return None;

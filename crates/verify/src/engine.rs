@@ -11,8 +11,8 @@ use std::sync::{Mutex, PoisonError};
 /// Compiled equations of motion, with one program of the bytecode interpreter (tape) for each function.
 pub struct Engine {
     prepare: Tape,
-    /// Cache: parameters of the last evaluation, and the results of the function `prepare` for them. They are reused as
-    /// long as the parameters do not change.
+    /// Cache: parameters of the last evaluation, and the results of the function `prepare`, which computes values that
+    /// depend on parameters only. These results are reused as long as the parameters do not change.
     last: Mutex<(Vec<f64>, Vec<f64>)>,
     f: Tape,
     f_jac: Tape,
@@ -69,7 +69,8 @@ impl Entries {
     }
 }
 
-/// Inputs of a tape (a program of the bytecode interpreter) at a point, with the point's parameter vector `p`.
+/// Inputs of a tape (a program of the bytecode interpreter) at a point. `p` is the point's parameter vector, `prepared`
+/// the results of the function `prepare`, which computes values that depend on parameters only.
 pub fn inputs<'a>(point: &'a Point<f64>, p: &'a [f64], prepared: &'a [f64]) -> Inputs<'a, f64> {
     Inputs {
         t: point.time,
@@ -118,7 +119,8 @@ impl Engine {
         out
     }
 
-    /// Results of `prepare`, which depend on the parameters alone; cached for the last parameters.
+    /// Results of the function `prepare`, which computes values that depend on parameters only. They are computed again
+    /// only if the parameters differ from those of the last call.
     fn prepared(&self, inputs: Inputs<'_, f64>, scratch: &mut Vec<f64>) -> Vec<f64> {
         let mut last = self.last.lock().unwrap_or_else(PoisonError::into_inner);
         let same = |a: &f64, b: &f64| a.to_bits() == b.to_bits();

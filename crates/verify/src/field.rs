@@ -13,20 +13,20 @@ use oracle::Point;
 use oracle::scalar::{Field, PRIME, Prime};
 use std::f64::consts::PI;
 
-/// An angle and its (sine, cosine), as elements of the prime field.
+/// An angle and its (sine, cosine), as elements of the prime field (integers modulo 2^61 − 1).
 pub type Angle = (Prime, (Prime, Prime));
 
 /// Maximum n for which sine and cosine of n·α are derived by the addition formulas from an angle α with given sine and
 /// cosine.
 const MULTIPLES: usize = 4;
 
-/// Evaluator of programs at a point of the prime field.
+/// Evaluator of compiled programs at a point of the prime field (integers modulo 2^61 − 1).
 pub struct Machine<'a> {
     point: &'a Point<Prime>,
     circles: &'a [(Prime, Prime)],
     parameters: Vec<Prime>,
-    /// Results of the program `prepare`, which computes values that depend on parameters only; `None` for a result that
-    /// has no value in the field.
+    /// Results of the program `prepare`, which computes values that depend on parameters only. `None` for a result
+    /// without a value in the prime field, such as the square root of a non-square.
     pub prepared: Vec<Option<Prime>>,
     /// Whether the value of a function that is not rational, such as exp, is a pseudo-random element that depends on
     /// function and argument. If false, such a function has no value.
@@ -47,7 +47,8 @@ impl<'a> Machine<'a> {
         }
     }
 
-    /// Runs a program and returns its outputs; `None` for an output without a value in the field.
+    /// Runs a program and returns its outputs; `None` for an output without a value in the field, such as the square
+    /// root of a non-square.
     pub fn run(&self, program: &Program) -> Vec<Option<Prime>> {
         let mut temps: Vec<Option<Prime>> = Vec::with_capacity(program.statements.len());
         let mut angles: Vec<Angle> = self

@@ -12,12 +12,13 @@ use nalgebra::{Matrix3, Vector3};
 use ode::{IntegrationError, IntegrationOptions};
 use oracle::{MassProperties, Physical, Point, Quaternion, Reference, Tree, inertia_in_n, solve};
 
-/// Name in reports of the check of energy and angular momentum without air.
+/// Name in reports of the check that energy and angular momentum are conserved in a flight without air.
 pub const INVARIANTS: &str = "flight without air";
 /// Name in reports of the check that compares flights computed from the model's equations with flights computed from
-/// the reference law. The reference law is integrated with momentum and angular momentum as states.
+/// the reference law (independent implementation of the law of motion). The reference law is integrated with momentum
+/// and angular momentum as states.
 pub const MOMENTA: &str = "flight: reference in momenta";
-/// Name in reports of the comparison of the flights of two models.
+/// Name in reports of the check that compares the flights of two models.
 const FLIGHTS: &str = "flights";
 
 /// Maximum allowed relative difference in the flight checks, such as that of two final states.
@@ -216,15 +217,16 @@ pub(crate) fn airless(subject: &Subject<'_>, point: &mut Point<f64>) {
     }
 }
 
-/// Integrates the model equations from a point for [`DURATION`] and returns the final point.
+/// Integrates the model equations from a point for the duration of the flight checks, [`DURATION`], and returns the
+/// final point.
 fn fly(subject: &Subject<'_>, from: &Point<f64>) -> Result<Point<f64>, IntegrationError> {
     let rates = |at: &Point<f64>| subject.equations.rates(at);
     let options = IntegrationOptions::with_tolerance(RTOL);
     integration::fly(&rates, from, DURATION, &options)
 }
 
-/// Integrates the reference law in position, momentum, attitude and angular momentum, and returns the final physical
-/// state.
+/// Integrates the reference law (independent implementation of the law of motion) in position, momentum, attitude and
+/// angular momentum. Returns the physical state after the duration of the flight checks.
 fn fly_by_momenta(
     reference: &Reference,
     point: &Point<f64>,
@@ -270,8 +272,8 @@ fn fly_by_momenta(
     integrate(&mut moving, &start, DURATION).map(|end| read(&end))
 }
 
-/// Integrates differential equations from the state `start` over a duration (s), see [`integration::integrate`], with
-/// the tolerance of all flight checks.
+/// Integrates dx/dt = `rhs` from the state `start` over a duration (s), with the tolerance of all flight checks, and
+/// returns the final state.
 pub(crate) fn integrate(
     rhs: &mut RightHandSide<'_>,
     start: &[f64],
@@ -294,8 +296,8 @@ fn compare(worst: &mut Worst, a: &Physical<f64>, b: &Physical<f64>) {
     }
 }
 
-/// Kinetic energy (J) and angular momentum (kg·m²/s) of a body, which without air change only by the work of a constant
-/// force over the displacement, and its position (m).
+/// Position (m), kinetic energy (J) and angular momentum (kg·m²/s) of a body. Without air, the energy changes only by
+/// the work of a constant force, and the angular momentum is conserved.
 struct Conserved {
     position: Vector3<f64>,
     energy: f64,

@@ -49,7 +49,7 @@ use values::Values;
 /// Options of a verification.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Options {
-    /// Seed of all random numbers.
+    /// Seed of all random numbers of the verification.
     pub seed: u64,
     /// Number of random points per check.
     pub cases: usize,
@@ -71,8 +71,8 @@ impl Default for Options {
     }
 }
 
-/// Number of random points at which backends are compared. It is not a multiple of any lane count, so that remainders
-/// are tested.
+/// Number of random points at which backends are compared. It is not a multiple of any number of SIMD lanes, so that
+/// incomplete vectors are tested.
 const BACKEND_POINTS: usize = 37;
 
 /// Maximum allowed error, relative to the sum of the magnitudes of the terms of a value.
@@ -115,7 +115,8 @@ pub fn run(loaded: &Loaded, options: &Options) -> Report {
 }
 
 /// Results of the two checks of effects (optional model extensions). The first compares the model with effects at their
-/// null values with the model without effects, the second compares effects with their reference implementations.
+/// null values, at which they must change nothing, with the model without effects. The second compares effects with
+/// their reference implementations.
 fn of_effects(loaded: &Loaded, options: &Options) -> [Row; 2] {
     match checks::effects::variants(loaded) {
         Some((with, without)) => {
@@ -148,8 +149,8 @@ pub fn same_motion(models: &[Model], options: &Options) -> SameMotion {
     same_motion::compare(&subjects, options)
 }
 
-/// Measures the rounding errors of every backend, and the bits that every statement of a model loses, at the points of
-/// the detailed report ([`Effort::DETAILS`]).
+/// Measures the rounding errors of every backend (generated code or bytecode interpreter), and the bits that every
+/// statement of a model loses. The points are those of the detailed report ([`Effort::DETAILS`]).
 pub fn rounding(model: &Model, options: &Options) -> Rounding {
     let compiled = codegen::compile(model);
     let engine = Engine::new(&compiled);

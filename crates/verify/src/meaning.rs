@@ -149,8 +149,8 @@ fn rate_of(body: &ClaimedBody<Bounded>) -> PhysicalRate {
     }
 }
 
-/// Solves for the states at which position, velocity, attitude and angular velocity of the body that the model claims
-/// to describe equal those of a physical state, by damped Gauss-Newton steps from the states of the point `at`. `None`
+/// Solves for the states at which the body that the model claims to describe has a given physical state: position,
+/// velocity, attitude and angular velocity. Takes damped Gauss-Newton steps from the states of the point `at`. `None`
 /// if the iteration does not converge.
 fn solved(model: &Model, physical: &Physical<f64>, at: &Point<f64>) -> Option<Vec<f64>> {
     let turning = ClaimedBody::of(&Tree::new(model, at))?.turning;

@@ -43,7 +43,7 @@ impl Random {
         self.next().is_multiple_of(n)
     }
 
-    /// Uniformly distributed element of the prime field.
+    /// Draws a uniformly distributed element of the prime field (integers modulo 2^61 − 1).
     pub fn prime(&mut self) -> Prime {
         Prime::new(self.next() >> 3)
     }

@@ -30,7 +30,7 @@ impl Outcome {
         outcomes.max().unwrap_or(Self::NotVerified)
     }
 
-    /// Name of the outcome for messages.
+    /// Outcome in words for messages: `verified`, `NOT VERIFIED` or `REFUTED`.
     pub fn words(self) -> &'static str {
         match self {
             Self::Verified => "verified",
@@ -45,13 +45,14 @@ impl Outcome {
 pub struct Report {
     /// Name of the verified model.
     pub model: String,
-    /// Seed of all random numbers.
+    /// Seed of all random numbers of the verification.
     pub seed: u64,
     /// Results of the checks, one entry per check.
     pub rows: Vec<Row>,
-    /// Equations der(state) = … of the model file that disagree with the reference, with the terms at fault.
+    /// Equations der(state) = … of the model file that disagree with the reference law or the laws of motion, with
+    /// corrections if any were found.
     pub refuted: Vec<Refutation>,
-    /// Mutation matrix; `None` if mutants were not requested.
+    /// Results of mutation testing (checks run on models with one deliberate change each); `None` if not requested.
     pub mutants: Option<crate::mutants::MutationMatrix>,
 }
 

@@ -42,7 +42,7 @@ pub enum Measure {
 /// Result of one check of a model.
 #[derive(Clone, Debug, Serialize)]
 pub struct Row {
-    /// Name of the check.
+    /// Name of the check in reports.
     pub check: &'static str,
     /// Number of points or cases that were tested.
     pub cases: usize,

@@ -6,7 +6,8 @@ use model_spec::model::Model;
 use nalgebra::Vector3;
 use oracle::{BindError, Chart, Point, Reference, Tree, Unsupported, derivatives};
 
-/// Equations of motion that can be evaluated at a point, independent of the backend.
+/// Equations of motion that can be evaluated at a point, independent of the backend (generated code, bytecode
+/// interpreter or reference simulator).
 pub trait Equations: Sync {
     /// Derivative of every state with respect to recorded time (the time stamps of the measurements, which may run at
     /// another rate than true time), in state order.
@@ -15,16 +16,18 @@ pub trait Equations: Sync {
     fn observation(&self, point: &Point<f64>) -> Option<Vector3<f64>>;
 }
 
-/// A model to be checked, its equations of motion, and its reference law.
+/// A model to be checked, its equations of motion, and its reference law (independent implementation of a law of
+/// motion).
 pub struct Subject<'a> {
     /// The checked model.
     pub model: &'a Model,
     /// Equations of motion under test.
     pub equations: &'a dyn Equations,
-    /// Reference law that the model names, bound to the names of the model; `None` if none is named or binding failed.
+    /// Reference law (independent implementation of a law of motion) that the model names, with its constants and
+    /// states found in the model by name. `None` if the model names none or a name was not found.
     pub reference: Option<Reference>,
-    /// Why the names of the reference law that the model names cannot be matched to the states, parameters and
-    /// coefficients of the model; `None` if they are matched, or the model names no reference law.
+    /// Why the constants and states of the reference law cannot be found in the model by name; `None` if they are
+    /// found, or the model names no reference law.
     pub unbound: Option<BindError>,
     /// Conversion between states and physical quantities (position, velocity, attitude, angular velocity): from the
     /// reference law, else from the body declared in the model; `None` if neither exists.
@@ -70,9 +73,9 @@ impl<'a> Subject<'a> {
         rates.into_iter().map(|rate| rate / pace).collect()
     }
 
-    /// Converts a point of this model to the point of the model `other` with the same physical state, time and marker
-    /// position, and the same values of parameters, coefficients and inputs of equal names. `None` if one of the models
-    /// has no [`Chart`], or if the chart cannot represent the attitude.
+    /// Converts a point of this model to a point of the model `other`. Both points have the same physical state, time
+    /// and marker position, and the same values of parameters, coefficients and inputs of equal names. `None` if one of
+    /// the models has no [`Chart`], or if the chart cannot represent the attitude.
     pub fn corresponding_point(
         &self,
         other: &Subject<'_>,
@@ -124,15 +127,17 @@ impl<'a> Subject<'a> {
         self.chart.is_none() && self.model.claim.is_some()
     }
 
-    /// Returns the point with the coefficients of effects (optional model extensions) at their null values. All states
-    /// that are not states of the body, such as those of effects, are set to their default values.
+    /// Returns the point with the coefficients of effects (optional model extensions) at their null values, at which
+    /// they change nothing. All states that are not states of the body, such as those of effects, are set to their
+    /// default values.
     pub fn without_effects(&self, point: Point<f64>) -> Point<f64> {
         self.of_body_alone(point, self.of_effects())
     }
 
-    /// Result of a check that requires a reference law, for a model that names none. The check is skipped if other
-    /// checks apply: the model declares a body, from which its equations are derived, or it claims which body its
-    /// explicitly written equations describe. Otherwise the verdict is "unverified".
+    /// Result of a check that requires a reference law (independent implementation of a law of motion), for a model
+    /// that names none. The check is skipped if other checks apply: the model declares a body, from which its equations
+    /// are derived, or it claims which body its explicitly written equations describe. Otherwise the verdict is
+    /// "unverified".
     pub fn without_reference(&self, check: &'static str) -> Row {
         if self.model.body.is_some() {
             return Row::skipped(check, "the model claims no reference");
@@ -151,14 +156,15 @@ impl<'a> Subject<'a> {
         Row::unverified(check, "which state stands for what is not known")
     }
 
-    /// Returns the point with the coefficients that the reference law does not contain at their null values. All states
-    /// that are not states of the body, such as those of effects, are set to their default values.
+    /// Returns the point with the coefficients that the reference law does not contain at their null values, at which
+    /// they change nothing. All states that are not states of the body, such as those of effects (optional model
+    /// extensions), are set to their default values.
     pub fn without_extras(&self, point: Point<f64>) -> Point<f64> {
         self.of_body_alone(point, self.extras())
     }
 
-    /// Returns the point with the given coefficients (index, value), and with all states that are not states of the
-    /// body at their default values.
+    /// Returns the point with the coefficients set to the given values (index, value), and with all states that are not
+    /// states of the body set to their default values.
     fn of_body_alone(
         &self,
         mut point: Point<f64>,

@@ -10,7 +10,7 @@ use oracle::Interpolant;
 use oracle::scalar::{Elementary, Field, Prime, Real};
 use std::cell::RefCell;
 
-/// An element of the prime field, with the functions of the model language.
+/// An element of the prime field (integers modulo 2^61 − 1), with the functions of the model language.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Symbolic(pub Prime);
 
@@ -25,7 +25,8 @@ thread_local! {
 }
 
 /// Evaluates `task`, which computes with [`Symbolic`] numbers. Sines and cosines of `angles` and of their small integer
-/// multiples follow from the given (sine, cosine). `None` if a value does not exist in the prime field.
+/// multiples follow from the given (sine, cosine). `None` if the task takes a square root of a non-square of the prime
+/// field.
 pub fn evaluate<R>(angles: Vec<Angle>, task: impl FnOnce() -> R) -> Option<R> {
     let fresh = Context {
         angles,

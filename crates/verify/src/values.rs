@@ -10,11 +10,11 @@ use model_spec::model::Model;
 use nalgebra::Vector3;
 use oracle::Point;
 
-/// Scheduled program of the state derivatives and the observation of a model.
+/// Compiled program of the state derivatives and the observation of a model: its operations in evaluation order.
 pub struct Values {
-    /// Order of the states and parameters in the program.
+    /// Order of the states and parameters among the inputs of `program`.
     pub layout: Layout,
-    /// Program whose outputs are the state derivatives, then the observation.
+    /// Compiled program whose outputs are the state derivatives, then the observation.
     pub program: Program,
     tape: Tape,
 }
@@ -31,7 +31,7 @@ impl Values {
         }
     }
 
-    /// Number of operations that the program performs per evaluation.
+    /// Number of operations for one evaluation of the state derivatives and the observation.
     pub fn operations(&self) -> usize {
         codegen::count::count(&self.program).total()
     }

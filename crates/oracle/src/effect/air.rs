@@ -35,8 +35,8 @@ pub(super) enum Air {
 }
 
 impl Air {
-    /// Velocity that the effect adds to the wind of the model, m/s, in inertial components; 0 for an effect on density
-    /// or gravity.
+    /// Velocity that this effect (optional addition to a model) adds to the wind of the model, m/s, in inertial
+    /// components; 0 for an effect on density or gravity.
     pub fn velocity<T: Real>(self, values: &[T], at: &Physical<T>) -> Vector3<T> {
         let along = match self {
             Self::Wind => T::one(),
@@ -46,7 +46,8 @@ impl Air {
         Vector3::new(values[0], values[1], T::zero()) * along
     }
 
-    /// Name of the constant that the effect scales, and the scale factor; `None` for an effect on the wind.
+    /// Name of the model's constant that this effect (optional addition to a model) scales, `rho` (air density) or `g`
+    /// (gravity), and the scale factor. `None` for an effect on the wind.
     pub fn factor<T: Real>(self, values: &[T]) -> Option<(&'static str, T)> {
         let name = match self {
             Self::Density => "rho",

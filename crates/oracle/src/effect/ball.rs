@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 
 /// Kinematic viscosity of air at 20 °C, m²/s.
 const VISCOSITY: f64 = 1.5e-5;
-/// Critical Reynolds number of the drag crisis, and width of the transition (dimensionless).
+/// Critical Reynolds number of the drag crisis, and half-width of the transition around it (both dimensionless).
 const CRISIS: (f64, f64) = (1e5, 2e4);
 
 /// Built-in effects (optional additions to a model) that change the motion of a ball.
@@ -30,7 +30,7 @@ pub(super) const EFFECTS: &[Effect] = &[
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Ball {
-    /// Magnus force, proportional to ω × v.
+    /// Magnus force, proportional to the cross product of the angular velocity and the velocity relative to the air.
     Magnus,
     /// Linear decrease of the Magnus force with time.
     SpinDecay,

@@ -7,8 +7,9 @@ use crate::scalar::Real;
 /// measurements) relative to true time.
 pub(super) const EFFECTS: &[Effect] = &[effect("clock_rate", &["clock_error"], &ANY, Kind::Clock)];
 
-/// Factor 1/(1 + e) by which the effect multiplies the seconds of true time per second of recorded time (the time stamps
-/// of the measurements); e is the relative error of the time stamps, the only entry of `values`.
+/// Factor 1/(1 + e) by which the effect (optional addition to a model) multiplies the seconds of true time per second
+/// of recorded time (the time stamps of the measurements). Here e is the relative error of the time stamps, the only
+/// entry of `values`.
 pub(super) fn factor<T: Real>(values: &[T]) -> T {
     T::one() / (T::one() + values[0])
 }

@@ -9,9 +9,10 @@ use nalgebra::Vector3;
 /// A built-in effect (an optional addition to a model) with the values of its coefficients and states.
 #[derive(Clone, Debug)]
 pub struct ActiveEffect<T> {
-    /// Names of the effect's coefficients and states, and its reference implementation.
+    /// Description of the effect (optional addition to a model): names of its coefficients and states, and its
+    /// reference implementation.
     pub effect: &'static Effect,
-    /// Values of the effect's coefficients, then of its states.
+    /// Values of the coefficients of the effect (optional addition to a model), then of its states.
     pub values: Vec<T>,
 }
 
@@ -122,7 +123,8 @@ impl<T: Real> ExtendedLaw<T> {
             })
     }
 
-    /// Constants of the law, multiplied by the factors of the effects on air density and gravity.
+    /// Constants of the law of motion in the order of [`Law::constants`], multiplied by the factors of the effects
+    /// (optional additions to a model) on air density and gravity.
     fn scaled_constants(&self) -> Vec<T> {
         let mut constants = self.constants.clone();
         for active in &self.effects {
@@ -141,7 +143,7 @@ impl<T: Real> ExtendedLaw<T> {
 }
 
 impl<T: Real> ActiveEffect<T> {
-    /// Force and moment that the effect adds, independent of all other effects.
+    /// Force and moment that this effect adds to those of the law of motion. They do not depend on other effects.
     fn load(&self, flow: &Flow<'_, T>) -> Load<T> {
         let values = self.values.as_slice();
         match self.effect.kind {

@@ -8,11 +8,12 @@ use crate::scalar::Real;
 use model_spec::model::Model;
 use nalgebra::Vector3;
 
-/// The reference law and the effects (optional additions) of a model, with the indices in the model of the law's
-/// constants and of the effects' coefficients and states.
+/// The reference law (independent implementation of a law of motion) and the effects (optional additions) of a model.
+/// Contains the indices in the model of the law's constants and of the effects' coefficients and states.
 #[derive(Clone, Debug)]
 pub struct ExtendedReference {
-    /// The reference law without effects (optional additions to a model).
+    /// The reference law (independent implementation of a law of motion), without effects (optional additions to a
+    /// model).
     pub reference: Reference,
     effects: Vec<(&'static Effect, Vec<Slot>)>,
     omega: Option<usize>,
@@ -26,7 +27,9 @@ enum Slot {
 }
 
 impl ExtendedReference {
-    /// Binds the reference law of a model and the effects in the model; `None` if the model names no reference law.
+    /// Looks up, in a model, the constants and states of its reference law (independent implementation of a law of
+    /// motion) and the coefficients and states of its effects (optional additions). `None` if the model names no
+    /// reference law.
     ///
     /// # Errors
     /// The errors of [`Reference::bind`]; [`BindError::UnknownEffect`] if an effect has no reference implementation for
@@ -96,7 +99,8 @@ impl ExtendedReference {
     }
 }
 
-/// Indices in a model of the coefficients of an effect, followed by those of the states of the effect.
+/// Indices in a model of the coefficients of an effect (optional addition), followed by those of the states of the
+/// effect.
 fn slots(effect: &'static Effect, model: &Model) -> Result<Vec<Slot>, BindError> {
     let missing = |name| BindError::MissingEffectValue {
         effect: effect.name,

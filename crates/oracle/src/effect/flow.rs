@@ -65,7 +65,7 @@ impl<'a, T: Real> Flow<'a, T> {
         self.stream.through_air
     }
 
-    /// Axis of symmetry of the body, unit vector.
+    /// Unit vector along the axis of symmetry of the body, in inertial components.
     pub fn normal(&self) -> Vector3<T> {
         self.stream.normal
     }
@@ -102,7 +102,7 @@ impl<'a, T: Real> Flow<'a, T> {
         self.pressure_force(coefficient, axis) * self.constant("d")
     }
 
-    /// Lift force for a lift coefficient, N, along v × d2, where v is the velocity relative to the air and d2 the unit
+    /// Lift force for a lift coefficient, N, along v × d2. Here v is the velocity relative to the air, and d2 the unit
     /// vector to the left, normal to the axis of symmetry.
     pub fn lift(&self, coefficient: T) -> Vector3<T> {
         self.pressure_force(coefficient, self.across_flow(self.stream.d2))

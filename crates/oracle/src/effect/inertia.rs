@@ -37,7 +37,8 @@ pub(super) enum Inertia {
 }
 
 impl Inertia {
-    /// Inertia tensor that the effect adds, in the body frame, kg·m².
+    /// Inertia tensor that this effect (optional addition to a model) adds to that of the disc, in the body frame,
+    /// kg·m².
     pub fn added<T: Real>(self, values: &[T]) -> Matrix3<T> {
         let mut inertia = Matrix3::zeros();
         match self {

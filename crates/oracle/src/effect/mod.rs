@@ -30,7 +30,8 @@ pub use flow::Flow;
 use crate::physical::Load;
 use crate::reference::Law;
 
-/// Built-in effects (optional additions to a model), one slice per kind.
+/// Built-in effects (optional additions to a model), one slice per kind of quantity that they change, such as drag or
+/// lift.
 static KINDS: [&[Effect]; 11] = [
     drag::EFFECTS,
     pitch::EFFECTS,
@@ -48,14 +49,15 @@ static KINDS: [&[Effect]; 11] = [
 /// A built-in effect (an optional addition to a model) with its reference implementation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effect {
-    /// Name of the effect in the model language.
+    /// Name of the effect (optional addition to a model) in the model language.
     pub name: &'static str,
-    /// Names of the effect's coefficients; the effect is absent if all its coefficients and states are 0.
+    /// Names of the coefficients of the effect (optional addition to a model). The effect is absent if all its
+    /// coefficients and states are 0.
     pub coefficients: &'static [&'static str],
-    /// Names of the states that the effect adds to a model. They are constant during a flight and estimated for each
-    /// flight; the effect is absent if all its coefficients and states are 0.
+    /// Names of the states that the effect (optional addition to a model) adds. They are constant during a flight and
+    /// estimated for each flight. The effect is absent if all its coefficients and states are 0.
     pub states: &'static [&'static str],
-    /// Reference laws of motion to which the effect can be added.
+    /// Reference laws (independent implementations of laws of motion) to which the effect can be added.
     pub laws: &'static [Law],
     kind: Kind,
 }
@@ -97,7 +99,7 @@ const fn effect(
 }
 
 impl Effect {
-    /// Number of values of the effect: coefficients plus states.
+    /// Number of values of the effect (optional addition to a model): coefficients plus states.
     pub fn values(&self) -> usize {
         self.coefficients.len() + self.states.len()
     }
@@ -108,7 +110,7 @@ pub fn all() -> impl Iterator<Item = &'static Effect> + Clone {
     KINDS.iter().copied().flatten()
 }
 
-/// Built-in effect with the given name; `None` if there is none.
+/// Built-in effect (optional addition to a model) with the given name; `None` if there is none.
 pub fn by_name(name: &str) -> Option<&'static Effect> {
     all().find(|effect| effect.name == name)
 }

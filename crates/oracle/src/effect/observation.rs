@@ -76,8 +76,8 @@ pub(super) enum Observation {
 }
 
 impl Observation {
-    /// Vector from the measured position `marker` of a marker on the body to the marker's true position on the body,
-    /// according to this effect, in the body frame, m. `which` has a 1 at the index of the observed marker.
+    /// Vector from the measured position `marker` of a marker on the body to its true position according to this effect
+    /// (optional addition to a model), in the body frame, m. `which` has a 1 at the index of the observed marker.
     pub fn displacement<T: Real>(
         self,
         values: &[T],
@@ -112,7 +112,7 @@ impl Observation {
         (at.velocity + omega.cross(&arm)) * later + centripetal * (later * later / T::lit(2.0))
     }
 
-    /// Converts the position of a marker to the one that the measurement reports, m.
+    /// Converts the true position of a marker to the position that a measurement with this effect reports, m.
     pub fn reported<T: Real>(self, values: &[T], position: Vector3<T>) -> Vector3<T> {
         match self {
             Self::Tilted => {

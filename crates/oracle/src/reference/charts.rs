@@ -19,8 +19,8 @@ fn states<const N: usize>(
     Ok(indices)
 }
 
-/// Chart of a body with attitude: the angles phi, theta and gamma, or a quaternion from the inertial frame to the body
-/// frame.
+/// Coordinate chart (meaning of the states) of a body with attitude: the angles phi, theta and gamma, or a quaternion
+/// from the inertial frame to the body frame.
 pub(super) fn with_attitude(model: &Model) -> Result<Chart, BindError> {
     if model.states.iter().any(|s| s.name == "q0") {
         return quaternion(model);
@@ -39,8 +39,8 @@ pub(super) fn with_attitude(model: &Model) -> Result<Chart, BindError> {
     })
 }
 
-/// Chart with an attitude quaternion: velocity in inertial components, angular velocity in components of the body
-/// frame.
+/// Coordinate chart (meaning of the states) of a body with an attitude quaternion. The velocity is in inertial
+/// components, the angular velocity in components of the body frame.
 fn quaternion(model: &Model) -> Result<Chart, BindError> {
     Ok(Chart {
         steps: vec![Step::Quaternion(states(model, ["q0", "q1", "q2", "q3"])?)],

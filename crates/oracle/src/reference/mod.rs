@@ -34,10 +34,11 @@ pub(crate) const LAWS: [(&str, Law); 3] = [
     ("frohlich_discus", Law::Discus),
 ];
 
-/// A reference law of motion, with the indices of its parameters, coefficients, states and wind in a model.
+/// A reference law (independent implementation of a law of motion), with the indices of its parameters, coefficients,
+/// states and wind in a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reference {
-    /// The reference law of motion.
+    /// Law of motion with which the model's equations are compared.
     pub law: Law,
     /// Conversion between the model's states, which are identified by their names, and a physical state.
     pub chart: Chart,
@@ -83,7 +84,8 @@ impl Law {
         Motion::under(load, &self.mass_properties(constants), at)
     }
 
-    /// Load on a body by this law; arguments as of [`Law::motion`].
+    /// Force and moment on a body by this law at the physical state `at`, in air of velocity `air`, m/s; `constants`
+    /// are in the order of [`Law::constants`].
     pub(crate) fn load<T: Real>(
         self,
         constants: &[T],
@@ -163,12 +165,14 @@ impl Reference {
         self.unknown.iter().map(|&i| (i, null_value(i))).collect()
     }
 
-    /// Loads on the body and its accelerations for the values in `point`, in inertial components.
+    /// Loads on the body and its accelerations by the reference law, for the values in `point`; vectors are in inertial
+    /// components.
     pub fn motion<T: Real>(&self, point: &Point<T>) -> Motion<T> {
         self.motion_at(&self.chart.physical(&point.states), point)
     }
 
-    /// Loads and accelerations at a physical state, with the constants and the wind of `point`.
+    /// Loads on the body and its accelerations by the reference law at a physical state, with the constants and the
+    /// wind of `point`.
     pub fn motion_at<T: Real>(&self, physical: &Physical<T>, point: &Point<T>) -> Motion<T> {
         self.law
             .motion(&self.values(point), physical, self.wind(point))
@@ -185,12 +189,13 @@ impl Reference {
             .map_or_else(Vector3::zeros, |wind| point.inputs[wind])
     }
 
-    /// Mass and inertia in the body frame, with the values of the constants at a point.
+    /// Mass, and inertia in the body frame, of the body of the reference law, with the values of the constants at a
+    /// point.
     pub fn mass_properties<T: Real>(&self, point: &Point<T>) -> MassProperties<T> {
         self.law.mass_properties(&self.values(point))
     }
 
-    /// Values of the law's constants for the parameters and coefficients in `point`, in the order of
+    /// Values of the reference law's constants, taken from the parameters and coefficients in `point`, in the order of
     /// [`Law::constants`].
     pub fn values<T: Real>(&self, point: &Point<T>) -> Vec<T> {
         let value = |slot: &Slot| match *slot {

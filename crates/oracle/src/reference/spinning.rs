@@ -41,7 +41,7 @@ pub(super) struct Coefficients<T> {
     pub pitch: T,
     /// Coefficient of the damping moment per rad/s of the angular velocity normal to the body axis, s.
     pub damping: T,
-    /// Moment about the axis per unit of spin, N·m·s; independent of the airspeed.
+    /// Moment about the body axis per rad/s of spin, N·m·s; independent of the airspeed.
     pub spin_down: T,
 }
 

@@ -92,7 +92,7 @@ impl Big {
         Self::new(value)
     }
 
-    /// Applies a function that needs the library's cached constants, such as π.
+    /// Applies to this number a function `f` that needs constants such as π, which the crate `astro-float-num` caches.
     fn call(self, f: impl FnOnce(&BigFloat, &mut Consts) -> BigFloat) -> Self {
         CONSTANTS.with_borrow_mut(|constants| {
             if constants.is_none() {

@@ -51,7 +51,8 @@ pub trait Field:
     fn literal(value: f64, exact: Option<(i64, i64)>) -> Option<Self>;
 }
 
-/// A field with the functions of the model language and their defined values at singular points.
+/// A [`Field`] of scalars with the functions of the model language, such as sine, and their defined values at singular
+/// points.
 pub trait Real: Field {
     /// The constant `value`, with derivative 0.
     fn lit(value: f64) -> Self;

@@ -1,6 +1,6 @@
 //! Macros that implement arithmetic operators in terms of other operators, and constants in terms of literals.
 
-/// Implements `+=`, `-=`, `*=` and `/=` of a type by its `+`, `-`, `*` and `/`.
+/// Implements `+=`, `-=`, `*=` and `/=` for a type, by means of its `+`, `-`, `*` and `/`.
 #[macro_export]
 macro_rules! assign_ops {
     ([$($generics:tt)*] $type:ty) => {
@@ -27,7 +27,7 @@ macro_rules! assign_ops {
     };
 }
 
-/// Implements `+`, `-`, `*`, `/` and negation of a newtype by the operators of its inner type.
+/// Implements `+`, `-`, `*`, `/` and negation for a newtype, by means of the operators of its inner type.
 #[macro_export]
 macro_rules! wrapped_ops {
     ($type:ident($inner:ty)) => {
@@ -64,8 +64,8 @@ macro_rules! wrapped_ops {
     };
 }
 
-/// Implements [`One`](num_traits::One) and [`Field`](super::Field) of a scalar that holds every literal as the nearest
-/// `f64`, by its `Real::lit`.
+/// Implements [`One`](num_traits::One) and [`Field`](super::Field) for a scalar type that represents every literal by
+/// the nearest `f64`, by means of `Real::lit`.
 macro_rules! rounded_literals {
     ($type:ty) => {
         impl One for $type {

@@ -42,7 +42,7 @@ impl Prime {
         joined(of_59, self, 2)
     }
 
-    /// The power with exponent 2^`times`.
+    /// Returns `self` raised to the power 2^`times`.
     fn squared(self, times: u32) -> Self {
         (0..times).fold(self, |power, _| power * power)
     }

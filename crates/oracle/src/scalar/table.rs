@@ -6,10 +6,10 @@
 use super::Real;
 use model_spec::model::{Continuation, Interpolation, Table};
 
-/// Interpolated table: the knots and the slopes at the knots.
+/// Interpolated table (piecewise cubic curve): the knots, and the slopes of the curve at the knots.
 #[derive(Clone, Debug)]
 pub struct Interpolant {
-    /// Hash of the curve ([`Table::fingerprint`]).
+    /// Hash of the interpolated curve ([`Table::fingerprint`]).
     pub fingerprint: u64,
     knots: Vec<(f64, f64)>,
     slopes: Vec<f64>,
@@ -30,7 +30,7 @@ impl Interpolant {
         }
     }
 
-    /// Value (`order` 0) or derivative of the given order at `x`.
+    /// Value of the interpolated curve at `x` (`order` 0), or its derivative of the given order.
     pub fn at<T: Real>(&self, x: T, order: u8) -> T {
         let last = self.knots.len() - 1;
         let line = |end: usize| {

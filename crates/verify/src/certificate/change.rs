@@ -13,10 +13,10 @@ use std::path::Path;
 /// version, verdict of a check) and its state when the certificate was created.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Change {
-    /// Name of the model that changed; `None` for a change of the program or of a comparison between models.
+    /// Name of the model that changed; `None` for a change of the verifying program or of a comparison between models.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model: Option<String>,
-    /// Description of the change.
+    /// Description of the change, such as `generated Rust code changed`.
     pub what: String,
 }
 
@@ -30,8 +30,8 @@ impl fmt::Display for Change {
 }
 
 impl Certificate {
-    /// Lists the changes of the program and of the models since the certificate was created, as found by comparing
-    /// hashes. `folder` is the folder of the certificate.
+    /// Lists the changes of the verifying program and of the models since the certificate (record of a verification)
+    /// was created, as found by comparing hashes. `folder` is the folder of the certificate.
     pub fn changes(&self, folder: &Path) -> Vec<Change> {
         let mut changes = self.program.changes();
         for model in &self.models {
@@ -40,8 +40,9 @@ impl Certificate {
         changes
     }
 
-    /// Lists the changes since the certificate was created, as found by comparing hashes and by repeating the checks.
-    /// Models for which `same` returns true describe the same motion and are compared with each other.
+    /// Lists the changes since the certificate (record of a verification) was created, as found by comparing hashes and
+    /// by repeating the checks. Models for which `same` returns true describe the same motion and are compared with
+    /// each other.
     pub fn changes_again(&self, folder: &Path, same: impl Fn(&Model) -> bool) -> Vec<Change> {
         let mut changes = self.changes(folder);
         let options = self.options.options();
@@ -111,7 +112,8 @@ impl CertifiedModel {
 }
 
 impl Fingerprint {
-    /// Descriptions of the differences between these hashes and the current ones, `now`.
+    /// Describes each change from these recorded hashes to the current hashes `now`, for example `source kite.hyz
+    /// changed`.
     fn differences(&self, now: &Self) -> Vec<String> {
         let mut changes = Vec::new();
         for source in &self.sources {

@@ -94,7 +94,7 @@ pub struct Fingerprint {
     /// Hash of the lists of elementary operations of all compiled functions, in evaluation order. All backends print or
     /// interpret these lists.
     pub schedule: Hash,
-    /// Hash of the plain Rust code generated from the model.
+    /// Hash of the Rust code generated from the model by the backend for `f64`, without SIMD types.
     pub rust: Hash,
     /// Hash of the bits of all results of the bytecode interpreter at pseudo-random points, computed without fused
     /// multiply-add.

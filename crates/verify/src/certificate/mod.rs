@@ -49,7 +49,7 @@ pub struct Certificate {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Program {
-    /// Version of the program.
+    /// Version of the program that carried out the checks.
     pub version: String,
     /// Hash of the names and texts of the built-in effects (optional model extensions), with which the checks also test
     /// the models.
@@ -91,7 +91,7 @@ pub struct CertifiedModel {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct CertifiedCheck {
-    /// Name of the check, as in the report.
+    /// Name of the check, as in the verification report.
     pub check: String,
     /// Verdict of the check.
     pub verdict: Verdict,
@@ -181,7 +181,7 @@ impl CertifiedModel {
 }
 
 impl Certificate {
-    /// Creates the certificate of verified models.
+    /// Creates the certificate, that is, the record of the verification, of the given models.
     pub fn new(
         options: &Options,
         models: Vec<CertifiedModel>,

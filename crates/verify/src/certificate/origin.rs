@@ -10,7 +10,7 @@ use std::path::{Component, Path, PathBuf};
 pub enum Origin {
     /// Path of a file, relative to the folder of the certificate, with `/` as separator.
     File(String),
-    /// Name of a built-in model or effect, or of an effect in the model's file.
+    /// Name of a built-in model, of a built-in effect (optional model extension), or of an effect in the model's file.
     Name(String),
 }
 
@@ -25,8 +25,8 @@ impl Origin {
         }
     }
 
-    /// Name or full path of a model or effect, to be passed to the loader of models. `folder` is the folder of the
-    /// certificate.
+    /// Name or full path of a model or of an effect (optional model extension), to be passed to the loader of models.
+    /// `folder` is the folder of the certificate.
     pub(super) fn found(&self, folder: &Path) -> Result<String, OriginError> {
         match self {
             Self::Name(name) => Ok(name.clone()),

@@ -6,19 +6,19 @@ use crate::report::Outcome;
 use model_spec::model::Model;
 use std::path::Path;
 
-/// Outcome that a certificate records for a model, and whether it is still valid.
+/// Outcome that a certificate (record of a verification) states for a model, and whether it is still valid.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Status {
     /// Recorded outcome of the model; `None` if the certificate does not cover the model.
     pub outcome: Option<Outcome>,
-    /// Changes of program and model since the certificate was created, or a note that the certificate does not cover
-    /// the model; empty if the certificate is still valid.
+    /// Changes of the verifying program and of the model since the certificate was created, or a note that the
+    /// certificate does not cover the model; empty if the certificate is still valid.
     pub changes: Vec<Change>,
 }
 
 impl Certificate {
-    /// Determines the outcome that the certificate records for a model, and the changes of program and model since the
-    /// certificate was created. `path` is the file of the certificate.
+    /// Determines the outcome that the certificate records for a model, and the changes of the verifying program and of
+    /// the model since the certificate was created. `path` is the file of the certificate.
     pub fn status(&self, path: &Path, model: &Model) -> Status {
         let folder = folder_of(path);
         let same_text = |m: &&super::CertifiedModel| m.covers.has_texts(&model.sources);

@@ -7,7 +7,8 @@ use oracle::scalar::ErrorBound;
 /// Receives errors, each relative to the sum of the magnitudes of the terms of a value, with the name of the value.
 pub(super) type ErrorSink<'a> = &'a mut dyn FnMut(f64, String);
 
-/// Compares the derivatives `rates` of the states with the expected ones. The states `except` are left out.
+/// Passes the error of each state derivative in `rates`, relative to its expected value with error bound, to `errors`.
+/// The states with indices `except` are left out.
 pub(super) fn compare_rates(
     model: &Model,
     expected: &[ErrorBound],
@@ -24,7 +25,7 @@ pub(super) fn compare_rates(
     }
 }
 
-/// Compares the components of an observation with the expected ones.
+/// Passes the error of each component of the observation, relative to its expected value with error bound, to `errors`.
 pub(super) fn compare_observation(
     expected: &Vector3<ErrorBound>,
     observed: &Vector3<f64>,

@@ -30,10 +30,10 @@ force and the angular momentum by the moment; energy, flights and symmetries; an
 /// Indices, from 1, of the axes of the inertial frame, for messages that name the axis of a deviation.
 const AXES: [u8; 3] = [1, 2, 3];
 
-/// Checks at random points, with effects (optional model extensions) at their null values, whether explicitly written
-/// equations obey the laws of motion of the body that the model claims to describe (statement `claim`). If the model
-/// makes no such claim, the result states why nothing is checked. `None` for a model that declares a `body`: its
-/// equations are derived from these laws.
+/// Checks at random points whether explicitly written equations obey the laws of motion of the body that the model
+/// claims to describe (statement `claim`). Effects (optional model extensions) have their null values, at which they
+/// change nothing. If the model makes no such claim, the result states why nothing is checked. `None` for a model that
+/// declares a `body`: its equations are derived from these laws.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Option<Row> {
     let model = subject.model;
     if model.body.is_some() {
@@ -80,8 +80,9 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Option<Row> {
     Some(row.with_detail(lines.join("\n")))
 }
 
-/// One line of text for each law of motion of the body described by the `claim` statement that no rates of the states
-/// can satisfy. Such a law means that the claim contradicts itself, whatever equations the model file contains.
+/// One line of text for each law of motion that no rates of the states can satisfy, for the body that the model's
+/// `claim` statement describes. Such a law means that the claim contradicts itself, whatever equations the model file
+/// contains.
 fn unsatisfied(subject: &Subject<'_>, options: &Options) -> Vec<String> {
     let mut random = Random::new(options.seed, CLAIM);
     let point = subject.without_effects(sample::point(subject.model, &mut random));

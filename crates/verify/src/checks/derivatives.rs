@@ -27,7 +27,8 @@ pub const CHECKS: [&str; 4] = [
 
 type Bounded = Dual<ErrorBound>;
 
-/// Scalar that differentiates by three methods at once: bounded dual numbers, `num-dual`, complex step.
+/// Scalar that differentiates by three methods at once: dual numbers with error bounds, dual numbers of the crate
+/// `num-dual`, and the complex step.
 type ThreeWays = Lockstep<Bounded, Lockstep<NumDual, ComplexStep>>;
 
 fn bounded(value: f64, derivative: f64) -> Bounded {
@@ -77,7 +78,8 @@ pub fn check(subject: &Subject<'_>, equations: &dyn Differentiable, options: &Op
 
 struct Comparison<'a> {
     subject: &'a Subject<'a>,
-    /// Names of the independent variables: states, parameters, coefficients, components of inputs.
+    /// Names of the independent variables, in the order of the Jacobian's columns: states, parameters, coefficients,
+    /// components of inputs.
     variables: Vec<String>,
     /// Maximum error found by each check in [`CHECKS`], in that order.
     worst: [Worst; 4],
@@ -123,9 +125,9 @@ impl Comparison<'_> {
         Some(())
     }
 
-    /// Compares the equations' Jacobians with the derivatives of the reference implementation, at a point where the
-    /// coefficients that the reference law does not contain have their null values. Does nothing if the model has no
-    /// reference.
+    /// Compares the equations' Jacobians with the derivatives of the reference implementation at a point. Coefficients
+    /// that the reference law does not contain have their null values there, at which they change nothing. Does nothing
+    /// if the model names no reference law.
     fn with_reference(&mut self, equations: &dyn Differentiable, point: &Point<f64>) {
         let Some(reference) = &self.subject.reference else {
             return;
@@ -158,7 +160,7 @@ impl Comparison<'_> {
 
 /// Whether the reference implementation has the model's variable with this index, so that derivatives with respect to
 /// it can be compared. It lacks the states and coefficients that the reference law does not contain, such as those of
-/// effects.
+/// effects (optional model extensions).
 fn has_reference(model: &Model, reference: &Reference, variable: usize) -> bool {
     if model.added_states().contains(&variable) {
         return false;
@@ -169,8 +171,8 @@ fn has_reference(model: &Model, reference: &Reference, variable: usize) -> bool 
         .is_none_or(|index| !reference.unknown.contains(&index))
 }
 
-/// Lifts the point to scalars that carry derivatives with respect to variable `j`; `variable(value, derivative)`
-/// creates such a scalar.
+/// Lifts the point to scalars that carry derivatives with respect to the variable with index `j`; `variable(value,
+/// derivative)` creates such a scalar.
 fn seed<T: Real>(
     model: &Model,
     point: &Point<f64>,
@@ -194,8 +196,9 @@ fn seed<T: Real>(
 }
 
 /// Derivative of each state derivative and observation component with respect to the variable with index `j`, computed
-/// from the Jacobian in `got`; for a state, along [`direction`]. The magnitude, to which errors are relative, is the
-/// sum of the absolute values of the Jacobian entries that are used.
+/// from the Jacobian in `got`. For a component of a quaternion, it is taken along the component's axis projected onto
+/// the tangent space of the unit sphere. The magnitude, to which errors are relative, is the sum of the absolute values
+/// of the Jacobian entries that are used.
 fn along(got: &Derivatives, model: &Model, point: &Point<f64>, j: usize) -> Vec<ErrorBound> {
     let mut direction = direction(model, &point.states, j);
     direction.resize(got.entries.first().map_or(0, Vec::len), 0.0);

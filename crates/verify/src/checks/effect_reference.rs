@@ -19,8 +19,8 @@ use oracle::{BindError, Point};
 pub const EFFECT_REFERENCE: &str = "effects: reference";
 
 /// Compares the state derivatives and the observation of models with built-in effects (optional extensions) with those
-/// of their reference implementations. Models with other effects are left out. Each model comes with its compiled
-/// values.
+/// of their reference implementations. Models with other effects are left out. Each model comes with its compiled state
+/// derivatives and observation.
 pub fn check(with: &[(Model, Values)], options: &Options) -> Row {
     let catalogued: Vec<&(Model, Values)> =
         with.iter().filter(|(model, _)| catalogued(model)).collect();

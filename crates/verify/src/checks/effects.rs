@@ -14,15 +14,15 @@ use model_spec::model::Model;
 use oracle::scalar::ErrorBound;
 use oracle::{Point, derivatives};
 
-/// Name of this check in reports: effects (optional model extensions) at their null values against the model without
-/// effects.
+/// Name of this check in reports: a model with effects (optional extensions) at their null values must compute the same
+/// as the model without effects.
 pub const EFFECTS: &str = "effects at null values";
 
 /// Returns (models with effects, model without effects); effects are optional model extensions. If the loaded model has
 /// effects, it is the only model with effects. Otherwise one model is built for each effect that can be added. A
-/// further model combines all of these effects that are not declared in the model file, and another one only those
-/// that are for models of this kind, which have reference implementations. `None` if the source does not load without
-/// effects.
+/// further model combines all of these effects that are not declared in the model file. Another one combines only the
+/// effects specific to this kind of model, such as a disc, which have reference implementations. `None` if the source
+/// does not load without effects.
 pub fn variants(loaded: &Loaded) -> Option<(Vec<Model>, Model)> {
     let source = loaded.sources.first()?;
     let apply = |with: &[&str]| from_text(&source.name, &source.text, with).ok();
@@ -59,9 +59,9 @@ pub fn variants(loaded: &Loaded) -> Option<(Vec<Model>, Model)> {
     Some((alone, without))
 }
 
-/// Checks for each model of `with` that its effects (optional extensions) change nothing at their null values: the
-/// state derivatives equal those of the model `without` effects, and are computed with no more operations. Each model
-/// comes with its compiled values.
+/// Checks for each model of `with` that its effects (optional extensions) change nothing at their null values. The
+/// state derivatives must equal those of the model `without` effects, and be computed with no more operations. Each
+/// model comes with its compiled state derivatives and observation.
 pub fn check(without: &Model, with: &[(Model, Values)], options: &Options) -> Row {
     if with.is_empty() {
         return Row::skipped(EFFECTS, "no effects for this model");

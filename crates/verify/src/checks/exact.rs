@@ -16,11 +16,11 @@ use num_traits::{One, Zero};
 use oracle::scalar::{Field, Prime};
 use oracle::{Point, free_load_derivatives};
 
-/// Name of this check in reports: rigid-body derivatives under free loads, in exact arithmetic.
+/// Name of this check in reports: derivatives of a rigid body under an arbitrary force and moment, in exact arithmetic.
 pub const EXACT: &str = "rigid body, exact";
 
-/// Number of random points of the prime field (integers modulo 2^61 − 1). Different functions agree at one point with
-/// probability at most `DEGREE` / 2^61.
+/// Number of random points of the prime field (integers modulo 2^61 − 1) at which the functions are compared. Two
+/// different functions of total degree at most d agree at one point with probability at most d / 2^61.
 pub const POINTS: usize = 8;
 /// Upper bound of the total degree of the compared rational functions. The probability that different functions agree
 /// at a random point of the prime field follows from it (Schwartz-Zippel lemma).
@@ -41,7 +41,8 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
 }
 
 /// Compares the derivatives of a compiled model with those of the reference simulator (crate `oracle`) at random points
-/// of the prime field. The last two inputs of the model must be the free force and moment from [`free_loads`].
+/// of the prime field. The last two inputs of the model must be the arbitrary force and moment that [`free_loads`]
+/// adds.
 pub fn compare(model: &Model, compiled: &Compiled, options: &Options) -> Row {
     let mut random = Random::new(options.seed, EXACT);
     let mut faults = Vec::new();
@@ -109,7 +110,7 @@ pub fn free_loads(model: &Model) -> Model {
     model
 }
 
-/// A random point of the prime field, with the sine and cosine of every state.
+/// A random point of the prime field (integers modulo 2^61 − 1), with the sine and cosine of every state.
 pub struct FieldPoint {
     /// Field elements for time, parameters, coefficients, inputs, states and marker.
     pub point: Point<Prime>,
@@ -134,7 +135,8 @@ impl FieldPoint {
     }
 }
 
-/// Draws a random unit quaternion over the field, by a rational parametrization of the sphere.
+/// Draws a random unit quaternion over the prime field (integers modulo 2^61 − 1), by a rational parametrization of the
+/// sphere.
 fn unit_quaternion(random: &mut Random) -> [Prime; 4] {
     let v = [random.prime(), random.prime(), random.prime()];
     let square = v.iter().fold(Prime::zero(), |sum, &t| sum + t * t);

@@ -18,8 +18,8 @@ use codegen::program::{Binary, Op, Operand, Unary};
 use model_spec::model::Model;
 use oracle::scalar::{Dual, Prime};
 
-/// Name of this check in reports: state derivatives f, Jacobians J (states) and Jp (parameters) and the observation in
-/// exact arithmetic.
+/// Name of this check in reports: compiled state derivatives f, Jacobians J (states) and Jp (parameters) and
+/// observation, compared in exact arithmetic with the model's vector expressions.
 pub const FUNCTIONS: &str = "f, J and Jp, exact";
 
 /// Maximum number of random trial points of the prime field. A trial point is usable only if the argument of every
@@ -27,12 +27,12 @@ pub const FUNCTIONS: &str = "f, J and Jp, exact";
 const MAX_TRIALS: usize = 4096;
 
 /// Upper bound of the total degree of the compared functions, as polynomials in variables and transcendental function
-/// values. The probability that different functions agree at a random point of the prime field follows from it
-/// (Schwartz-Zippel lemma).
+/// values. The probability that different functions agree at a random point of the prime field (integers modulo 2^61 −
+/// 1) follows from it (Schwartz-Zippel lemma).
 const DEGREE: f64 = 1e4;
-/// Number of trial points after which the compiled code is reported to contain a root that differs from those of the
-/// model's vector expressions. Only points are counted at which all square roots of the vector expressions exist in the
-/// prime field, but one of the compiled code does not.
+/// Number of points of the prime field at which the model's vector expressions have all their square roots but a root
+/// in the compiled code does not exist. When this number is reached, the compiled code is reported to contain a
+/// different root.
 const LACKING: usize = 64;
 
 /// Compares the state derivatives f, the Jacobians J (states) and Jp (parameters) and the observation of a compiled
@@ -95,10 +95,11 @@ fn in_long_arithmetic(model: &Model, compiled: &Compiled, options: &Options, why
 enum Compared {
     /// Names of the values and Jacobian entries in which compiled code and law differ; empty if all agree.
     At(Vec<String>),
-    /// A value of the model's vector expressions (the law) does not exist in the field.
+    /// The model's vector expressions have no value in the prime field, because the argument of a square root is not a
+    /// square there.
     NoLaw,
-    /// A value of the compiled code does not exist in the field, although all values of the model's vector expressions
-    /// do.
+    /// The compiled code has no value in the prime field, because the argument of a square root is not a square there,
+    /// although the model's vector expressions have values.
     NoCode,
 }
 
@@ -130,7 +131,8 @@ fn compare(model: &Model, compiled: &Compiled, spot: &FieldPoint) -> Compared {
 }
 
 /// Every state derivative and component of the observation, from the model's vector expressions over the prime field,
-/// with its derivative with respect to a variable. `None` if a value does not exist in the field.
+/// with its derivative with respect to a variable. `None` if the argument of a square root is not a square in the
+/// field.
 fn exact_law(
     model: &Model,
     spot: &FieldPoint,

@@ -22,14 +22,15 @@ pub(super) fn functions(compiled: &Compiled) -> [&Function; 5] {
 pub(super) struct Variable<'a, T> {
     /// Name of the state or parameter.
     pub name: &'a str,
-    /// Index among the states, which come first, and the parameters.
+    /// Index of the variable in the list of all states, followed by all parameters.
     pub index: usize,
-    /// Direction of differentiation in state space, see [`direction`].
+    /// Direction of differentiation in state space: a unit vector, projected onto the tangent space of the unit sphere
+    /// for a component of a quaternion; zero for a parameter.
     pub direction: Vec<T>,
 }
 
 impl<'a, T> Variable<'a, T> {
-    /// The variable with another direction of differentiation.
+    /// Returns this variable with the given direction of differentiation, a vector in state space.
     pub fn along<U>(&self, direction: Vec<U>) -> Variable<'a, U> {
         Variable {
             name: self.name,
@@ -102,8 +103,8 @@ pub(super) fn differences<T: Field>(
 }
 
 /// Describes the results of a compiled function: the range of its rows, the name of the section with its values, and
-/// the names of the sections with its Jacobians with respect to states and to parameters. The rows of a model are its
-/// scalar results: `all` rows, of which the first `states` are state derivatives, the others components of the
+/// the names of the sections with its Jacobians with respect to states and to parameters. The rows are the scalar
+/// results of a model: `all` rows, of which the first `states` are state derivatives and the others components of the
 /// observation.
 fn sections(
     function: &Function,
@@ -169,7 +170,8 @@ pub(super) fn direction<T: Field>(model: &Model, states: &[T], variable: usize) 
     out
 }
 
-/// Name of a scalar result of a model in messages, see [`sections`].
+/// Name, for messages, of the scalar result (row) of a model with index `row`: `der(v)` for the derivative of the state
+/// v, `observation 1` for a component of the observation.
 pub(super) fn row_name(model: &Model, row: usize) -> String {
     match model.states.get(row) {
         Some(state) => format!("der({})", state.name),

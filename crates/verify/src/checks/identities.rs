@@ -11,11 +11,11 @@ use nalgebra::Vector3;
 use oracle::scalar::{Dual, ErrorBound, Real};
 use oracle::{MassProperties, Motion, Point, Tree, inertia_in_n, mass_properties};
 
-/// Name of this check in reports: balances of momentum, angular momentum and energy.
+/// Name of this check in reports: balances of momentum, angular momentum and energy at random points.
 pub const IDENTITIES: &str = "momentum and energy";
 
-/// Checks the balances of momentum dp/dt = F, angular momentum dH/dt = M, energy dE/dt = F·v + M·ω and position
-/// dr/dt = v at random points.
+/// Checks at random points the balances of momentum dp/dt = F, angular momentum dH/dt = M, energy dE/dt = F·v + M·ω and
+/// position dr/dt = v. F is the force and M the moment on the body.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     let model = subject.model;
     if subject.is_known_by_claim() {
@@ -79,8 +79,8 @@ pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
 }
 
 /// Checks the balances of momentum, angular momentum, energy and position for the body that the model's explicitly
-/// written equations are declared to describe. Effects (optional model extensions) have their null values; coefficients
-/// added by the model's author have random values.
+/// written equations are declared to describe. Effects (optional model extensions) have their null values, at which
+/// they change nothing; coefficients added by the model's author have random values.
 fn of_claim(subject: &Subject<'_>, options: &Options) -> Row {
     let mut random = Random::new(options.seed, IDENTITIES);
     let mut worst = Worst::default();

@@ -12,14 +12,14 @@ use model_spec::model::Model;
 use oracle::Point;
 use oracle::scalar::{Big, Dual, ErrorBound, Lockstep, Real, with_numbers};
 
-/// Number of points at which the functions are compared. It is more than one so that functions with branches are likely
-/// to be compared on every branch.
+/// Number of points at which the compiled functions are compared with the model. It is more than one so that functions
+/// with branches are likely to be compared on every branch.
 const POINTS: usize = 8;
 /// Maximum number of random draws to find a point at which rounding cannot change the result of a branch, such as that
 /// of abs.
 const MAX_DRAWS: usize = 30;
-/// Maximum difference between compiled code and model, relative to the magnitude of the terms. It is about a thousand
-/// times the error of a constant that the code rounds to f64.
+/// Maximum difference between compiled code and model, relative to the magnitude of the terms of a value. It is about a
+/// thousand times the error of a constant that the code rounds to f64.
 const TOLERANCE: f64 = 1e-13;
 
 /// A number of 256 bits, with the sum of the magnitudes of the terms that are added to give it.
@@ -69,7 +69,8 @@ fn at(model: &Model, compiled: &Compiled, point: &Point<f64>) -> Option<Vec<Stri
     Some(faults)
 }
 
-/// All outputs of each compared function at a point; `None` if rounding may change the result of a branch.
+/// All outputs of each compiled function that is compared, at a point; `None` if rounding may change the result of a
+/// branch, such as that of abs.
 fn evaluated<'a>(
     compiled: &'a Compiled,
     point: &Point<f64>,
@@ -92,8 +93,8 @@ fn bounded((first, second): (Big, ErrorBound)) -> Bounded {
 }
 
 /// Whether a value `found` by the compiled code differs from the value `expected` from the model's vector expressions
-/// by more than [`TOLERANCE`], which allows for constants rounded to f64. The difference is relative to the largest
-/// magnitude of the terms, of code and expressions, and of the expected value.
+/// by more than [`TOLERANCE`], which allows for constants rounded to f64. The difference is relative to the expected
+/// value or, if that is larger, to the magnitude of the terms of either value.
 fn differ(found: Bounded, expected: Bounded) -> bool {
     let difference = (found.first - expected.first).re().abs();
     let size = expected.first.re().abs();

@@ -20,14 +20,15 @@ use model_spec::unit::Base;
 use nalgebra::{Matrix3, Vector3};
 use oracle::{Physical, PhysicalRate, Point, Quaternion, Tree};
 
-/// Name of this check in reports: invariance of the motion under transformations.
+/// Name of this check in reports: invariance of the motion under transformations, such as a translation or a mirror
+/// image.
 pub const METAMORPHIC: &str = "metamorphic relations";
 
 /// Maximum allowed relative error. It is larger than rounding errors because the states are computed with arcsines,
 /// which lose digits near ±1.
 const TOLERANCE: f64 = 1e-10;
 
-/// A transformation under which the laws are invariant.
+/// A transformation, such as a translation, under which the laws of motion are invariant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Relation {
     Translation,
@@ -50,9 +51,9 @@ impl Relation {
 }
 
 /// Checks that the motion is invariant under every transformation that applies to the model. Coefficients that the
-/// reference law does not contain have their null values. The detail of the result also lists, for each such
-/// coefficient, the transformations under which the motion is not invariant if the coefficient is not null; this is not
-/// a fault.
+/// reference law does not contain have their null values, at which they change nothing. The detail of the result also
+/// lists, for each such coefficient, the transformations under which the motion is not invariant if the coefficient is
+/// not null; this is not a fault.
 pub fn check(subject: &Subject<'_>, options: &Options) -> Row {
     let Some(meaning) = Meaning::of(subject) else {
         return subject.without_meaning(METAMORPHIC);
@@ -168,9 +169,9 @@ impl RandomTransformation {
     }
 }
 
-/// Maximum relative error of one symmetry at a point. The physical state is transformed, and the rates of motion
-/// (velocities and accelerations) at the transformed state are compared with the transformed rates at the original
-/// state. `None` if the states or rates cannot be determined.
+/// Maximum relative error of the motion under one symmetry at a point. The physical state is transformed, and the rates
+/// of motion (velocities and accelerations) at the transformed state are compared with the transformed rates at the
+/// original state. `None` if the states or rates cannot be determined.
 fn error(
     subject: &Subject<'_>,
     meaning: &Meaning<'_>,
@@ -269,8 +270,8 @@ fn map_change(c: &PhysicalRate, polar: &Matrix3<f64>, axial: &Matrix3<f64>) -> P
     }
 }
 
-/// Whether the inertia tensor is invariant under reflection of the second axis of the frame in which it is declared
-/// (products of inertia 12 and 23 are 0), so that the mirrored body is the same body.
+/// Whether the mirrored body is the same body: its inertia tensor is invariant under reflection of the second axis of
+/// the frame in which it is declared (products of inertia 12 and 23 are 0).
 fn is_symmetric(model: &Model, point: &Point<f64>) -> bool {
     let rotation = model.body.as_ref().and_then(|b| b.rotation.as_ref());
     let claimed = model.claim.as_ref().and_then(|c| c.rotation.as_ref());

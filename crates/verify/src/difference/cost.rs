@@ -31,9 +31,9 @@ pub struct Cost {
     pub j: Pair<usize>,
     /// Number of nonzero entries of Jp, the Jacobian of the state derivatives with respect to the parameters.
     pub jp: Pair<usize>,
-    /// Jacobian entries that are nonzero only in the new model, each written with the names of its variables there.
+    /// Jacobian entries that are nonzero only in the new model, each written with the variable names of the new model.
     pub entries_added: Vec<String>,
-    /// Jacobian entries that are nonzero only in the old model, each written with the names of its variables there.
+    /// Jacobian entries that are nonzero only in the old model, each written with the variable names of the old model.
     pub entries_removed: Vec<String>,
 }
 
@@ -124,10 +124,10 @@ fn entries(compiled: &Compiled) -> BTreeSet<Entry> {
 /// Computing time of one evaluation of the state derivatives by the bytecode interpreter.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Time {
-    /// Median time per evaluation for each model, ns.
+    /// Median over the time measurements of the time per evaluation, for the old and for the new model, ns.
     pub nanoseconds: Pair<f64>,
-    /// Median over the measurements of the ratio of the new model's time to the old model's time, both measured in
-    /// succession.
+    /// Median, over pairs of successive measurements (old model, new model), of the ratio of the new model's time to
+    /// the old model's time.
     pub ratio: f64,
 }
 

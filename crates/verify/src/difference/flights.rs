@@ -13,8 +13,8 @@ use serde::Serialize;
 
 /// Number of random releases (initial states) from which flights are compared if the model has no built-in release.
 const RELEASES: usize = 3;
-/// Weight of a random point in the interpolation between the default point and the random point, which gives the
-/// initial values of a random release (launch conditions of a flight).
+/// Fraction of the way from the model's default point to a random point at which the initial values of a random release
+/// (launch conditions of a flight) lie.
 const SPREAD: f64 = 0.2;
 /// Relative tolerance with which the flights are integrated.
 const TOLERANCE: f64 = 1e-10;
@@ -83,9 +83,10 @@ pub fn shifts(
         .collect()
 }
 
-/// Built-in releases (launch conditions: initial states and constants of a flight) that fit the old model: name, point,
-/// and the indices of the parameters that the release sets. If `own` is true, only releases written for this model.
-/// Otherwise also releases written for other models, if the old model has all names that they use.
+/// Built-in releases (launch conditions: initial states and constants of a flight) that fit the old model. Each has its
+/// name, its point and the indices of the parameters that it sets. If `own` is true, only releases written for this
+/// model are returned. Otherwise releases written for other models are included if the old model has all names that
+/// they use.
 fn named(old: &Everything<'_>, own: bool) -> Vec<(String, Point<f64>, Vec<usize>)> {
     let model = old.model;
     let read = |&(name, text): &(&str, &str)| {

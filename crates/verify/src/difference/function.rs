@@ -13,7 +13,8 @@ use oracle::scalar::{ErrorBound, Field, Real};
 use oracle::{Point, Tree, derivatives_of};
 use serde::Serialize;
 
-/// Number of random field points at which values must be equal for functions to count as equal.
+/// Number of random points of the prime field (integers modulo 2^61 − 1) at which the values of two functions must be
+/// equal for the functions to count as equal.
 const POINTS: usize = 4;
 /// Maximum number of random trial points of the prime field. A trial point is usable only if the argument of every
 /// square root is a square in the field.
@@ -21,7 +22,7 @@ const MAX_TRIALS: usize = 4096;
 /// Lower bound, in SI units, of the magnitude by which the difference of two auxiliary variables or loads is divided.
 /// Because of this bound, values that are 0 except for rounding count as equal.
 const MIN_MAGNITUDE: f64 = 1e-6;
-/// Number of random points of the floating-point comparison.
+/// Number of random points at which two functions are compared in floating-point arithmetic.
 const NUMBERS: usize = 24;
 
 /// Result of comparing one output of the old model with the corresponding output of the new model: a state derivative,
@@ -29,11 +30,11 @@ const NUMBERS: usize = 24;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Sameness {
-    /// The same function, as decided by exact evaluation at random points of the prime field.
+    /// Both outputs are the same function, as decided by exact evaluation at random points of the prime field.
     Same,
-    /// Values in the prime field differ or are missing, but the floating-point values agree within the tolerance.
+    /// The values in the prime field differ or do not exist, but the floating-point values agree within the tolerance.
     Agrees,
-    /// The functions differ, also in floating-point numbers.
+    /// The outputs are different functions, also in floating-point arithmetic.
     Changed,
 }
 
@@ -115,8 +116,8 @@ fn exactly(
         .collect()
 }
 
-/// Draws a random field point for each of the two models. Paired states and parameters have equal values; if `stated`,
-/// unpaired parameters have the default values of their model.
+/// Draws a random point of the prime field for each of the two models. Paired states and parameters have equal values
+/// in both; if `stated`, unpaired parameters have the default values of their model.
 fn field_points(
     old: &Model,
     new: &Model,

@@ -4,7 +4,7 @@ use super::{Difference, Sameness};
 use std::fmt::Write;
 
 impl Difference {
-    /// Formats the comparison as Markdown.
+    /// Formats the comparison of the two models as Markdown.
     pub fn markdown(&self) -> String {
         let mut out = format!(
             "## `{}` → `{}`: {}\n",

@@ -90,7 +90,7 @@ pub struct Difference {
     pub schema: &'static str,
     /// Names of the old and the new model.
     pub models: Pair<String>,
-    /// Whether any derivative, component of the observation or limit differs.
+    /// Whether any state derivative, component of the observation or validity limit differs between the models.
     pub changed: bool,
     /// Comparison of every row (state derivative, component of the observation, validity limit): rows of the new model
     /// in its order, then the rows that only the old model has.
@@ -112,7 +112,7 @@ pub struct Difference {
 }
 
 impl Difference {
-    /// Whether any derivative, component of the observation or limit differs.
+    /// Whether any state derivative, component of the observation or validity limit differs between the models.
     pub fn is_changed(&self) -> bool {
         self.changed
     }

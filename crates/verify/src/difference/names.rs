@@ -3,8 +3,8 @@
 use model_spec::syntax::ast::{BinaryOp, Expr, ExprKind};
 use std::collections::BTreeMap;
 
-/// Names of renamed items (states, constants, auxiliary variables and others), by class of statement: for each name in
-/// the new model, the name in the old model.
+/// Names of renamed items (states, constants, auxiliary variables and others), by class of statement, such as
+/// `constant`: for each name in the new model, the name in the old model.
 #[derive(Clone, Debug, Default)]
 pub struct Names {
     renamed: BTreeMap<(&'static str, String), String>,
@@ -35,8 +35,8 @@ impl Names {
     }
 }
 
-/// Words of a text that may be names of the model. A word `in_F` also gives `F` (name of a frame), and a word `w_x`,
-/// `w_y` or `w_z` also gives `w` (name of an input with these components).
+/// Words of a text that may be names declared in a model. A word `in_F` also gives `F` (name of a frame), and a word
+/// `w_x`, `w_y` or `w_z` also gives `w` (name of an input with these components).
 pub fn words(text: &str) -> Vec<&str> {
     let mut out: Vec<&str> = Vec::new();
     for word in text.split(is_separator).filter(|word| !word.is_empty()) {
@@ -74,8 +74,7 @@ fn is_separator(c: char) -> bool {
 }
 
 /// Terms, with signs, in which two sums differ: first those only in `old`, then those only in `new`. Names are those of
-/// the old model. If the sums differ in one term, and this term only in a sum that it contains, the terms of this inner
-/// sum are compared.
+/// the old model. If the sums differ only inside one inner sum, the terms of this inner sum are compared.
 pub fn differing_terms(old: &Expr, new: &Expr, names: &Names) -> (Vec<String>, Vec<String>) {
     let (before, after) = (terms(old), terms(new));
     let olds: Vec<String> = before.iter().map(Term::to_string).collect();

@@ -91,8 +91,8 @@ impl Pairing {
         out
     }
 
-    /// Returns the point `there` of the new model with the values of all paired states and parameters, the time and the
-    /// marker position replaced by those of the point `here` of the old model.
+    /// Returns a copy of the point `there` of the new model. The values of all paired states and parameters, the time
+    /// and the marker position are taken from the point `here` of the old model.
     pub fn carry<T: Field>(&self, here: &Point<T>, there: &Point<T>) -> Point<T> {
         let given = here.parameters();
         let mut out = there.clone();
@@ -120,7 +120,7 @@ impl Pairing {
     }
 
     /// Pairs the states and parameters that have no counterpart yet with those of the same kind and unit in the other
-    /// model. Pairs with the most similar influence on the equations are formed first, see [`Effects::conflicts`].
+    /// model. Pairs whose influence on the equations differs least are formed first.
     fn by_effect(&mut self, old: &Everything<'_>, new: &Everything<'_>) {
         let (olds, news) = self.unpaired(old.model, new.model);
         if olds.is_empty() || news.is_empty() {
@@ -302,8 +302,9 @@ impl Effects {
     }
 
     /// Dissimilarity of two unpaired symbols (states or parameters): that with index `here` of this model and that with
-    /// index `there` of the model `other`. It is the number of row values that differ between the models if each model
-    /// is evaluated with its symbol changed. 0 means that the symbols may correspond.
+    /// index `there` of the model `other`. Each model is evaluated with its symbol changed. The dissimilarity is the
+    /// number of values (state derivatives and observation) that then differ between the models; 0 means that the
+    /// symbols may correspond.
     fn conflicts(&self, here: usize, other: &Self, there: usize) -> usize {
         let differ = |a: &[f64], b: &[f64]| {
             let unequal = a.iter().zip(b).filter(|(a, b)| !is_close(**a, **b));

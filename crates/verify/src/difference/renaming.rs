@@ -50,8 +50,8 @@ fn same_outputs(
 }
 
 /// Names of the items that are renamed in the new model `b`, with their names in the old model `a`. States, constants
-/// and inputs correspond by `pairing`, auxiliary variables and loads if they compute equal functions, frames if their
-/// declarations are equal.
+/// and inputs correspond by `pairing`. Auxiliary variables and loads correspond if they compute equal functions, frames
+/// if their declarations are equal.
 pub fn renamed(a: &Everything<'_>, b: &Everything<'_>, pairing: &Pairing) -> Names {
     let mut names = Names::default();
     for Renamed { from, to } in pairing.renamed(a, b) {

@@ -14,11 +14,11 @@ pub enum Change {
     Added,
     /// Only the old model has the statement.
     Removed,
-    /// The text and the computed function differ.
+    /// The text of the statement differs, and so does the function that the statement computes.
     Changed,
-    /// The text differs, but the computed function is the same.
+    /// The text of the statement differs, but the function that it computes is the same.
     Rewritten,
-    /// Only the name differs.
+    /// Only the name of what the statement declares differs.
     Renamed,
     /// The declaration of a constant, an input or a state differs, in its default value, unit or bounds.
     Restated,
@@ -27,7 +27,7 @@ pub enum Change {
 /// A statement that differs between the two models.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Statement {
-    /// How the statement differs.
+    /// How the statement differs between the two models: added, removed, changed, rewritten, renamed or restated.
     pub change: Change,
     /// Class and name of the statement, such as `let alpha` or `der(u)`, in the new model; in the old model if the
     /// statement was removed.
@@ -139,7 +139,8 @@ pub fn causes(
 }
 
 impl Statement {
-    /// Creates the description of a change of the statement `key`, without texts, terms and keys.
+    /// Creates the description of a change of the statement with class and name `key`; texts, differing terms and keys
+    /// are empty.
     fn new(change: Change, key: &Key) -> Self {
         Self {
             change,
@@ -182,8 +183,8 @@ fn title((class, name): &Key) -> String {
     }
 }
 
-/// Statements with their class and name. Statements that do not influence the motion are left out: the model's name,
-/// reference, checks and effects.
+/// Statements of a model file with their class and name. Statements that do not influence the motion are left out: the
+/// model's name, reference law, check cases and effects (optional extensions).
 pub fn keyed(file: &File) -> Vec<(Key, &Item)> {
     let mut limits = 0;
     let mut key = |item: &Item| {

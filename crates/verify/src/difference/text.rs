@@ -31,7 +31,7 @@ impl Difference {
             .collect()
     }
 
-    /// Formats all results of the comparison as text for a terminal.
+    /// Formats all results of the comparison of the two models as text for a terminal.
     pub fn text(&self) -> String {
         let mut out = format!(
             "{} → {}: {}\n",
@@ -156,7 +156,7 @@ impl Statement {
 }
 
 impl Change {
-    /// Kind of the change as one word.
+    /// The kind of change as one word: `added`, `removed`, `changed`, `rewritten`, `renamed` or `restated`.
     pub(super) fn word(self) -> &'static str {
         match self {
             Self::Added => "added",
@@ -170,7 +170,7 @@ impl Change {
 }
 
 impl FlightShift {
-    /// Describes the difference of the flights in one sentence.
+    /// Describes in one sentence how the flights of the old and the new model differ.
     pub(super) fn sentence(&self) -> String {
         let name = &self.release;
         if let Some(why) = &self.failed {

@@ -20,23 +20,27 @@ pub struct Everything<'a> {
     /// validity limits and the auxiliary variables. After them come, in inertial components, all loads and those vector
     /// auxiliary variables that are given in another frame.
     pub code: EveryValue,
-    /// Indices of the outputs of each auxiliary variable and load, with its class and name.
+    /// For each auxiliary variable and load, its class, its name and the indices of its values among the outputs of
+    /// `code`.
     pub named: Vec<Named>,
     tape: Tape,
 }
 
-/// An auxiliary variable or load of a model, with the indices of its values among the program's outputs.
+/// An auxiliary variable or load of a model, with the indices of its values among the outputs of the program that
+/// computes all values of the model.
 pub struct Named {
     /// Class of the statement: `let`, `force` or `moment`.
     pub class: &'static str,
     /// Name of the auxiliary variable or load.
     pub name: String,
-    /// Indices of the program's outputs: one for a scalar, three for a vector in the inertial frame.
+    /// Indices of the values among the outputs of the program that computes all values of the model: one for a scalar,
+    /// three for a vector in the inertial frame.
     pub outputs: Range<usize>,
 }
 
 impl<'a> Everything<'a> {
-    /// Compiles a model to one program that computes all outputs described at [`Self::code`].
+    /// Compiles a model to one program that computes its state derivatives, observation, validity limits, auxiliary
+    /// variables and loads.
     pub fn of(model: &'a Model) -> Self {
         let mut extended = model.clone();
         let mut sources: Vec<(&'static str, String, usize)> = Vec::new();
@@ -89,13 +93,13 @@ impl<'a> Everything<'a> {
             .collect()
     }
 
-    /// All outputs of the program `code` at a point, as floating-point numbers.
+    /// All values that the program `code` computes at a point, in floating-point arithmetic.
     pub fn numbers(&self, point: &Point<f64>) -> Vec<f64> {
         evaluated(&self.tape, point)
     }
 
-    /// All outputs of the program `code` at a point of the prime field; `None` for a value that does not exist in the
-    /// field.
+    /// All values that the program `code` computes at a point of the prime field; `None` for a value that does not
+    /// exist in the field, such as the square root of a non-square.
     pub fn exact(&self, spot: &FieldPoint) -> Vec<Option<Prime>> {
         Machine::new(&spot.point, &spot.circles, true).run(&self.code.program)
     }

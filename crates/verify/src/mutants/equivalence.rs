@@ -9,20 +9,23 @@ use crate::values::Values;
 use codegen::program::{Binary, Fused, Op, Operand, Program, Unary};
 use std::collections::HashMap;
 
-/// Reason given for an equivalent mutant: mutant and original compile to the same expression graph.
+/// Reason why a mutant (model with one deliberate change) is equivalent to the original model: both compile to the same
+/// expression graph.
 const SAME: &str = "compiles to the same derivatives and observation, node for node";
-/// Reason given for an equivalent mutant: mutant and original have equal values at random points of the prime field.
-/// Their floating-point values are compared too, because the field does not show a square root with the wrong sign.
+/// Reason why a mutant (model with one deliberate change) is equivalent to the original model: both have equal values
+/// at random points of the prime field. Their floating-point values are compared too, because the field does not show a
+/// square root with the wrong sign.
 const EQUAL: &str = "derivatives and observation equal at 4 random points of the field of 2^61 - 1 elements, \
                      functions being symbols";
 
-/// Number of random field points at which two programs are compared.
+/// Number of random points at which the programs compiled from a model and from a mutant are compared: as many in the
+/// prime field (integers modulo 2^61 − 1) as in floating-point arithmetic.
 const POINTS: usize = 4;
 /// Maximum number of random trial points of the prime field in the comparison with a mutant. A trial point is usable if
 /// the argument of every square root is a square in the field, which has probability 1/2 per root.
 const MAX_TRIALS: usize = 4096;
 
-/// The original model, prepared for comparison with mutants.
+/// The original model, prepared for comparison with its mutants (copies with one deliberate change each).
 pub struct Original<'a> {
     /// Original model with its equations of motion, from which the mutants are made.
     pub subject: &'a Subject<'a>,
@@ -45,7 +48,7 @@ impl<'a> Original<'a> {
         }
     }
 
-    /// Text that states how a mutant is proved to have the same derivatives and observation as the original; `None` if
+    /// States how the `mutant` is proved to have the same derivatives and observation as the original model; `None` if
     /// equivalence is not proved.
     pub fn same(&self, mutant: &Values) -> Option<&'static str> {
         let (here, there) = (&self.values.layout, &mutant.layout);
@@ -91,7 +94,8 @@ impl<'a> Original<'a> {
         false
     }
 
-    /// Whether the model has terms that its reference implementation does not contain, or has no reference.
+    /// Whether the original model has terms that its reference implementation does not contain, or has no reference
+    /// implementation.
     pub fn has_uncovered_terms(&self) -> bool {
         self.subject
             .reference
@@ -119,7 +123,8 @@ enum Key {
     IfZero(u32, u32, u32),
 }
 
-/// Key of a binary operation; operands of commutative operations are sorted.
+/// Key of a binary operation in a hash-consing table. `a` and `b` are the value numbers of the operands; those of a
+/// commutative operation are sorted.
 fn binary(op: Binary, a: u32, b: u32) -> Key {
     match op {
         Binary::Add | Binary::Mul | Binary::Min | Binary::Max if b < a => Key::Binary(op, b, a),
@@ -128,7 +133,7 @@ fn binary(op: Binary, a: u32, b: u32) -> Key {
 }
 
 impl Interner {
-    /// Value numbers of the outputs of a program. Equal numbers mean that the outputs are the same expression.
+    /// Value numbers of the outputs of a program. Outputs with equal numbers are the same expression.
     fn outputs(&mut self, program: &Program) -> Vec<u32> {
         let mut temps: Vec<u32> = Vec::with_capacity(program.statements.len());
         for statement in &program.statements {

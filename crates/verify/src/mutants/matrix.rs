@@ -11,7 +11,7 @@ use serde::Serialize;
 pub struct MutationMatrix {
     /// Names of the checks, in ascending order of computing effort.
     pub checks: Vec<&'static str>,
-    /// Counts of mutants, one row of the matrix per mutation operator.
+    /// Counts of mutants (models with one deliberate change each), one row of the matrix per mutation operator.
     pub rows: Vec<MutationRow>,
     /// Descriptions of the mutants that no check kills, although the reference implementation contains all terms of the
     /// model.
@@ -31,7 +31,7 @@ pub struct MutationRow {
     pub operator: &'static str,
     /// Number of mutants, without those that are equivalent to the model or contained in `MutationMatrix::not_covered`.
     pub mutants: usize,
-    /// Number of killed mutants.
+    /// Number of the operator's mutants that at least one check refutes (kills).
     pub killed: usize,
     /// For each check in `MutationMatrix::checks`, the number of mutants that it kills and that no earlier check in
     /// that list kills.
@@ -86,17 +86,19 @@ impl MutationMatrix {
         table
     }
 
-    /// Total number of mutants, without those in `equivalent` and `not_covered`.
+    /// Total number of mutants, without those proved equivalent to the model and those that the reference
+    /// implementation does not cover.
     pub fn mutants(&self) -> usize {
         self.rows.iter().map(|row| row.mutants).sum()
     }
 
-    /// Total number of killed mutants.
+    /// Total number of mutants that at least one check refutes (kills).
     pub fn killed(&self) -> usize {
         self.rows.iter().map(|row| row.killed).sum()
     }
 
-    /// Result of mutation testing as one check of the report; the check holds if no mutant survives.
+    /// Result of mutation testing as one check of the report; the check holds if every mutant that must be refuted is
+    /// refuted.
     pub fn row(&self) -> Row {
         let (mutants, killed, same) = (self.mutants(), self.killed(), self.equivalent.len());
         let not_covered = match self.not_covered.len() {

@@ -22,7 +22,7 @@ pub enum Operator {
     Sign,
     /// An expression is multiplied by 2, 0.5 or 1.1.
     Factor,
-    /// A frame is replaced by another.
+    /// A coordinate frame is replaced by another one of the model.
     Frame,
     /// An axis is replaced, or two components are interchanged.
     Axis,
@@ -59,7 +59,7 @@ impl Operator {
         Self::Unit,
     ];
 
-    /// Name of the operator in tables.
+    /// Name of the mutation operator in tables.
     pub fn name(self) -> &'static str {
         match self {
             Self::Sign => "sign flipped",
@@ -79,9 +79,9 @@ impl Operator {
 
 /// A mutation (small deliberate change) of a part of a model file.
 struct Mutation<T> {
-    /// Operator that produced the mutation.
+    /// Mutation operator, such as the change of a sign, that produced the mutation.
     operator: Operator,
-    /// Short description of the mutation.
+    /// Short description of the mutation, such as `components 1 and 2 swapped`.
     how: String,
     /// Mutated part, which replaces the original part of the model file.
     to: T,
@@ -92,15 +92,15 @@ struct Mutation<T> {
 pub struct Mutant {
     /// Mutation operator that made the mutant.
     pub operator: Operator,
-    /// Name of the mutated statement, used in messages about the mutant.
+    /// Description of the mutated statement for messages, such as `der(u)` or `frame B`.
     pub place: String,
-    /// Description of the mutation.
+    /// Description of the mutation, such as `exponent 3 for 2`, usually with the source text of the mutated expression.
     pub change: String,
     /// Syntax tree of the mutated model.
     pub file: File,
 }
 
-/// Generates all mutants of a model file, in the order of its statements.
+/// Generates all mutants (copies with one deliberate change each) of a model file, in the order of its statements.
 pub fn mutants(file: &File, sources: &[Source]) -> Vec<Mutant> {
     let names = Names::of(file);
     let angles = file.frames().filter_map(|frame| match &frame.kind {

@@ -29,12 +29,12 @@ impl Names {
         names
     }
 
-    /// Whether a frame has the given name.
+    /// Whether the model file declares a frame of the given name.
     pub fn is_frame(&self, name: &str) -> bool {
         self.frames.iter().any(|f| f == name)
     }
 
-    /// Names of all frames except the given one.
+    /// Names of all frames of the model file except the given one.
     pub fn other_frames<'a>(&'a self, name: &'a str) -> impl Iterator<Item = &'a String> {
         self.frames.iter().filter(move |f| *f != name)
     }

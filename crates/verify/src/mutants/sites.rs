@@ -18,7 +18,7 @@ pub fn roots(item: &mut Item) -> Vec<&mut Expr> {
     }
 }
 
-/// Name of a statement, for messages.
+/// Describes a statement in messages by its kind and the name that it declares, for example `frame B` or `der(u)`.
 pub fn statement_name(item: &Item) -> String {
     match &item.kind {
         ItemKind::Parameter(c) => format!("declaration of {}", c.name.text),

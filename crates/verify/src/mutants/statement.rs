@@ -80,7 +80,7 @@ impl Changes<'_> {
     }
 }
 
-/// Adds the mutations of the frame in which an input or a marker is given by its components.
+/// Adds mutations of the frame in which an input or a marker is given by its components: each other frame of the model.
 fn frame_of_components(out: &mut Changes<'_>, frame: &Name, names: &Names) {
     for other in names.other_frames(&frame.text) {
         out.push(
@@ -157,7 +157,8 @@ fn frame(out: &mut Changes<'_>, kind: &FrameKind, names: &Names, angles: &[Name]
     }
 }
 
-/// Adds the mutations of the part of a body with the given index: another frame, and interchanged components.
+/// Adds the mutations of one part of a body declaration, such as inertia or velocity: another frame, and interchanged
+/// components. `index` is the position of the part in the declaration.
 fn body_part(out: &mut Changes<'_>, index: usize, part: &BodyPartKind, names: &Names) {
     let mut push = |operator, how: String, change: &dyn Fn(&mut BodyPartKind)| {
         out.push(operator, how, &|item| {
@@ -208,8 +209,8 @@ fn body_part(out: &mut Changes<'_>, index: usize, part: &BodyPartKind, names: &N
     }
 }
 
-/// Name of the frame that a part of a body refers to, with the name of the part in descriptions of mutations. `None`
-/// for the mass.
+/// Frame that a part of a body declaration refers to, with a name of the part for descriptions, such as `inertia`.
+/// `None` for the mass, which refers to no frame.
 fn frame_of_part(part: &mut BodyPartKind) -> Option<(&'static str, &mut Name)> {
     Some(match part {
         BodyPartKind::Mass(_) => return None,

@@ -11,15 +11,16 @@ use model_spec::check;
 use model_spec::diagnostic::{Diagnostic, Kind};
 use model_spec::model::{Model, Source};
 
-/// Name, in [`CHECKS`], of the language checker's check of units.
+/// Name of the language checker's check of units, in the list [`CHECKS`] of the checks that are run on mutants.
 pub const UNITS: &str = "units";
-/// Name, in [`CHECKS`], of the language checker's check of frames.
+/// Name of the language checker's check of frames, in the list [`CHECKS`] of the checks that are run on mutants.
 pub const FRAMES: &str = "frames";
-/// Name, in [`CHECKS`], of the language checker's checks other than those of units and frames.
+/// Name of the language checker's checks other than those of units and frames, in the list [`CHECKS`] of the checks
+/// that are run on mutants.
 pub const GRAMMAR: &str = "names and shapes";
 
-/// Names of the checks that are run on mutants, in ascending order of cost. The last one applies only to models with a
-/// `claim` statement, which declares the meaning of their equations.
+/// Names of the checks that are run on mutants (models with one deliberate change), in ascending order of cost. The
+/// last one applies only to models with a `claim` statement, which declares the meaning of their equations.
 pub const CHECKS: [&str; 8] = [
     UNITS,
     FRAMES,
@@ -36,7 +37,7 @@ pub const CHECKS: [&str; 8] = [
 pub enum MutantStatus {
     /// At least one check refutes the mutant. Contains the indices of these checks in [`CHECKS`]; never empty.
     Killed(Vec<usize>),
-    /// The mutant is proved equivalent to the model. Contains the kind of proof.
+    /// The mutant is proved equivalent to the model. Contains a text that states how this is proved.
     Equivalent(&'static str),
     /// No check refutes the mutant, but the model has no reference implementation, or has terms that the reference
     /// implementation does not contain.
@@ -45,7 +46,7 @@ pub enum MutantStatus {
     Survived,
 }
 
-/// Runs the checks on a mutant and returns its status.
+/// Runs the checks on a mutant (model with one deliberate change) and returns its status.
 pub fn evaluate(
     mutant: &Mutant,
     sources: &[Source],
@@ -80,8 +81,8 @@ fn killer(fault: &Diagnostic) -> usize {
     }
 }
 
-/// Indices in [`CHECKS`] of the numerical checks that refute a mutant. The checks evaluate the mutant's equations from
-/// its vector expressions, without compiling them.
+/// Indices, in [`CHECKS`], of the numerical checks that refute a mutant (model with one deliberate change). The checks
+/// evaluate the mutant's equations from its vector expressions, without compiling them.
 fn refusals(model: &Model, original: &Original<'_>, options: &Options) -> Vec<usize> {
     let Ok(equations) = Interpreted::new(model) else {
         return vec![2];

@@ -6,7 +6,8 @@ use model_spec::model::{Expr, ExprKind, Function, Model};
 /// A small change of an expression that may correct a misprint.
 #[derive(Clone)]
 pub struct Edit {
-    /// Description of the mistake in the original expression that the change corrects: a clause without a full stop.
+    /// Description of the mistake in the original expression that the change corrects; part of a sentence, without a
+    /// full stop.
     pub says: String,
     /// Rank of likelihood, most likely first: 0 extra factor, 1 wrong sign, 2 divisor applied to too many terms of a
     /// sum, 3 sine for cosine or vice versa, 4 missing factor.
@@ -23,8 +24,8 @@ pub struct Editor<'a> {
 }
 
 impl<'a> Editor<'a> {
-    /// Creates a generator for the equations of a model. Its changes do not include multiplying a term by a missing
-    /// factor.
+    /// Creates a generator of small changes that may correct a misprint in an equation of a model. Its changes do not
+    /// include multiplying a term by a missing factor.
     pub fn new(model: &'a Model) -> Self {
         Self {
             model,

@@ -22,22 +22,23 @@ use serde::Serialize;
 /// the reference law that the model names or, without one, the laws of motion of the body that it claims to describe.
 #[derive(Clone, Debug, Serialize)]
 pub struct Refutation {
-    /// Name of the state whose derivative the equation defines.
+    /// Name of the state whose derivative the equation defines, such as `vz`.
     pub state: String,
     /// Source text of the right-hand side of the equation.
     pub equation: String,
-    /// Maximum difference, over the random points, between the equation's right-hand side and the reference, relative
-    /// to the sum of the magnitudes of the equation's terms.
+    /// Maximum difference, over random points, between the equation's right-hand side and the derivative according to
+    /// the reference law or the laws of motion. It is relative to the sum of the magnitudes of the terms.
     pub error: f64,
-    /// Descriptions of the corrections that together make the equation agree with the reference; empty if no such
-    /// corrections were found.
+    /// Descriptions of the corrections that together make the equation agree with the reference law or the laws of
+    /// motion; empty if no such corrections were found.
     pub corrections: Vec<String>,
-    /// Value of `error` for the corrected equation; equal to `error` if there are no corrections.
+    /// Maximum relative difference of the corrected equation, computed like `error`; equal to `error` if there are no
+    /// corrections.
     pub error_corrected: f64,
 }
 
 impl Refutation {
-    /// Describes the refutation and its corrections in one sentence.
+    /// Describes in one sentence that the equation is wrong, and the corrections found for it.
     pub fn sentence(&self) -> String {
         let Self {
             state,
@@ -93,9 +94,9 @@ pub fn refutations(subject: &Subject<'_>, options: &Options) -> Vec<Refutation> 
         .collect()
 }
 
-/// Draws the random points at which the equations der(state) = … of the model file are compared with the reference.
-/// `None` for a model that neither names a reference law nor claims to describe a body, because nothing can be compared
-/// then.
+/// Draws the random points at which the equations der(state) = … of the model file are compared with a reference law or
+/// with the laws of motion. `None` if the model neither names a reference law nor has a `claim` block, which describes
+/// a body, because nothing can be compared then.
 fn points(subject: &Subject<'_>, options: &Options) -> Option<Vec<Point<ErrorBound>>> {
     let mut random = Random::new(options.seed, "refute");
     let has_reference = subject.reference.is_some();
@@ -115,8 +116,8 @@ fn points(subject: &Subject<'_>, options: &Options) -> Option<Vec<Point<ErrorBou
 
 /// Rate of each state with respect to the time of flight at a point, as implied by the laws of motion of the body that
 /// the model claims to describe. The inner `None` marks a state whose rate the laws do not determine. The outer `None`
-/// means that the rates cannot be computed, or that a law that contains rates cannot be satisfied, so that the claim
-/// itself is wrong.
+/// means that the rates cannot be computed, or that a law that contains rates cannot be satisfied, so that the model's
+/// claim itself is wrong.
 fn implied(model: &Model, point: &Point<ErrorBound>) -> Option<Vec<Option<ErrorBound>>> {
     let pace = Tree::new(model, point).clock();
     let implied = claimed_rates(model, point, ErrorBound::integer(1) / pace)?;
@@ -124,8 +125,8 @@ fn implied(model: &Model, point: &Point<ErrorBound>) -> Option<Vec<Option<ErrorB
 }
 
 /// Auxiliary variables that represent the derivative of a state. The model contains such a variable, with the
-/// right-hand side of the state's equation as its expression, if other equations use the derivative. For each variable:
-/// its index, and the reference rate of the state, taken from `truth` (rates by state).
+/// right-hand side of the state's equation as its expression, if other equations use the derivative. Returns for each
+/// variable its index, and the correct rate of the state, taken from `truth` (rates by state).
 fn used_derivatives(
     model: &Model,
     truth: &[Option<ErrorBound>],
@@ -142,24 +143,26 @@ fn used_derivatives(
     out
 }
 
-/// A random point at which the equations are compared with the reference.
+/// A random point at which the model's equations are compared with a reference law or with the laws of motion.
 struct ReferencePoint<'a> {
-    /// Evaluator of the model's expressions at the point, in which derivatives have the values of the reference.
+    /// Evaluator of the model's expressions at the point. State derivatives that occur in the expressions have the
+    /// values in `rates` where these are known.
     tree: Tree<'a, ErrorBound>,
-    /// Rates of the states according to the reference; `None` for a rate that the reference does not determine.
+    /// Rate of each state according to the reference law or the laws of motion; `None` for a rate that these do not
+    /// determine.
     rates: Vec<Option<ErrorBound>>,
 }
 
-/// Examination of the equations of a model at random points.
+/// Comparison of a model's equations with a reference law or with the laws of motion, at random points.
 struct Examination<'a> {
     model: &'a Model,
     points: Vec<ReferencePoint<'a>>,
 }
 
 impl Examination<'_> {
-    /// Maximum over the random points of the difference between an expression and the reference derivative of a state,
-    /// relative to the sum of the magnitudes of the terms. The evaluation stops at the first point whose error exceeds
-    /// `stop`.
+    /// Maximum, over the random points, of the difference between the expression `e` and the correct derivative of the
+    /// state with index `state`. It is relative to the sum of the magnitudes of the terms. The evaluation stops at the
+    /// first point whose error exceeds `stop`.
     fn error(&self, state: usize, e: &Expr, stop: f64) -> f64 {
         let mut worst = 0.0_f64;
         for point in &self.points {
@@ -204,9 +207,10 @@ impl Examination<'_> {
         })
     }
 
-    /// Searches for corrections of the equation `e` that make it agree with the reference. It tries one correction,
-    /// then one correction including the insertion of a missing factor, then two, then three corrections. Returns the
-    /// descriptions of the corrections and the remaining error; `None` if no correction makes the equation agree.
+    /// Searches for corrections of the equation `e` that make it agree with the correct derivative of the state. It
+    /// tries one correction, then one correction including the insertion of a missing factor, then two, then three
+    /// corrections. Returns the descriptions of the corrections and the remaining error; `None` if no correction makes
+    /// the equation agree.
     fn corrections(&self, state: usize, e: &Expr) -> Option<(Vec<String>, f64)> {
         let whole = self.model.text(e.span);
         let plain = Editor::new(self.model);
@@ -252,7 +256,7 @@ impl Examination<'_> {
     }
 }
 
-/// Factors that a misprinted term may lack (name, expression): 2, 1/2, the parameters, sines and cosines of frame
+/// Factors (name, expression) that a misprinted term may lack: 2, 1/2, the parameters, sines and cosines of frame
 /// angles, and the inverses of the parameters, sines and cosines. The expressions have the source location of `at`.
 fn factors(model: &Model, at: &Expr) -> Vec<(String, Expr)> {
     let scalar = |kind| Expr {

@@ -58,13 +58,13 @@ impl Effort {
     };
 }
 
-/// Rounding errors of one section of a function's values on one backend. The unit is the spacing of f64 numbers (ulp)
-/// at the sum of the magnitudes of a value's terms.
+/// Rounding errors of one section of a compiled function's values, such as its Jacobian, on one backend. The unit is
+/// the spacing of f64 numbers (ulp) at the sum of the magnitudes of a value's terms.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Error {
     /// Name of the backend (generated code or bytecode interpreter) that computed the values.
     pub backend: String,
-    /// Whether the backend fuses multiply and add.
+    /// Whether the backend computes with fused multiply-add operations.
     pub fuses: bool,
     /// Name of the compiled function whose results are compared.
     pub function: &'static str,
@@ -73,9 +73,11 @@ pub struct Error {
     pub values: &'static str,
     /// Number of compared values.
     pub compared: usize,
-    /// Maximum error over the compared values.
+    /// Maximum error over the compared values, in units of the spacing of f64 numbers (ulp) at the sum of the
+    /// magnitudes of a value's terms.
     pub worst: f64,
-    /// Median error over the compared values.
+    /// Median error over the compared values, in units of the spacing of f64 numbers (ulp) at the sum of the magnitudes
+    /// of a value's terms.
     pub median: f64,
     /// Name of the value with the maximum error.
     pub place: String,
@@ -86,12 +88,12 @@ pub struct Error {
 pub struct Rounding {
     /// Description of the unit of the errors.
     pub measure: &'static str,
-    /// Number of random points, and number of states along flights.
+    /// Number of random points and number of states along flights at which rounding errors were measured.
     pub points: [usize; 2],
-    /// Number of points left out because a value is not finite there, or because the argument of a branch (such as that
-    /// of abs) is so close to the branch point that rounding may change the result.
+    /// Number of points left out because a value is not finite there, or because rounding may change the result of a
+    /// branch, such as that of abs, whose argument is close to the branch point.
     pub left_out: usize,
-    /// Errors by backend, function and section of values.
+    /// Rounding errors by backend, compiled function and section of the function's values, such as its Jacobian.
     pub errors: Vec<Error>,
     /// Statements of the model that lose bits, in descending order of the loss.
     pub losses: Vec<Loss>,
@@ -110,7 +112,8 @@ struct Exact {
     values: Vec<(f64, f64, f64)>,
 }
 
-/// Measures the rounding errors of every backend and the bits that every statement of the model loses.
+/// Measures the rounding errors of every backend (generated code or bytecode interpreter) and the bits that every
+/// statement of the model loses.
 pub fn measure(
     subject: &Subject<'_>,
     compiled: &Compiled,

@@ -12,13 +12,14 @@ const DURATION: f64 = 0.5;
 /// Maximum number of integration steps between two sampled states. From most random points fewer than 300 are needed;
 /// from a few the motion is so fast that 100,000 do not suffice.
 const MAX_STEPS: usize = 2_000;
-/// Maximum number of random points from which a flight is attempted.
+/// Maximum number of random points from which a flight is attempted, until a flight yields at least one point.
 const MAX_STARTS: usize = 4;
 /// Values that a state is set to in order to measure rounding near 0, relative to the state's typical magnitude.
 const NEAR_ZERO: [f64; 2] = [1e-3, 1e-7];
 
 /// Points along `flights` simulated flights from random points, at most `each` per flight. A flight ends early if it
-/// leaves the model's validity limits or its integration fails; another is attempted if it ends before its first point.
+/// leaves the model's validity limits or its integration fails. Another flight is attempted if it ends before its first
+/// sampled point.
 pub fn flown(
     subject: &Subject<'_>,
     flights: usize,

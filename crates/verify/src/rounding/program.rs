@@ -13,7 +13,8 @@ pub struct Inputs<T> {
     states: Vec<T>,
     parameters: Vec<T>,
     marker: Vec<T>,
-    /// Results of the program `prepare`, which depend on parameters only; empty for a program that does not read them.
+    /// Results of the program `prepare`, which computes values that depend on parameters only; empty for a program that
+    /// does not read them.
     pub prepared: Vec<T>,
 }
 
@@ -30,7 +31,7 @@ impl<T: Real> Inputs<T> {
         }
     }
 
-    /// Returns the inputs with the parameter vector replaced.
+    /// Returns the inputs with the parameter vector replaced by `parameters`.
     pub fn with_parameters(self, parameters: Vec<T>) -> Self {
         Self { parameters, ..self }
     }
@@ -121,8 +122,8 @@ fn unary<T: Real>(program: &Program, op: Unary, a: T) -> T {
     }
 }
 
-/// Distance of an operation's argument from the branch point (such as 0 for abs), relative to the magnitude of the
-/// argument's terms, below which rounding may change the result of the branch.
+/// Minimum distance of an operation's argument from the branch point (such as 0 for abs) at which rounding cannot
+/// change the result of the branch. It is relative to the magnitude of the argument's terms.
 const BRANCH_DISTANCE: f64 = 1e-9;
 
 /// Signed distance of an operation's argument to its branch point, such as 0 for abs; `None` for an operation without

@@ -75,7 +75,7 @@ fn named(report: &Report) -> String {
     named.collect::<Vec<_>>().join("\n")
 }
 
-/// Names of the laws of motion that are violated, according to the detail of a result of the check.
+/// Names of the laws of motion that are violated, read from the detail text of a check result.
 fn laws(row: &Row) -> Vec<&str> {
     let lines = row.detail.lines().filter_map(|l| l.split_once(": off by "));
     lines.map(|(law, _)| law).collect()

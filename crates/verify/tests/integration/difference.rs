@@ -282,7 +282,7 @@ fn rewritings_are_the_same_function() {
     assert_eq!(exact, made);
 }
 
-/// Whether a changed statement still computes the same function.
+/// Returns false for a change of the function that a statement computes, true for every other kind of change.
 fn quiet(change: Change) -> bool {
     !matches!(change, Change::Changed)
 }

@@ -78,14 +78,15 @@ impl Base {
     }
 }
 
-/// A defect that makes one check of the report fail.
+/// A defect of a model or of its compiled code that makes one check of the report fail.
 enum Breakage {
-    /// The first text is replaced by the second in the model file, so that the model contradicts its reference law or
-    /// claim.
+    /// Defect (original text, replacement) in the model file, so that the model itself is wrong.
     Text(&'static str, &'static str),
-    /// The first text is replaced by the second before compilation: the code is wrong, but the model is correct.
+    /// Defect (original text, replacement) in the text from which the code is compiled: the code is wrong, but the
+    /// model is correct.
     Code(&'static str, &'static str),
-    /// Function that introduces a defect in another way and returns the result of the check.
+    /// Function that introduces a defect into the model, its code or the results of its code, and returns the result of
+    /// the check that should fail.
     By(fn(&Base) -> Row),
 }
 
@@ -282,7 +283,7 @@ fn a_survivor() -> Row {
     matrix.row()
 }
 
-/// Names of the checks that no defect in this file refutes: they report a problem by a remark.
+/// Names of the checks that no defect in this file refutes, because they report a problem only in a remark.
 const STALE: [&str; 1] = [backends::GENERATED];
 
 #[test]

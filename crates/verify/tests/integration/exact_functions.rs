@@ -68,8 +68,8 @@ fn changed(op: Op) -> Vec<Op> {
     }
 }
 
-/// Tests mutants of every `step`-th statement of a model's compiled code. Returns the number of mutants that change a
-/// value, and descriptions of those that the check does not refute.
+/// Replaces every `step`-th operation of a model's compiled code, in turn, by wrong ones. Returns the number of
+/// replacements that change a value, and descriptions of those that the exact check of functions does not refute.
 fn killed(model: &Model, step: usize) -> (usize, Vec<String>) {
     let compiled = codegen::compile(model);
     let mut random = Random::new(3, "mutants of the code");

@@ -158,7 +158,7 @@ fn dropped_term(program: &mut Program, random: &mut Random) -> Option<String> {
     Some(format!("{k}: {before:?} as {:?}", program.statements[k].op))
 }
 
-/// Mutation: replaces an output of the program by another output.
+/// Mutation: replaces an output of the compiled program by another of its outputs.
 fn output(program: &mut Program, random: &mut Random) -> Option<String> {
     let count = program.outputs.len() as u64;
     let (a, b) = (

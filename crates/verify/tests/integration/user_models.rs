@@ -44,8 +44,8 @@ fn unclaimed(text: &str) -> String {
     format!("{}{}", &text[..start], &text[end..])
 }
 
-/// The tested models: description, text, and whether the model declares a body or a claim, so that its equations can be
-/// verified.
+/// The tested models: description, text, and whether the equations can be verified because the model declares a body or
+/// has a `claim` block (declared physical meaning of its equations).
 fn models() -> Vec<(&'static str, String, bool)> {
     let glider = studied("glider");
     vec![

@@ -57,8 +57,8 @@ impl Tapes {
         all
     }
 
-    /// Concatenated results of all functions at each point, computed with one instruction set; `None` if this machine
-    /// lacks it.
+    /// Concatenated results of all compiled functions at each point, computed with one SIMD instruction set; `None` if
+    /// this machine lacks it.
     pub fn on_lanes(&self, isa: Isa, points: &[Point<f64>]) -> Option<Vec<Vec<f64>>> {
         dispatch_with(
             isa,

@@ -13,10 +13,11 @@ use lanes::Isa;
 use model_spec::model::Model;
 use oracle::Point;
 
-/// Name of the check of bitwise agreement between backends.
+/// Name in reports of the check of bitwise agreement between backends (generated code and bytecode interpreter).
 pub const BACKENDS: &str = "backends";
 
-/// Name of the comparison of backends with and without fused multiply-add.
+/// Name in reports of the comparison between backends with and without fused multiply-add; a backend is the generated
+/// code or the bytecode interpreter.
 pub const FMA: &str = "FMA and non-FMA";
 
 /// Name of the check that the running executable contains code generated from the model's current text.
@@ -26,14 +27,14 @@ pub const GENERATED: &str = "generated code";
 /// The value allows for an amplification of rounding errors by 1e4 through cancellation.
 const FMA_TOLERANCE: f64 = 1e-12;
 
-/// Results of one backend at a list of points.
+/// Results of one backend (generated code or bytecode interpreter) at a list of points.
 #[derive(Clone, Debug)]
 pub struct Run {
-    /// Name of the backend.
+    /// Name of the backend (generated code or bytecode interpreter) that computed the results.
     pub backend: String,
-    /// Whether the backend fuses multiply and add.
+    /// Whether the backend computes with fused multiply-add operations.
     pub fuses: bool,
-    /// For each point, the concatenated results of all functions.
+    /// For each point, the concatenated results of all compiled functions of the model.
     pub results: Vec<Vec<f64>>,
 }
 
@@ -45,8 +46,9 @@ pub fn functions(compiled: &Compiled) -> Vec<(&'static str, usize)> {
         .into()
 }
 
-/// Evaluates all compiled functions on all backends at the points. The generated code in the running executable is
-/// included only if the hash stored with it equals that of the current text of the model.
+/// Evaluates all compiled functions on all backends (generated code or bytecode interpreter) at the points. The
+/// generated code in the running executable is included only if the hash stored with it equals that of the current text
+/// of the model.
 pub fn runs(model: &Model, compiled: &Compiled, points: &[Point<f64>]) -> Vec<Run> {
     let tapes = Tapes::new(compiled.functions().map(|f| &f.program));
     let mut runs = vec![Run {
@@ -112,8 +114,8 @@ fn first(runs: &[Run], fuses: bool) -> Option<&Run> {
     runs.iter().find(|run| run.fuses == fuses)
 }
 
-/// Checks that the results of all backends that fuse multiply and add agree bit for bit, and likewise those of all
-/// backends that do not.
+/// Checks for bitwise agreement: the results of all backends that fuse multiply and add must be equal, and those of all
+/// backends that do not fuse must be equal.
 pub fn check(compiled: &Compiled, runs: &[Run]) -> Row {
     let mut worst = Worst::default();
     for run in runs {
@@ -169,7 +171,8 @@ pub fn check_fma(compiled: &Compiled, runs: &[Run]) -> Row {
     Row::judged(FMA, plain.results.len(), &worst, FMA_TOLERANCE)
 }
 
-/// Name of the function to which the concatenated result with the given index belongs.
+/// Name of the compiled function to which the result with the given index belongs; the index counts the concatenated
+/// results of all functions.
 pub fn function_at(compiled: &Compiled, index: usize) -> &'static str {
     let mut end = 0;
     let found = functions(compiled).into_iter().find(|(_, len)| {

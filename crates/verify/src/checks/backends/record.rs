@@ -17,12 +17,12 @@ thread_local! {
     static RECORDING: RefCell<Recording> = const { RefCell::new(Recording::new()) };
 }
 
-/// The program to which the operations executed on this thread are appended.
+/// Recorded program: the operations on [`Recorded`] numbers that this thread has executed, in order.
 struct Recording {
     statements: Vec<Statement>,
     /// Inputs, constants and results of statements, in order of appearance.
     operands: Vec<Operand>,
-    /// Piecewise cubics, in order of appearance.
+    /// Interpolated tables, as piecewise cubics, that the recorded operations evaluate, in order of appearance.
     tables: Vec<PiecewiseCubic>,
 }
 
@@ -45,7 +45,8 @@ fn index(k: usize) -> u32 {
     u32::try_from(k).expect("fewer than 2^32 operands")
 }
 
-/// Scalar type whose operations are appended to the recording. The value is an index into the recorded operands.
+/// Scalar type that appends every operation on it to a program, which is recorded per thread. The number itself is an
+/// index into the operands of that program.
 ///
 /// The small size and the calls that are not inlined make the instantiation of a model's functions cheap to compile.
 #[derive(Clone, Copy)]

@@ -19,7 +19,8 @@ pub const QUICK: Options = Options {
     effects: true,
 };
 
-/// [`QUICK`] without the checks of effects (optional model extensions).
+/// Options for fast verifications without checks of effects (optional model extensions): few random points and no
+/// mutation testing.
 #[allow(dead_code)]
 pub const WITHOUT_EFFECTS: Options = Options {
     effects: false,
