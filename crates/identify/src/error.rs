@@ -103,10 +103,10 @@ pub enum FlightError {
         /// Median of the robust standard deviations of the other flights' residuals, m.
         usual: f64,
     },
-    /// The deadline passed before the flight was processed.
+    /// The deadline of the fit passed before the flight was processed.
     #[error("the time limit was reached before it was looked at")]
     Deadline,
-    /// The work was cancelled.
+    /// The caller cancelled the fit or the prediction.
     #[error("interrupted")]
     Interrupted,
 }
@@ -155,7 +155,7 @@ pub enum FitError {
     /// The dataset or the options contain a name that the model does not have.
     #[error("{} {name}, and the model {model} has {}", given_in.phrase(), available.join(", "))]
     UnknownName {
-        /// Section of the dataset or option that contains the name.
+        /// Place where the name is given: a section of the dataset or an option of the fit.
         given_in: NameSource,
         /// The unknown name.
         name: String,
@@ -195,7 +195,7 @@ pub enum FitError {
     Sensor {
         /// Name of the model.
         model: String,
-        /// Reason, as text for the message.
+        /// Reason why the model has no measurement equation for the sensor, as text for the message.
         reason: String,
     },
     /// The model's body rotates, but the markers do not determine its attitude.
@@ -212,14 +212,15 @@ pub enum FitError {
     /// Every flight of the dataset is held out.
     #[error("every flight is held out: none is left to fit")]
     NothingToFit,
-    /// The values given for a warm start do not match the number of global parameters or of states.
+    /// The values given for a warm start (a fit that starts at given estimates) do not match the number of global
+    /// parameters or of states.
     #[error(
         "a warm start needs {globals} global values and initial states of lengths {states:?}, one per fitted flight"
     )]
     WarmStartSize {
-        /// Number of global parameters.
+        /// Number of global parameters, for each of which one starting value is required.
         globals: usize,
-        /// Expected number of states for each fitted flight.
+        /// Required number of initial-state values for each fitted flight.
         states: Vec<usize>,
     },
     /// The known values of a flight do not match the model, or the flight cannot be predicted from given values of the
@@ -237,7 +238,7 @@ pub enum FitError {
     /// No flight can be fitted. Contains all excluded flights with their reasons.
     #[error("none of the flights can be fitted:\n{}", first_reasons(.0))]
     NoUsableFlight(Vec<ExcludedFlight>),
-    /// The work was cancelled.
+    /// The caller cancelled the fit.
     #[error("interrupted")]
     Interrupted,
 }

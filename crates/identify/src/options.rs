@@ -52,8 +52,8 @@ pub struct Prior {
 
 /// Receiver of progress reports of a fit. Methods may be called from any thread.
 pub trait Progress: std::fmt::Debug + Sync {
-    /// Called when a stage of the fit starts, with its name and the number of flights that it processes. A stage may
-    /// process every flight several times.
+    /// Called when a stage of the fit starts, with the name of the stage and the number of flights that it processes. A
+    /// stage may process every flight several times.
     fn stage_started(&self, stage: &str, flights: usize);
     /// Called when the present stage of the fit has processed one flight.
     fn flight_done(&self);
@@ -76,7 +76,8 @@ impl CancellationToken {
 }
 
 impl FitOptions<'_> {
-    /// Checks that values are finite, standard deviations positive, and the number of threads at least 1.
+    /// Checks that the values of the options are finite, standard deviations positive, and the number of threads at
+    /// least 1.
     ///
     /// # Errors
     /// [`FitError::InvalidOption`] if a value is outside its allowed range.

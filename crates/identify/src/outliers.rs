@@ -146,7 +146,7 @@ impl Line {
         self.spread = (1.0 + 1.0 / count + middle * part).sqrt();
     }
 
-    /// Weight of each neighbouring value.
+    /// Weight of each neighbour in the value, at time 0, of the least-squares line through the neighbours.
     fn weights(&self) -> &[f64] {
         &self.weights[..self.count]
     }

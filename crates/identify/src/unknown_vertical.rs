@@ -10,7 +10,8 @@ use crate::fit::{Fit, fit};
 use crate::options::FitOptions;
 use crate::vertical::{ANGLES, EFFECT, angles};
 
-/// Maximum number of flights that are fitted to choose the initial direction of the vertical among several candidates.
+/// Maximum number of flights that are fitted from each of several initial directions of the vertical, to choose among
+/// these directions.
 const TRIED_FLIGHTS: usize = 6;
 
 /// Initial directions of the upward axis, in the measured axes and not normalised: along the axes and halfway between

@@ -80,7 +80,7 @@ impl Resolved<'_> {
         Ok(())
     }
 
-    /// Copy of `options` in which the priors and fixed coefficients are replaced by those of `self`.
+    /// Copy of the fit options `options` in which the priors and fixed coefficients are replaced by those of `self`.
     pub fn options<'o>(&'o self, options: &FitOptions<'o>) -> FitOptions<'o> {
         FitOptions {
             priors: &self.priors,

@@ -22,16 +22,17 @@ const DISPLACEMENT_SIGMA: f64 = 0.3;
 /// contact increase further.
 const MIN_ROUGH_GAIN: f64 = 30.0;
 
-/// Result of the comparison of free motion with motion whose velocities jump just before a sample.
+/// Result of the comparison of free motion (without contact) with motion whose velocities jump just before a sample.
 #[derive(Clone, Debug)]
 pub struct Comparison {
-    /// Decrease of the whitened sum of squares if the velocities may jump.
+    /// Decrease of the sum of squared whitened residuals if the velocities may jump.
     pub gain: f64,
     /// Difference between the initial state of the motion after the jump and that of the motion before it.
     pub change: DVector<f64>,
 }
 
-/// Comparisons of free motion with motion whose velocities jump, for jumps just before each of the tried samples.
+/// Comparisons of free motion (without contact) with motion whose velocities jump, for jumps just before each of
+/// several successive samples.
 pub struct Jumps {
     /// Index of the first sample for which a jump in the preceding interval is tested.
     tried: usize,
@@ -44,9 +45,9 @@ pub struct Jumps {
 }
 
 impl Jumps {
-    /// Tests a jump just before each sample from `trajectory.tried` on. `rows` contains the whitened residuals by
-    /// sample from `trajectory.first` on. `None` if the samples before a jump do not determine the free motion. Uses
-    /// `threads` threads.
+    /// Tests a velocity jump just before each sample from `trajectory.tried` on. `rows` contains the whitened residuals
+    /// of the markers by sample from `trajectory.first` on. `None` if the samples before a jump do not determine the
+    /// motion without a contact. Uses `threads` threads.
     pub fn new(
         trajectory: &Trajectory,
         rows: &[Vec<Point>],
@@ -143,7 +144,8 @@ struct SampleSum<'a> {
 /// before the jump, and the change of the initial state that represents the jump. The terms with the initial state
 /// alone are those of free motion, and are not stored here.
 struct JumpSum {
-    /// Block of the normal matrix that couples the initial state (rows) and its change (columns).
+    /// Block of the normal matrix that couples the initial state before the jump (rows) with the change of the initial
+    /// state that represents the jump (columns).
     cross: DMatrix<f64>,
     change: Quadratic,
 }
@@ -156,7 +158,7 @@ impl JumpSum {
         }
     }
 
-    /// Adds the residuals of `sample`, which follows a jump just before the sample with the index `contact`.
+    /// Adds the squared residuals of `sample`, which follows a jump just before the sample with the index `contact`.
     fn add(&mut self, sample: &SampleSum<'_>, contact: usize) {
         let is_first = |point: &Point| point.previous.is_none_or(|previous| previous < contact);
         if !sample.points.iter().any(is_first) {

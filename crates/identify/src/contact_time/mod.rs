@@ -112,7 +112,7 @@ pub fn contact_time(
     None
 }
 
-/// A deviation of the samples from free motion.
+/// A deviation of the samples from free motion (motion without contact).
 enum Departure<'a> {
     /// A velocity jump; contains the index of the first sample after the jump, and the comparison of free motion with
     /// motion that has this jump.

@@ -6,7 +6,7 @@ use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 /// unknowns.
 const RIDGE: f64 = 1e-9;
 
-/// A sum of squared residuals that are linear in the unknowns.
+/// A sum of squared residuals that are linear functions of the unknowns.
 #[derive(Clone, Debug)]
 pub struct Quadratic {
     /// Normal matrix JᵀJ.

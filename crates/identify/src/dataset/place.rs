@@ -7,7 +7,8 @@ pub(super) struct CellLocations<'a> {
 }
 
 impl CellLocations<'_> {
-    /// Byte offset of the next record, at or after `from`; skips empty lines and comments, as the table reader does.
+    /// Byte offset of the next record of the table, at or after `from`; skips empty lines and comments, as the table
+    /// reader does.
     pub fn record(&self, from: usize) -> usize {
         let mut start = from.min(self.text.len());
         loop {
