@@ -22,7 +22,7 @@ pub struct Observations {
     pub file: String,
     /// Whether the flight is fitted or held out.
     pub role: Role,
-    /// Time of the first sample in the table, s.
+    /// Time of the first used sample (the origin of `times`), as in the table of the flight, s.
     pub origin: f64,
     /// Times of the samples relative to the first one used, s.
     pub times: Vec<f64>,

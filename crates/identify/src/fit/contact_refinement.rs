@@ -56,8 +56,8 @@ struct Retruncated {
 }
 
 /// Uses the fitted model to search the flights for ground contacts, and truncates each flight at its contact or
-/// restores its whole length. `cache` contains the residuals at `state`, which was fitted to the flights as they were
-/// truncated before. Returns the residuals at the new state.
+/// restores its whole length. `cache` contains the residuals for the present values of the unknowns in `state`, which
+/// were fitted to the flights as truncated before. Returns the residuals for the new values.
 ///
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
@@ -151,8 +151,9 @@ pub fn refine_contacts(
     exclude_failed(state, residuals)
 }
 
-/// Reference fit: fits only the flights whose residual scale is not far above `usual`, m. Returns these flights with
-/// their residuals; `None` if no flight or more than half of the flights would be left out.
+/// Reference fit: fits only the flights whose residual scale (robust standard deviation of the residuals) is not far
+/// above `usual`, m. Returns these flights with their residuals; `None` if no flight or more than half of the flights
+/// would be left out.
 fn fitted_without<'a>(
     state: &State<'a>,
     cache: &ResidualCache,

@@ -63,8 +63,8 @@ pub struct ContactSearch {
 }
 
 impl ContactSearch {
-    /// The result of the search for the part of the flight that consists of the `samples` samples after its first
-    /// `unseen` samples.
+    /// The search result restricted to a part of the flight: the `samples` samples that follow its first `unseen`
+    /// samples.
     pub fn of_part(&self, unseen: usize, samples: usize) -> Self {
         let poses = self
             .poses

@@ -34,7 +34,7 @@ const CORRELATIONS: (f64, i32) = (0.05, 18);
 /// Minimum number of third differences of the positions from which the noise correlation is estimated.
 const DIFFERENCES: usize = 30;
 
-/// A point of the measured path, with the rotation from body components to inertial components.
+/// A point of the measured path, with the attitude of the body there (rotation from body to inertial components).
 pub type Posed<'p> = (&'p PathPoint, UnitQuaternion<f64>);
 
 /// Position of the body and direction of its most steady axis (the body axis whose direction changes least) in each

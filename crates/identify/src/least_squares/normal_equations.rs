@@ -9,7 +9,8 @@ use nalgebra::{DMatrix, DVector};
 use super::scaled_cholesky::ScaledCholesky;
 use crate::ids::{GlobalId, LocalId};
 
-/// Normal equations of one flight: JᵀJ and Jᵀr of its residuals r, in blocks of local and global parameters.
+/// Normal equations of one flight: JᵀJ and Jᵀr of its residuals r, in blocks of local parameters (initial state of the
+/// flight) and global parameters (common to all flights).
 #[derive(Clone, Debug, PartialEq)]
 pub struct NormalBlock {
     /// Block of JᵀJ: local × local parameters.
@@ -80,7 +81,8 @@ impl NormalBlock {
 #[error("the samples of flight {0} do not determine its initial state")]
 pub struct UndeterminedFlight(pub usize);
 
-/// Schur complement of a flight's normal equations after elimination of its local parameters.
+/// Schur complement of a flight's normal equations after elimination of its local parameters (initial state), with the
+/// Cholesky factor required for back-substitution.
 pub(crate) struct SchurComplement {
     factor: ScaledCholesky,
     reduced: DMatrix<f64>,

@@ -1,6 +1,6 @@
 //! Termination criteria of an iteration, and the reason why it stopped.
 
-/// Termination criteria of the least squares.
+/// Criteria by which the least-squares iteration stops.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StoppingCriteria {
     /// Predicted reduction of the sum of squares below which a step is negligible.

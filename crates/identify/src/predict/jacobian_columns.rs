@@ -82,8 +82,8 @@ impl<'p> JacobianColumns<'p> {
         local.chain(self.parameter_columns()).collect()
     }
 
-    /// Converts the tangent of the state manifold from `entries` (state, direction, value) to (state, column, value).
-    /// Returns only the columns whose sensitivities are integrated.
+    /// Converts entries of the tangent of the state manifold from (state, direction, value) to (state, column, value).
+    /// Returns only entries in columns whose sensitivities are integrated.
     pub fn tangent(&self, entries: &[(usize, usize, f64)]) -> Vec<(usize, usize, f64)> {
         let columns = entries.iter();
         let columns =
@@ -93,8 +93,8 @@ impl<'p> JacobianColumns<'p> {
             .collect()
     }
 
-    /// Rows of zeros for the three axes of an observation, as long as the rows of the accumulator of the normal
-    /// equations.
+    /// Rows of zeros for the derivatives along the three axes of an observation, as long as the rows of the accumulator
+    /// of the normal equations.
     pub fn empty_rows(&self) -> [Vec<f64>; 3] {
         let width = self.accumulator().width();
         [0; 3].map(|_| vec![0.0; width])
