@@ -40,7 +40,7 @@ impl<'a> MarkerConditions<'a> {
     }
 }
 
-/// Evaluators of the markers' measurement equations.
+/// Evaluators of the markers' measurement equations: predicted positions from state and time.
 pub struct MarkerObservers<'a>(Vec<ModelObserver<'a>>);
 
 impl<'a> MarkerObservers<'a> {

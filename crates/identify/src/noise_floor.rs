@@ -114,8 +114,8 @@ fn track(
         .collect()
 }
 
-/// Weights of the neighbours' positions whose weighted sum is the value of their least-squares cubic at the middle
-/// sample.
+/// Weights of the neighbours' positions: the weighted sum is the value, at the time of the middle sample, of the cubic
+/// fitted to the neighbours by least squares.
 #[derive(Default)]
 struct Interpolation {
     offsets: [f64; 2 * SIDE],
@@ -127,8 +127,8 @@ struct Interpolation {
 const SAME_TIME: f64 = 1e-6;
 
 impl Interpolation {
-    /// Difference between the middle position and the cubic through its neighbours, m, scaled so that its standard
-    /// deviation is that of one marker coordinate; `None` if times coincide.
+    /// Difference between the middle position of a window and the cubic through its neighbours, m, scaled so that its
+    /// standard deviation is that of one marker coordinate; `None` if times coincide.
     fn residual(&mut self, window: &[TrackPoint]) -> Option<Vector3<f64>> {
         let middle = &window[SIDE];
         let neighbours = || window[..SIDE].iter().chain(&window[SIDE + 1..]);

@@ -39,7 +39,8 @@ pub struct Predicted {
     pub derivatives: [DVector<f64>; 3],
 }
 
-/// Kind of a time at which the trajectory is evaluated: its initial time, a sample, or a time between two samples.
+/// Kind of a time at which the predicted trajectory is evaluated: its initial time, a sample, or a time between two
+/// samples.
 #[derive(Clone, Copy)]
 enum EvaluationTime {
     Start,

@@ -59,7 +59,7 @@ pub struct Dataset {
     pub flights: Vec<Flight>,
 }
 
-/// A tracked point of the body.
+/// A point of the body whose position is tracked.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Marker {
     /// Name of the marker; the names of its columns begin with it (`m1` in `m1_x`).

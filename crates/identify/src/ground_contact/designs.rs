@@ -18,7 +18,7 @@ pub struct Designs<D> {
 }
 
 impl<D> Designs<D> {
-    /// Creates an empty collection.
+    /// Creates a collection without designs.
     pub fn new() -> Self {
         Self {
             recent: Vec::new(),

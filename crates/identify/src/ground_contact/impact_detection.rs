@@ -225,7 +225,7 @@ fn leave_out_outliers(sides: &mut [Vec<(f64, Vector3<f64>)>; 2], noise: f64) {
     }
 }
 
-/// Least-squares polynomial along each axis in the normalised (dimensionless) time.
+/// Least-squares polynomial in the normalised (dimensionless) time, fitted to the three coordinates of a path.
 struct Fitted<const N: usize> {
     /// Coefficients of the powers of the normalised time, m; one column per axis.
     coefficients: SMatrix<f64, N, 3>,

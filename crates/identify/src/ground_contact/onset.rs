@@ -22,8 +22,8 @@ const NEUTRAL_PART: f64 = 0.02;
 /// so that a single outlier is not mistaken for a ground contact.
 const MAX_RELATIVE_INNOVATION: f64 = 2.4;
 
-/// Index of the first sample after the ground contact that was detected by `comparison`; `None` if the points do not
-/// determine this sample.
+/// Index of the first sample after the ground contact that was detected by `comparison`, the test of one interval;
+/// `None` if the points do not determine this sample.
 pub fn onset(points: &[Point], comparison: &Comparison, fits: &mut MotionFits) -> Option<usize> {
     let index = first_point(points, comparison, fits)?;
     let (last, next) = (

@@ -140,7 +140,7 @@ fn is_touch(comparison: &Comparison, usual: [f64; 2]) -> bool {
     velocity < 0.0 && is_upward && (of_both || of_path)
 }
 
-/// Lower quartile of some values; 0 for no values.
+/// Lower quartile of the given values; 0 for no values.
 fn quartile(values: impl Iterator<Item = f64>) -> f64 {
     let mut values: Vec<f64> = values.collect();
     let quarter = values.len() / 4;

@@ -17,7 +17,7 @@ const PROBES: [[f64; 3]; 4] = [[0.0; 3], [0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0,
 /// ends. Velocities are multiplied by `VELOCITY_WEIGHT`.
 const MAX_DISTANCE: f64 = 1e-6;
 
-/// Maximum number of initial states from which the search for the state with a given motion is started.
+/// Maximum number of states from which the search for the state with a given motion is started.
 const MAX_GUESSES: usize = 8;
 
 /// Step size of the one-sided finite differences for the Jacobian, in the SI unit of each state.
@@ -224,7 +224,7 @@ fn descend(
     distance.is_finite().then_some((distance, state))
 }
 
-/// Evaluates the positions and velocities of the probe points on the body at a state of the model.
+/// Evaluates the positions and velocities of body-fixed points (probes) at a state of the model.
 struct ProbeMotion<'a> {
     /// Time of the first sample, s.
     time: f64,

@@ -159,10 +159,10 @@ const MAX_VARIANCE_RATIO: f64 = 25.0;
 /// which the position is dropped as an outlier.
 const MAX_SQUARES_RATIO: f64 = 16.0;
 
-/// Maximum number of times that the parabola is fitted again without outliers.
+/// Maximum number of times that the parabola through the measured positions is fitted again without outliers.
 const MAX_PATH_REFITS: usize = 2;
 
-/// Minimum number of positions that must remain without the outliers for the parabola to be fitted again.
+/// Minimum number of positions that must remain after removal of the outliers for the parabola to be fitted again.
 const MIN_PATH_POINTS: usize = 4;
 
 /// Position, m, and velocity, m/s, at time 0 from a least-squares parabola, which is refitted without outliers.

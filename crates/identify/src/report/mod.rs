@@ -41,7 +41,7 @@ pub struct FitReport {
     pub noise: NoiseReport,
     /// Coefficients and other global parameters, keyed by their names.
     pub coefficients: BTreeMap<String, Coefficient>,
-    /// Correlation matrix of the estimated global parameters, as a map of maps by name.
+    /// Correlation matrix of the estimated global parameters, indexed by the names of two parameters.
     pub correlations: BTreeMap<String, BTreeMap<String, f64>>,
     /// Reports of all flights, in the order of the dataset.
     pub flights: Vec<FlightReport>,
@@ -161,7 +161,7 @@ pub struct Coefficient {
     pub at_bound: bool,
     /// Whether the parameter is fixed and not estimated.
     pub held: bool,
-    /// Initial value, SI: from the prior, the dataset or the model.
+    /// Initial value of the parameter in the fit, SI: from the prior, the dataset or the model.
     pub model_value: f64,
     /// Mean and standard deviation of the prior, SI; `None` without a prior.
     pub prior: Option<[f64; 2]>,

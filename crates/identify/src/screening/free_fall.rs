@@ -55,8 +55,8 @@ const SCATTER_PART: f64 = 0.25;
 /// Minimum number of flights for which a single flight can be compared with the others.
 const MIN_FLIGHTS: usize = 4;
 
-/// Axes of the table that may point up, each with the columns to be written for x, y and z, and the rotation from the
-/// table's coordinates to coordinates with z up.
+/// Axes of the table that may point up: name of the axis, the columns to be written for x, y and z so that z points up,
+/// and the rotation from the table's coordinates to coordinates with z up.
 fn orientations() -> [(&'static str, &'static str, Matrix3<f64>); 6] {
     let rows =
         |a: [f64; 3], b: [f64; 3], c: [f64; 3]| Matrix3::from_rows(&[a.into(), b.into(), c.into()]);
@@ -78,16 +78,16 @@ pub struct FreeFall<'a> {
     dataset: &'a Dataset,
     gravity: Vector3<f64>,
     /// Measured accelerations and regressors of the aerodynamic loads in the time windows of each flight; empty for a
-    /// flight without a track.
+    /// flight whose path is not available.
     rows: Vec<Vec<Row>>,
     /// Median, over the samples of each flight, of the vertical component of the unit normal of the markers' plane;
-    /// `None` for a point mass or without a track.
+    /// `None` for a point mass or if the path is not available.
     upright: Vec<Option<f64>>,
 }
 
 impl<'a> FreeFall<'a> {
-    /// Computes the regression data of each flight from its track in `tracks`, which is `None` for a flight that
-    /// already has another fault. Uses `threads` threads.
+    /// Computes the regression data of each flight from the path of its body in `tracks`, which is `None` for a flight
+    /// that already has another fault. Uses `threads` threads.
     pub fn new(
         (problem, dataset): (&'a FitProblem, &'a Dataset),
         gravity: Vector3<f64>,
@@ -374,7 +374,7 @@ impl<'a> FreeFall<'a> {
     }
 }
 
-/// Track of a flight up to the first ground contact, computed after multiplication of all measured marker positions by
+/// Path of a body up to the first ground contact, computed after multiplication of all measured marker positions by
 /// `matrix`.
 pub fn transformed_track(problem: &FitProblem, flight: &Flight, matrix: &Matrix3<f64>) -> Track {
     let change = |point: [f64; 3]| <[f64; 3]>::from(matrix * Vector3::from(point));
@@ -419,8 +419,8 @@ fn omega(problem: &FitProblem, flight: &Flight) -> Option<Vector3<f64>> {
     known.next()
 }
 
-/// Two texts on wrong times, from the ratio of the fitted acceleration to gravity: the probable mistake, and the
-/// instruction for correcting it.
+/// Two texts for a fault report on wrong times, from the ratio of the fitted acceleration to gravity: the probable
+/// mistake, and the instruction for correcting it.
 fn time_words(ratio: f64) -> (String, String) {
     let factor = ratio.sqrt();
     for (divisor, unit) in [(1e3, "milliseconds"), (1e6, "microseconds")] {

@@ -34,8 +34,8 @@ struct SampleRange {
     evidence: f64,
 }
 
-/// Fault of a flight in which labels of markers are exchanged; `None` if the measured distances between markers match
-/// the template (the declared positions of the markers).
+/// Data fault of a flight in which labels of markers are exchanged; `None` if the measured distances between markers
+/// match the template (the declared positions of the markers).
 pub fn check(distances: &Distances, flight: &Flight, markers: &[Marker]) -> Option<DataFault> {
     let count = markers.len().min(MAX_MARKERS);
     let mut best: Option<(Vec<usize>, SampleRange)> = None;

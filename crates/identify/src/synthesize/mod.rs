@@ -105,8 +105,9 @@ pub fn default_markers(model: &Model) -> Vec<Marker> {
     }
 }
 
-/// Simulates flights of a model, and observes its markers. The launch conditions in `releases` are used in rotation,
-/// and the initial state of each flight varies at random about the one specified in its launch conditions.
+/// Generates a synthetic dataset: simulates flights of a model and measures its markers with random errors. The launch
+/// conditions in `releases` are used in rotation, and the initial state of each flight varies at random about the one
+/// specified in its launch conditions.
 ///
 /// # Errors
 /// [`SynthesisError::Plan`] or [`SynthesisError::OutOfRange`] if the plan is invalid; [`SynthesisError::Flight`] if a
