@@ -15,7 +15,7 @@ pub enum FlightError {
         "{measured} measured coordinates do not determine the {unknowns} unknowns of its initial state"
     )]
     TooFewCoordinates {
-        /// Number of measured coordinates.
+        /// Number of measured coordinates of the flight.
         measured: usize,
         /// Number of unknowns (free directions) of the initial state.
         unknowns: usize,
@@ -42,7 +42,7 @@ pub enum FlightError {
     /// Some components of a unit quaternion are known and others are not.
     #[error("{known} is given as known; a quaternion is known as a whole ({}) or not at all", components.join(", "))]
     PartialQuaternion {
-        /// Name of a known component.
+        /// Name of a quaternion component whose value is known.
         known: String,
         /// Names of all four components of the quaternion.
         components: Vec<String>,
@@ -74,10 +74,10 @@ pub enum FlightError {
     /// No state within the model's domain of validity reproduces the measured motion.
     #[error("the model has no state within its limits that moves as the markers do")]
     NoMatchingState,
-    /// The trajectory cannot be integrated.
+    /// The trajectory of the flight cannot be integrated numerically.
     #[error(transparent)]
     Integration(#[from] ode::IntegrationError),
-    /// The normal equations of the initial state are singular.
+    /// The normal equations of the initial state are singular: the samples do not determine it.
     #[error("its samples do not determine its initial state")]
     SingularInitialState,
     /// All samples of a held-out flight belong to its conditioning segment (the first samples, to which the initial
@@ -157,7 +157,7 @@ pub enum FitError {
     UnknownName {
         /// Place where the name is given: a section of the dataset or an option of the fit.
         given_in: NameSource,
-        /// The unknown name.
+        /// Name that the model does not have.
         name: String,
         /// Name of the model.
         model: String,
@@ -169,7 +169,7 @@ pub enum FitError {
     NotEstimated {
         /// Option that names the parameter: [`NameSource::Prior`] or [`NameSource::Profile`].
         given_in: NameSource,
-        /// Name of the parameter.
+        /// Name of the parameter that is not estimated.
         name: String,
     },
     /// A value in the options is outside its allowed range.
@@ -179,12 +179,12 @@ pub enum FitError {
         option: &'static str,
         /// Name of the parameter to which the option applies.
         name: String,
-        /// Invalid value of the option.
+        /// Value of the option, which is outside the allowed range.
         value: f64,
         /// Allowed range, as text for the message.
         expected: &'static str,
     },
-    /// The model has no measurement equation.
+    /// The model has no measurement equation, which gives the predicted position of a point of the body.
     #[error("the model {model} does not say what is observed of it")]
     NoObservation {
         /// Name of the model.

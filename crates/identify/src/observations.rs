@@ -43,7 +43,7 @@ pub struct Observations {
     /// Parameters of the flight in the order of the compiled model's parameter vector, SI. Global parameters have their
     /// initial values here.
     pub parameters: Vec<f64>,
-    /// Known states at the first sample, SI.
+    /// States whose values at the first sample are known, and these values, SI.
     pub known_states: Vec<(StateId, f64)>,
     /// Directions in which the initial state of the flight may vary in a fit.
     pub manifold: StateManifold,

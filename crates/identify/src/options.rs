@@ -64,12 +64,12 @@ pub trait Progress: std::fmt::Debug + Sync {
 pub struct CancellationToken(Arc<AtomicBool>);
 
 impl CancellationToken {
-    /// Requests cancellation.
+    /// Requests cancellation of the work to which this token was given.
     pub fn cancel(&self) {
         self.0.store(true, Ordering::Relaxed);
     }
 
-    /// Whether cancellation was requested.
+    /// Whether cancellation was requested by this token or a clone of it.
     pub fn is_cancelled(&self) -> bool {
         self.0.load(Ordering::Relaxed)
     }
@@ -140,7 +140,7 @@ impl FitOptions<'_> {
         token.is_some_and(CancellationToken::is_cancelled)
     }
 
-    /// Whether the deadline has passed; `false` without a deadline.
+    /// Whether the deadline of the fit has passed; `false` without a deadline.
     pub fn is_past_deadline(&self) -> bool {
         self.deadline
             .is_some_and(|deadline| Instant::now() >= deadline)

@@ -59,12 +59,12 @@ const OUTLIER_GAIN: f64 = 26.0;
 /// instead of a contact excludes it.
 const MAX_OUTLIERS: usize = 12;
 
-/// A contact with the ground or another object.
+/// A contact of the body with the ground or another object, found as a velocity jump.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Onset {
     /// Index of the first sample after the contact with the ground or the object.
     pub sample: usize,
-    /// Jump of the mean velocity of the markers, m/s.
+    /// Jump of the mean velocity of the markers at the contact, m/s.
     pub jump: Vector3<f64>,
 }
 
@@ -117,7 +117,7 @@ enum Departure<'a> {
     /// A velocity jump; contains the index of the first sample after the jump, and the comparison of free motion with
     /// motion that has this jump.
     Contact(usize, &'a Comparison),
-    /// An outlier in a single sample; contains the sample index.
+    /// An outlier in a single sample; contains the index of the sample.
     Outlier(usize),
 }
 

@@ -65,7 +65,7 @@ impl Fields<'_> {
         }
     }
 
-    /// Reads a boolean.
+    /// Reads a boolean from `value`; an error, which names `key`, if the value is of another type.
     pub fn truth(&self, value: &Value<'_>, key: &str) -> Result<bool, InputError> {
         match value.get_ref() {
             DeValue::Boolean(truth) => Ok(*truth),

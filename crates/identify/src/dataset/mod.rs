@@ -43,7 +43,7 @@ pub struct Dataset {
     pub model: String,
     /// Known constants of the body or its environment, by name, that replace the model's defaults, SI.
     pub parameters: BTreeMap<String, f64>,
-    /// Markers that were tracked.
+    /// Tracked points of the body (markers), with their names and their positions on the body.
     pub markers: Vec<Marker>,
     /// Sensors other than markers.
     pub sensors: Vec<Sensor>,

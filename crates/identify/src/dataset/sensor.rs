@@ -16,7 +16,7 @@ pub enum SensorKind {
     Instrument(Instrument),
 }
 
-/// A sensor whose readings are columns of the tables.
+/// A sensor whose measured values are columns of the flights' tables.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensor {
     /// Name of the sensor; the names of its columns begin with it.

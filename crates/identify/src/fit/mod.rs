@@ -316,7 +316,7 @@ fn flights_of(dataset: &Dataset, role: Role) -> Vec<FlightId> {
     of_role.map(|(index, _)| FlightId::new(index)).collect()
 }
 
-/// Result of a fit for one flight of the dataset.
+/// Result of a fit for one flight of the dataset: its report, and its observations if it was not excluded.
 #[derive(Default)]
 struct FlightResult {
     report: Option<FlightReport>,

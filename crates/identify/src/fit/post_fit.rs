@@ -29,9 +29,9 @@ pub struct PostFit {
 pub struct ChannelSum {
     /// Sum of squared residuals over all components, outliers excluded.
     pub squares: f64,
-    /// Number of measured values, outliers excluded.
+    /// Number of measured values of the channel, outliers excluded.
     pub count: usize,
-    /// Number of measured values excluded as outliers.
+    /// Number of measured values of the channel that are excluded as outliers.
     pub outliers: usize,
 }
 

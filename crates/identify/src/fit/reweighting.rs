@@ -41,7 +41,7 @@ pub struct Reweighted {
     pub noise: NoiseModel,
     /// Least-squares solution for residuals weighted according to `noise`.
     pub solution: Solution,
-    /// Residuals of the solution.
+    /// Residuals at the least-squares solution, with the trajectories of the flights.
     pub cache: ResidualCache,
     /// Convergence status, which states whether the least squares converged and whether the noise model agrees with the
     /// residuals.

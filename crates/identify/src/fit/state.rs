@@ -34,7 +34,7 @@ pub(crate) struct State<'a> {
     pub excluded: Vec<ExcludedFlight>,
     /// Median time between successive samples of the flights, s.
     pub interval: f64,
-    /// Number of least-squares steps so far.
+    /// Number of least-squares steps that the fit has tried so far.
     pub steps: usize,
     /// Number of times that the noise has been estimated so far.
     pub rounds: usize,

@@ -49,7 +49,7 @@ const REFERENCE_INTERVALS: usize = 24;
 pub struct Impact {
     /// Index of the first point of the path after the impact.
     pub index: usize,
-    /// Jump of the velocity, m/s.
+    /// Jump of the velocity of the body at the impact, m/s.
     pub jump: Vector3<f64>,
 }
 

@@ -34,7 +34,8 @@ impl Whitened {
         Self::new(values, |_, value| value)
     }
 
-    /// Measured vectors, each whitened with the preceding one.
+    /// Measured vectors relative to the first one, each whitened by the function `whiten`, which receives the preceding
+    /// vector (`None` for the first one) and the vector.
     fn new(
         values: impl Iterator<Item = Vector3<f64>>,
         mut whiten: impl FnMut(Option<Vector3<f64>>, Vector3<f64>) -> Vector3<f64>,
@@ -258,9 +259,9 @@ pub struct Extension<const N: usize, const K: usize> {
 pub struct Extended<const N: usize, const K: usize> {
     /// Coefficients of the original basis functions; one column per component of the vector.
     pub coefficients: SMatrix<f64, N, 3>,
-    /// Coefficients of the further functions.
+    /// Coefficients of the `K` further functions; one column per component of the vector.
     pub further: SMatrix<f64, K, 3>,
-    /// Decrease of the sum of squares by the further functions.
+    /// Decrease of the sum of squared whitened residuals if the further functions are included in the fit.
     pub gain: f64,
     /// Sum of squared whitened residuals, plus the penalty by the priors of the coefficients.
     pub squares: f64,

@@ -83,7 +83,7 @@ fn measured_frames(
     rows.take(most).collect()
 }
 
-/// Maximum number of samples for the initial noise estimate.
+/// Maximum number of samples of a flight from which the initial noise estimate is computed.
 const MAX_NOISE_SAMPLES: usize = 400;
 
 /// Initial estimate of the noise of one coordinate, m: for a rigid body, from the distances between markers and the
@@ -185,9 +185,9 @@ fn path(seen: &[MeasuredFrame]) -> (Vector3<f64>, Vector3<f64>) {
 
 /// Least-squares parabola in time through measured positions.
 struct Parabola {
-    /// Position at time 0, m.
+    /// Position on the parabola at time 0, m.
     position: Vector3<f64>,
-    /// Velocity at time 0, m/s.
+    /// Time derivative of the parabola at time 0, m/s.
     velocity: Vector3<f64>,
     /// Squared distance of each position from the parabola, m².
     squares: Vec<f64>,

@@ -16,7 +16,7 @@ pub struct Solution {
     /// Sum of squares including the priors. If the residuals after the last step were not evaluated, it is the
     /// predicted value.
     pub squares: f64,
-    /// Number of steps tried.
+    /// Number of least-squares steps tried.
     pub iterations: usize,
     /// Reason why the iteration stopped.
     pub stop_reason: StopReason,

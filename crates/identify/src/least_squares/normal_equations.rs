@@ -111,7 +111,7 @@ pub struct ReducedSystem<'a> {
     factors: Vec<ScaledCholesky>,
     /// Sum of the Schur complements of all flights: reduced JᵀJ of the global parameters.
     pub reduced: DMatrix<f64>,
-    /// Reduced gradient Jᵀr of the global parameters.
+    /// Gradient Jᵀr of the global parameters after elimination of the local parameters.
     pub gradient: DVector<f64>,
 }
 

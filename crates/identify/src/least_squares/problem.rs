@@ -10,7 +10,7 @@ use crate::error::FlightError;
 pub enum Unknowns {
     /// The local parameters only: the initial state of the flight.
     Local,
-    /// The local and the global parameters.
+    /// The local parameters (initial state of the flight) and the global parameters (common to all flights).
     All,
 }
 

@@ -11,7 +11,7 @@ pub struct StoppingCriteria {
     /// units of the negligible reduction (see `ftol_abs` and `ftol_rel`). The step after it must be predicted to be
     /// negligible.
     pub accept_unevaluated: f64,
-    /// Maximum number of steps.
+    /// Maximum number of least-squares steps.
     pub max_steps: usize,
     /// Sum of squares above which an iteration with slow progress is stopped; infinite if it is never stopped for this
     /// reason.
@@ -106,13 +106,13 @@ impl StoppingCriteria {
 pub enum StopReason {
     /// The predicted reduction of the last step was negligible.
     Converged,
-    /// [`StoppingCriteria::max_steps`] was reached.
+    /// The iteration reached its maximum number of steps.
     MaxSteps,
     /// No step decreased the sum of squares, even with the maximum damping.
     NoDescent,
     /// The iteration was stopped because its progress was slow at a sum of squares above
     /// [`StoppingCriteria::worthwhile_squares`].
     GivenUp,
-    /// The deadline passed.
+    /// The deadline of the fit passed.
     Deadline,
 }

@@ -8,7 +8,7 @@ use crate::noise::{AxesNoise, HUBER_LIMIT};
 /// Accumulates normal equations from rows of derivatives and residuals, which it weights according to the loss. It
 /// stores the previous row of each channel for the AR(1) innovations.
 pub(super) struct WeightedRows<'a> {
-    /// Accumulator of the normal equations.
+    /// Accumulator to which the weighted rows are added, and which gives the normal equations.
     pub accumulator: GramAccumulator,
     loss: Loss<'a>,
     channels: &'a [Channel],

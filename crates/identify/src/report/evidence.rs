@@ -43,7 +43,7 @@ pub struct SensorEvidence {
     pub channel: usize,
     /// Unit of a component: `rad` for an attitude, otherwise the unit of the instrument.
     pub unit: String,
-    /// Number of components; a scalar value is repeated three times.
+    /// Number of components of the measured quantity; the value of a scalar is repeated three times in the arrays.
     pub components: usize,
     /// Measured value by sample, as a rotation vector for an attitude; `None` for a missing value.
     pub measured: Vec<Option<[f64; 3]>>,

@@ -126,7 +126,7 @@ pub struct NoiseReport {
     pub outliers: usize,
     /// Fraction of measured values excluded as outliers: `outliers / points`.
     pub outlier_fraction: f64,
-    /// Number of missing values.
+    /// Number of missing values (for markers: positions) in the fitted flights.
     pub dropouts: usize,
     /// Noise floor: root mean square over the axes of the noise standard deviations that are estimated without a model,
     /// from the scatter about smooth curves, m; for correlated noise, it is an underestimate. With too few samples, it
@@ -224,7 +224,7 @@ pub struct Truncation {
     pub t: f64,
     /// Number of samples after the time `t`, which were dropped.
     pub samples: usize,
-    /// Reason for the truncation.
+    /// Reason for the truncation of the flight, as text for the report.
     pub why: String,
 }
 

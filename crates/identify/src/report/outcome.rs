@@ -15,7 +15,7 @@ pub enum FlightOutcome {
     HeldOut,
     /// The flight was not used in the fit.
     Excluded {
-        /// Reason for the exclusion.
+        /// Reason for the exclusion of the flight, as text for the report.
         reason: String,
     },
 }

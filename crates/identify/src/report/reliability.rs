@@ -15,7 +15,7 @@ const MIN_NOISE_FLOOR: f64 = 1e-5;
 /// Fraction of the flights to be fitted that are excluded, above which the fit is not reliable.
 const MAX_EXCLUDED: f64 = 1.0 / 3.0;
 
-/// Reasons why a fit is not reliable; empty if it is reliable.
+/// Reasons, as text for the report, why a fit is not reliable; empty if it is reliable.
 pub(crate) fn reasons_against(report: &FitReport) -> Vec<String> {
     let reasons = [
         not_converged(report),

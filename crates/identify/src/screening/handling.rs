@@ -58,7 +58,7 @@ pub fn check(track: &Track, gravity: Vector3<f64>, flight: &Flight) -> Option<Da
 struct Examined<'a> {
     track: &'a Track,
     gravity: Vector3<f64>,
-    /// Median speed of the flight, m/s.
+    /// Median over the time windows of the speed of the body, m/s.
     speed: f64,
 }
 

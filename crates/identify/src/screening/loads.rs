@@ -20,7 +20,7 @@ const REPETITIONS: usize = 6;
 /// acceleration.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// Motion of the body's origin in the window.
+    /// Velocity and acceleration of the body's origin in the time window.
     pub motion: Parabola,
     /// Regressor of each aerodynamic load: the acceleration per unit of the load's coefficient, m²/s².
     pub loads: Vec<Vector3<f64>>,

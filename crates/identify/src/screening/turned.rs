@@ -29,8 +29,8 @@ const COMPARED: (usize, usize) = (6, 3);
 /// accelerations of the mirror images of the flights to that of the recorded flights.
 const MISFIT: f64 = 0.6;
 
-/// One data fault for each flight if the recorded flights seem to be mirror images of the true flights; otherwise
-/// empty.
+/// One data fault for each flight whose path is available, if the recorded flights seem to be mirror images of the true
+/// flights; otherwise empty.
 pub fn check(problem: &FitProblem, dataset: &Dataset, tracks: &[Option<Track>]) -> Vec<DataFault> {
     if !problem.has_attitude || mirror::is_decided_by(&problem.markers) {
         return Vec::new();
