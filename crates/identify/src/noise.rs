@@ -157,9 +157,11 @@ impl AxesNoise {
 pub struct Moments {
     /// Sum of squared residuals along each axis, m².
     pub squares: [f64; 3],
-    /// Sum of products of neighbouring residuals along each axis, m².
+    /// Sum of products of neighbouring residuals (of one channel, about one sampling interval apart) along each axis,
+    /// m².
     pub products: [f64; 3],
-    /// Sum of (r² + r_previous²)/2 over the pairs of neighbouring residuals along each axis, m².
+    /// Sum of (r² + r_previous²)/2 over the pairs of neighbouring residuals (of one channel, about one sampling
+    /// interval apart) along each axis, m².
     pub neighbours: [f64; 3],
     /// Number of residuals along one axis; it is the same for all three axes.
     pub count: usize,

@@ -45,8 +45,8 @@ pub struct Resolved<'d> {
     /// Priors given in the fit options, and priors of the coefficients that represent what the dataset declares
     /// unknown: sensor positions and the origin.
     pub priors: Vec<Prior>,
-    /// Fixed coefficients given in the fit options, and fixed coefficients of the effects that represent what the
-    /// dataset declares unknown; `None` fixes a coefficient at the model's value.
+    /// Fixed coefficients given in the fit options, and fixed coefficients of the effects (model extensions) that
+    /// represent what the dataset declares unknown; `None` fixes a coefficient at the model's value.
     pub fixed: Vec<(String, Option<f64>)>,
 }
 

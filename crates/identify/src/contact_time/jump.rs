@@ -179,8 +179,9 @@ impl JumpSum {
         }
     }
 
-    /// Compares motion with a velocity jump and `free` motion, both fitted to the samples up to the last one added.
-    /// `held` are the normal matrices of the displacement by the jump, one for each time at which the jump is tried.
+    /// Compares motion with a velocity jump and motion without one (`free`), both fitted to the samples up to the last
+    /// one added. `held` are the normal matrices of the prior that the jump does not displace the markers, one for each
+    /// time at which the jump is tried. `None` if the normal matrix is singular at every time.
     fn compare(&self, free: &Minimum, held: &[DMatrix<f64>]) -> Option<Comparison> {
         let rest = free.eliminated(&self.cross, &self.change);
         let found = held.iter().filter_map(|held| {

@@ -26,10 +26,12 @@ use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 
-/// Number of samples before the first sample at which a velocity jump is tried; free motion is fitted to them.
+/// Number of samples before the first sample at which a velocity jump is tried; motion without a contact is fitted to
+/// them.
 const FREE_SAMPLES: usize = 24;
-/// Number of samples before the range searched for a contact with the ground or an object at which velocity jumps are
-/// also tried. The decrease of the sum of squares by a jump there is the reference for free flight.
+/// Number of samples at which velocity jumps are tried in addition, just before the range that is searched for a
+/// contact with the ground or an object. The decrease of the sum of squares by a jump there is the value that is
+/// typical of free flight.
 const REFERENCE_SAMPLES: usize = 8;
 /// Maximum number of samples by which a detected contact with the ground or an object may precede the range searched
 /// for it. An earlier deviation is attributed to an inaccurate model, not to a contact.

@@ -23,8 +23,8 @@ impl CellLocations<'_> {
         }
     }
 
-    /// Line and column, from 1, of cell number `index` (from 0) of the record that begins at or after the byte offset
-    /// `from`.
+    /// Line and column, from 1, of the cell with the index `index` (from 0) in the first table record at or after the
+    /// byte offset `from`.
     pub fn cell(&self, from: usize, index: usize) -> (usize, usize) {
         let start = self.record(from);
         let (mut line, mut column) = end_location(&self.text[..start]);

@@ -49,7 +49,7 @@ const SUSPECT_LIMITS: (f64, f64) = (1.05, 3.0);
 /// ground contacts that were not found from the poses.
 const ACCURATE_RATIO: f64 = 1.3;
 
-/// Observations of a flight whose last used sample was changed, with the initial state fitted to them.
+/// Observations of a flight after its last used sample was changed, and the initial state fitted to them.
 struct Retruncated {
     observations: Observations,
     local: DVector<f64>,

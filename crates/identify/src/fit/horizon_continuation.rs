@@ -23,8 +23,8 @@ const HORIZON_GROWTH: f64 = 2.5;
 /// fitted) for this horizon to be fitted; if the ratio is smaller, whole flights are fitted instead.
 const MIN_REMAINING_GROWTH: f64 = 1.2;
 
-/// Number of least-squares steps of a fit to the initial part of the flights, above which it is suspected that the
-/// measurement distorts the samples, for example by late recording, so that the initial guesses are poor.
+/// Number of least-squares steps of a fit to the initial part of the flights, above which poor initial guesses are
+/// suspected. Their cause may be that the measurement distorts the samples, for example by late recording.
 const MANY_STEPS: usize = 15;
 
 /// Maximum number of restarts from samples corrected for their distortion by the measurement, such as late recording.

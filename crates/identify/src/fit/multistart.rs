@@ -13,8 +13,8 @@ use super::undistorted;
 use crate::observations::Observations;
 use crate::statistics::median;
 
-/// Ratio of a flight's residual scale (robust standard deviation of its residuals) to the reference scale of all
-/// flights, above which the flight is fitted again.
+/// Ratio of a flight's residual scale (robust standard deviation of its residuals) to a reference value, which is
+/// usually the median over the flights, above which the flight is fitted again.
 const SUSPECT_RATIO: f64 = 3.0;
 
 /// Maximum ratio of the new residual scale of a flight (robust standard deviation of its residuals) to the old one, for

@@ -19,8 +19,8 @@ use crate::pose::{Pose, point_position};
 use crate::problem::FitProblem;
 use crate::statistics::median_of;
 
-/// Ratio of the residual variance of a pose (of the marker positions about the fitted rigid body) to the median over
-/// the flight, above which the sample contains an outlier.
+/// Ratio of the residual variance of a pose (of the marker positions about the fitted rigid body) to the median of
+/// these variances over the flight, above which the sample contains an outlier.
 const MAX_VARIANCE_RATIO: f64 = 25.0;
 /// Lower limit of the threshold of the residual variance of a pose, m², above which the sample of the pose is
 /// considered to contain an outlier.

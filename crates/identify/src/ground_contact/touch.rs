@@ -118,8 +118,9 @@ pub fn touch(path: &[PathPoint]) -> Option<Touch> {
     })
 }
 
-/// Whether `comparison`, a test in the first, cheap pass, exceeds the lower thresholds (see `ROUGH`), so that the
-/// flight may have a ground contact. `gains` are the gains of `comparison`, converted to a better noise estimate.
+/// Whether the flight may have a ground contact: `comparison`, a test in the first, cheap pass, exceeds the lower
+/// thresholds (see `ROUGH`). `gains` are the decreases of the sums of squares in this test, converted to a better noise
+/// estimate.
 fn may_be_touch(comparison: &Comparison, gains: [f64; 2]) -> bool {
     let [position, axis] = [0, 1].map(|part| gains[part] / MIN_USUAL[part]);
     let jump = comparison.jump.z;

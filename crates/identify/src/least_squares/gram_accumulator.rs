@@ -26,7 +26,7 @@ pub struct GramAccumulator {
     batch: Vec<f64>,
     filled: usize,
     sums: Vec<f64>,
-    /// Sum of the additional terms that robust losses contribute to the sum of squares.
+    /// Sum of the terms that robust losses add to the sum of the squared weighted residuals.
     extra: f64,
     count: usize,
 }

@@ -66,7 +66,7 @@ pub fn solve(
 }
 
 /// Minimises the sum of squares as [`solve`] does, as a continuation of the iteration of a nearly equal problem.
-/// `previous` is the predicted reduction of the last step of that iteration.
+/// `previous` is the reduction of the sum of squares that was predicted for the last step of that iteration.
 ///
 /// # Errors
 /// The errors of [`solve`].

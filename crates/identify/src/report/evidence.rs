@@ -34,7 +34,7 @@ pub struct FlightEvidence {
     pub quantities: Vec<Vec<f64>>,
 }
 
-/// Measured values and residuals of one channel that is not a position, in the unit of the channel.
+/// Measured values and residuals of one sensor channel, which does not measure a position, in the unit of the channel.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct SensorEvidence {
     /// Name of the sensor.

@@ -52,7 +52,7 @@ const NOISE: f64 = 2.5;
 /// Weight, in the misfit (unexplained acceleration) of a flight, of the scatter of its accelerations about their
 /// median; the deviation of the median from gravity has the weight 1.
 const SCATTER_PART: f64 = 0.25;
-/// Minimum number of flights for which a single flight can be compared with the others.
+/// Minimum number of flights in the dataset for checking each flight by comparison with the others.
 const MIN_FLIGHTS: usize = 4;
 
 /// Axes of the table that may point up: name of the axis, the columns to be written for x, y and z so that z points up,

@@ -22,7 +22,8 @@ use crate::dataset::{Dataset, Marker};
 
 /// Maximum number of flights of a synthetic dataset.
 const MAX_FLIGHTS: usize = 100_000;
-/// Maximum number of samples × markers × flights of a synthetic dataset, which limits the memory used.
+/// Maximum product of the numbers of samples per flight, markers and flights of a synthetic dataset; it limits the
+/// memory used.
 const MAX_POINTS: f64 = 2e7;
 /// Maximum sampling rate, Hz.
 const MAX_RATE: f64 = 1e6;
