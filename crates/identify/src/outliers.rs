@@ -124,8 +124,8 @@ struct Line {
 const SAME_TIME: f64 = 1e-9;
 
 impl Line {
-    /// Computes the weights of the neighbours, given their times relative to the value at time 0. Only the first 2 ×
-    /// `SIDE` neighbours are used.
+    /// Computes the weights of the neighbours of a value at time 0, given their times relative to it. Only the first 2
+    /// × `SIDE` neighbours are used.
     fn through(&mut self, times: impl Iterator<Item = f64> + Clone) {
         let near = |(time, drawn): (f64, &f64)| (time - drawn).abs() <= SAME_TIME * drawn.abs();
         if times.clone().count() == self.count && times.clone().zip(&self.times).all(near) {

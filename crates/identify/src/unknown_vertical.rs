@@ -98,8 +98,8 @@ pub fn with_vertical(
     }
 }
 
-/// Ratio of the root mean square residual to the noise floor, below which the search for the initial direction of the
-/// vertical ends, as no other direction can fit noticeably better.
+/// Ratio of the root mean square residual to the noise floor (noise estimated without a model), below which the search
+/// for the initial direction of the vertical ends, as no other direction can fit noticeably better.
 const NOISE_RATIO: f64 = 1.1;
 
 /// Whether the residuals of a fit are at the level of the measurement noise.

@@ -174,12 +174,13 @@ fn fitted_without<'a>(
     Ok(Some((others, residuals)))
 }
 
-/// Data for the search for ground contacts: global parameters and noise of the reference fit.
+/// Data for the search for ground contacts: the global parameters and the noise from the reference fit, which leaves
+/// out flights that may contain a ground contact.
 struct Search<'a> {
     at: FixedGlobal<'a>,
     noise: &'a NoiseModel,
     /// Usual residual scale (robust standard deviation of residuals) of a flight, m: the median over the flights of the
-    /// reference fit, or `sigma0` if that is greater.
+    /// reference fit, which leaves out flights that may contain a ground contact; or `sigma0` if that is greater.
     usual: f64,
 }
 

@@ -202,8 +202,8 @@ pub fn estimate_noise(
     ))
 }
 
-/// Possible outliers of one flight. A local residual is the difference of a residual from the line through the
-/// residuals of the neighbouring samples.
+/// Possible outliers of one flight, found from local residuals. A local residual is the difference of a residual from
+/// the line through the residuals of the neighbouring samples.
 struct FlightOutliers {
     /// Robust standard deviation of the local residuals of the flight, for each noise group along each axis, m.
     scales: Vec<[f64; 3]>,

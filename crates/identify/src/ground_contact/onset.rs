@@ -14,12 +14,12 @@ const MIN_BEFORE: usize = 8;
 /// squared innovation is evidence of a ground contact; one with a smaller value is evidence of free motion. The squared
 /// innovations of position and axis are each divided by their noise variance and added.
 const NEUTRAL: f64 = 18.0;
-/// Minimum neutral squared innovation (see `NEUTRAL`), as a fraction of the sum of the gains (decreases of the sum of
-/// squares) by which a ground contact was detected. This minimum is high for a strong contact, so that small prediction
-/// errors before the contact are not mistaken for the contact.
+/// Minimum of the neutral squared innovation, above which a point is evidence of a ground contact, as a fraction of the
+/// sum of the gains (decreases of the sum of squares) by which the contact was detected. The minimum is high for a
+/// strong contact, so that small prediction errors before the contact are not mistaken for it.
 const NEUTRAL_PART: f64 = 0.02;
-/// Maximum squared innovation that is counted for a sample, in units of the neutral squared innovation (see `NEUTRAL`),
-/// so that a single outlier is not mistaken for a ground contact.
+/// Maximum squared innovation that is counted for a sample, so that a single outlier is not mistaken for a ground
+/// contact. The unit is the neutral squared innovation, above which a point is evidence of a contact.
 const MAX_RELATIVE_INNOVATION: f64 = 2.4;
 
 /// Index of the first sample after the ground contact that was detected by `comparison`, the test of one interval;
@@ -67,9 +67,9 @@ fn first_point(points: &[Point], found: &Comparison, fits: &mut MotionFits) -> O
     Some(best.1.min(points.len() - 1))
 }
 
-/// First sample after a ground contact between points `index − 1` and `index`, if the samples between these points have
-/// no pose. For each sample after point `index − 1` up to point `index`, motion that changes just before the sample is
-/// fitted to the points; the sample with the smallest residuals is returned. `None` if no fit is possible.
+/// Finds the first sample after a ground contact between points `index − 1` and `index` (samples with a pose), if the
+/// samples between these points have no pose. For each sample in this range, motion that changes just before the sample
+/// is fitted to the points; the sample with the smallest residuals is returned. `None` if no fit is possible.
 fn in_gap(points: &[Point], index: usize, fits: &mut MotionFits) -> Option<usize> {
     let (last, next) = (&points[index - 1], &points[index]);
     let samples = last.sample + 1..=next.sample;

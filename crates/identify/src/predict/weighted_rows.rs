@@ -13,7 +13,7 @@ pub(super) struct WeightedRows<'a> {
     loss: Loss<'a>,
     channels: &'a [Channel],
     /// For each channel and axis: autocorrelation of the noise over one sampling interval, and weight of the innovation
-    /// (1/m). Empty for a robust loss.
+    /// (residual minus its prediction from the previous one), 1/m. Empty for a robust loss.
     one_interval: Vec<[(f64, f64); 3]>,
     /// Time (s) of the previous measured value of each channel, and the derivatives and residual of that value; `None`
     /// before the first value.

@@ -54,8 +54,8 @@ impl Default for ResidualPool {
 }
 
 impl ResidualPool {
-    /// Adds the residuals (m) of one channel of a flight at `times` (s); `None` marks a missing value. `noise` is used
-    /// for whitening.
+    /// Adds the residuals (m) of one channel of a flight at `times` (s) to the sums and histograms; `None` marks a
+    /// missing value. `noise` is used for whitening.
     pub fn add(&mut self, times: &[f64], residuals: &[Option<[f64; 3]>], noise: &AxesNoise) {
         self.points += residuals.iter().flatten().count();
         for (k, axis) in self.axes.iter_mut().enumerate() {

@@ -212,8 +212,8 @@ impl<'a> FreeFall<'a> {
         (FaultKind::TimeUnit, format!("{detail}{told}"), mend)
     }
 
-    /// Whether the dataset has more than one marker: an earlier check of the distances between markers has then already
-    /// shown that lengths are in metres.
+    /// Whether it is already known that lengths are in metres: with more than one marker, an earlier check has compared
+    /// the distances between the markers with the declared ones.
     fn template_gives_lengths(&self) -> bool {
         self.dataset.markers.len() > 1
     }

@@ -161,8 +161,8 @@ impl<'a> Examined<'a> {
         from
     }
 
-    /// Whether the body is braked, from point `first` of the track to the end, by a force that far exceeds gravity and
-    /// the aerodynamic force, as in a catch (see [`CATCH`]). `motion` is the parabola fitted to these points.
+    /// Whether the body is braked by a force that far exceeds gravity and the aerodynamic force, as in a catch (see
+    /// [`CATCH`]), from point `first` of the measured path to the end. `motion` is the parabola fitted to these points.
     fn is_caught(&self, motion: &Parabola, first: usize) -> bool {
         let g = self.gravity.norm();
         let force = self.force(motion).norm();

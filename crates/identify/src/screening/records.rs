@@ -12,8 +12,8 @@ const FROZEN_SAMPLES: usize = 4;
 /// Minimum motion, m, for reporting a run of identical positions as frozen: the distance that the marker typically
 /// moves in the same time elsewhere in the flight. A slower marker may plausibly repeat its position.
 const FROZEN_DISTANCE: f64 = 0.005;
-/// Minimum motion for reporting repeated positions of a marker, in units of the resolution of the recorded coordinates:
-/// the distance that the marker typically moves in the same time elsewhere in the flight.
+/// Minimum motion for reporting repeated positions of a marker, in units of the resolution of the recorded coordinates.
+/// The motion is the distance that the marker typically moves in the same time elsewhere in the flight.
 const FROZEN_STEPS: f64 = 10.0;
 /// Minimum fraction of the sampling intervals in which the position of a marker does not change, at which the flight is
 /// reported as having repeated values, for example after resampling at a higher rate.
