@@ -39,8 +39,8 @@ pub struct Resolved<'d> {
     /// The model, with the quantity that each kind of instrument in the dataset measures, and with an effect (model
     /// extension) for each sensor position, origin or vertical direction that the dataset declares unknown.
     pub model: Model,
-    /// The dataset, with all sensor positions, the origin and the vertical direction marked as known. The errors of
-    /// those that it declared unknown are estimated as coefficients of effects (model extensions) instead.
+    /// The dataset, with all sensor positions, the origin and the vertical direction marked as known. What it declared
+    /// unknown is estimated as coefficients of effects (model extensions) instead.
     pub dataset: Cow<'d, Dataset>,
     /// Priors given in the fit options, and priors of the coefficients that represent what the dataset declares
     /// unknown: sensor positions and the origin.

@@ -108,15 +108,15 @@ impl Jumps {
         })
     }
 
-    /// Of the jumps tested with the samples up to `last`, the one with the greatest decrease of the sum of squares,
-    /// with the index of the first sample after it. `None` if no jump was tested.
+    /// Of the jumps tested with the samples up to index `last`, the one with the greatest decrease of the sum of
+    /// squares, and the index of the first sample after this jump. `None` if no jump was tested.
     pub fn best(&self, last: usize) -> Option<(usize, &Comparison)> {
         self.until(last)
             .max_by(|a, b| a.1.gain.total_cmp(&b.1.gain))
     }
 
-    /// Earliest jump that decreases the sum of squares over the samples up to `last` by at least `gain`, with the index
-    /// of the first sample after it; `None` if there is no such jump.
+    /// Earliest jump that decreases the sum of squares over the samples up to index `last` by at least `gain`, and the
+    /// index of the first sample after this jump; `None` if there is no such jump.
     pub fn earliest(&self, last: usize, gain: f64) -> Option<(usize, &Comparison)> {
         self.until(last).find(|(_, found)| found.gain >= gain)
     }

@@ -78,7 +78,7 @@ impl Minimum {
         unknowns
     }
 
-    /// Schur complement: minimises a sum of squares over the unknowns of `self`. The sum also depends on other
+    /// Minimises a sum of squares over the unknowns of `self` (Schur complement). The sum also depends on other
     /// unknowns: `others` are its terms with these alone, and `cross` is the block of the normal matrix that couples
     /// the unknowns of `self` (rows) with the others (columns). Returns the minimum as a function of the other
     /// unknowns.

@@ -173,9 +173,9 @@ fn single_step(
     }))
 }
 
-/// Performs one least-squares step of all unknowns over whole flights and accepts it if the residuals have not grown.
-/// `before` are the residuals before the step. `None` if the residuals grew or a flight cannot be predicted; the step
-/// is then undone.
+/// Performs one least-squares step of all unknowns over whole flights, and undoes it if the median residual scale of
+/// the flights grows by more than 10 % or a flight cannot be predicted. The result is `None` if the step is undone.
+/// `before` are the residuals before the step.
 pub fn unevaluated_step(
     state: &mut State<'_>,
     loss: Loss<'_>,

@@ -71,8 +71,8 @@ pub fn wrong_distances(
     each.collect()
 }
 
-/// Sums over one flight of the differences (measured − predicted) of the distance between two markers, m. `residuals`
-/// contains the residuals of both markers by sample, predicted − measured, m.
+/// Sums over the samples of one flight of the differences (measured − predicted) of the distance between two markers,
+/// m. `residuals` contains the residuals of these two markers by sample, predicted − measured, m.
 fn differences(
     observations: &Observations,
     residuals: [&Vec<Option<[f64; 3]>>; 2],

@@ -7,8 +7,8 @@ use super::motion_fits::{MotionFits, SIDES, range_before};
 /// after the contact is searched. The test of an interval uses up to `SIDES.1` points after it. A hard contact among
 /// these points may therefore be detected in an interval that precedes the contact.
 const SOUGHT: (usize, usize) = (7, SIDES.1 + 2);
-/// Minimum number of points that precede the points searched for the first one after a ground contact (see `SOUGHT`);
-/// free motion is fitted to them.
+/// Minimum number of points before those among which the first point after a ground contact is searched; free motion is
+/// fitted to them.
 const MIN_BEFORE: usize = 8;
 /// Neutral squared innovation: three times the expected squared innovation in free motion. A point with a greater
 /// squared innovation is evidence of a ground contact; one with a smaller value is evidence of free motion. The squared
@@ -36,8 +36,9 @@ pub fn onset(points: &[Point], comparison: &Comparison, fits: &mut MotionFits) -
     }
 }
 
-/// Index of the first point after the ground contact that the test `found` detected: the first point near it that free
-/// motion, fitted to the preceding points, does not predict. `None` if the points do not determine the free motion.
+/// Index of the first point after the ground contact that the test `found` detected. It is the first point near this
+/// contact that free motion, fitted to the preceding points, does not predict. `None` if the points do not determine
+/// the free motion.
 fn first_point(points: &[Point], found: &Comparison, fits: &mut MotionFits) -> Option<usize> {
     let character = fits.character;
     let base = found.index.saturating_sub(SOUGHT.0).max(MIN_BEFORE);

@@ -20,7 +20,8 @@ pub struct Backoff {
 }
 
 impl Backoff {
-    /// Whether to try a refinement of the local parameters at this rejected step. Call it once per rejected step.
+    /// Whether to try a refinement of the local parameters (initial states of the flights) after this rejected step.
+    /// Call it once per rejected step.
     pub fn is_due(&mut self) -> bool {
         let is_due = self.wait == 0;
         self.wait = self.wait.saturating_sub(1);

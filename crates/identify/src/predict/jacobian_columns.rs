@@ -100,8 +100,9 @@ impl<'p> JacobianColumns<'p> {
         [0; 3].map(|_| vec![0.0; width])
     }
 
-    /// Writes the derivatives of an observation with respect to the unknowns into `rows`, one row per axis. `row_of`
-    /// returns the sensitivities of a state to the unknowns.
+    /// Writes the derivatives of an observation with respect to the unknowns into `rows`, one row per axis. They follow
+    /// from its Jacobians `derivatives` by the chain rule. `row_of` returns the sensitivities of a state, given its
+    /// index, to the unknowns.
     pub fn derive<'s>(
         &self,
         derivatives: &ObservationJacobians<'_>,

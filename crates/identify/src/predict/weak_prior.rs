@@ -19,8 +19,8 @@ fn deviation(unit: &str) -> f64 {
     }
 }
 
-/// Adds the weak priors of the initial state `local` to `block`, the normal equations of a flight: each state has the
-/// prior mean 0 and the standard deviation `deviation` of its unit.
+/// Adds the weak priors of the initial state `local` to `block`, the normal equations of a flight. Each state has the
+/// prior mean 0 and the standard deviation that `deviation` gives for its unit.
 pub(super) fn add(
     problem: &FitProblem,
     observations: &Observations,
