@@ -84,7 +84,8 @@ pub enum FlightError {
     /// state is fitted), so that none remains to be predicted.
     #[error("too short: no samples remain to be predicted after its first {samples}")]
     NothingToPredict {
-        /// Number of samples in the conditioning segment, to which the initial state is fitted.
+        /// Number of samples in the conditioning segment (the first samples of the flight), to which the initial state
+        /// is fitted.
         samples: usize,
     },
     /// No marker is measured after the conditioning segment of a held-out flight (the first samples, to which the

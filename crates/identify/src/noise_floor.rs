@@ -74,7 +74,8 @@ pub fn noise_floor(
     (sizes[0].len() >= MIN_SAMPLES).then(|| sizes.map(|mut sizes| robust_sigma(&mut sizes)))
 }
 
-/// Median over flights of their noise floors, along each axis, m; `None` if `flights` is empty.
+/// Median over flights of their noise floors (standard deviations of the noise, estimated without a model), along each
+/// axis, m; `None` if `flights` is empty.
 pub fn median_noise_floor(flights: &[[f64; 3]]) -> Option<[f64; 3]> {
     let sigmas: Vec<Vector3<f64>> = flights.iter().map(|sigma| (*sigma).into()).collect();
     median_vector(&sigmas).map(Into::into)

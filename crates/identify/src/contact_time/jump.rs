@@ -39,8 +39,9 @@ pub struct Jumps {
     /// For each sample before which a jump is tested, free motion fitted to all earlier samples; then free motion
     /// fitted to all samples.
     free: Vec<Minimum>,
-    /// `comparisons[i][k]` tests a jump just before sample `tried + i`, with the samples up to `tried + i + k`; empty
-    /// if no jump, tested with all samples in reach, has a gain above `MIN_ROUGH_GAIN`.
+    /// `comparisons[i][k]` tests a jump just before sample `tried + i`, with the samples up to `tried + i + k`. The
+    /// outer vector is empty if no jump, tested with all samples in reach, decreases the sum of squares by more than
+    /// `MIN_ROUGH_GAIN`.
     comparisons: Vec<Vec<Comparison>>,
 }
 

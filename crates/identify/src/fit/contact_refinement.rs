@@ -36,8 +36,9 @@ const MIN_UPWARD_PART: f64 = 0.3;
 /// above which the flight is left out of the reference fit, because it may contain a ground contact. The whole length
 /// of a truncated flight is restored if the ratio for the whole length is at most this value.
 const LEFT_OUT_RATIO: f64 = 1.2;
-/// Second condition for a flight to be left out of the reference fit, besides `LEFT_OUT_RATIO`: minimum number of
-/// standard errors by which its residual scale must exceed the median scale.
+/// Minimum number of standard errors by which the residual scale of a flight (robust standard deviation of its
+/// residuals) must exceed the median over the flights, for the flight to be left out of the reference fit. The limit
+/// `LEFT_OUT_RATIO` must be exceeded too.
 const LEFT_OUT_SIGNIFICANCE: f64 = 4.0;
 /// Limits for the residual scale (robust standard deviation of the residuals) of a flight in the reference fit, which
 /// leaves out flights that may contain ground contacts: its ratio to the median scale (first value), and its excess

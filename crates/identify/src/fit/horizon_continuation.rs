@@ -88,9 +88,9 @@ pub fn continue_horizon(state: &mut State<'_>) -> Result<ResidualCache, FitError
     anneal_scale(state)
 }
 
-/// Fits the samples of all flights up to the time `horizon`, s. If the fit takes many steps, the measurement probably
-/// distorts the samples, for example by late recording: the fit is then repeated from initial states estimated from
-/// corrected samples, and the better one of the two fits is used.
+/// Fits the samples of all flights up to the time `horizon`, s after their first samples. If the fit takes many steps,
+/// the measurement probably distorts the samples, for example by late recording. The fit is then repeated from initial
+/// states estimated from corrected samples, and the better one of the two fits is used.
 fn fit_undistorted(state: &mut State<'_>, horizon: f64) -> Result<(), FitError> {
     let fit = |state: &mut State<'_>| {
         let steps = state.steps;
@@ -173,9 +173,9 @@ fn single_step(
     }))
 }
 
-/// Performs one least-squares step of all unknowns over whole flights, and undoes it if the median residual scale of
-/// the flights grows by more than 10 % or a flight cannot be predicted. The result is `None` if the step is undone.
-/// `before` are the residuals before the step.
+/// Performs one least-squares step of all unknowns over whole flights. Undoes it and returns `None` if the robust
+/// standard deviation of the residuals (median over the flights) grows by more than 10 %, or if a flight cannot be
+/// predicted. `before` are the residuals before the step.
 pub fn unevaluated_step(
     state: &mut State<'_>,
     loss: Loss<'_>,

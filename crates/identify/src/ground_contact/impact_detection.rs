@@ -88,9 +88,9 @@ pub fn impact(path: &[PathPoint]) -> Option<Impact> {
     })
 }
 
-/// Median magnitude of the velocity jumps that are fitted at intervals between points of the path, m/s; most of these
-/// intervals contain no impact. The intervals precede evenly spaced points with indices in `candidates`. `noise` is the
-/// standard deviation of one coordinate, m.
+/// Median magnitude, m/s, of the velocity jumps that are fitted at intervals spread evenly over the path, most of which
+/// contain no impact. `candidates` is the range of the indices of the points that follow these intervals. `noise` is
+/// the standard deviation of one coordinate, m.
 fn usual_jump(path: &[PathPoint], candidates: std::ops::RangeInclusive<usize>, noise: f64) -> f64 {
     let step = candidates.clone().count().div_ceil(REFERENCE_INTERVALS);
     let kinks = candidates

@@ -73,8 +73,9 @@ impl Character {
         (self.noise[part] / deviation).powi(2)
     }
 
-    /// Regression rows for the position of a point and for the direction of its most steady body axis, in free motion:
-    /// values of a polynomial and of a sine and cosine at the wobble rate. `about` is the origin of time, s.
+    /// Regression rows for a point in motion without a ground contact: for the position, and for the direction of the
+    /// most steady body axis (whose direction changes least). The basis functions are powers of time, and a sine and
+    /// cosine at the wobble rate. `about` is the origin of time, s.
     pub fn free_rows(&self, point: &Point, about: f64) -> (Row<7>, Row<6>) {
         let u = (point.time - about) / SCALE;
         let (sine, cosine) = (self.rate * (point.time - about)).sin_cos();
@@ -95,16 +96,16 @@ impl Character {
         )
     }
 
-    /// Prior precisions of the coefficients of the position in `free_rows`, each as the ratio of the noise variance to
-    /// the prior variance.
+    /// Prior precisions of the coefficients with which [`free_rows`](Self::free_rows) describes the position, each as
+    /// the ratio of the noise variance to the prior variance; 0 without a prior.
     pub fn position_precisions(&self) -> [f64; 7] {
         let snap = self.precision(0, SNAP * SCALE.powi(4) / 24.0);
         let wobble = self.precision(0, WOBBLE);
         [0.0, 0.0, 0.0, 0.0, snap, wobble, wobble]
     }
 
-    /// Prior precisions of the coefficients of the axis in `free_rows`, each as the ratio of the noise variance to the
-    /// prior variance.
+    /// Prior precisions of the coefficients with which [`free_rows`](Self::free_rows) describes the direction of the
+    /// body axis, each as the ratio of the noise variance to the prior variance; 0 without a prior.
     pub fn axis_precisions(&self) -> [f64; 6] {
         [0.0, 0.0, 0.0, self.precision(1, BEND), 0.0, 0.0]
     }

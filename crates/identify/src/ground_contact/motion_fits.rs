@@ -39,7 +39,7 @@ pub struct FreeMotion {
 }
 
 /// Factorised regression matrices (designs) with which motion is fitted to one range of samples: one for the positions
-/// of the body, and one for the directions of its most steady axis.
+/// of the body, and one for the directions of its most steady axis (whose direction changes least).
 #[derive(Debug)]
 struct MotionDesigns {
     position: Design<7>,
@@ -50,8 +50,8 @@ struct MotionDesigns {
 }
 
 impl MotionDesigns {
-    /// Factorises the regression matrices of the points, for motion that may change at the time `about`, s; `None` if
-    /// the points do not determine free motion.
+    /// Factorises the regression matrices of the points, for motion that a ground contact may change at the time
+    /// `about`, s; `None` if the points do not determine motion without a contact.
     fn new(of: &Character, points: &[&Point], about: f64) -> Option<Self> {
         let rows = points.iter().map(|point| of.free_rows(point, about));
         let (positions, axes): (Vec<_>, Vec<_>) = rows.unzip();
@@ -86,7 +86,7 @@ impl MotionFits {
     }
 
     /// Factorised regression matrices of the given points, with times relative to `about`, s; `None` if the points do
-    /// not determine free motion.
+    /// not determine motion without a ground contact.
     fn designs(&mut self, points: &[&Point], about: f64) -> Option<&MotionDesigns> {
         let of = &self.character;
         self.designs.of(points.iter().copied(), about, || {
@@ -94,8 +94,8 @@ impl MotionFits {
         })
     }
 
-    /// Fits free motion to the given points, separately to their positions and to the directions of their body axes.
-    /// Times are relative to `about`, s. `None` if the points do not determine the motion.
+    /// Fits motion without a ground contact to the given points, separately to their positions and to the directions of
+    /// their body axes. Times are relative to `about`, s. `None` if the points do not determine the motion.
     pub fn free(&mut self, points: &[&Point], about: f64) -> Option<FreeMotion> {
         let MotionDesigns { position, axis, .. } = self.designs(points, about)?;
         let positions = position.whiten(points.iter().map(|point| point.position));
@@ -154,8 +154,8 @@ impl MotionFits {
         Some((kept, free))
     }
 
-    /// Returns the points of `range` that remain after the outliers from free motion are removed; `None` if the points
-    /// do not determine free motion.
+    /// Returns the points of `range` without the outliers, which deviate from the motion without a ground contact that
+    /// is fitted to the points. `None` if the points do not determine this motion.
     pub fn without_outliers<'p>(
         &mut self,
         points: &'p [Point],

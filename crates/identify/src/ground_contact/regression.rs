@@ -313,7 +313,7 @@ fn add_scaled(sum: &mut [f64; 4], factor: f64, vector: &[f64; 4]) {
 /// rows the same noise variance.
 #[derive(Clone, Copy, Debug)]
 struct Whitening {
-    /// Correlation between the noise of the row and that of the previous row.
+    /// Correlation between the noise of a regression row and that of the previous row.
     shared: f64,
     scale: f64,
 }

@@ -8,7 +8,8 @@ use super::motion::Point;
 use super::regression::{Design, Row, Whitened};
 use crate::statistics::median;
 
-/// Maximum root mean square rotation of the axis between successive samples, rad; a tumbling body has no steady axis.
+/// Maximum root mean square rotation of the most steady body axis between successive samples, rad. If it is exceeded,
+/// the body tumbles and has no steady axis.
 const MAX_TURN: f64 = 0.3;
 /// Minimum spin, rad/s. The axis of a slower body drifts as fast as it wobbles, so that a ground contact is
 /// indistinguishable from free motion.

@@ -71,7 +71,7 @@ impl<'p> JacobianColumns<'p> {
         self.integrated..self.integrated + self.parameters.len()
     }
 
-    /// Creates an empty accumulator of normal equations for rows with these columns.
+    /// Creates an empty accumulator of normal equations for Jacobian rows with these columns.
     pub fn accumulator(&self) -> GramAccumulator {
         GramAccumulator::new(self.local.clone(), self.parameter_columns().collect())
     }
@@ -140,7 +140,8 @@ impl<'p> JacobianColumns<'p> {
 /// the states.
 struct Chain<'a, R> {
     derivatives: &'a ObservationJacobians<'a>,
-    /// Returns the row of sensitivities of a state, padded with zeros to whole SIMD vectors.
+    /// Function that returns the sensitivities of a state, given its index, to the unknowns, padded with zeros to whole
+    /// SIMD vectors.
     row_of: R,
     rows: &'a mut [Vec<f64>; 3],
 }

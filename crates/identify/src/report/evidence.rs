@@ -30,7 +30,7 @@ pub struct FlightEvidence {
     pub states: Vec<Vec<f64>>,
     /// Names of the model's auxiliary variables; vectors are given by component.
     pub quantity_names: Vec<String>,
-    /// Values of the auxiliary variables as `quantities[sample][quantity]`, SI.
+    /// Values of the model's auxiliary variables as `quantities[sample][quantity]`, SI.
     pub quantities: Vec<Vec<f64>>,
 }
 

@@ -47,7 +47,7 @@ const UPRIGHT: f64 = 0.3;
 /// misfit (unexplained acceleration) of the mirror image of the flight to that of the recorded flight.
 const TURNED_MISFIT: f64 = 0.7;
 /// Maximum ratio of the median residual acceleration to the median standard error of the measured accelerations at
-/// which noise alone explains the residuals. The accelerations are then considered to agree with gravity.
+/// which noise alone explains the residuals. No fault of all flights is then reported.
 const NOISE: f64 = 2.5;
 /// Weight, in the misfit (unexplained acceleration) of a flight, of the scatter of its accelerations about their
 /// median; the deviation of the median from gravity has the weight 1.
