@@ -195,8 +195,8 @@ pub fn robust_scale(local_residuals: &Residuals) -> [f64; 3] {
 }
 
 /// Standard deviations of local residuals with which outliers are detected, m, by flight, noise group of channels, and
-/// axis: the robust standard deviation of the flight itself (in `own`), or the median over all flights if that is
-/// greater. A local residual is the difference of a residual from the line through the neighbouring residuals.
+/// axis. Each is the robust standard deviation of the flight itself (in `own`), or the median over all flights if that
+/// is greater. A local residual is the difference of a residual from the line through the neighbouring residuals.
 pub fn judged_scales(own: &[Vec<[f64; 3]>]) -> Vec<Vec<[f64; 3]>> {
     let groups = own.first().map_or(0, Vec::len);
     let usual = |group: usize| {

@@ -39,9 +39,9 @@ const MAX_LEAD: usize = 2;
 /// Minimum decrease of the whitened sum of squares by a velocity jump for the jump to count as a contact with the
 /// ground or an object. Noise exceeds it at one sample in 10⁹.
 const MIN_GAIN: f64 = 60.0;
-/// Minimum ratio of the decrease of the sum of squares by a velocity jump to the largest decrease by the jumps tried at
-/// earlier samples, for the jump to count as a contact with the ground or an object. Deviations due to a wrong model
-/// grow smoothly and stay below this ratio.
+/// Minimum growth of the decrease of the sum of squares for a velocity jump to count as a contact with the ground or an
+/// object: its decrease divided by the largest one of the jumps tried at earlier samples. Deviations due to a wrong
+/// model grow smoothly and stay below this ratio.
 const MIN_GROWTH: f64 = 4.0;
 /// An earlier velocity jump is preferred to the best one if its decrease of the sum of squares is smaller by at most
 /// this value, the 90 % quantile of χ² with one degree of freedom. If the contact with the ground is dated too late,

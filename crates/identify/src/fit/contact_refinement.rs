@@ -40,10 +40,9 @@ const LEFT_OUT_RATIO: f64 = 1.2;
 /// residuals) must exceed the median over the flights, for the flight to be left out of the reference fit. The limit
 /// `LEFT_OUT_RATIO` must be exceeded too.
 const LEFT_OUT_SIGNIFICANCE: f64 = 4.0;
-/// Limits for the residual scale (robust standard deviation of the residuals) of a flight in the reference fit, which
-/// leaves out flights that may contain ground contacts: its ratio to the median scale (first value), and its excess
-/// over the median scale in standard errors (second value). A flight that exceeds both limits is searched for a ground
-/// contact.
+/// Limits for a flight's residual scale (robust standard deviation of its residuals) in the reference fit, which leaves
+/// out flights that may contain ground contacts. The first value is the ratio to the median scale, the second the
+/// excess over the median scale in standard errors. A flight that exceeds both limits is searched for a ground contact.
 const SUSPECT_LIMITS: (f64, f64) = (1.05, 3.0);
 /// Maximum median over the flights of their residual scales (robust standard deviations of the residuals), in units of
 /// the initial noise estimate `sigma0`, at which the model is considered accurate. Only an accurate model reveals

@@ -31,9 +31,9 @@ const MANY_STEPS: usize = 15;
 /// Each restart uses a better estimate of the distortion.
 const MAX_STARTS: usize = 3;
 
-/// Residual scale (robust standard deviation of the residuals), in units of the initial noise estimate `sigma0`, below
-/// which the fit of the present time horizon (the initial part of each flight) is sufficient, so that a longer one is
-/// fitted next.
+/// Residual scale, in units of the initial noise estimate `sigma0`, below which the fit of the present time horizon
+/// (the initial part of each flight) is sufficient, so that a longer one is fitted next. The residual scale of a flight
+/// is the robust standard deviation of its residuals.
 const HORIZON_SCALE: f64 = 5.0;
 
 /// Scale of the robust loss in a single trial step, after which the residuals may already be at noise level, in units

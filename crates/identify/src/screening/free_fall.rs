@@ -19,9 +19,9 @@ const MIN_DEVIATION: f64 = 0.5;
 /// Minimum deviation of the fitted constant acceleration from gravity at which a fault of all flights is reported, in
 /// units of the standard error of the deviation.
 const MIN_SIGNIFICANCE: f64 = 8.0;
-/// Minimum improvement by fitting the constant acceleration at which a fault of all flights is reported: the median
-/// residual acceleration of the regression with the constant fixed at gravity, divided by that of the regression with a
-/// fitted constant.
+/// Minimum improvement by fitting the constant acceleration at which a fault of all flights is reported. The
+/// improvement is the ratio of two median residual accelerations: with the constant fixed at gravity, and with the
+/// constant fitted.
 const MIN_RATIO: f64 = 1.7;
 /// Minimum cosine of the angle between a measured acceleration and gravity at which the acceleration counts as directed
 /// downwards: cos 30°.
@@ -55,8 +55,8 @@ const SCATTER_PART: f64 = 0.25;
 /// Minimum number of flights in the dataset for checking each flight by comparison with the others.
 const MIN_FLIGHTS: usize = 4;
 
-/// Axes of the table that may point up: name of the axis, the columns to be written for x, y and z so that z points up,
-/// and the rotation from the table's coordinates to coordinates with z up.
+/// For each axis of the table that may point up: its name, the columns to be written for x, y and z so that z points
+/// up, and the rotation from the table's coordinates to coordinates with z up.
 fn orientations() -> [(&'static str, &'static str, Matrix3<f64>); 6] {
     let rows =
         |a: [f64; 3], b: [f64; 3], c: [f64; 3]| Matrix3::from_rows(&[a.into(), b.into(), c.into()]);
