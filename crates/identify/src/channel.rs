@@ -14,7 +14,8 @@ pub enum ChannelKind {
     Position,
     /// Attitude of the body as a rotation vector, rad. The residual is a rotation vector in the inertial frame.
     Attitude,
-    /// Reading of an instrument; contains its index in [`FitProblem::instruments`](crate::FitProblem).
+    /// Value measured by an instrument (gyroscope, accelerometer or speed sensor); contains the index of the instrument
+    /// in [`FitProblem::instruments`](crate::FitProblem).
     Instrument(usize),
 }
 
@@ -25,9 +26,9 @@ pub struct Channel {
     pub name: String,
     /// Quantity that the channel measures.
     pub kind: ChannelKind,
-    /// Position of the marker or sensor in the frame in which the markers are fixed, m.
+    /// Position of the marker or sensor in the frame in which the markers are fixed (usually the body frame), m.
     pub position: [f64; 3],
-    /// Number of components of a value: 3 for a vector, 1 for a speed.
+    /// Number of components of a measured value: 3 for a vector, 1 for a speed.
     pub components: usize,
     /// Index of the noise group of the channel. All channels of a group share the parameters of one noise process.
     pub group: usize,

@@ -7,7 +7,8 @@ use crate::channel::ChannelKind;
 use crate::marker_observers::{MarkerConditions, MarkerObservers};
 use crate::problem::FitProblem;
 
-/// Model bound to the parameters of one flight, for the measurement equations of all channels.
+/// Compiled model with the parameter values of one flight, for evaluating the measurement equations of all channels
+/// (markers and sensor quantities).
 pub struct ChannelConditions<'a> {
     problem: &'a FitProblem,
     markers: MarkerConditions<'a>,
@@ -15,7 +16,8 @@ pub struct ChannelConditions<'a> {
 }
 
 impl<'a> ChannelConditions<'a> {
-    /// Binds the parameters of a flight, given in the order of the compiled model's parameter vector.
+    /// Creates the evaluation model for a flight from its parameters, given in the order of the compiled model's
+    /// parameter vector.
     pub fn new(problem: &'a FitProblem, parameters: &[f64]) -> Self {
         let channels = problem.channels.iter();
         let markers = channels.filter(|own| own.is_marker()).count();
@@ -29,7 +31,7 @@ impl<'a> ChannelConditions<'a> {
         }
     }
 
-    /// Returns evaluators of the measurement equations of all channels.
+    /// Returns evaluators of the measurement equations of all channels (markers and sensor quantities).
     pub fn observers(&self) -> ChannelObservers<'_> {
         ChannelObservers {
             problem: self.problem,
@@ -39,7 +41,8 @@ impl<'a> ChannelConditions<'a> {
     }
 }
 
-/// Evaluators of the measurement equations of all channels.
+/// Evaluators of the measurement equations of all channels (markers and sensor quantities): predicted values from state
+/// and time.
 pub struct ChannelObservers<'a> {
     problem: &'a FitProblem,
     markers: MarkerObservers<'a>,
@@ -78,8 +81,9 @@ impl ChannelObservers<'_> {
         [0, 1, 2].map(|axis| (y[axis] - measured[axis]) * own.scale)
     }
 
-    /// Returns the residual as [`residual`](Self::residual) does, and writes its derivatives into `rows`, one row per
-    /// axis. `derive` converts the Jacobians with respect to states and parameters into these rows.
+    /// Residual of a channel, (predicted − measured) × scale of the channel, at time `t` (s) and state `x`. Also writes
+    /// the derivatives of the residual into `rows`, one row per axis. `derive` converts the Jacobians with respect to
+    /// states and parameters into these rows.
     pub fn linearise(
         &mut self,
         (t, x): (f64, &[f64]),

@@ -15,7 +15,7 @@ pub enum FlightError {
         "{measured} measured coordinates do not determine the {unknowns} unknowns of its initial state"
     )]
     TooFewCoordinates {
-        /// Number of measured coordinates.
+        /// Number of measured coordinates of the flight.
         measured: usize,
         /// Number of unknowns (free directions) of the initial state.
         unknowns: usize,
@@ -42,7 +42,7 @@ pub enum FlightError {
     /// Some components of a unit quaternion are known and others are not.
     #[error("{known} is given as known; a quaternion is known as a whole ({}) or not at all", components.join(", "))]
     PartialQuaternion {
-        /// Name of a known component.
+        /// Name of a quaternion component whose value is known.
         known: String,
         /// Names of all four components of the quaternion.
         components: Vec<String>,
@@ -74,17 +74,18 @@ pub enum FlightError {
     /// No state within the model's domain of validity reproduces the measured motion.
     #[error("the model has no state within its limits that moves as the markers do")]
     NoMatchingState,
-    /// The trajectory cannot be integrated.
+    /// The trajectory of the flight cannot be integrated numerically.
     #[error(transparent)]
     Integration(#[from] ode::IntegrationError),
-    /// The normal equations of the initial state are singular.
+    /// The normal equations of the initial state are singular: the samples do not determine it.
     #[error("its samples do not determine its initial state")]
     SingularInitialState,
     /// All samples of a held-out flight belong to its conditioning segment (the first samples, to which the initial
     /// state is fitted), so that none remains to be predicted.
     #[error("too short: no samples remain to be predicted after its first {samples}")]
     NothingToPredict {
-        /// Number of samples in the conditioning segment, to which the initial state is fitted.
+        /// Number of samples in the conditioning segment (the first samples of the flight), to which the initial state
+        /// is fitted.
         samples: usize,
     },
     /// No marker is measured after the conditioning segment of a held-out flight (the first samples, to which the
@@ -103,10 +104,10 @@ pub enum FlightError {
         /// Median of the robust standard deviations of the other flights' residuals, m.
         usual: f64,
     },
-    /// The deadline passed before the flight was processed.
+    /// The deadline of the fit passed before the flight was processed.
     #[error("the time limit was reached before it was looked at")]
     Deadline,
-    /// The work was cancelled.
+    /// The caller cancelled the fit or the prediction.
     #[error("interrupted")]
     Interrupted,
 }
@@ -155,9 +156,9 @@ pub enum FitError {
     /// The dataset or the options contain a name that the model does not have.
     #[error("{} {name}, and the model {model} has {}", given_in.phrase(), available.join(", "))]
     UnknownName {
-        /// Section of the dataset or option that contains the name.
+        /// Place where the name is given: a section of the dataset or an option of the fit.
         given_in: NameSource,
-        /// The unknown name.
+        /// Name that the model does not have.
         name: String,
         /// Name of the model.
         model: String,
@@ -169,7 +170,7 @@ pub enum FitError {
     NotEstimated {
         /// Option that names the parameter: [`NameSource::Prior`] or [`NameSource::Profile`].
         given_in: NameSource,
-        /// Name of the parameter.
+        /// Name of the parameter that is not estimated.
         name: String,
     },
     /// A value in the options is outside its allowed range.
@@ -179,12 +180,12 @@ pub enum FitError {
         option: &'static str,
         /// Name of the parameter to which the option applies.
         name: String,
-        /// Invalid value of the option.
+        /// Value of the option, which is outside the allowed range.
         value: f64,
         /// Allowed range, as text for the message.
         expected: &'static str,
     },
-    /// The model has no measurement equation.
+    /// The model has no measurement equation, which gives the predicted position of a point of the body.
     #[error("the model {model} does not say what is observed of it")]
     NoObservation {
         /// Name of the model.
@@ -195,7 +196,7 @@ pub enum FitError {
     Sensor {
         /// Name of the model.
         model: String,
-        /// Reason, as text for the message.
+        /// Reason why the model has no measurement equation for the sensor, as text for the message.
         reason: String,
     },
     /// The model's body rotates, but the markers do not determine its attitude.
@@ -212,14 +213,15 @@ pub enum FitError {
     /// Every flight of the dataset is held out.
     #[error("every flight is held out: none is left to fit")]
     NothingToFit,
-    /// The values given for a warm start do not match the number of global parameters or of states.
+    /// The values given for a warm start (a fit that starts at given estimates) do not match the number of global
+    /// parameters or of states.
     #[error(
         "a warm start needs {globals} global values and initial states of lengths {states:?}, one per fitted flight"
     )]
     WarmStartSize {
-        /// Number of global parameters.
+        /// Number of global parameters, for each of which one starting value is required.
         globals: usize,
-        /// Expected number of states for each fitted flight.
+        /// Required number of initial-state values for each fitted flight.
         states: Vec<usize>,
     },
     /// The known values of a flight do not match the model, or the flight cannot be predicted from given values of the
@@ -237,7 +239,7 @@ pub enum FitError {
     /// No flight can be fitted. Contains all excluded flights with their reasons.
     #[error("none of the flights can be fitted:\n{}", first_reasons(.0))]
     NoUsableFlight(Vec<ExcludedFlight>),
-    /// The work was cancelled.
+    /// The caller cancelled the fit.
     #[error("interrupted")]
     Interrupted,
 }

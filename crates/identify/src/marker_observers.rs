@@ -40,7 +40,7 @@ impl<'a> MarkerConditions<'a> {
     }
 }
 
-/// Evaluators of the markers' measurement equations.
+/// Evaluators of the markers' measurement equations: predicted positions from state and time.
 pub struct MarkerObservers<'a>(Vec<ModelObserver<'a>>);
 
 impl<'a> MarkerObservers<'a> {
@@ -60,8 +60,9 @@ impl<'a> MarkerObservers<'a> {
         self.of(marker).position(t, x, position)
     }
 
-    /// Predicted marker position as [`position`](Self::position) returns it, with its Jacobians with respect to state
-    /// and parameters.
+    /// Predicted position of a marker in the inertial frame, m, at time `t` (s) and state `x`, with its Jacobians with
+    /// respect to state and parameters. `marker` is its index and `position` its coordinates in the frame in which it
+    /// is fixed, m.
     pub fn linearise(
         &mut self,
         t: f64,

@@ -51,7 +51,7 @@ impl NoiseModel {
         Self { groups, group_of }
     }
 
-    /// Noise of a channel, given its index.
+    /// Noise of the group to which a channel belongs, given the index of the channel.
     pub fn of(&self, channel: usize) -> &AxesNoise {
         let group = self.group_of.get(channel).copied().unwrap_or(0);
         &self.groups[group]
@@ -137,7 +137,7 @@ impl AxesNoise {
         (gap / self.interval - 1.0).abs() < 0.01
     }
 
-    /// Root mean square of the axes' standard deviations, m.
+    /// Root mean square of the noise standard deviations along the three axes, m.
     pub fn overall(&self) -> f64 {
         (self.sigma.iter().map(|sigma| sigma * sigma).sum::<f64>() / 3.0).sqrt()
     }
@@ -157,11 +157,13 @@ impl AxesNoise {
 pub struct Moments {
     /// Sum of squared residuals along each axis, m².
     pub squares: [f64; 3],
-    /// Sum of products of neighbouring residuals along each axis, m².
+    /// Sum of products of neighbouring residuals (of one channel, about one sampling interval apart) along each axis,
+    /// m².
     pub products: [f64; 3],
-    /// Sum of (r² + r_previous²)/2 over the pairs of neighbouring residuals along each axis, m².
+    /// Sum of (r² + r_previous²)/2 over the pairs of neighbouring residuals (of one channel, about one sampling
+    /// interval apart) along each axis, m².
     pub neighbours: [f64; 3],
-    /// Number of residuals along each axis.
+    /// Number of residuals along one axis; it is the same for all three axes.
     pub count: usize,
     /// Number of pairs of neighbouring residuals: residuals of one channel that are about one sampling interval apart.
     pub pairs: usize,
@@ -228,8 +230,8 @@ impl Moments {
     }
 }
 
-/// Outlier threshold of the local-linear residual, in standard deviations. A normal variable exceeds it in magnitude
-/// with probability 7 × 10⁻⁶.
+/// Outlier threshold of the local residual (difference of a residual from the line through its neighbours), in standard
+/// deviations. A normal variable exceeds it in magnitude with probability 7 × 10⁻⁶.
 pub const OUTLIER_LIMIT: f64 = 4.5;
 
 /// Transition point of Huber's loss, in units of its scale × √(number of components of the residual): the loss is

@@ -74,7 +74,8 @@ pub fn noise_floor(
     (sizes[0].len() >= MIN_SAMPLES).then(|| sizes.map(|mut sizes| robust_sigma(&mut sizes)))
 }
 
-/// Median over flights of their noise floors, along each axis, m; `None` if `flights` is empty.
+/// Median over flights of their noise floors (standard deviations of the noise, estimated without a model), along each
+/// axis, m; `None` if `flights` is empty.
 pub fn median_noise_floor(flights: &[[f64; 3]]) -> Option<[f64; 3]> {
     let sigmas: Vec<Vector3<f64>> = flights.iter().map(|sigma| (*sigma).into()).collect();
     median_vector(&sigmas).map(Into::into)
@@ -114,8 +115,8 @@ fn track(
         .collect()
 }
 
-/// Weights of the neighbours' positions whose weighted sum is the value of their least-squares cubic at the middle
-/// sample.
+/// Weights of the neighbours' positions: the weighted sum is the value, at the time of the middle sample, of the cubic
+/// fitted to the neighbours by least squares.
 #[derive(Default)]
 struct Interpolation {
     offsets: [f64; 2 * SIDE],
@@ -127,8 +128,8 @@ struct Interpolation {
 const SAME_TIME: f64 = 1e-6;
 
 impl Interpolation {
-    /// Difference between the middle position and the cubic through its neighbours, m, scaled so that its standard
-    /// deviation is that of one marker coordinate; `None` if times coincide.
+    /// Difference between the middle position of a window and the cubic through its neighbours, m, scaled so that its
+    /// standard deviation is that of one marker coordinate; `None` if times coincide.
     fn residual(&mut self, window: &[TrackPoint]) -> Option<Vector3<f64>> {
         let middle = &window[SIDE];
         let neighbours = || window[..SIDE].iter().chain(&window[SIDE + 1..]);

@@ -22,7 +22,7 @@ pub struct Observations {
     pub file: String,
     /// Whether the flight is fitted or held out.
     pub role: Role,
-    /// Time of the first sample in the table, s.
+    /// Time of the first used sample (the origin of `times`), as in the table of the flight, s.
     pub origin: f64,
     /// Times of the samples relative to the first one used, s.
     pub times: Vec<f64>,
@@ -30,7 +30,7 @@ pub struct Observations {
     /// of an attitude, rad; or reading of an instrument in its unit. A scalar reading is repeated three times. `None`
     /// for a missing value.
     pub measured: Vec<Option<[f64; 3]>>,
-    /// `outlier[sample * channels + channel]`: whether the value is excluded as an outlier.
+    /// Whether a measured value is excluded as an outlier, as `outlier[sample * channels + channel]`.
     pub outlier: Vec<bool>,
     /// Number of channels; marker channels come first.
     pub channels: usize,
@@ -43,13 +43,13 @@ pub struct Observations {
     /// Parameters of the flight in the order of the compiled model's parameter vector, SI. Global parameters have their
     /// initial values here.
     pub parameters: Vec<f64>,
-    /// Known states at the first sample, SI.
+    /// States whose values at the first sample are known, and these values, SI.
     pub known_states: Vec<(StateId, f64)>,
-    /// Manifold on which the initial state varies.
+    /// Directions in which the initial state of the flight may vary in a fit.
     pub manifold: StateManifold,
-    /// Number of samples in the table of the flight, not counting truncated ones.
+    /// Number of samples in the table of the flight, without those dropped by a truncation.
     pub samples: usize,
-    /// Time and reason of the truncation; `None` if all samples are used.
+    /// Time and reason of the truncation of the flight at its end; `None` if it was not truncated.
     pub truncation: Option<Truncation>,
     /// Remarks on the flight for the report.
     pub notes: Vec<String>,
@@ -112,9 +112,9 @@ impl Observations {
         })
     }
 
-    /// Observations of `flight` for `problem`, with the number of samples, outliers, truncation and notes of `other`,
-    /// the observations of the same flight for another problem. `None` if the channels or times differ from those of
-    /// `other`, or if the flight cannot be used.
+    /// Observations of `flight` for `problem`. The number of samples, the outliers, the truncation and the notes are
+    /// copied from `other`, the observations of the same flight for another problem. `None` if the channels or times
+    /// differ from those of `other`, or if the flight cannot be used.
     pub(crate) fn like(problem: &FitProblem, flight: &Flight, other: &Self) -> Option<Self> {
         let mut observations = Self::new(problem, flight).ok()?;
         let samples = other.times.len();
@@ -255,7 +255,8 @@ impl Observations {
     }
 }
 
-/// Measured values of all channels in one sample of `flight`, in the format of [`Observations::measured`].
+/// Measured values of all channels in one sample of `flight`, in channel order, in the format of
+/// [`Observations::measured`].
 fn row<'f>(
     problem: &'f FitProblem,
     flight: &'f Flight,

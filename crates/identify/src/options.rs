@@ -52,8 +52,8 @@ pub struct Prior {
 
 /// Receiver of progress reports of a fit. Methods may be called from any thread.
 pub trait Progress: std::fmt::Debug + Sync {
-    /// Called when a stage of the fit starts, with its name and the number of flights that it processes. A stage may
-    /// process every flight several times.
+    /// Called when a stage of the fit starts, with the name of the stage and the number of flights that it processes. A
+    /// stage may process every flight several times.
     fn stage_started(&self, stage: &str, flights: usize);
     /// Called when the present stage of the fit has processed one flight.
     fn flight_done(&self);
@@ -64,19 +64,20 @@ pub trait Progress: std::fmt::Debug + Sync {
 pub struct CancellationToken(Arc<AtomicBool>);
 
 impl CancellationToken {
-    /// Requests cancellation.
+    /// Requests cancellation of the work to which this token was given.
     pub fn cancel(&self) {
         self.0.store(true, Ordering::Relaxed);
     }
 
-    /// Whether cancellation was requested.
+    /// Whether cancellation was requested by this token or a clone of it.
     pub fn is_cancelled(&self) -> bool {
         self.0.load(Ordering::Relaxed)
     }
 }
 
 impl FitOptions<'_> {
-    /// Checks that values are finite, standard deviations positive, and the number of threads at least 1.
+    /// Checks that the values of the options are finite, standard deviations positive, and the number of threads at
+    /// least 1.
     ///
     /// # Errors
     /// [`FitError::InvalidOption`] if a value is outside its allowed range.
@@ -139,7 +140,7 @@ impl FitOptions<'_> {
         token.is_some_and(CancellationToken::is_cancelled)
     }
 
-    /// Whether the deadline has passed; `false` without a deadline.
+    /// Whether the deadline of the fit has passed; `false` without a deadline.
     pub fn is_past_deadline(&self) -> bool {
         self.deadline
             .is_some_and(|deadline| Instant::now() >= deadline)

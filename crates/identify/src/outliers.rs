@@ -124,8 +124,8 @@ struct Line {
 const SAME_TIME: f64 = 1e-9;
 
 impl Line {
-    /// Computes the weights of the neighbours, given their times relative to the value at time 0. Only the first 2 ×
-    /// `SIDE` neighbours are used.
+    /// Computes the weights of the neighbours of a value at time 0, given their times relative to it. Only the first 2
+    /// × `SIDE` neighbours are used.
     fn through(&mut self, times: impl Iterator<Item = f64> + Clone) {
         let near = |(time, drawn): (f64, &f64)| (time - drawn).abs() <= SAME_TIME * drawn.abs();
         if times.clone().count() == self.count && times.clone().zip(&self.times).all(near) {
@@ -146,7 +146,7 @@ impl Line {
         self.spread = (1.0 + 1.0 / count + middle * part).sqrt();
     }
 
-    /// Weight of each neighbouring value.
+    /// Weight of each neighbour in the value, at time 0, of the least-squares line through the neighbours.
     fn weights(&self) -> &[f64] {
         &self.weights[..self.count]
     }
@@ -195,8 +195,8 @@ pub fn robust_scale(local_residuals: &Residuals) -> [f64; 3] {
 }
 
 /// Standard deviations of local residuals with which outliers are detected, m, by flight, noise group of channels, and
-/// axis: the robust standard deviation of the flight itself (in `own`), or the median over all flights if that is
-/// greater. A local residual is the difference of a residual from the line through the neighbouring residuals.
+/// axis. Each is the robust standard deviation of the flight itself (in `own`), or the median over all flights if that
+/// is greater. A local residual is the difference of a residual from the line through the neighbouring residuals.
 pub fn judged_scales(own: &[Vec<[f64; 3]>]) -> Vec<Vec<[f64; 3]>> {
     let groups = own.first().map_or(0, Vec::len);
     let usual = |group: usize| {

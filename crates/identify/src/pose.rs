@@ -81,7 +81,7 @@ pub fn pose(markers: &[[f64; 3]], seen: &[Option<[f64; 3]>]) -> Option<Pose> {
     })
 }
 
-/// Distance between two points.
+/// Euclidean distance between two points, in the unit of their coordinates.
 pub fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     let squares = a.iter().zip(b).map(|(a, b)| (a - b).powi(2));
     squares.sum::<f64>().sqrt()

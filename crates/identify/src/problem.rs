@@ -23,8 +23,8 @@ pub use global_parameters::GlobalParameter;
 /// Standard deviation of one coordinate, m, assumed initially if the samples do not determine it.
 const DEFAULT_SIGMA0: f64 = 1e-3;
 
-/// Ratio of the residuals to the measurement noise, above which the model is considered wrong or the minimum a local
-/// one.
+/// Ratio of the standard deviation of the residuals to the initial noise estimate `sigma0`, above which the model is
+/// considered wrong or the minimum a local one.
 const MISFIT_RATIO: f64 = 3.0;
 
 /// A model with the data and options of a fit: measured channels, known parameters and global parameters to be
@@ -57,11 +57,11 @@ pub struct FitProblem {
     pub sigma: Option<f64>,
     /// Initial estimate, from the samples alone, of the standard deviation of one measured coordinate, m.
     pub sigma0: f64,
-    /// Integration tolerance for whitened residuals, in units of `sigma0`.
+    /// Integration tolerance for computing whitened residuals, in units of the initial noise estimate `sigma0`.
     pub tolerance: f64,
 }
 
-/// Parameters and states that are known for one flight.
+/// Parameters and initial states whose values are known for one flight.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct KnownValues {
     /// Indices and values (SI) of the known parameters.
@@ -174,7 +174,7 @@ impl FitProblem {
         markers.count() == self.markers.len()
     }
 
-    /// Initial values of the global parameters, SI.
+    /// Initial values of the global parameters, SI, in the order of [`globals`](Self::globals).
     pub(crate) fn model_values(&self) -> DVector<f64> {
         let values = self.globals.iter().map(|global| global.model_value);
         DVector::from_iterator(self.globals.len(), values)
@@ -201,7 +201,7 @@ impl FitProblem {
         NoiseModel::of_groups(groups.collect(), self.noise_groups())
     }
 
-    /// Creates residual sums of value 0, one `Moments` for each noise group.
+    /// Creates empty sums of squares and products of residuals, one `Moments` for each noise group.
     pub fn no_moments(&self) -> Vec<Moments> {
         vec![Moments::default(); group_count(&self.noise_groups())]
     }

@@ -45,8 +45,8 @@ impl StateManifold {
         self.states
     }
 
-    /// Nonzero entries (state, direction, value) of the derivative of the state with respect to the directions, at
-    /// `state`.
+    /// Nonzero entries (state index, direction index, value) of the derivative of the state with respect to the
+    /// directions in which it may vary, at `state`.
     pub fn tangent(&self, state: &[f64]) -> Vec<(usize, usize, f64)> {
         let direct = self.direct.iter().enumerate();
         direct
@@ -55,7 +55,8 @@ impl StateManifold {
             .collect()
     }
 
-    /// Entries of [`tangent`](Self::tangent) for the components of quaternions.
+    /// Nonzero entries (state, direction, value) of the derivative of the state with respect to the directions, for the
+    /// states that are components of quaternions.
     fn quaternion_tangent(&self, state: &[f64]) -> impl Iterator<Item = (usize, usize, f64)> {
         let each = self.quaternions.iter().enumerate();
         each.flat_map(move |(index, &components)| {
@@ -81,7 +82,8 @@ impl StateManifold {
         Some(StateId::new(*state))
     }
 
-    /// The retraction: the state after a step along the directions, with its quaternions normalised.
+    /// Returns the state after a step along the directions (the retraction of the manifold), with its quaternions
+    /// normalised.
     pub fn plus(&self, state: &DVector<f64>, step: &DVector<f64>) -> DVector<f64> {
         let mut moved = state.clone();
         for (&row, step) in self.direct.iter().zip(step.iter()) {

@@ -17,7 +17,8 @@ const FEW_FLIGHTS_TOLERANCE: f64 = 0.02;
 /// inverse square root of their number.
 const FEW_FLIGHTS: usize = 200;
 
-/// Integration tolerance for residuals without derivatives, in units of the initial noise estimate `sigma0`.
+/// Integration tolerance, in units of the initial noise estimate `sigma0`, if residuals are computed without their
+/// derivatives.
 pub const RESIDUAL_TOLERANCE: f64 = 0.02;
 
 /// Integration tolerance for robust losses, in units of the initial noise estimate `sigma0`; or in units of the scale
@@ -28,8 +29,8 @@ const ROBUST_TOLERANCE: f64 = 0.08;
 /// proportional to that scale.
 const LARGE_SCALE: f64 = 2.0;
 
-/// Integration tolerance for whitened residuals of a number of flights, in units of the initial noise estimate
-/// `sigma0`.
+/// Integration tolerance for computing the whitened residuals of the given number of flights, in units of the initial
+/// noise estimate `sigma0`.
 pub fn whitened(model: &Model, flights: usize) -> f64 {
     if model.quaternions().next().is_some() {
         return FINE_TOLERANCE;

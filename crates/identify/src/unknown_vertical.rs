@@ -10,7 +10,8 @@ use crate::fit::{Fit, fit};
 use crate::options::FitOptions;
 use crate::vertical::{ANGLES, EFFECT, angles};
 
-/// Maximum number of flights that are fitted to choose the initial direction of the vertical among several candidates.
+/// Maximum number of flights that are fitted from each of several initial directions of the vertical, to choose among
+/// these directions.
 const TRIED_FLIGHTS: usize = 6;
 
 /// Initial directions of the upward axis, in the measured axes and not normalised: along the axes and halfway between
@@ -97,8 +98,8 @@ pub fn with_vertical(
     }
 }
 
-/// Ratio of the root mean square residual to the noise floor, below which the search for the initial direction of the
-/// vertical ends, as no other direction can fit noticeably better.
+/// Ratio of the root mean square residual to the noise floor (noise estimated without a model), below which the search
+/// for the initial direction of the vertical ends, as no other direction can fit noticeably better.
 const NOISE_RATIO: f64 = 1.1;
 
 /// Whether the residuals of a fit are at the level of the measurement noise.

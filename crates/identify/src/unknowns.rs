@@ -39,14 +39,14 @@ pub struct Resolved<'d> {
     /// The model, with the quantity that each kind of instrument in the dataset measures, and with an effect (model
     /// extension) for each sensor position, origin or vertical direction that the dataset declares unknown.
     pub model: Model,
-    /// The dataset, with all sensor positions, the origin and the vertical direction marked as known. The errors of
-    /// those that it declared unknown are estimated as coefficients of effects (model extensions) instead.
+    /// The dataset, with all sensor positions, the origin and the vertical direction marked as known. What it declared
+    /// unknown is estimated as coefficients of effects (model extensions) instead.
     pub dataset: Cow<'d, Dataset>,
     /// Priors given in the fit options, and priors of the coefficients that represent what the dataset declares
     /// unknown: sensor positions and the origin.
     pub priors: Vec<Prior>,
-    /// Fixed coefficients given in the fit options, and fixed coefficients of the effects that represent what the
-    /// dataset declares unknown; `None` fixes a coefficient at the model's value.
+    /// Fixed coefficients given in the fit options, and fixed coefficients of the effects (model extensions) that
+    /// represent what the dataset declares unknown; `None` fixes a coefficient at the model's value.
     pub fixed: Vec<(String, Option<f64>)>,
 }
 
@@ -80,7 +80,7 @@ impl Resolved<'_> {
         Ok(())
     }
 
-    /// Copy of `options` in which the priors and fixed coefficients are replaced by those of `self`.
+    /// Copy of the fit options `options` in which the priors and fixed coefficients are replaced by those of `self`.
     pub fn options<'o>(&'o self, options: &FitOptions<'o>) -> FitOptions<'o> {
         FitOptions {
             priors: &self.priors,

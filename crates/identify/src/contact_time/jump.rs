@@ -22,31 +22,33 @@ const DISPLACEMENT_SIGMA: f64 = 0.3;
 /// contact increase further.
 const MIN_ROUGH_GAIN: f64 = 30.0;
 
-/// Result of the comparison of free motion with motion whose velocities jump just before a sample.
+/// Result of the comparison of free motion (without contact) with motion whose velocities jump just before a sample.
 #[derive(Clone, Debug)]
 pub struct Comparison {
-    /// Decrease of the whitened sum of squares if the velocities may jump.
+    /// Decrease of the sum of squared whitened residuals if the velocities may jump.
     pub gain: f64,
     /// Difference between the initial state of the motion after the jump and that of the motion before it.
     pub change: DVector<f64>,
 }
 
-/// Comparisons of free motion with motion whose velocities jump, for jumps just before each of the tried samples.
+/// Comparisons of free motion (without contact) with motion whose velocities jump, for jumps just before each of
+/// several successive samples.
 pub struct Jumps {
     /// Index of the first sample for which a jump in the preceding interval is tested.
     tried: usize,
     /// For each sample before which a jump is tested, free motion fitted to all earlier samples; then free motion
     /// fitted to all samples.
     free: Vec<Minimum>,
-    /// `comparisons[i][k]` tests a jump just before sample `tried + i`, with the samples up to `tried + i + k`; empty
-    /// if no jump, tested with all samples in reach, has a gain above `MIN_ROUGH_GAIN`.
+    /// `comparisons[i][k]` tests a jump just before sample `tried + i`, with the samples up to `tried + i + k`. The
+    /// outer vector is empty if no jump, tested with all samples in reach, decreases the sum of squares by more than
+    /// `MIN_ROUGH_GAIN`.
     comparisons: Vec<Vec<Comparison>>,
 }
 
 impl Jumps {
-    /// Tests a jump just before each sample from `trajectory.tried` on. `rows` contains the whitened residuals by
-    /// sample from `trajectory.first` on. `None` if the samples before a jump do not determine the free motion. Uses
-    /// `threads` threads.
+    /// Tests a velocity jump just before each sample from `trajectory.tried` on. `rows` contains the whitened residuals
+    /// of the markers by sample from `trajectory.first` on. `None` if the samples before a jump do not determine the
+    /// motion without a contact. Uses `threads` threads.
     pub fn new(
         trajectory: &Trajectory,
         rows: &[Vec<Point>],
@@ -107,15 +109,15 @@ impl Jumps {
         })
     }
 
-    /// Of the jumps tested with the samples up to `last`, the one with the greatest decrease of the sum of squares,
-    /// with the index of the first sample after it. `None` if no jump was tested.
+    /// Of the jumps tested with the samples up to index `last`, the one with the greatest decrease of the sum of
+    /// squares, and the index of the first sample after this jump. `None` if no jump was tested.
     pub fn best(&self, last: usize) -> Option<(usize, &Comparison)> {
         self.until(last)
             .max_by(|a, b| a.1.gain.total_cmp(&b.1.gain))
     }
 
-    /// Earliest jump that decreases the sum of squares over the samples up to `last` by at least `gain`, with the index
-    /// of the first sample after it; `None` if there is no such jump.
+    /// Earliest jump that decreases the sum of squares over the samples up to index `last` by at least `gain`, and the
+    /// index of the first sample after this jump; `None` if there is no such jump.
     pub fn earliest(&self, last: usize, gain: f64) -> Option<(usize, &Comparison)> {
         self.until(last).find(|(_, found)| found.gain >= gain)
     }
@@ -143,7 +145,8 @@ struct SampleSum<'a> {
 /// before the jump, and the change of the initial state that represents the jump. The terms with the initial state
 /// alone are those of free motion, and are not stored here.
 struct JumpSum {
-    /// Block of the normal matrix that couples the initial state (rows) and its change (columns).
+    /// Block of the normal matrix that couples the initial state before the jump (rows) with the change of the initial
+    /// state that represents the jump (columns).
     cross: DMatrix<f64>,
     change: Quadratic,
 }
@@ -156,7 +159,7 @@ impl JumpSum {
         }
     }
 
-    /// Adds the residuals of `sample`, which follows a jump just before the sample with the index `contact`.
+    /// Adds the squared residuals of `sample`, which follows a jump just before the sample with the index `contact`.
     fn add(&mut self, sample: &SampleSum<'_>, contact: usize) {
         let is_first = |point: &Point| point.previous.is_none_or(|previous| previous < contact);
         if !sample.points.iter().any(is_first) {
@@ -177,8 +180,9 @@ impl JumpSum {
         }
     }
 
-    /// Compares motion with a velocity jump and `free` motion, both fitted to the samples up to the last one added.
-    /// `held` are the normal matrices of the displacement by the jump, one for each time at which the jump is tried.
+    /// Compares motion with a velocity jump and motion without one (`free`), both fitted to the samples up to the last
+    /// one added. `held` are the normal matrices of the prior that the jump does not displace the markers, one for each
+    /// time at which the jump is tried. `None` if the normal matrix is singular at every time.
     fn compare(&self, free: &Minimum, held: &[DMatrix<f64>]) -> Option<Comparison> {
         let rest = free.eliminated(&self.cross, &self.change);
         let found = held.iter().filter_map(|held| {

@@ -26,10 +26,12 @@ use crate::noise::NoiseModel;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 
-/// Number of samples before the first sample at which a velocity jump is tried; free motion is fitted to them.
+/// Number of samples before the first sample at which a velocity jump is tried; motion without a contact is fitted to
+/// them.
 const FREE_SAMPLES: usize = 24;
-/// Number of samples before the range searched for a contact with the ground or an object at which velocity jumps are
-/// also tried. The decrease of the sum of squares by a jump there is the reference for free flight.
+/// Number of samples at which velocity jumps are tried in addition, just before the range that is searched for a
+/// contact with the ground or an object. The decrease of the sum of squares by a jump there is the value that is
+/// typical of free flight.
 const REFERENCE_SAMPLES: usize = 8;
 /// Maximum number of samples by which a detected contact with the ground or an object may precede the range searched
 /// for it. An earlier deviation is attributed to an inaccurate model, not to a contact.
@@ -37,9 +39,9 @@ const MAX_LEAD: usize = 2;
 /// Minimum decrease of the whitened sum of squares by a velocity jump for the jump to count as a contact with the
 /// ground or an object. Noise exceeds it at one sample in 10⁹.
 const MIN_GAIN: f64 = 60.0;
-/// Minimum ratio of the decrease of the sum of squares by a velocity jump to the largest decrease by the jumps tried
-/// before it, for the jump to count as a contact with the ground or an object. Deviations due to a wrong model grow
-/// smoothly and stay below this ratio.
+/// Minimum growth of the decrease of the sum of squares for a velocity jump to count as a contact with the ground or an
+/// object: its decrease divided by the largest one of the jumps tried at earlier samples. Deviations due to a wrong
+/// model grow smoothly and stay below this ratio.
 const MIN_GROWTH: f64 = 4.0;
 /// An earlier velocity jump is preferred to the best one if its decrease of the sum of squares is smaller by at most
 /// this value, the 90 % quantile of χ² with one degree of freedom. If the contact with the ground is dated too late,
@@ -59,12 +61,12 @@ const OUTLIER_GAIN: f64 = 26.0;
 /// instead of a contact excludes it.
 const MAX_OUTLIERS: usize = 12;
 
-/// A contact with the ground or another object.
+/// A contact of the body with the ground or another object, found as a velocity jump.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Onset {
     /// Index of the first sample after the contact with the ground or the object.
     pub sample: usize,
-    /// Jump of the mean velocity of the markers, m/s.
+    /// Jump of the mean velocity of the markers at the contact, m/s.
     pub jump: Vector3<f64>,
 }
 
@@ -112,12 +114,12 @@ pub fn contact_time(
     None
 }
 
-/// A deviation of the samples from free motion.
+/// A deviation of the samples from free motion (motion without contact).
 enum Departure<'a> {
     /// A velocity jump; contains the index of the first sample after the jump, and the comparison of free motion with
     /// motion that has this jump.
     Contact(usize, &'a Comparison),
-    /// An outlier in a single sample; contains the sample index.
+    /// An outlier in a single sample; contains the index of the sample.
     Outlier(usize),
 }
 

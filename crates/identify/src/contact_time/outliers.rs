@@ -14,7 +14,7 @@ const LIMIT: f64 = 26.0;
 const DISTANCE: f64 = 6.0;
 
 /// Marks as outliers the marker positions whose measured distances from most other markers in the same sample differ
-/// from the predicted distances.
+/// from the predicted distances by more than `DISTANCE`.
 pub fn leave_out_displaced(
     observations: &mut Observations,
     trajectory: &Trajectory,
@@ -41,9 +41,9 @@ pub fn leave_out_displaced(
     }
 }
 
-/// Marks as outliers at most `most` marker positions that are far from free motion, one after another, each time the
-/// farthest one. Examines only samples before `trajectory.tried`, the first sample before which a velocity jump is
-/// tried.
+/// Marks as outliers at most `most` marker positions that are far from the fitted motion without contact, one after
+/// another, each time the farthest one. Examines only samples before `trajectory.tried`, the first sample before which
+/// a velocity jump is tried.
 pub fn leave_out_before(
     observations: &mut Observations,
     trajectory: &Trajectory,

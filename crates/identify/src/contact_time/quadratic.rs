@@ -6,12 +6,12 @@ use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 /// unknowns.
 const RIDGE: f64 = 1e-9;
 
-/// A sum of squared residuals that are linear in the unknowns.
+/// A sum of squared residuals that are linear functions of the unknowns.
 #[derive(Clone, Debug)]
 pub struct Quadratic {
-    /// Normal matrix JᵀJ.
+    /// Normal matrix JᵀJ, where J is the Jacobian of the residuals with respect to the unknowns.
     pub normal: DMatrix<f64>,
-    /// Jᵀr with the residuals r at unknowns of 0.
+    /// Right-hand side Jᵀr, where r are the residuals if all unknowns are 0, and J is their Jacobian.
     pub right: DVector<f64>,
 }
 
@@ -43,7 +43,7 @@ impl Quadratic {
     }
 }
 
-/// Factorised normal equations of a sum of squares.
+/// Factorised normal equations of a sum of squares, from which its minimum is computed.
 #[derive(Clone, Debug)]
 pub struct Minimum {
     factor: Cholesky<f64, Dyn>,
@@ -70,7 +70,7 @@ impl Minimum {
         is_regular.then_some(Self { factor, reduced })
     }
 
-    /// Unknowns at the minimum.
+    /// Values of the unknowns at the minimum of the sum of squares.
     pub fn unknowns(&self) -> DVector<f64> {
         let mut unknowns = -&self.reduced;
         let lower = self.factor.l_dirty();
@@ -78,7 +78,7 @@ impl Minimum {
         unknowns
     }
 
-    /// Schur complement: minimises a sum of squares over the unknowns of `self`. The sum also depends on other
+    /// Minimises a sum of squares over the unknowns of `self` (Schur complement). The sum also depends on other
     /// unknowns: `others` are its terms with these alone, and `cross` is the block of the normal matrix that couples
     /// the unknowns of `self` (rows) with the others (columns). Returns the minimum as a function of the other
     /// unknowns.

@@ -7,24 +7,24 @@ use super::trajectory::{Predicted, Trajectory};
 use crate::noise::NoiseModel;
 use crate::observations::Observations;
 
-/// Whitened residuals of one marker in one sample.
+/// Whitened residuals of the three coordinates of one marker in one sample.
 pub struct Point {
     /// Index of the marker.
     pub marker: usize,
     /// Index of the preceding sample in which the marker is measured; `None` for the first one.
     pub previous: Option<usize>,
-    /// Whitened residual of each coordinate, with its derivatives.
+    /// Whitened residual of each coordinate of the marker, with its derivatives with respect to the initial state.
     pub rows: [Row; 3],
 }
 
-/// Whitened residual of one coordinate.
+/// Whitened residual of one marker coordinate in one sample, with its derivatives.
 pub struct Row {
     /// Whitened residual, predicted − measured, in standard deviations.
     pub residual: f64,
-    /// Derivatives of the residual with respect to the initial state.
+    /// Derivatives of the whitened residual with respect to the initial state of the flight.
     pub derivatives: DVector<f64>,
-    /// Derivatives of the residual with respect to the initial state through the present sample only, without the AR(1)
-    /// contribution of the preceding sample that whitening subtracts.
+    /// Derivatives of the residual with respect to the initial state through the position in this sample only. The
+    /// AR(1) contribution of the marker's preceding position, which whitening subtracts, is left out.
     pub fresh: DVector<f64>,
 }
 
@@ -37,8 +37,7 @@ impl Point {
             .sum()
     }
 
-    /// Adds the squares of the point's residuals, as functions of the initial state, to the sum of squares of free
-    /// motion.
+    /// Adds the squares of the marker's residuals, as functions of the initial state of the flight, to `sum`.
     pub fn add_to(&self, sum: &mut Quadratic) {
         for row in &self.rows {
             sum.add(&row.derivatives, row.residual);
@@ -73,8 +72,8 @@ pub fn whitened(
     each.collect()
 }
 
-/// Whitened residual of a marker's coordinate in the sample `now`; `before` is the preceding sample in which the marker
-/// is measured.
+/// Whitened residual of one coordinate of a marker in the sample `now`; `before` is the preceding sample in which the
+/// marker is measured, `None` if there is none.
 fn row(
     observations: &Observations,
     (marker, axis): (usize, usize),

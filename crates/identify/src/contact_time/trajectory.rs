@@ -18,7 +18,7 @@ const PARTS: [f64; 4] = [0.125, 0.375, 0.625, 0.875];
 pub struct Trajectory {
     /// Number of free directions in which the initial state may vary (see [`StateManifold`]).
     pub dimension: usize,
-    /// Index of the first evaluated sample.
+    /// Index of the first sample at which the trajectory is evaluated.
     pub first: usize,
     /// Index of the first sample for which a velocity jump in the preceding interval is tried.
     pub tried: usize,
@@ -39,7 +39,8 @@ pub struct Predicted {
     pub derivatives: [DVector<f64>; 3],
 }
 
-/// Kind of a time at which the trajectory is evaluated: its initial time, a sample, or a time between two samples.
+/// Kind of a time at which the predicted trajectory is evaluated: its initial time, a sample, or a time between two
+/// samples.
 #[derive(Clone, Copy)]
 enum EvaluationTime {
     Start,

@@ -65,7 +65,7 @@ impl Fields<'_> {
         }
     }
 
-    /// Reads a boolean.
+    /// Reads a boolean from `value`; an error, which names `key`, if the value is of another type.
     pub fn truth(&self, value: &Value<'_>, key: &str) -> Result<bool, InputError> {
         match value.get_ref() {
             DeValue::Boolean(truth) => Ok(*truth),
@@ -73,7 +73,8 @@ impl Fields<'_> {
         }
     }
 
-    /// Reads a finite number; integers are accepted.
+    /// Reads a finite number from `value`; integers are accepted. An error, which names `key`, if the value is of
+    /// another type or not finite.
     pub fn number(&self, value: &Value<'_>, key: &str) -> Result<f64, InputError> {
         let number = match value.get_ref() {
             DeValue::Float(float) => float.as_str().parse::<f64>().ok(),

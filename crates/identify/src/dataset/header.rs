@@ -20,7 +20,7 @@ pub(super) struct Header {
     pub channels: Vec<Vec<usize>>,
 }
 
-/// Endings of the names of a marker's columns.
+/// Suffixes of the names of the three columns that contain the coordinates of a marker, as in `m1_x`.
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Cell separator of a table: a semicolon or a tab if the header contains one, otherwise a comma.

@@ -7,7 +7,7 @@ use csv::StringRecord;
 use super::place::CellLocations;
 use crate::input_error::InputError;
 
-/// Reader of a table's records, which keeps the byte offset of the current record.
+/// Reader of the records (lines) of a flight's table, which keeps the byte offset of the current record.
 pub(super) struct Lines<'a> {
     pub(super) file: &'a Path,
     pub(super) places: CellLocations<'a>,
@@ -16,7 +16,7 @@ pub(super) struct Lines<'a> {
 }
 
 impl Lines<'_> {
-    /// Reads the next record that is neither blank nor a comment; returns `false` at the end of the text.
+    /// Reads the next record of the table that is neither blank nor a comment; returns `false` at the end of the text.
     pub(super) fn next(
         &mut self,
         reader: &mut csv::Reader<&[u8]>,
@@ -57,7 +57,7 @@ impl Lines<'_> {
         }
     }
 
-    /// Error located at cell number `index`, from 0, of the current record.
+    /// Creates an error located at the cell with the index `index` (from 0) of the current record.
     pub fn fault(
         &self,
         index: usize,

@@ -72,7 +72,7 @@ fn syntax(file: &Path, text: &str, error: &toml::de::Error) -> InputError {
     InputError::at(file, place, found, expected)
 }
 
-/// Checks and converts the values of `dataset.toml`.
+/// Checks the values of `dataset.toml` and converts them to the contents of a dataset.
 pub(super) struct Checker<'a>(pub(super) Fields<'a>);
 
 impl Checker<'_> {

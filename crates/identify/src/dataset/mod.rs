@@ -43,7 +43,7 @@ pub struct Dataset {
     pub model: String,
     /// Known constants of the body or its environment, by name, that replace the model's defaults, SI.
     pub parameters: BTreeMap<String, f64>,
-    /// Markers that were tracked.
+    /// Tracked points of the body (markers), with their names and their positions on the body.
     pub markers: Vec<Marker>,
     /// Sensors other than markers.
     pub sensors: Vec<Sensor>,
@@ -59,7 +59,7 @@ pub struct Dataset {
     pub flights: Vec<Flight>,
 }
 
-/// A tracked point of the body.
+/// A point of the body whose position is tracked.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Marker {
     /// Name of the marker; the names of its columns begin with it (`m1` in `m1_x`).

@@ -7,7 +7,8 @@ pub(super) struct CellLocations<'a> {
 }
 
 impl CellLocations<'_> {
-    /// Byte offset of the next record, at or after `from`; skips empty lines and comments, as the table reader does.
+    /// Byte offset of the next record of the table, at or after `from`; skips empty lines and comments, as the table
+    /// reader does.
     pub fn record(&self, from: usize) -> usize {
         let mut start = from.min(self.text.len());
         loop {
@@ -22,8 +23,8 @@ impl CellLocations<'_> {
         }
     }
 
-    /// Line and column, from 1, of cell number `index` (from 0) of the record that begins at or after the byte offset
-    /// `from`.
+    /// Line and column, from 1, of the cell with the index `index` (from 0) in the first table record at or after the
+    /// byte offset `from`.
     pub fn cell(&self, from: usize, index: usize) -> (usize, usize) {
         let start = self.record(from);
         let (mut line, mut column) = end_location(&self.text[..start]);

@@ -32,7 +32,7 @@ pub(super) fn max_samples(markers: usize) -> usize {
 }
 
 /// Returns an error if `time`, the time of a sample, s, is not after that of the previous sample, `before`, or is more
-/// than [`MAX_SECONDS`] after that of the first sample, `first`. Both are `None` for the first sample.
+/// than [`MAX_SECONDS`] after that of the first sample, `first`. `before` and `first` are `None` for the first sample.
 pub(super) fn check_time(
     first: Option<&f64>,
     before: Option<&f64>,

@@ -16,7 +16,7 @@ pub enum SensorKind {
     Instrument(Instrument),
 }
 
-/// A sensor whose readings are columns of the tables.
+/// A sensor whose measured values are columns of the flights' tables.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensor {
     /// Name of the sensor; the names of its columns begin with it.
@@ -94,7 +94,8 @@ impl SensorKind {
     }
 }
 
-/// Channels of all sensors, one after another: the sensor, and the suffixes of the column names of the channel.
+/// Channels (measured quantities) of all sensors, one after another: the sensor of each channel, and the suffixes of
+/// the names of the channel's columns.
 pub(super) fn channels(
     sensors: &[Sensor],
 ) -> impl Iterator<Item = (&Sensor, &'static [&'static str])> {

@@ -28,8 +28,8 @@ impl Unplaced {
     }
 }
 
-/// Phrase of the error message that states which markers must have known positions so that the remaining positions can
-/// be estimated.
+/// Phrase for error messages: the condition under which unknown marker positions can be estimated, as a number of
+/// markers whose positions must be known.
 const NEEDED: &str = "at least three markers with positions that are not on a line, or none";
 
 /// Estimates the unknown positions of markers and pose sensors and writes them into `markers` and `sensors`. If all

@@ -31,8 +31,8 @@ pub fn write_with(folder: &Path, dataset: &Dataset, beside: &[(&str, String)]) -
     write_commented(folder, dataset, beside, &[])
 }
 
-/// Writes a dataset as [`write_with`] does, with a comment line above the position of each marker; `comments` are in
-/// the order of the markers.
+/// Writes a dataset and additional files as [`write_with`] does, with a comment line above the position of each marker
+/// in `dataset.toml`; `comments` are in the order of the markers.
 ///
 /// # Errors
 /// Those of [`write_with`].

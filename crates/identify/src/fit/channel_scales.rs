@@ -36,8 +36,8 @@ pub fn set_scales<'o>(
     }
 }
 
-/// Standard deviation of the noise of a channel in one flight, estimated by a smoother, in the unit of the channel;
-/// `None` for fewer than four values.
+/// Standard deviation of the noise of a channel in one flight, estimated from the deviations from smooth curves, in the
+/// unit of the channel; `None` for fewer than four values.
 fn noise(flight: &Observations, channel: usize, is_attitude: bool) -> Option<f64> {
     let samples = flight.times.iter().enumerate();
     let values = samples.filter_map(|(sample, time)| {

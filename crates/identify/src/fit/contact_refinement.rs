@@ -36,28 +36,28 @@ const MIN_UPWARD_PART: f64 = 0.3;
 /// above which the flight is left out of the reference fit, because it may contain a ground contact. The whole length
 /// of a truncated flight is restored if the ratio for the whole length is at most this value.
 const LEFT_OUT_RATIO: f64 = 1.2;
-/// Second condition for a flight to be left out of the reference fit, besides `LEFT_OUT_RATIO`: minimum number of
-/// standard errors by which its residual scale must exceed the median scale.
+/// Minimum number of standard errors by which the residual scale of a flight (robust standard deviation of its
+/// residuals) must exceed the median over the flights, for the flight to be left out of the reference fit. The limit
+/// `LEFT_OUT_RATIO` must be exceeded too.
 const LEFT_OUT_SIGNIFICANCE: f64 = 4.0;
-/// Limits for the residual scale (robust standard deviation of the residuals) of a flight in the reference fit, which
-/// leaves out flights that may contain ground contacts: its ratio to the median scale (first value), and its excess
-/// over the median scale in standard errors (second value). A flight that exceeds both limits is searched for a ground
-/// contact.
+/// Limits for a flight's residual scale (robust standard deviation of its residuals) in the reference fit, which leaves
+/// out flights that may contain ground contacts. The first value is the ratio to the median scale, the second the
+/// excess over the median scale in standard errors. A flight that exceeds both limits is searched for a ground contact.
 const SUSPECT_LIMITS: (f64, f64) = (1.05, 3.0);
 /// Maximum median over the flights of their residual scales (robust standard deviations of the residuals), in units of
 /// the initial noise estimate `sigma0`, at which the model is considered accurate. Only an accurate model reveals
 /// ground contacts that were not found from the poses.
 const ACCURATE_RATIO: f64 = 1.3;
 
-/// Observations of a flight whose last used sample was changed, with the initial state fitted to them.
+/// Observations of a flight after its last used sample was changed, and the initial state fitted to them.
 struct Retruncated {
     observations: Observations,
     local: DVector<f64>,
 }
 
 /// Uses the fitted model to search the flights for ground contacts, and truncates each flight at its contact or
-/// restores its whole length. `cache` contains the residuals at `state`, which was fitted to the flights as they were
-/// truncated before. Returns the residuals at the new state.
+/// restores its whole length. `cache` contains the residuals for the present values of the unknowns in `state`, which
+/// were fitted to the flights as truncated before. Returns the residuals for the new values.
 ///
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
@@ -151,8 +151,9 @@ pub fn refine_contacts(
     exclude_failed(state, residuals)
 }
 
-/// Reference fit: fits only the flights whose residual scale is not far above `usual`, m. Returns these flights with
-/// their residuals; `None` if no flight or more than half of the flights would be left out.
+/// Reference fit: fits only the flights whose residual scale (robust standard deviation of the residuals) is not far
+/// above `usual`, m. Returns these flights with their residuals; `None` if no flight or more than half of the flights
+/// would be left out.
 fn fitted_without<'a>(
     state: &State<'a>,
     cache: &ResidualCache,
@@ -173,12 +174,13 @@ fn fitted_without<'a>(
     Ok(Some((others, residuals)))
 }
 
-/// Data for the search for ground contacts: global parameters and noise of the reference fit.
+/// Data for the search for ground contacts: the global parameters and the noise from the reference fit, which leaves
+/// out flights that may contain a ground contact.
 struct Search<'a> {
     at: FixedGlobal<'a>,
     noise: &'a NoiseModel,
     /// Usual residual scale (robust standard deviation of residuals) of a flight, m: the median over the flights of the
-    /// reference fit, or `sigma0` if that is greater.
+    /// reference fit, which leaves out flights that may contain a ground contact; or `sigma0` if that is greater.
     usual: f64,
 }
 

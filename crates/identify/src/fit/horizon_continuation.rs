@@ -23,21 +23,22 @@ const HORIZON_GROWTH: f64 = 2.5;
 /// fitted) for this horizon to be fitted; if the ratio is smaller, whole flights are fitted instead.
 const MIN_REMAINING_GROWTH: f64 = 1.2;
 
-/// Number of least-squares steps of a fit to the initial part of the flights, above which it is suspected that the
-/// measurement distorts the samples, for example by late recording, so that the initial guesses are poor.
+/// Number of least-squares steps of a fit to the initial part of the flights, above which poor initial guesses are
+/// suspected. Their cause may be that the measurement distorts the samples, for example by late recording.
 const MANY_STEPS: usize = 15;
 
 /// Maximum number of restarts from samples corrected for their distortion by the measurement, such as late recording.
 /// Each restart uses a better estimate of the distortion.
 const MAX_STARTS: usize = 3;
 
-/// Residual scale (robust standard deviation of the residuals), in units of the initial noise estimate `sigma0`, below
-/// which the fit of the present time horizon (the initial part of each flight) is sufficient, so that a longer one is
-/// fitted next.
+/// Residual scale, in units of the initial noise estimate `sigma0`, below which the fit of the present time horizon
+/// (the initial part of each flight) is sufficient, so that a longer one is fitted next. The residual scale of a flight
+/// is the robust standard deviation of its residuals.
 const HORIZON_SCALE: f64 = 5.0;
 
-/// Scale of the robust loss for a single step after which the residuals may be at noise level, in units of the initial
-/// noise estimate `sigma0`. To compute the scale of the residuals before the step would cost another integration.
+/// Scale of the robust loss in a single trial step, after which the residuals may already be at noise level, in units
+/// of the initial noise estimate `sigma0`. To compute the scale of the residuals before the step would cost another
+/// integration.
 const STEP_SCALE: f64 = 2.0;
 
 /// Maximum median over the flights of their residual scales (robust standard deviations of the residuals), in units of
@@ -87,9 +88,9 @@ pub fn continue_horizon(state: &mut State<'_>) -> Result<ResidualCache, FitError
     anneal_scale(state)
 }
 
-/// Fits the samples of all flights up to the time `horizon`, s. If the fit takes many steps, the measurement probably
-/// distorts the samples, for example by late recording: the fit is then repeated from initial states estimated from
-/// corrected samples, and the better one of the two fits is used.
+/// Fits the samples of all flights up to the time `horizon`, s after their first samples. If the fit takes many steps,
+/// the measurement probably distorts the samples, for example by late recording. The fit is then repeated from initial
+/// states estimated from corrected samples, and the better one of the two fits is used.
 fn fit_undistorted(state: &mut State<'_>, horizon: f64) -> Result<(), FitError> {
     let fit = |state: &mut State<'_>| {
         let steps = state.steps;
@@ -117,7 +118,7 @@ fn fit_undistorted(state: &mut State<'_>, horizon: f64) -> Result<(), FitError> 
 }
 
 /// Tries one least-squares step of all unknowns. Returns the residuals after the step if they are at noise level.
-/// Otherwise undoes the step and returns `None`. `configure` may change the objective, which includes all samples.
+/// Otherwise undoes the step and returns `None`. The objective contains all samples unless `configure` changes it.
 fn step_to_noise(
     state: &mut State<'_>,
     configure: &dyn Fn(&State<'_>, &mut OutputError<'_>),
@@ -141,8 +142,7 @@ fn are_noise(residuals: &ResidualCache, sigma0: f64) -> bool {
         && scales.all(|scale| scale.is_some_and(|scale| scale <= limit))
 }
 
-/// A least-squares step, with the residuals after it. The residuals cost far less than the derivatives at the new
-/// iterate.
+/// A least-squares step, with the residuals after it but without their derivatives, which would cost far more.
 pub struct UnevaluatedStep {
     /// Residuals after the step.
     pub residuals: ResidualCache,
@@ -151,7 +151,7 @@ pub struct UnevaluatedStep {
     pub predicted_reduction: Option<f64>,
 }
 
-/// Performs one least-squares step of all unknowns. `configure` may change the objective, which includes all samples.
+/// Performs one least-squares step of all unknowns. The objective contains all samples unless `configure` changes it.
 /// `None` if a flight cannot be predicted before the step.
 fn single_step(
     state: &mut State<'_>,
@@ -173,9 +173,9 @@ fn single_step(
     }))
 }
 
-/// Performs one least-squares step of all unknowns over whole flights and accepts it according to the residuals after
-/// it. `before` are the residuals before the step. `None` if the residuals grew or a flight cannot be predicted; the
-/// state is then unchanged.
+/// Performs one least-squares step of all unknowns over whole flights. Undoes it and returns `None` if the robust
+/// standard deviation of the residuals (median over the flights) grows by more than 10 %, or if a flight cannot be
+/// predicted. `before` are the residuals before the step.
 pub fn unevaluated_step(
     state: &mut State<'_>,
     loss: Loss<'_>,
@@ -193,8 +193,8 @@ pub fn unevaluated_step(
     Ok(accepted)
 }
 
-/// Constraints of the global parameters with a weak prior for those that have none, because short horizons do not
-/// determine all parameters.
+/// Bounds and priors of the global parameters. Parameters without a prior get a weak one, because the short initial
+/// parts of the flights do not determine all parameters.
 fn weak_constraints(problem: &FitProblem) -> Vec<Constraint> {
     let constraints = problem.globals.iter().map(|global| {
         let weak = Some((global.model_value, global.x_scale));
@@ -207,7 +207,8 @@ fn weak_constraints(problem: &FitProblem) -> Vec<Constraint> {
     constraints.collect()
 }
 
-/// Restricts an objective to the samples up to `horizon`, s, with the given constraints of the global parameters.
+/// Returns a function that restricts an objective to the samples up to `horizon`, s after the first sample, and sets
+/// the bounds and priors `constraints` of the global parameters.
 fn until(horizon: f64, constraints: &[Constraint]) -> impl Fn(&State<'_>, &mut OutputError<'_>) {
     move |state, objective| {
         objective.samples = state.samples_until(horizon);
@@ -244,8 +245,8 @@ pub fn fit_horizon(
     Ok(())
 }
 
-/// Fits whole flights with a robust loss whose scale decreases to that of the residuals. Returns the residuals of the
-/// fit; flights that cannot be integrated have none.
+/// Fits whole flights repeatedly with a robust loss whose scale decreases to that of the residuals. Returns the
+/// residuals of the last fit; flights that cannot be integrated have none.
 ///
 /// # Errors
 /// The errors of [`continue_horizon`].

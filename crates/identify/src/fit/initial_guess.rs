@@ -47,7 +47,7 @@ pub struct InitialGuesses<'a> {
     pub alternatives: Vec<Vec<InitialGuess>>,
 }
 
-/// Observations of the usable flights, excluded flights, and noise estimates.
+/// Observations of the flights that can be fitted, excluded flights, and noise estimates.
 pub struct ObservedFlights {
     /// Flights that can be fitted, each with its observations.
     pub usable: Vec<(FlightId, Observations)>,
@@ -207,9 +207,8 @@ pub fn observations_and_poses(
     Ok((observations, poses))
 }
 
-/// Returns initial guesses refined by a fit to the first segment of the flight, each with
-/// its sum of squares; the guess with the slowest spin is first. After the deadline, guesses are returned without
-/// refinement.
+/// Returns initial guesses refined by a fit to the first segment of the flight, each with its sum of squares after the
+/// fit; the guess with the slowest spin is first. After the deadline, guesses are returned without refinement.
 ///
 /// # Errors
 /// [`FlightError`] if no guess can be found or refined.

@@ -6,8 +6,8 @@ use crate::observations::Observations;
 use crate::problem::FitProblem;
 use crate::report::MarkerDistance;
 
-/// Difference between the mean measured and predicted distance of two markers, in standard errors, above which it is
-/// significant.
+/// Minimum difference between the mean measured and the mean predicted distance of two markers, in standard errors, for
+/// it to be significant.
 const MIN_SIGNIFICANCE: f64 = 5.0;
 
 /// Difference between the mean measured and predicted distance of two markers, in units of the noise standard deviation
@@ -71,8 +71,8 @@ pub fn wrong_distances(
     each.collect()
 }
 
-/// Sums over one flight of the differences (measured − predicted) of the distance between two markers, m. `residuals`
-/// contains the residuals of both markers by sample, predicted − measured, m.
+/// Sums over the samples of one flight of the differences (measured − predicted) of the distance between two markers,
+/// m. `residuals` contains the residuals of these two markers by sample, predicted − measured, m.
 fn differences(
     observations: &Observations,
     residuals: [&Vec<Option<[f64; 3]>>; 2],

@@ -191,16 +191,16 @@ fn fit_within(
     screened.finish(state, cache, (noise_floor, floor_m), started)
 }
 
-/// Flights and faults of a dataset after the screening of its data.
+/// Dataset whose recordings were screened for mistakes, with the faults found and the flights concerned.
 struct Screened<'a> {
     dataset: &'a Dataset,
     data_faults: Vec<DataFault>,
     /// Results of the search for ground contacts, by index of the flight in the dataset; empty if the fit did not
     /// screen the data.
     contacts: Vec<Option<ContactSearch>>,
-    /// Held-out flights without faults.
+    /// Indices of the held-out flights that have no data faults.
     held_out: Vec<FlightId>,
-    /// Flights excluded because of their faults.
+    /// Flights excluded because of faults in their data.
     faulty: Vec<ExcludedFlight>,
     /// Time at which the fit started, from which computing times are measured.
     clock: Instant,
@@ -208,8 +208,9 @@ struct Screened<'a> {
 
 impl Screened<'_> {
     /// Last stages of a fit: estimates the noise, predicts the held-out flights, and creates the report. `cache`
-    /// contains the residuals at `state`. `noise_floor` is the noise floor along each axis, and `floor_m` that in the
-    /// report, m. `started` is the time, s after the start of the fit, at which the initial guesses were known.
+    /// contains the residuals for the present values of the unknowns in `state`. `noise_floor` is the noise floor
+    /// (noise estimated without a model) along each axis, m, and `floor_m` the one for the report. `started` is the
+    /// time, s after the start of the fit, at which the initial guesses were known.
     fn finish(
         mut self,
         mut state: State<'_>,
@@ -291,8 +292,8 @@ impl Screened<'_> {
 }
 
 /// Performs the stages of a fit from the initial guesses up to the estimation of the noise. `doubtful` contains flights
-/// excluded for a suspected fault, which later stages may include again. Returns the fit in progress and its residuals,
-/// at the minimum or near it.
+/// excluded for a suspected fault, which later stages may include again. Returns the fit in progress, at the minimum or
+/// near it, and its residuals.
 fn from_guesses<'a>(
     dataset: &Dataset,
     guesses: InitialGuesses<'a>,
@@ -315,7 +316,7 @@ fn flights_of(dataset: &Dataset, role: Role) -> Vec<FlightId> {
     of_role.map(|(index, _)| FlightId::new(index)).collect()
 }
 
-/// Result of a fit for one flight of the dataset.
+/// Result of a fit for one flight of the dataset: its report, and its observations if it was not excluded.
 #[derive(Default)]
 struct FlightResult {
     report: Option<FlightReport>,
@@ -360,7 +361,7 @@ impl Fit {
         &self.noise
     }
 
-    /// The fitted flights, in the order of the dataset.
+    /// The fitted flights, without held-out and excluded ones, in the order of the dataset.
     fn fitted(&self) -> impl Iterator<Item = &FittedFlight> {
         let flights = self.flights.iter().flatten();
         flights.filter(|flight| flight.observations.role == Role::Fit)
@@ -381,7 +382,8 @@ impl Fit {
     }
 }
 
-/// Converts a least-squares error over the given flights to a fit error.
+/// Converts an error of the least-squares solver to an error of the fit. `flights` are the flights to which the indices
+/// in the error refer.
 fn solve_error(error: SolveError, flights: &[impl Borrow<Observations>]) -> FitError {
     match error {
         SolveError::Start(failures) => match failures.into_iter().next() {

@@ -40,8 +40,9 @@ const HIDDEN: f64 = 1e-6;
 const MAX_HIDDEN: usize = 2;
 
 /// Fits all flights again by multiple shooting if the present fit may have ended in a wrong minimum: its residuals are
-/// above the noise, a flight cannot be integrated, or a parameter is at a bound. `cache` contains the residuals at the
-/// present state. The state is replaced if the new fit is better. Returns the residuals at the final state.
+/// above the noise, a flight cannot be integrated, or a parameter is at a bound. `cache` contains the residuals for the
+/// present values of the unknowns in `state`, which are replaced if the new fit is better. Returns the residuals for
+/// the final values.
 ///
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
@@ -62,8 +63,8 @@ pub fn shoot_again(state: &mut State<'_>, cache: ResidualCache) -> Result<Residu
 }
 
 /// Fits by multiple shooting from the model's values of the global parameters, except for those in `changed`, given as
-/// (index of the global parameter, value). Replaces the state if the new fit is better, and returns the residuals at
-/// the final state.
+/// (index of the global parameter, value). Replaces the values of the unknowns in `state` if the new fit is better, and
+/// returns the residuals for the final values.
 fn shoot_from(
     state: &mut State<'_>,
     cache: ResidualCache,

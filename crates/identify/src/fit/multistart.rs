@@ -13,8 +13,8 @@ use super::undistorted;
 use crate::observations::Observations;
 use crate::statistics::median;
 
-/// Ratio of a flight's residual scale (robust standard deviation of its residuals) to the reference scale of all
-/// flights, above which the flight is fitted again.
+/// Ratio of a flight's residual scale (robust standard deviation of its residuals) to a reference value, which is
+/// usually the median over the flights, above which the flight is fitted again.
 const SUSPECT_RATIO: f64 = 3.0;
 
 /// Maximum ratio of the new residual scale of a flight (robust standard deviation of its residuals) to the old one, for
@@ -26,9 +26,9 @@ const ACCEPTED_RATIO: f64 = 0.7;
 /// with `sigma0` instead of the median.
 const MISFIT_RATIO: f64 = 10.0;
 
-/// Refits flights whose residual scale is far above that of the other flights and of the noise. If a refit improves a
-/// flight, all flights are fitted again together. `cache` contains the residuals at the present state. Returns the
-/// residuals at the new state.
+/// Refits flights whose residual scale (robust standard deviation of the residuals) is far above that of the other
+/// flights and of the noise. If a refit improves a flight, all flights are fitted again together. `cache` contains the
+/// residuals for the present values of the unknowns in `state`. Returns the residuals for the new values.
 ///
 /// # Errors
 /// The errors of [`anneal_scale`].
@@ -65,8 +65,9 @@ pub fn multistart(state: &mut State<'_>, cache: ResidualCache) -> Result<Residua
     }
 }
 
-/// Reference for the residual scales of the flights (robust standard deviations of their residuals) `scales`, m: their
-/// median, or `sigma0` if the median is below `sigma0` or more than `MISFIT_RATIO` × `sigma0`.
+/// Reference value, m, with which the residual scale of each flight (robust standard deviation of its residuals) is
+/// compared. It is the median of all flights' `scales`, or `sigma0` if the median is below `sigma0` or more than
+/// `MISFIT_RATIO` × `sigma0`.
 fn reference_scale(scales: &[f64], sigma0: f64) -> f64 {
     let median = median(&mut scales.to_vec());
     match median > MISFIT_RATIO * sigma0 {

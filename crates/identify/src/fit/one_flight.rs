@@ -12,14 +12,14 @@ use crate::options::FitOptions;
 use crate::predict::{Loss, residuals};
 use crate::problem::FitProblem;
 
-/// Maximum number of decreasing scales of the robust loss with which a fit is repeated.
+/// Maximum number of fits of one flight with a robust loss whose scale decreases from fit to fit.
 pub const MAX_SCALES: usize = 8;
 
-/// Maximum ratio of the next scale of the robust loss to the present one for the fit to be repeated with the next
-/// scale.
+/// Maximum ratio of the next scale of the robust loss to the present one. If the ratio is greater, the fit is not
+/// repeated with the next scale.
 pub const MAX_SHRINKAGE: f64 = 0.7;
 
-/// Fixed values of the global parameters, at which the initial states of single flights are fitted.
+/// Global parameters held at fixed values, so that the initial state of each flight can be fitted separately.
 #[derive(Clone, Copy)]
 pub struct FixedGlobal<'a> {
     /// Estimation problem with the model, the channels and the parameters.

@@ -131,8 +131,8 @@ fn correlations(
     rows.collect()
 }
 
-/// Reports of the channels other than markers; `sums` contains, for each channel, the sum of squared residuals and the
-/// numbers of values and outliers.
+/// Creates the reports of the channels other than markers. `sums` contains, for each channel, the sum of squared
+/// residuals and the numbers of values and outliers.
 fn sensors(problem: &FitProblem, noise: &NoiseModel, sums: &[ChannelSum]) -> Vec<SensorReport> {
     let channels = problem.channels.iter().enumerate().zip(sums);
     let sensors = channels.filter_map(|((index, own), sum)| {
@@ -224,7 +224,8 @@ fn coefficients(
     estimated.chain(fixed).collect()
 }
 
-/// Computes the profile likelihoods of the parameters that the options name.
+/// Computes the profile likelihoods of the global parameters listed in
+/// [`FitOptions::profiles`](crate::FitOptions::profiles).
 fn profiles(
     state: &State<'_>,
     fitted: &Reweighted,
@@ -285,8 +286,8 @@ fn evaluate(
     each.into_iter().collect()
 }
 
-/// Initial state of a flight with standard errors, keyed by the names of the states. `covariance` is that of the local
-/// parameters, the directions of the state manifold.
+/// Initial state of a flight with standard errors, keyed by the names of the states. `covariance` is that of the steps
+/// along the directions in which the state may vary.
 pub fn initial_state_report(
     problem: &FitProblem,
     observations: &Observations,

@@ -31,7 +31,7 @@ pub struct OutputError<'a> {
 
 impl<'a> OutputError<'a> {
     /// Creates the sum of squared residuals (or of their `loss`) over all samples of the given flights, as a function
-    /// of the global parameters and the local parameters of each flight.
+    /// of the global parameters and the initial state of each flight.
     pub fn of_all(
         problem: &'a FitProblem,
         flights: impl IntoIterator<Item = &'a Observations>,

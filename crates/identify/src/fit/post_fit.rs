@@ -11,7 +11,8 @@ use crate::predict::states;
 use crate::problem::FitProblem;
 use crate::report::{FlightEvidence, ResidualPool, SensorEvidence};
 
-/// Residual statistics of one flight, and the minimum and maximum of each state and auxiliary variable.
+/// Residual statistics of one flight, and the minimum and maximum over the flight of each state and auxiliary variable
+/// of the model.
 pub struct PostFit {
     /// Sums of lagged products of the flight's residuals, and histograms of its whitened residuals, for the residual
     /// diagnostics.
@@ -29,9 +30,9 @@ pub struct PostFit {
 pub struct ChannelSum {
     /// Sum of squared residuals over all components, outliers excluded.
     pub squares: f64,
-    /// Number of measured values, outliers excluded.
+    /// Number of measured values of the channel, outliers excluded.
     pub count: usize,
-    /// Number of measured values excluded as outliers.
+    /// Number of measured values of the channel that are excluded as outliers.
     pub outliers: usize,
 }
 

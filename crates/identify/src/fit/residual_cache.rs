@@ -10,7 +10,7 @@ use crate::observations::Observations;
 use crate::predict::{Residuals, residuals_of, states};
 use crate::statistics::{median_of, robust_sigma};
 
-/// Trajectories and residuals of all flights at one iterate.
+/// Trajectories and residuals of all flights for one set of values of the unknowns.
 pub struct ResidualCache(Vec<CachedFlight>);
 
 /// Standard error of the robust standard deviation s of n normal values, in units of s/√n.
@@ -31,7 +31,7 @@ pub struct Path {
 }
 
 impl State<'_> {
-    /// Residuals of whole flights at the present values of the unknowns.
+    /// Computes the residuals of whole flights for the present values of the unknowns.
     pub fn residuals(&self) -> ResidualCache {
         let samples = self.flights.iter().map(|flight| flight.times.len());
         ResidualCache::new(self, &samples.collect::<Vec<usize>>())
@@ -105,7 +105,7 @@ impl ResidualCache {
             .collect()
     }
 
-    /// Removes the flights of `failures`, given by their indices in the cache.
+    /// Removes the flights listed in `failures`, whose indices refer to the flights in this cache.
     pub fn remove(&mut self, failures: &[FailedFlight]) {
         let mut is_kept = vec![true; self.0.len()];
         for (flight, _) in failures {

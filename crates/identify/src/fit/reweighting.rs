@@ -26,21 +26,22 @@ const MAX_ROUNDS: usize = 8;
 /// autocorrelations.
 const SAME_NOISE: f64 = 0.005;
 
-/// Number of least-squares solutions that stop at the maximum number of steps, after which reweighting ends without
-/// convergence.
+/// Number of least-squares solutions that may end at the maximum number of steps. If it is reached, the alternation of
+/// noise estimates and least squares ends without convergence.
 const MAX_UNFINISHED: usize = 2;
 
 /// Number of least-squares solutions with residuals far above the noise, after which the alternation of noise estimates
 /// and least squares ends, because the weights of such residuals need not converge precisely.
 const MAX_MISFITS: usize = 3;
 
-/// Converged noise estimate and unknowns, or the last iterates if the alternation did not converge.
+/// Result of alternating noise estimates and least squares: the converged noise model and unknowns, or the last ones if
+/// the alternation did not converge.
 pub struct Reweighted {
     /// Noise model by which the residuals are weighted.
     pub noise: NoiseModel,
     /// Least-squares solution for residuals weighted according to `noise`.
     pub solution: Solution,
-    /// Residuals of the solution.
+    /// Residuals at the least-squares solution, with the trajectories of the flights.
     pub cache: ResidualCache,
     /// Convergence status, which states whether the least squares converged and whether the noise model agrees with the
     /// residuals.
@@ -48,8 +49,8 @@ pub struct Reweighted {
 }
 
 /// Alternates noise estimates and least squares until the noise estimated from the residuals equals the noise by which
-/// they were weighted. `cache` contains the residuals at the present state; it contains no flights that cannot be
-/// predicted. Flights whose samples do not determine their initial state are excluded.
+/// they were weighted. `cache` contains the residuals for the present values of the unknowns in `state`, of which every
+/// flight can be predicted. Flights whose samples do not determine their initial state are excluded.
 ///
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
@@ -68,7 +69,7 @@ pub fn reweight(state: &mut State<'_>, mut cache: ResidualCache) -> Result<Rewei
     }
 }
 
-/// Flights whose residuals do not determine their local parameters, with the reason.
+/// Flights whose residuals do not determine their local parameters (the initial state), with the reason.
 fn undetermined_flights(solution: &Solution) -> Vec<FailedFlight> {
     let blocks = solution.blocks.iter().enumerate();
     let undetermined = blocks.filter(|(_, block)| !block.determines_local());
@@ -201,8 +202,8 @@ pub fn estimate_noise(
     ))
 }
 
-/// Possible outliers of one flight. A local residual is the difference of a residual from the line through the
-/// residuals of the neighbouring samples.
+/// Possible outliers of one flight, found from local residuals. A local residual is the difference of a residual from
+/// the line through the residuals of the neighbouring samples.
 struct FlightOutliers {
     /// Robust standard deviation of the local residuals of the flight, for each noise group along each axis, m.
     scales: Vec<[f64; 3]>,

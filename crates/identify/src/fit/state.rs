@@ -32,9 +32,9 @@ pub(crate) struct State<'a> {
     pub limits: Vec<f64>,
     /// Excluded flights, with the reasons.
     pub excluded: Vec<ExcludedFlight>,
-    /// Median time between samples, s.
+    /// Median time between successive samples of the flights, s.
     pub interval: f64,
-    /// Number of least-squares steps so far.
+    /// Number of least-squares steps that the fit has tried so far.
     pub steps: usize,
     /// Number of times that the noise has been estimated so far.
     pub rounds: usize,
@@ -94,7 +94,7 @@ impl<'a> State<'a> {
         self.steps += solution.iterations;
     }
 
-    /// Adds a flight with its initial state, without a time limit.
+    /// Adds a flight with its initial state. All samples of the flight are used: its entry in `limits` is infinite.
     pub fn push(&mut self, id: FlightId, observations: Observations, local: DVector<f64>) {
         self.ids.push(id);
         self.flights.push(observations);
@@ -114,8 +114,8 @@ impl<'a> State<'a> {
             .collect()
     }
 
-    /// Limits each flight of `failures` to a fraction of the time before the failure of its integration, and doubles
-    /// the limits of all other flights. Flights without a limit remain unlimited.
+    /// Limits the used time of each flight in `failures` to a fraction of the time before the failure of its
+    /// integration, and doubles the time limits of all other flights. Flights without a limit remain unlimited.
     pub fn limit_to_flyable(&mut self, failures: &[FailedFlight]) {
         for limit in &mut self.limits {
             *limit *= 2.0;
@@ -157,7 +157,7 @@ impl<'a> State<'a> {
     }
 }
 
-/// Retains the values for which the entry of `is_kept` is true.
+/// Retains the elements of `values` for which the entry of `is_kept` with the same index is true.
 pub(super) fn retain<T>(values: &mut Vec<T>, is_kept: &[bool]) {
     let mut flags = is_kept.iter();
     values.retain(|_| flags.next().is_none_or(|kept| *kept));

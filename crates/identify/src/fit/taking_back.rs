@@ -125,8 +125,8 @@ mod tests {
     use crate::synthesize::{Plan, flights};
     use crate::tolerance;
 
-    /// Number of excluded flights after `take_back`, if a flight similar to the others was excluded for the given
-    /// reason.
+    /// Number of flights that remain excluded after [`take_back`], if one flight similar to the others was excluded for
+    /// the given reason.
     fn excluded_after(reason: FlightError) -> usize {
         let model = model_spec::load::load("ball", &[]).unwrap();
         let release = read("serve", built_in("serve").unwrap(), |_| {

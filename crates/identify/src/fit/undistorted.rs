@@ -15,8 +15,9 @@ use crate::observations::Observations;
 use crate::predict::states;
 use crate::problem::FitProblem;
 
-/// Maximum number of iterations. Each computes how the measurement distorts the samples at the present initial state,
-/// and estimates the initial state again from the corrected samples, because the distortion depends on the motion.
+/// Maximum number of iterations in which samples are corrected for distortions by the measurement, such as late
+/// recording. Each computes the distortion at the present initial state, and estimates the initial state again from the
+/// corrected samples, because the distortion depends on the motion.
 const PASSES: usize = 4;
 
 /// Maximum distortion that is neglected: displacement of a marker position by an error of the measurement such as late

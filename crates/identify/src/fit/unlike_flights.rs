@@ -21,12 +21,12 @@ const SUSPECT_RATIO: f64 = 3.0;
 /// without it, above which the flight is excluded, because it would bias the fit of all others.
 const UNLIKE_RATIO: f64 = 10.0;
 
-/// Maximum number of passes in which flights are excluded.
+/// Maximum number of passes, each of which may exclude flights and fits the remaining ones again.
 const MAX_PASSES: usize = 4;
 
 /// Excludes a minority of flights whose residuals remain far above those of the other flights, even if the global
-/// parameters are fitted to the other flights alone. `cache` contains the residuals at the present state. Returns the
-/// residuals at the new state.
+/// parameters are fitted to the other flights alone. `cache` contains the residuals for the present values of the
+/// unknowns in `state`. Returns the residuals for the new values.
 ///
 /// # Errors
 /// [`FitError::NoUsableFlight`] if no flight is left; [`FitError::Interrupted`] if the work is cancelled.
@@ -100,8 +100,8 @@ fn fit_without<'a>(
     Ok(Some((without, residuals)))
 }
 
-/// Fits the initial state of a flight at fixed global parameters. Returns the residual scale (m; infinite if the flight
-/// cannot be integrated) and the initial state.
+/// Fits the initial state of a flight at fixed global parameters. Returns the residual scale (robust standard deviation
+/// of the residuals, m; infinite if the flight cannot be integrated) and the initial state.
 fn refitted(
     at: FixedGlobal<'_>,
     observations: &Observations,

@@ -15,8 +15,9 @@ const ACCEPTED_RATIO: f64 = 0.98;
 const MAX_STARTS: usize = 3;
 
 /// If the present fit may have ended in a wrong minimum, fits all flights again from samples corrected for distortions
-/// by the measurement (such as late recording) that the present parameters predict. `cache` contains the residuals at
-/// the present state. The state is replaced if the new fit is better. Returns the residuals at the final state.
+/// by the measurement (such as late recording) that the present parameters predict. `cache` contains the residuals for
+/// the present values of the unknowns in `state`, which are replaced if the new fit is better. Returns the residuals
+/// for the final values.
 ///
 /// # Errors
 /// The errors of [`continue_horizon`].

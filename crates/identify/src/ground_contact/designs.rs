@@ -13,12 +13,12 @@ const SAME_TIME: f64 = 1e-9;
 #[derive(Debug)]
 pub struct Designs<D> {
     recent: Vec<(Vec<(usize, f64)>, D)>,
-    /// Index of the oldest stored design, which the next new design replaces.
+    /// Index of the oldest stored design (factorised regression matrix), which the next new design replaces.
     oldest: usize,
 }
 
 impl<D> Designs<D> {
-    /// Creates an empty collection.
+    /// Creates a collection without designs (factorised regression matrices).
     pub fn new() -> Self {
         Self {
             recent: Vec::new(),

@@ -49,7 +49,7 @@ const REFERENCE_INTERVALS: usize = 24;
 pub struct Impact {
     /// Index of the first point of the path after the impact.
     pub index: usize,
-    /// Jump of the velocity, m/s.
+    /// Jump of the velocity of the body at the impact, m/s.
     pub jump: Vector3<f64>,
 }
 
@@ -88,9 +88,9 @@ pub fn impact(path: &[PathPoint]) -> Option<Impact> {
     })
 }
 
-/// Median magnitude of the velocity jumps that are fitted at intervals between points of the path, m/s; most of these
-/// intervals contain no impact. The intervals precede evenly spaced points with indices in `candidates`. `noise` is the
-/// standard deviation of one coordinate, m.
+/// Median magnitude, m/s, of the velocity jumps that are fitted at intervals spread evenly over the path, most of which
+/// contain no impact. `candidates` is the range of the indices of the points that follow these intervals. `noise` is
+/// the standard deviation of one coordinate, m.
 fn usual_jump(path: &[PathPoint], candidates: std::ops::RangeInclusive<usize>, noise: f64) -> f64 {
     let step = candidates.clone().count().div_ceil(REFERENCE_INTERVALS);
     let kinks = candidates
@@ -225,7 +225,7 @@ fn leave_out_outliers(sides: &mut [Vec<(f64, Vector3<f64>)>; 2], noise: f64) {
     }
 }
 
-/// Least-squares polynomial along each axis in the normalised (dimensionless) time.
+/// Least-squares polynomial in the normalised (dimensionless) time, fitted to the three coordinates of a path.
 struct Fitted<const N: usize> {
     /// Coefficients of the powers of the normalised time, m; one column per axis.
     coefficients: SMatrix<f64, N, 3>,

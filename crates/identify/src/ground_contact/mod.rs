@@ -19,11 +19,11 @@ use crate::pose::{Pose, point_position};
 use crate::problem::FitProblem;
 use crate::statistics::median_of;
 
-/// Ratio of the residual variance of a pose (of the marker positions about the fitted rigid body) to the median over
-/// the flight, above which the sample contains an outlier.
+/// Ratio of the residual variance of a pose (of the marker positions about the fitted rigid body) to the median of
+/// these variances over the flight, above which the sample contains an outlier.
 const MAX_VARIANCE_RATIO: f64 = 25.0;
-/// Lower limit of the threshold of the residual variance of a pose, m², above which the sample of the pose is
-/// considered to contain an outlier.
+/// Minimum threshold, m², for the residual variance of a pose (of the marker positions about the fitted rigid body). A
+/// sample with a variance above the threshold is considered to contain an outlier.
 const MIN_OUTLIER_VARIANCE: f64 = 1e-8;
 
 /// Maximum difference, in samples, between a ground contact detected from the path of the body and one detected from
@@ -63,8 +63,8 @@ pub struct ContactSearch {
 }
 
 impl ContactSearch {
-    /// The result of the search for the part of the flight that consists of the `samples` samples after its first
-    /// `unseen` samples.
+    /// The search result restricted to a part of the flight: the `samples` samples that follow its first `unseen`
+    /// samples.
     pub fn of_part(&self, unseen: usize, samples: usize) -> Self {
         let poses = self
             .poses
@@ -80,8 +80,8 @@ impl ContactSearch {
     }
 }
 
-/// Truncates a flight before its first contact with the ground or an object. The contact is searched for unless
-/// `search` contains the result of a search in the samples of `observations`. Returns the poses in the remaining
+/// Truncates the observations of a flight before its first contact with the ground or an object. The contact is
+/// searched for unless `search` contains the result of a search in these samples. Returns the poses in the remaining
 /// samples; empty for a point mass.
 pub fn truncate_at_contact(
     problem: &FitProblem,

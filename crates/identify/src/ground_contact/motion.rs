@@ -17,9 +17,9 @@ const WOBBLE: f64 = 0.002;
 /// Prior standard deviation of the cubic coefficient of the polynomial in time / `SCALE` that describes the drift of
 /// the axis (a unit vector); dimensionless.
 const BEND: f64 = 0.02;
-/// Minimum variance by which gains (decreases of a sum of squares) are divided, as a fraction of the residual variance
-/// of motion whose velocity changes within the tested interval. It prevents outliers, which increase that variance,
-/// from causing large gains.
+/// Minimum variance by which gains are divided, as a fraction of the residual variance of motion that may change within
+/// the tested interval. A gain is the decrease of the sum of squared residuals by such a change. The minimum prevents
+/// outliers, which increase the residual variance, from causing large gains.
 const LOCAL_PART: f64 = 0.25;
 
 /// Position of the body's origin, and direction of the body axis whose direction changes least, in one sample.
@@ -38,7 +38,7 @@ pub struct Point {
 /// Wobble rate and noise properties of one flight, which are assumed constant throughout the flight.
 #[derive(Clone, Copy, Debug)]
 pub struct Character {
-    /// Angular rate of the wobble of the most steady body axis, rad/s.
+    /// Angular rate at which the most steady body axis (whose direction changes least) wobbles, rad/s.
     pub rate: f64,
     /// Correlation of the measurement noise between successive samples, dimensionless.
     pub correlation: f64,
@@ -51,16 +51,17 @@ pub struct Character {
 /// is disturbed within the interval, so that its velocity and wobble change.
 #[derive(Clone, Copy, Debug)]
 pub struct Comparison {
-    /// Index of the first point after the interval that is tested.
+    /// Index of the first point after the interval that is tested for a ground contact.
     pub index: usize,
-    /// Decreases of the sums of squared residuals of position and axis if the motion may change within the interval.
-    /// Each is divided by its noise variance, or by `LOCAL_PART` × its residual variance if that is greater.
+    /// Decreases of the sums of squared residuals of the position and of the body axis if the motion may change within
+    /// the tested interval. Each is divided by its noise variance, or by `LOCAL_PART` × its residual variance if that
+    /// is greater.
     pub gains: [f64; 2],
     /// Residual variances of the motion that changes within the interval: of the position, m², and of the axis (a unit
     /// vector, dimensionless).
     pub variances: [f64; 2],
-    /// Sum of the squared residuals of position and axis for motion that changes within the interval, each in units of
-    /// its noise variance.
+    /// Sum of the squared residuals of the position and of the body axis for motion that changes within the tested
+    /// interval, each in units of its noise variance.
     pub remaining: f64,
     /// Velocity just before the change of the motion, m/s. `jump` is the change of the velocity, m/s.
     pub velocity: Vector3<f64>,
@@ -72,8 +73,9 @@ impl Character {
         (self.noise[part] / deviation).powi(2)
     }
 
-    /// Regression rows for the position of a point and for the direction of its most steady body axis, in free motion:
-    /// values of a polynomial and of a sine and cosine at the wobble rate. `about` is the origin of time, s.
+    /// Regression rows for a point in motion without a ground contact: for the position, and for the direction of the
+    /// most steady body axis (whose direction changes least). The basis functions are powers of time, and a sine and
+    /// cosine at the wobble rate. `about` is the origin of time, s.
     pub fn free_rows(&self, point: &Point, about: f64) -> (Row<7>, Row<6>) {
         let u = (point.time - about) / SCALE;
         let (sine, cosine) = (self.rate * (point.time - about)).sin_cos();
@@ -94,16 +96,16 @@ impl Character {
         )
     }
 
-    /// Prior precisions of the coefficients of the position in `free_rows`, each as the ratio of the noise variance to
-    /// the prior variance.
+    /// Prior precisions of the coefficients with which [`free_rows`](Self::free_rows) describes the position, each as
+    /// the ratio of the noise variance to the prior variance; 0 without a prior.
     pub fn position_precisions(&self) -> [f64; 7] {
         let snap = self.precision(0, SNAP * SCALE.powi(4) / 24.0);
         let wobble = self.precision(0, WOBBLE);
         [0.0, 0.0, 0.0, 0.0, snap, wobble, wobble]
     }
 
-    /// Prior precisions of the coefficients of the axis in `free_rows`, each as the ratio of the noise variance to the
-    /// prior variance.
+    /// Prior precisions of the coefficients with which [`free_rows`](Self::free_rows) describes the direction of the
+    /// body axis, each as the ratio of the noise variance to the prior variance; 0 without a prior.
     pub fn axis_precisions(&self) -> [f64; 6] {
         [0.0, 0.0, 0.0, self.precision(1, BEND), 0.0, 0.0]
     }
@@ -115,17 +117,17 @@ impl Character {
         [0, 1].map(|part| self.noise[part].powi(2).max(LOCAL_PART * variances[part]))
     }
 
-    /// Converts the gains of the test `of` (decreases of the sum of squared residuals, each divided by a variance) from
-    /// the noise of `other`, with which they were computed, to the noise of `self`: the variances are replaced by those
-    /// that `units` gives for `self`.
+    /// Converts the gains of the test `of` to the noise of `self`. A gain is the decrease of a sum of squared
+    /// residuals, divided by a variance. The gains were computed with the variances that `units` gives for `other`;
+    /// these are replaced by those for `self`.
     pub fn gains(&self, of: &Comparison, other: &Character) -> [f64; 2] {
         let (here, there) = (self.units(of.variances), other.units(of.variances));
         [0, 1].map(|part| of.gains[part] * there[part] / here[part])
     }
 
     /// Values, at a point, of the functions by which a ground contact at the time `about`, s, changes the position and
-    /// the axis. The contact changes the velocity and the acceleration of the position, and the drift and the wobble of
-    /// the axis.
+    /// the direction of the most steady body axis. The contact changes the velocity and the acceleration of the
+    /// position, and the drift and the wobble of the axis.
     pub fn disturbance(&self, point: &Point, about: f64) -> (SVector<f64, 2>, SVector<f64, 3>) {
         let since = (point.time - about).max(0.0);
         let (u, (sine, cosine)) = (since / SCALE, (self.rate * since).sin_cos());

@@ -24,31 +24,34 @@ const MAX_OUTLIERS: usize = 2;
 /// point is an outlier.
 const OUTLIER: f64 = 40.0;
 
-/// Free motion that is fitted to some points.
+/// Motion without a ground contact that is fitted to the poses in some samples (points).
 #[derive(Debug)]
 pub struct FreeMotion {
-    /// Regression of the position of the body's origin.
+    /// Regression of the position of the body's origin on functions of time.
     pub position: Regression<7>,
-    /// Regression of the direction of the most steady body axis.
+    /// Regression of the direction of the most steady body axis (whose direction changes least) on functions of time.
     pub axis: Regression<6>,
-    /// Whitened residuals of position, m, and axis (a unit vector).
+    /// Whitened residuals of the position, m, and of the direction of the body axis (a unit vector).
     residuals: [Residuals; 2],
-    /// For each point, the decrease of the sums of squares of position and axis if the point is removed.
+    /// Decreases of the sums of squared residuals of position and of axis direction, one vector each, if a single point
+    /// is removed. Each vector has an entry for each point.
     removals: [Vec<f64>; 2],
 }
 
-/// Factorised regression matrices (designs) for the positions and the axes of some points.
+/// Factorised regression matrices (designs) with which motion is fitted to one range of samples: one for the positions
+/// of the body, and one for the directions of its most steady axis (whose direction changes least).
 #[derive(Debug)]
 struct MotionDesigns {
     position: Design<7>,
     axis: Design<6>,
-    /// Functions by which a ground contact changes position and axis; `None` if the points do not determine the change.
+    /// Additional functions by which a ground contact changes position and axis direction; `None` if the points do not
+    /// determine the change.
     disturbance: Option<(Extension<7, 2>, Extension<6, 3>)>,
 }
 
 impl MotionDesigns {
-    /// Factorises the regression matrices of the points, for motion that may change at the time `about`, s; `None` if
-    /// the points do not determine free motion.
+    /// Factorises the regression matrices of the points, for motion that a ground contact may change at the time
+    /// `about`, s; `None` if the points do not determine motion without a contact.
     fn new(of: &Character, points: &[&Point], about: f64) -> Option<Self> {
         let rows = points.iter().map(|point| of.free_rows(point, about));
         let (positions, axes): (Vec<_>, Vec<_>) = rows.unzip();
@@ -68,7 +71,7 @@ impl MotionDesigns {
 /// with equally spaced times share one factorised regression matrix.
 #[derive(Debug)]
 pub struct MotionFits {
-    /// Wobble rate and noise that the regressions assume.
+    /// Wobble rate and noise of the flight that the regressions assume.
     pub character: Character,
     designs: Designs<MotionDesigns>,
 }
@@ -83,7 +86,7 @@ impl MotionFits {
     }
 
     /// Factorised regression matrices of the given points, with times relative to `about`, s; `None` if the points do
-    /// not determine free motion.
+    /// not determine motion without a ground contact.
     fn designs(&mut self, points: &[&Point], about: f64) -> Option<&MotionDesigns> {
         let of = &self.character;
         self.designs.of(points.iter().copied(), about, || {
@@ -91,8 +94,8 @@ impl MotionFits {
         })
     }
 
-    /// Fits free motion to the given points, separately to their positions and to the directions of their body axes.
-    /// Times are relative to `about`, s. `None` if the points do not determine the motion.
+    /// Fits motion without a ground contact to the given points, separately to their positions and to the directions of
+    /// their body axes. Times are relative to `about`, s. `None` if the points do not determine the motion.
     pub fn free(&mut self, points: &[&Point], about: f64) -> Option<FreeMotion> {
         let MotionDesigns { position, axis, .. } = self.designs(points, about)?;
         let positions = position.whiten(points.iter().map(|point| point.position));
@@ -110,9 +113,9 @@ impl MotionFits {
         })
     }
 
-    /// Fits motion whose velocity and wobble change at the time `about`, s, to the points of the `free` motion,
-    /// separately to their positions and to the directions of their body axes. `None` if the points do not determine
-    /// the motion.
+    /// Fits motion whose velocity and wobble change at the time `about`, s, to the points to which the motion `free`
+    /// was fitted, separately to their positions and to the directions of their body axes. `None` if the points do not
+    /// determine the motion.
     fn disturbed(
         &mut self,
         points: &[&Point],
@@ -151,8 +154,8 @@ impl MotionFits {
         Some((kept, free))
     }
 
-    /// Returns the points of `range` that remain after the outliers from free motion are removed; `None` if the points
-    /// do not determine free motion.
+    /// Returns the points of `range` without the outliers, which deviate from the motion without a ground contact that
+    /// is fitted to the points. `None` if the points do not determine this motion.
     pub fn without_outliers<'p>(
         &mut self,
         points: &'p [Point],

@@ -7,23 +7,23 @@ use super::motion_fits::{MotionFits, SIDES, range_before};
 /// after the contact is searched. The test of an interval uses up to `SIDES.1` points after it. A hard contact among
 /// these points may therefore be detected in an interval that precedes the contact.
 const SOUGHT: (usize, usize) = (7, SIDES.1 + 2);
-/// Minimum number of points that precede the points searched for the first one after a ground contact (see `SOUGHT`);
-/// free motion is fitted to them.
+/// Minimum number of points before those among which the first point after a ground contact is searched; free motion is
+/// fitted to them.
 const MIN_BEFORE: usize = 8;
 /// Neutral squared innovation: three times the expected squared innovation in free motion. A point with a greater
 /// squared innovation is evidence of a ground contact; one with a smaller value is evidence of free motion. The squared
 /// innovations of position and axis are each divided by their noise variance and added.
 const NEUTRAL: f64 = 18.0;
-/// Minimum neutral squared innovation (see `NEUTRAL`), as a fraction of the sum of the gains (decreases of the sum of
-/// squares) by which a ground contact was detected. This minimum is high for a strong contact, so that small prediction
-/// errors before the contact are not mistaken for the contact.
+/// Minimum of the neutral squared innovation, above which a point is evidence of a ground contact, as a fraction of the
+/// sum of the gains (decreases of the sum of squares) by which the contact was detected. The minimum is high for a
+/// strong contact, so that small prediction errors before the contact are not mistaken for it.
 const NEUTRAL_PART: f64 = 0.02;
-/// Maximum squared innovation that is counted for a sample, in units of the neutral squared innovation (see `NEUTRAL`),
-/// so that a single outlier is not mistaken for a ground contact.
+/// Maximum squared innovation that is counted for a sample, so that a single outlier is not mistaken for a ground
+/// contact. The unit is the neutral squared innovation, above which a point is evidence of a contact.
 const MAX_RELATIVE_INNOVATION: f64 = 2.4;
 
-/// Index of the first sample after the ground contact that was detected by `comparison`; `None` if the points do not
-/// determine this sample.
+/// Index of the first sample after the ground contact that was detected by `comparison`, the test of one interval;
+/// `None` if the points do not determine this sample.
 pub fn onset(points: &[Point], comparison: &Comparison, fits: &mut MotionFits) -> Option<usize> {
     let index = first_point(points, comparison, fits)?;
     let (last, next) = (
@@ -36,8 +36,9 @@ pub fn onset(points: &[Point], comparison: &Comparison, fits: &mut MotionFits) -
     }
 }
 
-/// Index of the first point after the ground contact that the test `found` detected: the first point near it that free
-/// motion, fitted to the preceding points, does not predict. `None` if the points do not determine the free motion.
+/// Index of the first point after the ground contact that the test `found` detected. It is the first point near this
+/// contact that free motion, fitted to the preceding points, does not predict. `None` if the points do not determine
+/// the free motion.
 fn first_point(points: &[Point], found: &Comparison, fits: &mut MotionFits) -> Option<usize> {
     let character = fits.character;
     let base = found.index.saturating_sub(SOUGHT.0).max(MIN_BEFORE);
@@ -67,9 +68,9 @@ fn first_point(points: &[Point], found: &Comparison, fits: &mut MotionFits) -> O
     Some(best.1.min(points.len() - 1))
 }
 
-/// First sample after a ground contact between points `index − 1` and `index`, if the samples between these points have
-/// no pose. For each sample after point `index − 1` up to point `index`, motion that changes just before the sample is
-/// fitted to the points; the sample with the smallest residuals is returned. `None` if no fit is possible.
+/// Finds the first sample after a ground contact between points `index − 1` and `index` (samples with a pose), if the
+/// samples between these points have no pose. For each sample in this range, motion that changes just before the sample
+/// is fitted to the points; the sample with the smallest residuals is returned. `None` if no fit is possible.
 fn in_gap(points: &[Point], index: usize, fits: &mut MotionFits) -> Option<usize> {
     let (last, next) = (&points[index - 1], &points[index]);
     let samples = last.sample + 1..=next.sample;

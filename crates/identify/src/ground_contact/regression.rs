@@ -29,12 +29,13 @@ pub struct Whitened {
 }
 
 impl Whitened {
-    /// Measured vectors whose noise is not correlated.
+    /// Measured vectors relative to the first one; they need no whitening because their noise is not correlated.
     pub fn white(values: impl Iterator<Item = Vector3<f64>>) -> Self {
         Self::new(values, |_, value| value)
     }
 
-    /// Measured vectors, each whitened with the preceding one.
+    /// Measured vectors relative to the first one, each whitened by the function `whiten`, which receives the preceding
+    /// vector (`None` for the first one) and the vector.
     fn new(
         values: impl Iterator<Item = Vector3<f64>>,
         mut whiten: impl FnMut(Option<Vector3<f64>>, Vector3<f64>) -> Vector3<f64>,
@@ -249,7 +250,7 @@ pub struct Extension<const N: usize, const K: usize> {
     explained: SMatrix<f64, N, K>,
     /// Inverse of the Schur complement of the normal equations for the further functions.
     inverse: SMatrix<f64, K, K>,
-    /// Degrees of freedom of the residuals; a value below 3 is replaced by 3.
+    /// Degrees of freedom of the residuals of the fit with the further functions; a value below 3 is replaced by 3.
     freedom: f64,
 }
 
@@ -258,9 +259,9 @@ pub struct Extension<const N: usize, const K: usize> {
 pub struct Extended<const N: usize, const K: usize> {
     /// Coefficients of the original basis functions; one column per component of the vector.
     pub coefficients: SMatrix<f64, N, 3>,
-    /// Coefficients of the further functions.
+    /// Coefficients of the `K` further functions; one column per component of the vector.
     pub further: SMatrix<f64, K, 3>,
-    /// Decrease of the sum of squares by the further functions.
+    /// Decrease of the sum of squared whitened residuals if the further functions are included in the fit.
     pub gain: f64,
     /// Sum of squared whitened residuals, plus the penalty by the priors of the coefficients.
     pub squares: f64,
@@ -285,7 +286,8 @@ impl<const N: usize, const K: usize> Extension<N, K> {
     }
 }
 
-/// Sum over the rows of the regression matrix of the products of each function with each component of the vector.
+/// Matrix product `rows`ᵀ `vectors`: entry (i, k) is the sum, over the rows of the regression matrix, of the value of
+/// basis function i times component k of the vector. The fourth component of the vectors is ignored.
 fn products<const N: usize>(rows: &[[f64; N]], vectors: &[[f64; 4]]) -> SMatrix<f64, N, 3> {
     let mut sums = [[0.0; 4]; N];
     for (row, vector) in rows.iter().zip(vectors) {
@@ -307,18 +309,18 @@ fn add_scaled(sum: &mut [f64; 4], factor: f64, vector: &[f64; 4]) {
     }
 }
 
-/// Transformation of a regression row that makes its noise independent of the noise of the previous row and gives all
-/// rows the same noise variance (AR(1) whitening).
+/// AR(1) whitening of a regression row: makes its noise independent of the noise of the previous row, and gives all
+/// rows the same noise variance.
 #[derive(Clone, Copy, Debug)]
 struct Whitening {
-    /// Correlation between the noise of the row and that of the previous row.
+    /// Correlation between the noise of a regression row and that of the previous row.
     shared: f64,
     scale: f64,
 }
 
 impl Whitening {
-    /// Whitening of a row with the sample index `sample`. `previous` is the sample index of the preceding row, `None`
-    /// for the first row; `correlation` is that of the noise of successive samples.
+    /// Creates the whitening of the row with the sample index `sample`. `previous` is the sample index of the preceding
+    /// row, `None` for the first row; `correlation` is that of the noise of successive samples.
     fn of(previous: Option<usize>, sample: usize, correlation: f64) -> Self {
         let fresh = 1.0 - correlation * correlation;
         let shared = previous.map_or(0.0, |previous| {

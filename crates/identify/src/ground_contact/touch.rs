@@ -27,18 +27,19 @@ const MIN_USUAL: [f64; 2] = [8.0, 12.0];
 /// Minimum number of earlier intervals for the usual gain (see `MIN_USUAL`) to be the median of the gains of these
 /// intervals. With fewer, the usual gain is the lower quartile over the whole flight.
 const EARLIER: usize = 8;
-/// Minimum gains of a ground contact, in units of the usual gain (see `MIN_USUAL`): the first value applies to the gain
-/// of the position and to that of the axis, the second value to the geometric mean of the two.
+/// Minimum gains (decreases of the sum of squared residuals) of a ground contact, relative to their usual values
+/// without a contact. The first value applies to the gain of the position and to that of the axis, the second value to
+/// the geometric mean of the two.
 const MIN_GAINS: (f64, f64) = (3.5, 5.5);
-/// Minimum upward velocity jump, m/s, of a ground contact detected because the position and the most steady body axis
-/// both have gains above `MIN_GAINS`.
+/// Minimum upward velocity jump, m/s, of a ground contact that is detected from both the position and the most steady
+/// body axis (see `MIN_GAINS`).
 const MIN_JUMP: f64 = 0.15;
 /// Minimum ratio of the upward component of a velocity jump at the ground to its magnitude; limited friction limits the
 /// horizontal component.
 const MIN_UPWARD_PART: f64 = 0.3;
-/// Thresholds for a ground contact that is evident from the position alone: minimum gain of the position, in units of
-/// the usual gain (see `MIN_USUAL`); minimum upward velocity jump, m/s; and minimum ratio of this jump to the descent
-/// speed before it.
+/// Thresholds for a ground contact that is evident from the position alone. The first is the minimum gain (decrease of
+/// the sum of squared position residuals) relative to its usual value without a contact. The others are the minimum
+/// upward velocity jump, m/s, and its minimum ratio to the descent speed before it.
 const MIN_OF_PATH: (f64, f64, f64) = (7.0, 0.8, 0.3);
 
 /// Factor by which the minimum gains and velocity jumps of a ground contact are multiplied in a first, cheap pass with
@@ -118,8 +119,9 @@ pub fn touch(path: &[PathPoint]) -> Option<Touch> {
     })
 }
 
-/// Whether `comparison`, a test in the first, cheap pass, exceeds the lower thresholds (see `ROUGH`), so that the
-/// flight may have a ground contact. `gains` are the gains of `comparison`, converted to a better noise estimate.
+/// Whether the flight may have a ground contact: `comparison`, a test in the first, cheap pass, exceeds the lower
+/// thresholds (see `ROUGH`). `gains` are the decreases of the sums of squares in this test, converted to a better noise
+/// estimate.
 fn may_be_touch(comparison: &Comparison, gains: [f64; 2]) -> bool {
     let [position, axis] = [0, 1].map(|part| gains[part] / MIN_USUAL[part]);
     let jump = comparison.jump.z;
@@ -140,7 +142,7 @@ fn is_touch(comparison: &Comparison, usual: [f64; 2]) -> bool {
     velocity < 0.0 && is_upward && (of_both || of_path)
 }
 
-/// Lower quartile of some values; 0 for no values.
+/// Lower quartile of the given values; 0 for no values.
 fn quartile(values: impl Iterator<Item = f64>) -> f64 {
     let mut values: Vec<f64> = values.collect();
     let quarter = values.len() / 4;

@@ -8,7 +8,8 @@ use super::motion::Point;
 use super::regression::{Design, Row, Whitened};
 use crate::statistics::median;
 
-/// Maximum root mean square rotation of the axis between successive samples, rad; a tumbling body has no steady axis.
+/// Maximum root mean square rotation of the most steady body axis between successive samples, rad. If it is exceeded,
+/// the body tumbles and has no steady axis.
 const MAX_TURN: f64 = 0.3;
 /// Minimum spin, rad/s. The axis of a slower body drifts as fast as it wobbles, so that a ground contact is
 /// indistinguishable from free motion.
@@ -34,7 +35,7 @@ const CORRELATIONS: (f64, i32) = (0.05, 18);
 /// Minimum number of third differences of the positions from which the noise correlation is estimated.
 const DIFFERENCES: usize = 30;
 
-/// A point of the measured path, with the rotation from body components to inertial components.
+/// A point of the measured path, with the attitude of the body there (rotation from body to inertial components).
 pub type Posed<'p> = (&'p PathPoint, UnitQuaternion<f64>);
 
 /// Position of the body and direction of its most steady axis (the body axis whose direction changes least) in each

@@ -17,7 +17,7 @@ use crate::error::FlightError;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 
-/// An initial guess of a flight's state.
+/// An initial guess of the state of a flight at its first sample.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InitialGuess {
     /// State at the first sample, SI.

@@ -13,17 +13,18 @@ use crate::problem::FitProblem;
 /// Body-fixed points whose positions and velocities determine the motion: the origin and one point on each axis, m.
 const PROBES: [[f64; 3]; 4] = [[0.0; 3], [0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.1]];
 
-/// Distance of the probe points from their target positions and velocities, m, below which the search for the state
-/// ends. Velocities are multiplied by `VELOCITY_WEIGHT`.
+/// Distance of the body-fixed probe points from their target positions and velocities, m, below which the search for
+/// the state with a given motion ends. Velocities are multiplied by `VELOCITY_WEIGHT`.
 const MAX_DISTANCE: f64 = 1e-6;
 
-/// Maximum number of initial states from which the search for the state with a given motion is started.
+/// Maximum number of states from which the search for the state with a given motion is started.
 const MAX_GUESSES: usize = 8;
 
 /// Step size of the one-sided finite differences for the Jacobian, in the SI unit of each state.
 const DIFFERENCE_STEP: f64 = 1e-6;
 
-/// Time by which velocities are multiplied to be comparable with positions in the distance to be minimised, s.
+/// Time by which the velocities of body-fixed points are multiplied, s, so that they can be compared with positions in
+/// a common distance, m.
 const VELOCITY_WEIGHT: f64 = 0.02;
 
 /// Returns the state of a body that has the given motion at the first sample, as nearly as possible. `observations`
@@ -78,7 +79,8 @@ pub fn state_for_motion(
     Ok(state)
 }
 
-/// Target positions of the probe points, m, followed by their target velocities × `VELOCITY_WEIGHT`, m.
+/// Target positions of the body-fixed points `probes` in the given motion, m, followed by their target velocities ×
+/// `VELOCITY_WEIGHT`, m.
 fn target(motion: &RigidMotion, probes: &[[f64; 3]]) -> DVector<f64> {
     let arm = |probe: &[f64; 3]| {
         let probe = Vector3::from(*probe);
@@ -224,7 +226,7 @@ fn descend(
     distance.is_finite().then_some((distance, state))
 }
 
-/// Evaluates the positions and velocities of the probe points on the body at a state of the model.
+/// Evaluates the positions and velocities of body-fixed points (probes) at a state of the model.
 struct ProbeMotion<'a> {
     /// Time of the first sample, s.
     time: f64,

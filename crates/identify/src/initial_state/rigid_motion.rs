@@ -83,7 +83,7 @@ fn measured_frames(
     rows.take(most).collect()
 }
 
-/// Maximum number of samples for the initial noise estimate.
+/// Maximum number of samples of a flight from which the initial noise estimate is computed.
 const MAX_NOISE_SAMPLES: usize = 400;
 
 /// Initial estimate of the noise of one coordinate, m: for a rigid body, from the distances between markers and the
@@ -159,10 +159,10 @@ const MAX_VARIANCE_RATIO: f64 = 25.0;
 /// which the position is dropped as an outlier.
 const MAX_SQUARES_RATIO: f64 = 16.0;
 
-/// Maximum number of times that the parabola is fitted again without outliers.
+/// Maximum number of times that the parabola through the measured positions is fitted again without outliers.
 const MAX_PATH_REFITS: usize = 2;
 
-/// Minimum number of positions that must remain without the outliers for the parabola to be fitted again.
+/// Minimum number of positions that must remain after removal of the outliers for the parabola to be fitted again.
 const MIN_PATH_POINTS: usize = 4;
 
 /// Position, m, and velocity, m/s, at time 0 from a least-squares parabola, which is refitted without outliers.
@@ -185,9 +185,9 @@ fn path(seen: &[MeasuredFrame]) -> (Vector3<f64>, Vector3<f64>) {
 
 /// Least-squares parabola in time through measured positions.
 struct Parabola {
-    /// Position at time 0, m.
+    /// Position on the parabola at time 0, m.
     position: Vector3<f64>,
-    /// Velocity at time 0, m/s.
+    /// Time derivative of the parabola at time 0, m/s.
     velocity: Vector3<f64>,
     /// Squared distance of each position from the parabola, m².
     squares: Vec<f64>,

@@ -1,6 +1,6 @@
 //! Bounds and prior of a global parameter.
 
-/// Box constraint and Gaussian prior of a global parameter.
+/// Bounds and Gaussian prior of a global parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Constraint {
     /// Lower and upper bound; infinite if the parameter is unbounded.
@@ -16,7 +16,7 @@ impl Constraint {
         prior: None,
     };
 
-    /// Squared normalised distance of a value from the prior mean; 0 without a prior.
+    /// Squared distance of a value from the prior mean, in prior standard deviations; 0 without a prior.
     pub(super) fn squares(&self, value: f64) -> f64 {
         let squares = |(mean, sigma): (f64, f64)| ((value - mean) / sigma).powi(2);
         self.prior.map_or(0.0, squares)

@@ -12,25 +12,28 @@ const BATCH: usize = 64;
 const PADDING: usize = 8;
 
 /// Accumulates the Gram matrix of the Jacobian rows of one flight. A row contains the derivatives with respect to the
-/// local and global parameters, each in its column, then the residual, then zeros as padding.
+/// local parameters (initial state of the flight) and the global parameters (common to all flights), each in its
+/// column. The residual follows, and then zeros as padding.
 pub struct GramAccumulator {
-    /// Column indices of the local parameters.
+    /// Columns of the Jacobian rows that contain the derivatives with respect to the local parameters (initial state of
+    /// the flight).
     local: Vec<usize>,
-    /// Column indices of the global parameters.
+    /// Columns of the Jacobian rows that contain the derivatives with respect to the global parameters (common to all
+    /// flights).
     global: Vec<usize>,
     width: usize,
     /// Jacobian rows that are not summed yet, concatenated.
     batch: Vec<f64>,
     filled: usize,
     sums: Vec<f64>,
-    /// Sum of the additional terms that robust losses contribute to the sum of squares.
+    /// Sum of the terms that robust losses add to the sum of the squared weighted residuals.
     extra: f64,
     count: usize,
 }
 
 impl GramAccumulator {
-    /// Creates an accumulator without Jacobian rows. `local` and `global` are the column indices of the parameters,
-    /// which together are 0, 1, 2, ….
+    /// Creates an accumulator without Jacobian rows. `local` and `global` are the column indices of the local and
+    /// global parameters in a row; together they are 0, 1, 2, ….
     pub fn new(local: Vec<usize>, global: Vec<usize>) -> Self {
         let width = (local.len() + global.len() + 1).next_multiple_of(PADDING);
         Self {

@@ -11,11 +11,12 @@ use super::{Iterate, LeastSquaresProblem, NormalBlock, SolveError, StopReason, S
 pub struct Solution {
     /// The last accepted iterate.
     pub iterate: Iterate,
-    /// Normal equations of each flight at the last iterate whose residuals were evaluated.
+    /// Normal equations of each flight at the last accepted iterate whose residuals were evaluated.
     pub blocks: Vec<NormalBlock>,
-    /// Sum of squares including the priors; after an unevaluated last step, its predicted value.
+    /// Sum of squares including the priors. If the residuals after the last step were not evaluated, it is the
+    /// predicted value.
     pub squares: f64,
-    /// Number of steps tried.
+    /// Number of least-squares steps tried.
     pub iterations: usize,
     /// Reason why the iteration stopped.
     pub stop_reason: StopReason,
@@ -38,16 +39,17 @@ impl Solution {
     }
 }
 
-/// Initial damping, relative to the diagonal of JᵀJ.
+/// Initial Levenberg–Marquardt damping, relative to the diagonal of JᵀJ.
 pub(super) const INITIAL_DAMPING: f64 = 1e-9;
 
-/// Maximum damping at which a step is tried.
+/// Maximum Levenberg–Marquardt damping, relative to the diagonal of JᵀJ, at which a step is tried.
 const MAX_DAMPING: f64 = 1e8;
 
-/// Maximum damping at which a step has practically its full length.
+/// Maximum Levenberg–Marquardt damping, relative to the diagonal of JᵀJ, at which a step has practically the length of
+/// a Gauss–Newton step.
 const NEGLIGIBLE_DAMPING: f64 = 1e-6;
 
-/// Minimum damping; lower values have no further effect.
+/// Minimum Levenberg–Marquardt damping, relative to the diagonal of JᵀJ; lower values have no further effect.
 const MIN_DAMPING: f64 = 1e-12;
 
 /// Minimises the sum of squares from the iterate `start`.
@@ -64,7 +66,7 @@ pub fn solve(
 }
 
 /// Minimises the sum of squares as [`solve`] does, as a continuation of the iteration of a nearly equal problem.
-/// `previous` is the predicted reduction of the last step of that iteration.
+/// `previous` is the reduction of the sum of squares that was predicted for the last step of that iteration.
 ///
 /// # Errors
 /// The errors of [`solve`].

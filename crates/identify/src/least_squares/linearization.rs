@@ -36,7 +36,8 @@ impl Evaluated {
         })
     }
 
-    /// Evaluates a candidate iterate as [`Evaluated::new`] does; `None` if a flight cannot be predicted there.
+    /// Evaluates a candidate iterate: its normal equations and sum of squares. `None` if a flight cannot be predicted
+    /// there. The Schur complements are computed for a next step with `damping`.
     pub(super) fn candidate(
         problem: &dyn LeastSquaresProblem,
         iterate: &Iterate,
@@ -49,7 +50,8 @@ impl Evaluated {
         }
     }
 
-    /// Computes a damped step; `None` if the normal equations are singular at this damping.
+    /// Computes a Levenberg–Marquardt step with the given damping; `None` if the normal equations are singular at this
+    /// damping.
     pub(super) fn step(&mut self, problem: &dyn LeastSquaresProblem, damping: f64) -> Option<Step> {
         self.linearization.step(problem, &self.iterate, damping)
     }
@@ -58,8 +60,8 @@ impl Evaluated {
 /// Normal equations of all flights at an iterate.
 pub(super) struct Linearization {
     pub(super) blocks: Vec<NormalBlock>,
-    /// A damping, and the Schur complements of all flights that were computed for it in advance. The first step with
-    /// this damping uses the complements and replaces them by `None`.
+    /// Damping, and the Schur complements of all flights that were computed for it in advance. The first step with this
+    /// damping uses the complements and replaces them by `None`.
     complements: (f64, Option<Vec<Option<SchurComplement>>>),
 }
 
@@ -121,7 +123,8 @@ impl Linearization {
         if sum.is_nan() { f64::INFINITY } else { sum }
     }
 
-    /// Computes a damped step; `None` if the normal equations are singular at this damping.
+    /// Computes a Levenberg–Marquardt step with the given damping; `None` if the normal equations are singular at this
+    /// damping.
     fn step(
         &mut self,
         problem: &dyn LeastSquaresProblem,

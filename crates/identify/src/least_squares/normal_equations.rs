@@ -9,10 +9,11 @@ use nalgebra::{DMatrix, DVector};
 use super::scaled_cholesky::ScaledCholesky;
 use crate::ids::{GlobalId, LocalId};
 
-/// Normal equations of one flight: JᵀJ and Jᵀr of its residuals r, in blocks of local and global parameters.
+/// Normal equations of one flight: JᵀJ and Jᵀr of its residuals r, in blocks of local parameters (initial state of the
+/// flight) and global parameters (common to all flights).
 #[derive(Clone, Debug, PartialEq)]
 pub struct NormalBlock {
-    /// Block of JᵀJ: local × local parameters.
+    /// Block of JᵀJ: local × local parameters (initial state of the flight).
     pub local: DMatrix<f64>,
     /// Block of JᵀJ: local × global parameters.
     pub cross: DMatrix<f64>,
@@ -53,7 +54,7 @@ impl NormalBlock {
         self.count += 1;
     }
 
-    /// Whether the residuals determine the local parameters at fixed global parameters.
+    /// Whether the residuals determine the local parameters (initial state of the flight) at fixed global parameters.
     pub fn determines_local(&self) -> bool {
         ScaledCholesky::independent(&self.local, 0.0).is_some()
     }
@@ -80,7 +81,8 @@ impl NormalBlock {
 #[error("the samples of flight {0} do not determine its initial state")]
 pub struct UndeterminedFlight(pub usize);
 
-/// Schur complement of a flight's normal equations after elimination of its local parameters.
+/// Schur complement of a flight's normal equations after elimination of its local parameters (initial state), with the
+/// Cholesky factor required for back-substitution.
 pub(crate) struct SchurComplement {
     factor: ScaledCholesky,
     reduced: DMatrix<f64>,
@@ -88,8 +90,8 @@ pub(crate) struct SchurComplement {
 }
 
 impl SchurComplement {
-    /// Eliminates the local parameters, with damping relative to the diagonal of JᵀJ; `None` if the residuals do not
-    /// determine the local parameters.
+    /// Eliminates the local parameters (initial state of the flight), with damping relative to the diagonal of JᵀJ;
+    /// `None` if the residuals do not determine them.
     pub fn new(block: &NormalBlock, damping: f64) -> Option<Self> {
         let factor = ScaledCholesky::independent(&block.local, damping)?;
         let through = block.cross.tr_mul(&factor.solve_matrix(&block.cross));
@@ -102,14 +104,14 @@ impl SchurComplement {
     }
 }
 
-/// Normal equations of the global parameters after elimination of all local parameters, with the factors required for
-/// back-substitution.
+/// Normal equations of the global parameters after elimination of all local parameters (initial states of the flights),
+/// with the factors required for back-substitution.
 pub struct ReducedSystem<'a> {
     blocks: &'a [NormalBlock],
     factors: Vec<ScaledCholesky>,
     /// Sum of the Schur complements of all flights: reduced JᵀJ of the global parameters.
     pub reduced: DMatrix<f64>,
-    /// Reduced gradient Jᵀr of the global parameters.
+    /// Gradient Jᵀr of the global parameters after elimination of the local parameters.
     pub gradient: DVector<f64>,
 }
 

@@ -10,17 +10,19 @@ use crate::error::FlightError;
 pub enum Unknowns {
     /// The local parameters only: the initial state of the flight.
     Local,
-    /// The local and the global parameters.
+    /// The local parameters (initial state of the flight) and the global parameters (common to all flights).
     All,
 }
 
-/// Sum of squares over flights, as a function of global parameters and of local parameters of each flight.
+/// Sum of squares over flights, as a function of global parameters (common to all flights) and of local parameters of
+/// each flight (its initial state).
 pub trait LeastSquaresProblem: Sync {
     /// Number of flights.
     fn flights(&self) -> usize;
 
-    /// Normal equations of a flight's residuals at the values `unknowns` of the global and local parameters, for the
-    /// parameters that `by` selects; for the local parameters alone if the problem fixes the global ones.
+    /// Normal equations of a flight's residuals at the values `unknowns` of the global parameters and of the flight's
+    /// local parameters (initial state), for the parameters that `by` selects; for the local parameters alone if the
+    /// problem fixes the global ones.
     ///
     /// # Errors
     /// [`FlightError`] if the flight cannot be predicted from these values.
@@ -47,7 +49,7 @@ pub trait LeastSquaresProblem: Sync {
         false
     }
 
-    /// Whether the iteration is to stop and return its present iterate, because the deadline has passed.
+    /// Whether the iteration is to stop and return its present iterate, because the deadline of the fit has passed.
     fn is_past_deadline(&self) -> bool {
         false
     }

@@ -2,7 +2,7 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn, SymmetricEigen};
 
-/// Square root of a diagonal entry below which its row and column are not scaled.
+/// Square root of a diagonal entry of a matrix, at or below which the row and the column of this entry are not scaled.
 const MIN_ROOT: f64 = 1e-150;
 
 /// Squared pivot, for a unit diagonal, below which a column is considered linearly dependent on the previous ones.

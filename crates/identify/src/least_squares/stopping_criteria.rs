@@ -1,6 +1,6 @@
 //! Termination criteria of an iteration, and the reason why it stopped.
 
-/// Termination criteria of the least squares.
+/// Criteria by which the least-squares iteration stops.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StoppingCriteria {
     /// Predicted reduction of the sum of squares below which a step is negligible.
@@ -11,7 +11,7 @@ pub struct StoppingCriteria {
     /// units of the negligible reduction (see `ftol_abs` and `ftol_rel`). The step after it must be predicted to be
     /// negligible.
     pub accept_unevaluated: f64,
-    /// Maximum number of steps.
+    /// Maximum number of least-squares steps.
     pub max_steps: usize,
     /// Sum of squares above which an iteration with slow progress is stopped; infinite if it is never stopped for this
     /// reason.
@@ -57,7 +57,8 @@ impl StoppingCriteria {
         accept_unevaluated: f64::INFINITY,
         ..StoppingCriteria::COARSE
     };
-    /// Criteria for a refinement of the local parameters at fixed global parameters, between two steps of all unknowns.
+    /// Criteria for a refinement of the local parameters (initial states of the flights) at fixed global parameters,
+    /// between two steps of all unknowns.
     pub const REFINEMENT: StoppingCriteria = StoppingCriteria {
         max_steps: 8,
         ..StoppingCriteria::COARSE
@@ -106,13 +107,13 @@ impl StoppingCriteria {
 pub enum StopReason {
     /// The predicted reduction of the last step was negligible.
     Converged,
-    /// [`StoppingCriteria::max_steps`] was reached.
+    /// The iteration reached its maximum number of steps.
     MaxSteps,
     /// No step decreased the sum of squares, even with the maximum damping.
     NoDescent,
     /// The iteration was stopped because its progress was slow at a sum of squares above
     /// [`StoppingCriteria::worthwhile_squares`].
     GivenUp,
-    /// The deadline passed.
+    /// The deadline of the fit passed.
     Deadline,
 }

@@ -3,8 +3,8 @@ use nalgebra::DVector;
 use super::*;
 use crate::ids::LocalId;
 
-/// Selects from `block`, the normal equations of a problem with one local and one global parameter, those of the
-/// unknowns `by`.
+/// Returns the part of the normal equations `block` that belongs to the unknowns `by`. The problem has one local and
+/// one global parameter.
 fn of(block: NormalBlock, by: Unknowns) -> NormalBlock {
     match by {
         Unknowns::All => block,

@@ -71,7 +71,7 @@ impl<'p> JacobianColumns<'p> {
         self.integrated..self.integrated + self.parameters.len()
     }
 
-    /// Creates an empty accumulator of normal equations for rows with these columns.
+    /// Creates an empty accumulator of normal equations for Jacobian rows with these columns.
     pub fn accumulator(&self) -> GramAccumulator {
         GramAccumulator::new(self.local.clone(), self.parameter_columns().collect())
     }
@@ -82,8 +82,8 @@ impl<'p> JacobianColumns<'p> {
         local.chain(self.parameter_columns()).collect()
     }
 
-    /// Converts the tangent of the state manifold from `entries` (state, direction, value) to (state, column, value).
-    /// Returns only the columns whose sensitivities are integrated.
+    /// Converts entries of the tangent of the state manifold from (state, direction, value) to (state, column, value).
+    /// Returns only entries in columns whose sensitivities are integrated.
     pub fn tangent(&self, entries: &[(usize, usize, f64)]) -> Vec<(usize, usize, f64)> {
         let columns = entries.iter();
         let columns =
@@ -93,15 +93,16 @@ impl<'p> JacobianColumns<'p> {
             .collect()
     }
 
-    /// Rows of zeros for the three axes of an observation, as long as the rows of the accumulator of the normal
-    /// equations.
+    /// Rows of zeros for the derivatives along the three axes of an observation, as long as the rows of the accumulator
+    /// of the normal equations.
     pub fn empty_rows(&self) -> [Vec<f64>; 3] {
         let width = self.accumulator().width();
         [0; 3].map(|_| vec![0.0; width])
     }
 
-    /// Writes the derivatives of an observation with respect to the unknowns into `rows`, one row per axis. `row_of`
-    /// returns the sensitivities of a state to the unknowns.
+    /// Writes the derivatives of an observation with respect to the unknowns into `rows`, one row per axis. They follow
+    /// from its Jacobians `derivatives` by the chain rule. `row_of` returns the sensitivities of a state, given its
+    /// index, to the unknowns.
     pub fn derive<'s>(
         &self,
         derivatives: &ObservationJacobians<'_>,
@@ -139,7 +140,8 @@ impl<'p> JacobianColumns<'p> {
 /// the states.
 struct Chain<'a, R> {
     derivatives: &'a ObservationJacobians<'a>,
-    /// Returns the row of sensitivities of a state, padded with zeros to whole SIMD vectors.
+    /// Function that returns the sensitivities of a state, given its index, to the unknowns, padded with zeros to whole
+    /// SIMD vectors.
     row_of: R,
     rows: &'a mut [Vec<f64>; 3],
 }

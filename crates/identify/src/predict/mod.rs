@@ -34,8 +34,8 @@ pub enum Loss<'a> {
     Whitened(&'a NoiseModel),
 }
 
-/// Normal equations of the first `samples` samples of a flight at the given global and local parameters. `unknowns`
-/// selects the parameters with respect to which residuals are differentiated.
+/// Normal equations of the first `samples` samples of a flight at the given global and local parameters (initial
+/// state). `unknowns` selects the parameters with respect to which residuals are differentiated.
 ///
 /// # Errors
 /// [`FlightError::Integration`] if the trajectory cannot be computed.
@@ -170,7 +170,7 @@ pub struct PointResidual<'r> {
     /// Predicted − measured along each axis, times the scale of the channel, m. A scalar residual is repeated three
     /// times.
     pub residual: [f64; 3],
-    /// Derivatives of the residual, one row per axis: with respect to the local parameters, then with respect to the
-    /// selected parameters of the model.
+    /// Derivatives of the residual, one row per axis: with respect to the local parameters (directions of the initial
+    /// state), then with respect to the selected parameters of the model.
     pub rows: &'r [Vec<f64>; 3],
 }

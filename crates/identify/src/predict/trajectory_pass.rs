@@ -37,7 +37,8 @@ pub(super) fn integration_options(tolerance: f64, samples: usize) -> Integration
     }
 }
 
-/// Inputs of one integration of a flight with sensitivities.
+/// Inputs of one integration of a flight with sensitivities, in which the residual of every measured value is
+/// evaluated.
 pub(super) struct TrajectoryPass<'a> {
     pub problem: &'a FitProblem,
     pub observations: &'a Observations,

@@ -7,8 +7,8 @@ use crate::least_squares::NormalBlock;
 use crate::observations::Observations;
 use crate::problem::FitProblem;
 
-/// Prior standard deviation of a state about 0, by the unit of the state. It is far wider than the uncertainty of any
-/// state that the flight determines.
+/// Prior standard deviation of an initial-state component about 0, given the unit of the state. It is far wider than
+/// the uncertainty of any state that the flight determines.
 fn deviation(unit: &str) -> f64 {
     match unit {
         "m" => 10.0,
@@ -19,8 +19,8 @@ fn deviation(unit: &str) -> f64 {
     }
 }
 
-/// Adds the weak priors of the initial state `local` to `block`, the normal equations of a flight: each state has the
-/// prior mean 0 and the standard deviation `deviation` of its unit.
+/// Adds the weak priors of the initial state `local` to `block`, the normal equations of a flight. Each state has the
+/// prior mean 0 and the standard deviation that `deviation` gives for its unit.
 pub(super) fn add(
     problem: &FitProblem,
     observations: &Observations,

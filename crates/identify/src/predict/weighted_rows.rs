@@ -5,15 +5,15 @@ use crate::channel::Channel;
 use crate::least_squares::GramAccumulator;
 use crate::noise::{AxesNoise, HUBER_LIMIT};
 
-/// Accumulates normal equations from weighted rows of derivatives and residuals. It stores the previous row of each
-/// channel for the AR(1) innovations.
+/// Accumulates normal equations from rows of derivatives and residuals, which it weights according to the loss. It
+/// stores the previous row of each channel for the AR(1) innovations.
 pub(super) struct WeightedRows<'a> {
-    /// Accumulator of the normal equations.
+    /// Accumulator to which the weighted rows are added, and which gives the normal equations.
     pub accumulator: GramAccumulator,
     loss: Loss<'a>,
     channels: &'a [Channel],
     /// For each channel and axis: autocorrelation of the noise over one sampling interval, and weight of the innovation
-    /// (1/m).
+    /// (residual minus its prediction from the previous one), 1/m. Empty for a robust loss.
     one_interval: Vec<[(f64, f64); 3]>,
     /// Time (s) of the previous measured value of each channel, and the derivatives and residual of that value; `None`
     /// before the first value.

@@ -24,7 +24,7 @@ pub struct GlobalParameter {
     pub x_scale: f64,
 }
 
-/// The global parameters, and (name, SI value) of each fixed coefficient.
+/// The global parameters that are estimated, and name and value (SI) of each coefficient that is not.
 type Selection = (Vec<GlobalParameter>, Vec<(String, f64)>);
 
 /// Selects the global parameters according to the options, and writes the values of fixed coefficients into

@@ -30,11 +30,11 @@ pub struct FlightEvidence {
     pub states: Vec<Vec<f64>>,
     /// Names of the model's auxiliary variables; vectors are given by component.
     pub quantity_names: Vec<String>,
-    /// Values of the auxiliary variables as `quantities[sample][quantity]`, SI.
+    /// Values of the model's auxiliary variables as `quantities[sample][quantity]`, SI.
     pub quantities: Vec<Vec<f64>>,
 }
 
-/// Measured values and residuals of one channel that is not a position, in the unit of the channel.
+/// Measured values and residuals of one sensor channel, which does not measure a position, in the unit of the channel.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct SensorEvidence {
     /// Name of the sensor.
@@ -43,7 +43,7 @@ pub struct SensorEvidence {
     pub channel: usize,
     /// Unit of a component: `rad` for an attitude, otherwise the unit of the instrument.
     pub unit: String,
-    /// Number of components; a scalar value is repeated three times.
+    /// Number of components of the measured quantity; the value of a scalar is repeated three times in the arrays.
     pub components: usize,
     /// Measured value by sample, as a rotation vector for an attitude; `None` for a missing value.
     pub measured: Vec<Option<[f64; 3]>>,

@@ -41,7 +41,7 @@ pub struct FitReport {
     pub noise: NoiseReport,
     /// Coefficients and other global parameters, keyed by their names.
     pub coefficients: BTreeMap<String, Coefficient>,
-    /// Correlation matrix of the estimated global parameters, as a map of maps by name.
+    /// Correlation matrix of the estimated global parameters, indexed by the names of two parameters.
     pub correlations: BTreeMap<String, BTreeMap<String, f64>>,
     /// Reports of all flights, in the order of the dataset.
     pub flights: Vec<FlightReport>,
@@ -126,7 +126,7 @@ pub struct NoiseReport {
     pub outliers: usize,
     /// Fraction of measured values excluded as outliers: `outliers / points`.
     pub outlier_fraction: f64,
-    /// Number of missing values.
+    /// Number of missing values (for markers: positions) in the fitted flights.
     pub dropouts: usize,
     /// Noise floor: root mean square over the axes of the noise standard deviations that are estimated without a model,
     /// from the scatter about smooth curves, m; for correlated noise, it is an underestimate. With too few samples, it
@@ -161,7 +161,7 @@ pub struct Coefficient {
     pub at_bound: bool,
     /// Whether the parameter is fixed and not estimated.
     pub held: bool,
-    /// Initial value, SI: from the prior, the dataset or the model.
+    /// Initial value of the parameter in the fit, SI: from the prior, the dataset or the model.
     pub model_value: f64,
     /// Mean and standard deviation of the prior, SI; `None` without a prior.
     pub prior: Option<[f64; 2]>,
@@ -224,7 +224,7 @@ pub struct Truncation {
     pub t: f64,
     /// Number of samples after the time `t`, which were dropped.
     pub samples: usize,
-    /// Reason for the truncation.
+    /// Reason for the truncation of the flight, as text for the report.
     pub why: String,
 }
 

@@ -15,7 +15,7 @@ pub enum FlightOutcome {
     HeldOut,
     /// The flight was not used in the fit.
     Excluded {
-        /// Reason for the exclusion.
+        /// Reason for the exclusion of the flight, as text for the report.
         reason: String,
     },
 }
@@ -58,9 +58,9 @@ impl FitStatus {
 /// Number of steps and status of the iterations of a fit.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Iterations {
-    /// Total number of least-squares steps.
+    /// Total number of least-squares steps in all stages of the fit.
     pub steps: usize,
-    /// Number of noise estimates that were computed.
+    /// Number of times that the measurement noise was estimated from the residuals.
     pub rounds: usize,
     /// Whether `status` is [`FitStatus::Converged`].
     pub converged: bool,

@@ -4,18 +4,19 @@ use super::{FitReport, FitStatus};
 use crate::dataset::Role;
 use crate::wording::count;
 
-/// Ratio of the rms residual to the noise floor, above which a fit is not reliable. Correlated noise, which lowers the
-/// noise floor, stays below this limit: an AR(1) noise of coefficient 0.9 leads to a lower ratio.
+/// Ratio of the rms residual to the noise floor (noise estimated without a model), above which a fit is not reliable.
+/// Correlated noise lowers the noise floor, but the ratio stays below this limit even for an AR(1) noise of coefficient
+/// 0.9.
 const MAX_NOISE_RATIO: f64 = 5.0;
 
-/// Minimum noise floor with which the rms residual is compared, m. Smaller noise floors are raised to this value,
-/// because rounding in tables and integration errors also contribute to the residuals.
+/// Minimum noise floor (noise estimated without a model) with which the rms residual is compared, m. Smaller noise
+/// floors are raised to this value, because rounding in tables and integration errors also contribute to the residuals.
 const MIN_NOISE_FLOOR: f64 = 1e-5;
 
 /// Fraction of the flights to be fitted that are excluded, above which the fit is not reliable.
 const MAX_EXCLUDED: f64 = 1.0 / 3.0;
 
-/// Reasons why a fit is not reliable; empty if it is reliable.
+/// Reasons, as text for the report, why a fit is not reliable; empty if it is reliable.
 pub(crate) fn reasons_against(report: &FitReport) -> Vec<String> {
     let reasons = [
         not_converged(report),

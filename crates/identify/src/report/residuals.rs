@@ -21,8 +21,8 @@ const HISTOGRAM_LIMIT: f64 = 10.0;
 /// Number of quantiles in the report, for a Q–Q plot.
 const QUANTILES: usize = 61;
 
-/// Sums of lagged products of residuals, and histograms of whitened residuals, for the residual diagnostics. The sums
-/// of several flights can be added.
+/// Sums of lagged products of residuals along each axis, and histograms of whitened residuals, from which the residual
+/// diagnostics are computed. The sums of several flights can be added.
 #[derive(Clone, Debug)]
 pub struct ResidualPool {
     axes: [Axis; 3],
@@ -31,7 +31,8 @@ pub struct ResidualPool {
 
 #[derive(Clone, Debug)]
 struct Axis {
-    /// For each lag, in samples: sum (m²) and number of the products of two residuals separated by that lag.
+    /// For each lag, in samples: sum (m²) and number of the products of two residuals of a channel separated by that
+    /// lag.
     raw: Vec<(f64, usize)>,
     whitened: Vec<(f64, usize)>,
     /// Histogram of the whitened residuals: number of values per bin.
@@ -53,8 +54,8 @@ impl Default for ResidualPool {
 }
 
 impl ResidualPool {
-    /// Adds the residuals (m) of one channel of a flight at `times` (s); `None` marks a missing value. `noise` is used
-    /// for whitening.
+    /// Adds the residuals (m) of one channel of a flight at `times` (s) to the sums and histograms; `None` marks a
+    /// missing value. `noise` is used for whitening.
     pub fn add(&mut self, times: &[f64], residuals: &[Option<[f64; 3]>], noise: &AxesNoise) {
         self.points += residuals.iter().flatten().count();
         for (k, axis) in self.axes.iter_mut().enumerate() {
@@ -83,7 +84,7 @@ impl ResidualPool {
         }
     }
 
-    /// Adds the sums and histograms of `other`, such as those of other flights.
+    /// Adds the sums and histograms of `other`, such as those of other flights, to those of `self`.
     pub fn join(&mut self, other: ResidualPool) {
         self.points += other.points;
         for (axis, other) in self.axes.iter_mut().zip(other.axes) {
@@ -192,8 +193,8 @@ fn quantiles(bins: &[u32]) -> Vec<[f64; 2]> {
     each.collect()
 }
 
-/// Quantile of the values counted in `bins`: the value below which the number `wanted` of them lies. Quantiles are
-/// requested in increasing order, so the search resumes at `from` (bin, number of values below the bin).
+/// Quantile of the values counted in the histogram `bins`: the value below which the number `wanted` of them lies.
+/// Quantiles are requested in increasing order, so the search resumes at `from` (bin, number of values below the bin).
 fn binned_quantile(bins: &[u32], wanted: f64, from: &mut (usize, f64)) -> f64 {
     let width = 2.0 * HISTOGRAM_LIMIT / BINS as f64;
     for (index, &count) in bins.iter().enumerate().skip(from.0) {

@@ -6,12 +6,12 @@ use serde::{Deserialize, Serialize};
 
 use crate::dataset::Flight;
 
-/// A mistake in the data of one flight.
+/// A mistake that screening found in the recorded data of one flight.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct DataFault {
     /// File name of the flight.
     pub file: String,
-    /// Kind of the mistake.
+    /// Kind of the mistake, such as a wrong unit.
     pub fault: FaultKind,
     /// Description of what was found, for the user.
     pub detail: String,
@@ -23,7 +23,7 @@ pub struct DataFault {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum FaultKind {
-    /// Marker names are exchanged between tracks, in the whole flight or in a part of it.
+    /// Names of markers are exchanged, in the whole flight or in a part of it.
     LabelsExchanged,
     /// The axes are left-handed: the tracks are the mirror image of a flight.
     Mirrored,
@@ -35,7 +35,7 @@ pub enum FaultKind {
     TimeUnit,
     /// Some samples are not of free flight: in the hand, after the catch, in a net, on the ground.
     NotFreeFlight,
-    /// A track repeats the same coordinates while the body moves.
+    /// The recorded coordinates of a marker do not change while the body moves.
     Frozen,
     /// A mistake of another kind, described in [`DataFault::detail`].
     Other,
@@ -59,7 +59,7 @@ impl DataFault {
 }
 
 impl FaultKind {
-    /// Name of the kind in reports.
+    /// Name of the kind of mistake in reports.
     pub fn name(self) -> &'static str {
         match self {
             Self::LabelsExchanged => "labels-exchanged",

@@ -19,9 +19,9 @@ const MIN_DEVIATION: f64 = 0.5;
 /// Minimum deviation of the fitted constant acceleration from gravity at which a fault of all flights is reported, in
 /// units of the standard error of the deviation.
 const MIN_SIGNIFICANCE: f64 = 8.0;
-/// Minimum improvement by fitting the constant acceleration at which a fault of all flights is reported: the median
-/// residual acceleration of the regression with the constant fixed at gravity, divided by that of the regression with a
-/// fitted constant.
+/// Minimum improvement by fitting the constant acceleration at which a fault of all flights is reported. The
+/// improvement is the ratio of two median residual accelerations: with the constant fixed at gravity, and with the
+/// constant fitted.
 const MIN_RATIO: f64 = 1.7;
 /// Minimum cosine of the angle between a measured acceleration and gravity at which the acceleration counts as directed
 /// downwards: cos 30°.
@@ -47,16 +47,16 @@ const UPRIGHT: f64 = 0.3;
 /// misfit (unexplained acceleration) of the mirror image of the flight to that of the recorded flight.
 const TURNED_MISFIT: f64 = 0.7;
 /// Maximum ratio of the median residual acceleration to the median standard error of the measured accelerations at
-/// which noise alone explains the residuals; gravity is then not questioned.
+/// which noise alone explains the residuals. No fault of all flights is then reported.
 const NOISE: f64 = 2.5;
 /// Weight, in the misfit (unexplained acceleration) of a flight, of the scatter of its accelerations about their
 /// median; the deviation of the median from gravity has the weight 1.
 const SCATTER_PART: f64 = 0.25;
-/// Minimum number of flights for which a single flight can be compared with the others.
+/// Minimum number of flights in the dataset for checking each flight by comparison with the others.
 const MIN_FLIGHTS: usize = 4;
 
-/// Axes of the table that may point up, each with the columns to be written for x, y and z, and the rotation from the
-/// table's coordinates to coordinates with z up.
+/// For each axis of the table that may point up: its name, the columns to be written for x, y and z so that z points
+/// up, and the rotation from the table's coordinates to coordinates with z up.
 fn orientations() -> [(&'static str, &'static str, Matrix3<f64>); 6] {
     let rows =
         |a: [f64; 3], b: [f64; 3], c: [f64; 3]| Matrix3::from_rows(&[a.into(), b.into(), c.into()]);
@@ -78,16 +78,16 @@ pub struct FreeFall<'a> {
     dataset: &'a Dataset,
     gravity: Vector3<f64>,
     /// Measured accelerations and regressors of the aerodynamic loads in the time windows of each flight; empty for a
-    /// flight without a track.
+    /// flight whose path is not available.
     rows: Vec<Vec<Row>>,
     /// Median, over the samples of each flight, of the vertical component of the unit normal of the markers' plane;
-    /// `None` for a point mass or without a track.
+    /// `None` for a point mass or if the path is not available.
     upright: Vec<Option<f64>>,
 }
 
 impl<'a> FreeFall<'a> {
-    /// Computes the regression data of each flight from its track in `tracks`, which is `None` for a flight that
-    /// already has another fault. Uses `threads` threads.
+    /// Computes the regression data of each flight from the path of its body in `tracks`, which is `None` for a flight
+    /// that already has another fault. Uses `threads` threads.
     pub fn new(
         (problem, dataset): (&'a FitProblem, &'a Dataset),
         gravity: Vector3<f64>,
@@ -212,8 +212,8 @@ impl<'a> FreeFall<'a> {
         (FaultKind::TimeUnit, format!("{detail}{told}"), mend)
     }
 
-    /// Whether the dataset has more than one marker: an earlier check of the distances between markers has then already
-    /// shown that lengths are in metres.
+    /// Whether it is already known that lengths are in metres: with more than one marker, an earlier check has compared
+    /// the distances between the markers with the declared ones.
     fn template_gives_lengths(&self) -> bool {
         self.dataset.markers.len() > 1
     }
@@ -374,7 +374,7 @@ impl<'a> FreeFall<'a> {
     }
 }
 
-/// Track of a flight up to the first ground contact, computed after multiplication of all measured marker positions by
+/// Path of a body up to the first ground contact, computed after multiplication of all measured marker positions by
 /// `matrix`.
 pub fn transformed_track(problem: &FitProblem, flight: &Flight, matrix: &Matrix3<f64>) -> Track {
     let change = |point: [f64; 3]| <[f64; 3]>::from(matrix * Vector3::from(point));
@@ -419,8 +419,8 @@ fn omega(problem: &FitProblem, flight: &Flight) -> Option<Vector3<f64>> {
     known.next()
 }
 
-/// Two texts on wrong times, from the ratio of the fitted acceleration to gravity: the probable mistake, and the
-/// instruction for correcting it.
+/// Two texts for a fault report on wrong times, from the ratio of the fitted acceleration to gravity: the probable
+/// mistake, and the instruction for correcting it.
 fn time_words(ratio: f64) -> (String, String) {
     let factor = ratio.sqrt();
     for (divisor, unit) in [(1e3, "milliseconds"), (1e6, "microseconds")] {

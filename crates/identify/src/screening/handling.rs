@@ -7,8 +7,8 @@ use super::track::{MIN_POINTS, Parabola, Track, parabola};
 use crate::dataset::Flight;
 use crate::statistics::median_of;
 
-/// Lengths, in points of the track, of the intervals at the start and at the end of a flight that are examined for
-/// contact with a hand or the ground.
+/// Lengths, in points of the measured path, of the intervals at the start and at the end of a flight that are examined
+/// for contact with a hand or the ground.
 const LENGTHS: [usize; 8] = [6, 9, 13, 20, 32, 52, 90, 160];
 /// Limits at which a force counts as a push by a hand. The force per mass other than gravity is considered: its
 /// component along the velocity must exceed the first number times gravity, and the second number times its own
@@ -28,8 +28,8 @@ const REST_FORCE: f64 = 0.7;
 /// flight, scaled with the square of the speed to the speed at the start of the braking.
 const CATCH: (f64, f64) = (3.0, 5.0);
 
-/// Fault of a flight that has samples not of free flight, at its start or its end; `None` if all samples are of free
-/// flight.
+/// Data fault of a flight that has samples not of free flight, at its start or its end; `None` if all samples are of
+/// free flight.
 pub fn check(track: &Track, gravity: Vector3<f64>, flight: &Flight) -> Option<DataFault> {
     let examined = Examined::new(track, gravity)?;
     let fault = |detail: &str, mend| DataFault::new(flight, FaultKind::NotFreeFlight, detail, mend);
@@ -58,7 +58,7 @@ pub fn check(track: &Track, gravity: Vector3<f64>, flight: &Flight) -> Option<Da
 struct Examined<'a> {
     track: &'a Track,
     gravity: Vector3<f64>,
-    /// Median speed of the flight, m/s.
+    /// Median over the time windows of the speed of the body, m/s.
     speed: f64,
 }
 
@@ -77,7 +77,8 @@ impl<'a> Examined<'a> {
         parabola(&self.track.points[from..to], self.track.noise)
     }
 
-    /// Force per mass other than gravity, m/s²; `motion` is a parabola fitted to points of the track.
+    /// Force per mass other than gravity, m/s², in the time window of the parabola `motion`, which is fitted to points
+    /// of the path.
     fn force(&self, motion: &Parabola) -> Vector3<f64> {
         motion.acceleration - self.gravity
     }
@@ -160,8 +161,8 @@ impl<'a> Examined<'a> {
         from
     }
 
-    /// Whether the body is braked, from point `first` of the track to the end, by a force that far exceeds gravity and
-    /// the aerodynamic force, as in a catch (see [`CATCH`]). `motion` is the parabola fitted to these points.
+    /// Whether the body is braked by a force that far exceeds gravity and the aerodynamic force, as in a catch (see
+    /// [`CATCH`]), from point `first` of the measured path to the end. `motion` is the parabola fitted to these points.
     fn is_caught(&self, motion: &Parabola, first: usize) -> bool {
         let g = self.gravity.norm();
         let force = self.force(motion).norm();

@@ -8,14 +8,15 @@ use crate::dataset::Flight;
 use crate::ground_contact::PathPoint;
 use crate::statistics::{median_of, median_vector};
 
-/// Number of points on each side of a possible jump. A line is fitted to the points before it and another to the points
-/// after it; the jump is the distance between the two lines at the middle of the sampling interval between them.
+/// Number of points of the path on each side of a possible jump. A line is fitted to the points before it and another
+/// to the points after it; the jump is the distance between the two lines at the middle of the sampling interval
+/// between them.
 const SIDE: usize = 8;
-/// Minimum size of a jump that is reported: the larger of the first number times the noise of the track and the second
-/// number in m.
+/// Minimum size of a jump in a measured path that is reported: the larger of the first number times the noise of the
+/// path and the second number in m.
 const JUMP: (f64, f64) = (15.0, 0.08);
-/// Minimum size of a jump that is reported, in units of the distance that the body moves in the sampling interval of
-/// the jump.
+/// Minimum size of a jump in a measured path that is reported, in units of the distance that the body moves in the
+/// sampling interval of the jump.
 const STEPS: f64 = 0.5;
 /// Maximum ratio of a sampling interval to the median interval at which the interval is examined for a jump; longer
 /// intervals are gaps in the data.
@@ -24,8 +25,8 @@ const GAP: f64 = 1.5;
 /// which suggests missing frames.
 const AHEAD: f64 = 0.97;
 
-/// Fault for the first jump in a track: an offset between the position extrapolated from the points before a sampling
-/// interval and that extrapolated from the points after it. `None` if there is no jump.
+/// Data fault for the first jump in the measured path of a body: an offset between the position extrapolated from the
+/// points before a sampling interval and that extrapolated from the points after it. `None` if there is no jump.
 pub fn check(track: &Track, flight: &Flight) -> Option<DataFault> {
     let points = &track.points;
     if points.len() < 2 * SIDE {
@@ -70,8 +71,9 @@ pub fn check(track: &Track, flight: &Flight) -> Option<DataFault> {
     None
 }
 
-/// Quick test for a possible jump of at least `least`, m, to point number `index`: whether the displacement from the
-/// previous point deviates enough from the displacements in the two adjacent sampling intervals.
+/// Quick test for a possible jump of at least `least`, m, between the path point with the index `index` and the
+/// previous one. Returns whether the displacement between them deviates enough from the displacements in the two
+/// adjacent sampling intervals.
 fn may_jump(points: &[PathPoint], index: usize, least: f64) -> bool {
     let time = |k: usize| points[k].time - points[k - 1].time;
     let rate = |k: usize| (points[k].position - points[k - 1].position) / time(k);

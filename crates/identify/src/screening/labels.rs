@@ -10,8 +10,8 @@ use crate::statistics::median_of;
 const ALL_PERMUTATIONS: usize = 4;
 /// Assumed standard deviation of the declared position of a marker, m.
 const TEMPLATE_ERROR: f64 = 1e-3;
-/// Factor applied to the noise estimated from differences of successive samples, because correlated noise makes this
-/// estimate too small.
+/// Factor by which the noise of measured distances, estimated from differences of successive samples, is multiplied,
+/// because correlated noise makes this estimate too small.
 const CORRELATION: f64 = 2.0;
 /// Maximum magnitude of one sample's contribution to the log-likelihood ratio of exchanged to declared marker labels;
 /// it limits the influence of outliers.
@@ -34,8 +34,8 @@ struct SampleRange {
     evidence: f64,
 }
 
-/// Fault of a flight in which labels of markers are exchanged; `None` if the measured distances between markers match
-/// the template (the declared positions of the markers).
+/// Data fault of a flight in which labels of markers are exchanged; `None` if the measured distances between markers
+/// match the template (the declared positions of the markers).
 pub fn check(distances: &Distances, flight: &Flight, markers: &[Marker]) -> Option<DataFault> {
     let count = markers.len().min(MAX_MARKERS);
     let mut best: Option<(Vec<usize>, SampleRange)> = None;

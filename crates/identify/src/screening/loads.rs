@@ -13,14 +13,14 @@ const PRIOR: f64 = 3.0;
 /// Residual standard deviation assumed in the first iteration of the robust regression, in units of the median
 /// acceleration; later iterations estimate it from the residuals.
 const FIRST_SCALE: f64 = 0.1;
-/// Number of iterations of reweighting, which reduces the weights of windows with large residuals.
+/// Number of iterations of the robust regression, which reduces the weights of time windows with large residuals.
 const REPETITIONS: usize = 6;
 
 /// Regression data of one time window of a flight: the measured motion and the aerodynamic loads that may cause its
 /// acceleration.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// Motion of the body's origin in the window.
+    /// Velocity and acceleration of the body's origin in the time window.
     pub motion: Parabola,
     /// Regressor of each aerodynamic load: the acceleration per unit of the load's coefficient, m²/s².
     pub loads: Vec<Vector3<f64>>,
@@ -35,12 +35,12 @@ pub struct Regression {
     pub covariance: Matrix3<f64>,
     /// Coefficients of the aerodynamic loads, in the order of [`Row::loads`], 1/m.
     pub coefficients: Vec<f64>,
-    /// Median magnitude of the residual accelerations, m/s².
+    /// Median magnitude, over the time windows, of the accelerations that the regression does not explain, m/s².
     pub remaining: f64,
 }
 
-/// Divides a track into time windows and computes the regression data of each; `omega` is the angular velocity of a
-/// body modelled as a point mass, rad/s; `None` if it is unknown.
+/// Divides the path of a body (`track`) into time windows and computes the regression data of each. `omega` is the
+/// angular velocity of a body modelled as a point mass, rad/s; `None` if it is unknown.
 pub fn rows(track: &Track, omega: Option<Vector3<f64>>) -> Vec<Row> {
     let each = track.windows().into_iter();
     each.map(|(range, motion)| Row {
@@ -175,7 +175,7 @@ pub fn regress(rows: &[&Row], gravity: Option<Vector3<f64>>) -> Option<Regressio
 }
 
 impl Regression {
-    /// Acceleration of a window minus the fitted aerodynamic loads, m/s²; equal to gravity if the fitted loads are
+    /// Acceleration in a time window minus the fitted aerodynamic loads, m/s²; equal to gravity if the fitted loads are
     /// exact.
     pub fn without_loads(&self, row: &Row) -> Vector3<f64> {
         let loads = row.loads.iter().zip(&self.coefficients);

@@ -50,7 +50,7 @@ fn scatter(markers: &[[f64; 3]]) -> Matrix3<f64> {
         .sum()
 }
 
-/// Fault of a flight whose measured markers fit the mirror image of the declared marker positions, `markers`, much
+/// Data fault of a flight whose measured markers fit the mirror image of the declared marker positions, `markers`, much
 /// better than the declared positions; otherwise `None`.
 pub fn check(markers: &[[f64; 3]], flight: &Flight) -> Option<DataFault> {
     let mirrored: Vec<[f64; 3]> = markers.iter().map(|&[x, y, z]| [-x, y, z]).collect();

@@ -32,17 +32,17 @@ use crate::options::FitOptions;
 use crate::problem::FitProblem;
 use crate::statistics::median_of;
 
-/// Minimum ratio of the noise of a track to the median noise of all flights at which a fault is reported: the data are
-/// then too noisy to be those of a flying body. The limit [`NOISE_PART`] must be exceeded too.
+/// Minimum ratio of the noise of a flight's path to the median noise of all flights at which a fault is reported: the
+/// data are then too noisy to be those of a flying body. The limit [`NOISE_PART`] must be exceeded too.
 const NOISE_RATIO: f64 = 30.0;
-/// Minimum ratio of the noise of a track to the extent of the track at which a fault is reported: the data are then too
-/// noisy to be those of a flying body. The limit [`NOISE_RATIO`] must be exceeded too.
+/// Minimum ratio of the noise of a flight's path to the spatial extent of the path at which a fault is reported: the
+/// data are then too noisy to be those of a flying body. The limit [`NOISE_RATIO`] must be exceeded too.
 const NOISE_PART: f64 = 0.1;
 
 /// Result of screening a dataset for recording mistakes.
 #[derive(Debug, Default)]
 pub(crate) struct Screening {
-    /// Faults of the flights, in the order of the dataset, at most one per flight.
+    /// Faults in the data of the flights, in the order of the dataset, at most one per flight.
     pub faults: Vec<DataFault>,
     /// Result of the search for the first ground contact of each flight, in the order of the dataset: `None` if a fault
     /// of the flight prevented the search. Empty if the faults come from an earlier screening.
@@ -77,9 +77,9 @@ pub(crate) fn screen(problem: &FitProblem, dataset: &Dataset, threads: usize) ->
     Screening { faults, contacts }
 }
 
-/// Adds the faults that a comparison of the flights with each other and with gravity reveals to `faults`, which were
-/// found in single flights, and returns all faults. `faults` and `tracks` have one entry per flight. Uses `threads`
-/// threads.
+/// Compares the flights with each other and with gravity, and adds the faults that this reveals to `faults`, which were
+/// found in single flights. Returns all faults. `faults` and `tracks` (paths of the bodies) have one entry per flight.
+/// Uses `threads` threads.
 fn compare_flights(
     (problem, dataset): (&FitProblem, &Dataset),
     is_rigid: bool,
@@ -107,8 +107,8 @@ fn compare_flights(
     each.into_iter().flatten().collect()
 }
 
-/// Adds a fault for each flight whose track is far noisier than the tracks of the other flights and than any measured
-/// flight can be, and removes this track.
+/// Adds a fault for each flight whose path is far noisier than the paths of the other flights and than any measured
+/// flight can be. The entry of the flight in `tracks` is set to `None`.
 fn reject_noisy_tracks(
     dataset: &Dataset,
     faults: &mut [Option<DataFault>],

@@ -12,8 +12,8 @@ const FROZEN_SAMPLES: usize = 4;
 /// Minimum motion, m, for reporting a run of identical positions as frozen: the distance that the marker typically
 /// moves in the same time elsewhere in the flight. A slower marker may plausibly repeat its position.
 const FROZEN_DISTANCE: f64 = 0.005;
-/// Minimum motion for reporting repeated positions of a marker, in units of the resolution of the recorded coordinates:
-/// the distance that the marker typically moves in the same time elsewhere in the flight.
+/// Minimum motion for reporting repeated positions of a marker, in units of the resolution of the recorded coordinates.
+/// The motion is the distance that the marker typically moves in the same time elsewhere in the flight.
 const FROZEN_STEPS: f64 = 10.0;
 /// Minimum fraction of the sampling intervals in which the position of a marker does not change, at which the flight is
 /// reported as having repeated values, for example after resampling at a higher rate.
@@ -22,7 +22,7 @@ const REPEATED_FRACTION: f64 = 0.3;
 const COPY_SAMPLES: usize = 8;
 
 /// First fault in the recorded values of the flight with this index: a copy of an earlier flight, or coordinates that
-/// are repeated or 0. `None` if there is none.
+/// are repeated or exactly 0. `None` if there is none.
 pub fn check(dataset: &Dataset, flight: usize) -> Option<DataFault> {
     copy(dataset, flight)
         .or_else(|| (0..dataset.markers.len()).find_map(|marker| frozen(dataset, flight, marker)))
@@ -141,8 +141,8 @@ fn runs(track: &[(usize, [f64; 3])]) -> (Vec<Run>, usize) {
     (runs, still)
 }
 
-/// Median distance, m, between two positions of a marker's track that are `intervals` entries apart; pairs of identical
-/// positions are ignored.
+/// Median distance, m, between two positions in the track of one marker that are `intervals` entries apart; pairs of
+/// identical positions are ignored.
 fn moves_by(track: &[(usize, [f64; 3])], intervals: usize) -> f64 {
     let pairs = track.iter().zip(&track[intervals.min(track.len())..]);
     let moved = pairs.map(|((_, a), (_, b))| distance(*a, *b));

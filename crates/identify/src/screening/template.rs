@@ -10,7 +10,7 @@ use crate::dataset::{Dataset, Flight, Marker};
 /// wrong unit is reported; it corresponds to a deviation of about 20 %.
 const MIN_LOG_RATIO: f64 = 0.18;
 /// Maximum fraction of a marker's samples with grossly wrong distances to other markers at which these samples count as
-/// outliers; with a larger fraction the whole track of the marker is reported as faulty.
+/// outliers. If the fraction is greater, all positions of the marker are reported as faulty.
 const GROSS_FRACTION: f64 = 0.15;
 
 /// First fault of a flight that the distances between markers reveal; `None` if the distances match the template (the

@@ -8,10 +8,10 @@ use crate::pose::{Pose, pose};
 use crate::problem::FitProblem;
 use crate::statistics::robust_sigma;
 
-/// Maximum residual of a point about a parabola, in units of the robust standard deviation; points with larger
-/// residuals are dropped.
+/// Maximum residual of a point about the parabola fitted to a time window, in units of the robust standard deviation of
+/// these residuals; points with larger residuals are dropped.
 const OUTLIER: f64 = 4.0;
-/// Minimum number of points for fitting a parabola.
+/// Minimum number of points of a path for fitting a parabola to them.
 pub const MIN_POINTS: usize = 6;
 /// Target standard error of the acceleration in a time window, relative to the mean acceleration of the flight; it
 /// determines the length of the windows.
@@ -20,10 +20,10 @@ const WINDOW_ERROR: f64 = 0.04;
 /// accordingly.
 const WINDOWS: [usize; 2] = [4, 14];
 
-/// Path of the body's origin in one flight.
+/// Measured path of the body's origin in one flight.
 #[derive(Clone, Debug)]
 pub struct Track {
-    /// Samples in which the origin could be determined.
+    /// Times and positions of the body's origin, for the samples in which it could be determined.
     pub points: Vec<PathPoint>,
     /// Standard deviation of the noise of one coordinate of the measured position of the body's origin, m.
     pub noise: f64,

@@ -29,7 +29,8 @@ const COMPARED: (usize, usize) = (6, 3);
 /// accelerations of the mirror images of the flights to that of the recorded flights.
 const MISFIT: f64 = 0.6;
 
-/// Faults of all flights if the recorded flights seem to be mirror images of the true flights; otherwise empty.
+/// One data fault for each flight whose path is available, if the recorded flights seem to be mirror images of the true
+/// flights; otherwise empty.
 pub fn check(problem: &FitProblem, dataset: &Dataset, tracks: &[Option<Track>]) -> Vec<DataFault> {
     if !problem.has_attitude || mirror::is_decided_by(&problem.markers) {
         return Vec::new();
@@ -124,7 +125,7 @@ fn misfits(problem: &FitProblem, observations: &Observations, track: &Track) -> 
     each.collect()
 }
 
-/// Component-wise median of the angular velocities between successive points of a track, rad/s, inertial frame; `None`
+/// Component-wise median of the angular velocities between successive points of a path, rad/s, inertial frame; `None`
 /// if there are no two successive points with attitudes.
 fn rates(points: &[PathPoint]) -> Option<Vector3<f64>> {
     let pairs = points.windows(2).filter_map(|pair| {

@@ -5,7 +5,7 @@ use ode::IntegrationError;
 
 use super::MAX_POINTS;
 
-/// Error for a setting outside its allowed range.
+/// Error for a setting of a synthetic dataset that is outside its allowed range.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error("{name}: found {found}, expected {least} to {most}")]
 pub struct OutOfRange {

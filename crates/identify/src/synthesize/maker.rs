@@ -20,7 +20,8 @@ const TOLERANCE: f64 = 1e-10;
 /// Number of decimals to which sample times in seconds are rounded before the simulation, so that tables remain narrow.
 const TIME_DECIMALS: i32 = 6;
 
-/// Model, settings of the dataset and markers, which are shared by all flights of a synthetic dataset.
+/// Model, settings and marker positions that are shared by all flights of a synthetic dataset, for simulating each
+/// flight.
 pub(super) struct Maker<'a> {
     pub model: &'a Model,
     pub plan: &'a Plan,
@@ -72,7 +73,8 @@ impl Maker<'_> {
         Ok((flight, state))
     }
 
-    /// Sample times, s after launch, of the flight with the launch conditions `release` and the initial state `state`.
+    /// Sample times, s after launch, of the flight with the launch conditions `release` and the random initial state
+    /// `state`.
     fn times(
         &self,
         release: &Release,

@@ -22,7 +22,8 @@ use crate::dataset::{Dataset, Marker};
 
 /// Maximum number of flights of a synthetic dataset.
 const MAX_FLIGHTS: usize = 100_000;
-/// Maximum number of samples × markers × flights of a synthetic dataset, which limits the memory used.
+/// Maximum product of the numbers of samples per flight, markers and flights of a synthetic dataset; it limits the
+/// memory used.
 const MAX_POINTS: f64 = 2e7;
 /// Maximum sampling rate, Hz.
 const MAX_RATE: f64 = 1e6;
@@ -105,8 +106,9 @@ pub fn default_markers(model: &Model) -> Vec<Marker> {
     }
 }
 
-/// Simulates flights of a model, and observes its markers. The launch conditions in `releases` are used in rotation,
-/// and the initial state of each flight varies at random about the one specified in its launch conditions.
+/// Generates a synthetic dataset: simulates flights of a model and measures its markers with random errors. The launch
+/// conditions in `releases` are used in rotation, and the initial state of each flight varies at random about the one
+/// specified in its launch conditions.
 ///
 /// # Errors
 /// [`SynthesisError::Plan`] or [`SynthesisError::OutOfRange`] if the plan is invalid; [`SynthesisError::Flight`] if a

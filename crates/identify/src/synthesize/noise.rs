@@ -63,10 +63,10 @@ impl Corruption {
     }
 }
 
-/// Purpose of a stream of random numbers.
+/// Purpose for which a stream of random numbers is used: noise, outliers or dropouts of a marker.
 #[derive(Clone, Copy)]
 enum Purpose {
-    /// Noise along one axis, given by its index.
+    /// Noise of a marker along one axis, given by the index of the axis.
     Axis(usize),
     Outliers,
     Dropouts,

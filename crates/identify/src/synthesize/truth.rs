@@ -26,7 +26,7 @@ pub struct Truth {
 }
 
 impl Truth {
-    /// Formats the true values as TOML text.
+    /// Formats the true values and settings as TOML text.
     pub fn text(&self) -> String {
         let mut text = "# What was put into this dataset, which was made and not measured. `hyzer fit` does not read this file.\n".to_owned();
         let _ = writeln!(text, "model = {}", quoted(&self.model));

@@ -39,7 +39,8 @@ fn standard_errors(covariance: &DMatrix<f64>) -> DVector<f64> {
 /// Minimum number of flights for a cluster-robust covariance.
 const MIN_CLUSTERS: usize = 8;
 
-/// Eigenvalue of the scaled information matrix, below which it is considered rounding error.
+/// Minimum eigenvalue of the information matrix scaled to a unit diagonal; smaller values are considered rounding error
+/// and raised to it.
 const MIN_EIGENVALUE: f64 = 1e-13;
 
 impl Covariance {

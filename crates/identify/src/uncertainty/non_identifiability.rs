@@ -102,7 +102,7 @@ fn why(
 }
 
 /// Text with the minimum and maximum over the flights of up to three auxiliary variables or states that occur in the
-/// same expressions as the coefficients `names`; `None` if there are no such quantities.
+/// same expressions of the model as the coefficients `names`; `None` if there are no such quantities.
 fn excitation(model: &Model, names: &[&str], ranges: &ExcitationRange) -> Option<String> {
     let mut met: Vec<&str> = Vec::new();
     let expressions = model.aux_variables.iter().map(|quantity| &quantity.value);

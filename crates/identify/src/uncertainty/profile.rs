@@ -8,10 +8,10 @@ use crate::report::Profile;
 /// 95 % quantile of the χ² distribution with 1 degree of freedom.
 const CHI2_95: f64 = 3.841_458_820_694_124;
 
-/// Number of profile points on each side of the estimate.
+/// Number of parameter values on each side of the estimate at which the profile likelihood is computed.
 const POINTS_PER_SIDE: usize = 6;
 
-/// Spacing of the profile points, in standard errors of the parameter.
+/// Spacing of the parameter values at which the profile likelihood is computed, in standard errors of the parameter.
 const SPACING: f64 = 0.5;
 
 /// Computes the profile likelihood of one global parameter with standard error `error` around a solution: the parameter

@@ -6,7 +6,7 @@ use crate::screening::fault::FaultKind;
 use crate::synthesize::{Plan, flights};
 use model_spec::model::Model;
 
-/// Recording mistakes that can occur in flights of any body: name, expected kind of fault, and the function that
+/// Recording mistakes that can occur in flights of any body: name, expected kind of data fault, and the function that
 /// introduces the mistake into a flight.
 const SPOILS: [(&str, FaultKind, Spoil); 7] = [
     ("feet", FaultKind::Units, |f| {
