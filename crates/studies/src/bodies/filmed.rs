@@ -36,7 +36,8 @@ pub struct Filmed {
     pub all_moves: f64,
 }
 
-/// Simulates the filmed throws of a folder that contains `throw_params.csv` and the tracks.
+/// Simulates the filmed throws of a folder that contains `throw_params.csv` (launch conditions) and the tracks
+/// (measured paths).
 ///
 /// # Errors
 /// [`StudyError`] if a file cannot be read or a throw cannot be simulated.

@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::{DISCS, horizontal_position};
 use crate::error::StudyError;
 
-/// Number of intervals into which a flight is divided for sampling.
+/// Number of equal time intervals into which a simulated flight is divided for sampling.
 const SAMPLES: usize = 1000;
 
 /// Turn and fade of one disc in a simulated flight down to the ground, launched at 10° with zero hyzer and nose angle.

@@ -13,7 +13,7 @@ use crate::seeded::{SeededEffects, ball};
 /// Number of flights per dataset.
 const FLIGHTS: usize = 20;
 
-/// Time limit of fitting one dataset.
+/// Limit of the computing time for fitting one dataset.
 const LIMIT: Duration = Duration::from_secs(60);
 
 /// Ranges of the launch conditions: fast and slow throws at angles of attack up to about 35 degrees, upwards and

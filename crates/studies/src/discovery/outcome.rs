@@ -37,16 +37,17 @@ pub struct Outcome {
     /// Counts of the flights that contradict the effect found in most flights, and that the report therefore lists as
     /// discordant.
     pub discordant: Discordant,
-    /// Number of terms that the diagnosis selected from its term library, as a description of misfit that no effect
-    /// explains.
+    /// Number of terms that the diagnosis selected from its library of force and moment terms, to describe a misfit
+    /// that no effect explains.
     pub terms: usize,
-    /// Sites (quantities of the model, such as lift) on which the library terms that the diagnosis selected act.
+    /// Quantities of the model, such as lift, on which the force and moment terms act that the diagnosis selected from
+    /// its term library.
     pub sites: Vec<String>,
     /// RMS prediction errors on the held-out flights.
     pub held_out: HeldOutErrors,
     /// Computing time of the diagnosis, s; NaN if the diagnosis failed.
     pub seconds: f64,
-    /// Number of threads on which the diagnosis ran.
+    /// Number of processor threads on which the diagnosis ran.
     pub threads: usize,
 }
 
@@ -100,8 +101,8 @@ impl Outcome {
         }
     }
 
-    /// Number of effects in the first hypothesis that were not added to the simulated flights, plus the number of terms
-    /// that the diagnosis selected from its term library.
+    /// Number of wrong terms: effects in the first-ranked hypothesis of the diagnosis that were not added to the
+    /// simulated flights, plus the terms that the diagnosis selected from its library of force and moment terms.
     pub fn terms_too_many(&self) -> usize {
         let truth = self.case.truth();
         let first = self.hypotheses.first().map_or(&[][..], Vec::as_slice);
@@ -126,7 +127,7 @@ impl Outcome {
         self.detectability.is_some_and(|found| found >= ratio)
     }
 
-    /// Formats the verdict and its hypotheses as text.
+    /// Formats the verdict and the hypotheses of the diagnosis as text.
     pub fn answer(&self) -> String {
         let hypotheses = self.hypotheses.iter().map(|effects| effects.join("+"));
         let hypotheses: Vec<String> = hypotheses.collect();

@@ -17,8 +17,8 @@ use crate::seeded::InputErrors;
 /// of the table.
 const MAX_ANSWERS: usize = 3;
 
-/// Divisor of the number of runs with the same simulation settings: the settings are listed as failing if the diagnosis
-/// misses a detectable effect in more than one run of this number.
+/// A combination of simulation settings is listed as failing if the diagnosis misses a detectable effect in more than
+/// one of every `MISSED_DIVISOR` of its runs.
 const MISSED_DIVISOR: usize = 10;
 
 /// Permitted maximum of the median computing time of a diagnosis of 20 disc flights, s.

@@ -13,7 +13,8 @@ use crate::seeded::{InputErrors, UNLISTED};
 /// simulated flights contain no added effect has 100 runs, and scale with that number.
 struct RunCounts {
     single: usize,
-    /// Number of runs of a row of [`Group::Single`] whose noise is not white; `single` is the number for white noise.
+    /// Number of runs of a row whose flights contain one effect of the catalogue and whose noise is not white
+    /// (correlated noise, outliers or gaps). `single` is the number for white noise.
     single_noisy: usize,
     pair: usize,
     several: usize,
@@ -55,8 +56,8 @@ const SEVERAL_SEED: u64 = 23;
 /// wrong.
 const SEVERE: [&str; 3] = ["stall", "zero_lift_drag_angle", "cubic_pitching_moment"];
 
-/// Pairs (effect, other cause): the effect is added to simulated flights, and the flights alone do not allow the
-/// diagnosis to distinguish it from the other cause.
+/// Pairs (added effect, cause with the same influence on flights), by name. The flights alone do not allow the
+/// diagnosis to distinguish the two.
 const CONFOUNDED: [(&str, &str); 7] = [
     ("gravity", "clock_rate"),
     ("clock_rate", "gravity"),
@@ -76,8 +77,8 @@ const BALL_EFFECTS: [(&[&str], Body); 5] = [
     (&["buoyancy"], Body::TableTennis),
 ];
 
-/// Number of flights per dataset in the rows of [`Group::UnlistedManyFlights`], which have more flights than the
-/// default.
+/// Number of flights per dataset in those rows that test effects outside the built-in effects catalogue with more
+/// flights than the default.
 const MANY_FLIGHTS: usize = 48;
 
 /// Errors introduced into the stated spins: relative standard deviation, fraction of flights whose spins are exchanged.

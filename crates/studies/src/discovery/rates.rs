@@ -14,11 +14,11 @@ use crate::statistics::median;
 pub(super) const MAX_UNIQUELY_WRONG: f64 = 0.005;
 
 /// Required minimum fraction of runs in which the effects added to the simulated flights are among the hypotheses of
-/// the diagnosis, over runs with a detectable effect.
+/// the diagnosis. Only runs whose effect has at least the minimum detectable size are counted.
 pub(super) const MIN_IN_SET: f64 = 0.97;
 
 /// Required minimum fraction of runs in which the effects added to the simulated flights are among the hypotheses of
-/// the diagnosis, over runs whose effect has at least [`STRONG`] times the minimum detectable size.
+/// the diagnosis. Only runs whose effect has at least five times the minimum detectable size are counted.
 pub(super) const MIN_IN_SET_STRONG: f64 = 0.97;
 
 /// Permitted maximum of the false-alarm rate (fraction of runs without an added effect in which the diagnosis detects
@@ -86,22 +86,26 @@ pub(super) struct RowRates {
     seconds: Option<f64>,
     /// Maximum elapsed time of a diagnosis, s.
     slowest: f64,
-    /// Number of failed diagnoses.
+    /// Number of runs whose diagnosis ended with an error.
     failed: usize,
     /// Number of runs whose only hypothesis consists of the effects added to the simulated flights.
     alone: usize,
     /// Number of runs with several hypotheses, one of which consists of the effects added to the simulated flights.
     in_a_set: usize,
-    /// Number of runs that detect nothing and report an added effect as not identifiable.
+    /// Number of runs in which the diagnosis detects no deviation, and reports an effect that was added to the flights
+    /// as not identifiable.
     not_identifiable: usize,
-    /// Number of runs with the verdict `Verdict::Unattributed`.
+    /// Number of runs in which the diagnosis detected a misfit that none of its candidate effects explains (verdict
+    /// `Verdict::Unattributed`).
     unattributed: usize,
-    /// Number of runs in which the diagnosis selected a library term that acts on the same quantity of the model (site)
+    /// Number of runs in which the diagnosis selected a term of its library that acts on the same quantity of the model
     /// as the effect added to the simulated flights.
     at_its_site: usize,
-    /// Quantities of the model (sites) on which the library terms act that the diagnosis selected in any run.
+    /// Names of the model quantities, such as lift, on which the terms act that the diagnosis selected from its library
+    /// in any run.
     sites: String,
-    /// Maximum over the runs of the number of wrong terms; see [`Outcome::terms_too_many`].
+    /// Maximum over the runs of the number of wrong terms: effects found by the diagnosis that were not added to the
+    /// flights, plus terms selected from the library of force and moment terms.
     terms_too_many: usize,
     /// Number of flights that the reports of all runs list as discordant (contradicting the effect found in most
     /// flights).
@@ -113,7 +117,8 @@ pub(super) struct RowRates {
 }
 
 impl RowRates {
-    /// Computes the statistics of the outcomes of runs whose added effect acts on the quantity `site` of the model.
+    /// Computes the statistics of the outcomes of runs. `site` is the quantity of the model on which their added effect
+    /// acts, if it is outside the built-in effects catalogue.
     pub(super) fn of(outcomes: &[Outcome], site: &str) -> Self {
         let count = |has: &dyn Fn(&Outcome) -> bool| outcomes.iter().filter(|o| has(o)).count();
         let detected = outcomes.iter().filter(|o| o.is_detected());

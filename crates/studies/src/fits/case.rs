@@ -26,11 +26,12 @@ const MAX_MULTIPLE: f64 = 12.0;
 /// keep the disc at 90°.
 const MAX_ANGLE: f64 = 1.3;
 
-/// Number of flights simulated per step of the search for the effect size that gives the drawn marker displacement.
+/// Number of flights simulated in each iteration of the search for the size at which an effect displaces the markers by
+/// a given amount.
 const PROBE_FLIGHTS: usize = 4;
 
-/// The search for the size of an effect ends when the marker displacement deviates from the drawn one by less than this
-/// fraction.
+/// Tolerance of the search for an effect's size: it ends when the marker displacement deviates from the wanted one by
+/// less than this fraction.
 const CLOSE: f64 = 0.25;
 
 /// Maximum number of iterations of the search for an effect size.
@@ -133,9 +134,9 @@ fn effects(random: &mut impl Rng) -> (Vec<&'static str>, Model) {
     }
 }
 
-/// Returns the values of one effect that displaces the markers by about `wanted` (m, RMS over the coordinates) from the
-/// flights `exact` without effects. The values are a multiple of `strong` (an effect's strong values), found by
-/// bracketing, and are clipped to the bounds of their coefficients.
+/// Returns the values of one effect that displaces the markers by about `wanted` (m, RMS over the coordinates) relative
+/// to the flights `exact`, which contain no effects. The values are a multiple of `strong` (values of a strong effect)
+/// that is found by bracketing. They are clipped to the bounds of their coefficients.
 fn sized(
     model: &Model,
     name: &str,
@@ -201,14 +202,14 @@ fn listed(effects: &[(String, Vec<f64>)]) -> SeededEffects {
     }
 }
 
-/// RMS distance per coordinate between the marker positions in flights with and without the effects, m; infinite if a
-/// simulated position is not finite.
+/// RMS difference, per coordinate, between the marker positions of the flights `plain` and of the same throws with the
+/// effects, m; infinite if a simulated position is not finite.
 fn displacement(plain: &Dataset, effects: &[(String, Vec<f64>)], seed: u64) -> f64 {
     let with = flights(effects, plain.flights.len(), seed);
     rms_distance(plain, &with).unwrap_or(f64::INFINITY)
 }
 
-/// RMS distance per coordinate between the corresponding marker positions of two datasets, m; `None` if it is not
+/// RMS difference, per coordinate, between corresponding marker positions of two datasets, m; `None` if it is not
 /// finite.
 pub(super) fn rms_distance(a: &Dataset, b: &Dataset) -> Option<f64> {
     let points = |dataset: &Dataset| -> Vec<[f64; 3]> {

@@ -26,7 +26,8 @@ struct Results {
     slow: Vec<Row>,
 }
 
-/// Number, success rate and computing times of the fits in one class of marker displacement.
+/// Number, success rate and computing times of the fits in which the added effects displace the markers by amounts
+/// within one class.
 #[derive(Serialize)]
 struct Class {
     name: String,
