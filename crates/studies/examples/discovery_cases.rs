@@ -38,8 +38,8 @@ const SITES: [&str; 6] = ["lift", "drag", "side", "roll", "pitch", "spin"];
 /// Name of the physical effect that cannot be distinguished from the aerodynamic coefficients: denser air is equivalent
 /// to larger coefficients.
 const CONFOUNDED: &str = "air_density";
-/// Effects outside the built-in effects catalogue, each of which adds a term to one component of the force or moment;
-/// operon.py contains their formulas.
+/// Names of physical effects outside the built-in effects catalogue. Each adds a term to one component of the
+/// aerodynamic force or moment. The script operon.py contains their formulas.
 const OUTSIDE: [&str; 6] = [
     "roll_by_angle_squared",
     "drag_by_climb",

@@ -62,7 +62,7 @@ pub(crate) fn render(template: &str, results: impl Serialize) -> Result<String, 
     Ok(text.trim_end().to_owned() + "\n")
 }
 
-/// Formats a template value with `text` if it is a number; returns a dash if it is `none`.
+/// Formats a number in a page template with the function `text`; returns an en dash if the value is `none`.
 fn or_dash(number: &Value, text: impl Fn(f64) -> String) -> Result<String, minijinja::Error> {
     match number.is_none() {
         true => Ok(NONE.to_owned()),

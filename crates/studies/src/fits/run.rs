@@ -10,7 +10,7 @@ use crate::progress::{Progress, each_run, threads_of_each_run};
 /// expected of the true model.
 const MAX_RATIO: f64 = 1.02;
 
-/// Maximum fraction of the measured marker coordinates that a good fit may classify as outliers. The simulated flights
+/// Maximum fraction of the measured marker positions that a good fit may classify as outliers. The simulated flights
 /// contain none.
 const MAX_OUTLIERS: f64 = 0.005;
 
@@ -24,7 +24,7 @@ pub struct FitOutcome {
     /// RMS residual / the RMS residual expected of the true model, which is the RMS noise corrected for the degrees of
     /// freedom. `None` if the fit ended with an error.
     pub ratio: Option<f64>,
-    /// Fraction of the measured marker coordinates that the fit classified as outliers.
+    /// Fraction of the measured marker positions that the fit classified as outliers.
     pub outliers: f64,
     /// Number of flights that the fit excluded, and number of flights that it truncated.
     pub lost: [usize; 2],

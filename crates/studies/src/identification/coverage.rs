@@ -55,8 +55,8 @@ impl Coverage {
     }
 }
 
-/// Simulates and fits `seeds` datasets of a plan under a noise condition, each with different throws, and compares the
-/// estimates with the true values.
+/// Simulates and fits `seeds` datasets of a plan (set of random throws) under a noise condition, each with different
+/// throws. Compares the estimates with the true values.
 pub fn coverage(plan: &Plan<'_>, condition: &NoiseCondition, seeds: u64) -> Coverage {
     let model = disc();
     let truth = truth(&model, plan);

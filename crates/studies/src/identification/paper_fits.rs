@@ -111,7 +111,7 @@ pub fn paper_fits(seeds: u64) -> PaperFits {
     }
 }
 
-/// Returns a copy of a dataset without the samples of each flight after the time `duration` (s).
+/// Returns a copy of a dataset in which each flight ends at the time `duration` (s).
 fn truncated(dataset: &Dataset, duration: f64) -> Dataset {
     let mut dataset = dataset.clone();
     for flight in &mut dataset.flights {

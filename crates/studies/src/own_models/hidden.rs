@@ -30,7 +30,7 @@ pub(super) enum Action {
     Parameter(&'static str, fn(f64) -> f64),
     /// Name of a state, and the term that is added to the time derivative of this state.
     Rate(&'static str, AddedRate),
-    /// The time stamps of the measurements run faster than true time, by a fraction equal to the size.
+    /// The time stamps of the measurements run faster than true time, by a fraction equal to the size of the effect.
     Clock,
     /// Displacement (m) of a marker's measured position, as a function of the time and motion of the body, the position
     /// and the marker's index.

@@ -9,7 +9,7 @@ pub struct Claim {
     pub flight: String,
     /// Time in the flight at which the quantity is stated, s; `None` if the quantity is itself a time.
     pub at: Option<f64>,
-    /// Name of the field of [`Outcome`] for which the value is stated.
+    /// Name of the field of [`Outcome`] (results of a simulated flight) with which the stated value is compared.
     pub quantity: String,
     /// Stated value, in `unit`.
     pub value: f64,
@@ -25,8 +25,7 @@ struct File {
     claim: Vec<Claim>,
 }
 
-/// Returns all claims (outcomes that Hubbard & Hummel, 2000, state for their flights), in the order of
-/// data/claims.toml.
+/// Returns all outcomes that Hubbard & Hummel (2000) state for their flights, in the order of data/claims.toml.
 pub(super) fn all() -> Vec<Claim> {
     let file: File =
         toml::from_str(include_str!("data/claims.toml")).expect("the built-in claims are valid");
@@ -54,7 +53,7 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// Value of the field of the given name, in that field's unit.
+    /// Value of the field whose name is `name`, such as `"delta_x"`, in that field's unit.
     ///
     /// # Panics
     /// If no field has this name.
@@ -71,7 +70,8 @@ impl Outcome {
         }
     }
 
-    /// Deviation (simulated − stated) from the stated value of a claim, in units of the claim's tolerance.
+    /// Deviation (simulated − stated) of this flight from the value that a claim (one outcome stated by Hubbard &
+    /// Hummel, 2000) gives, in units of the claim's tolerance.
     pub(super) fn departure(&self, claim: &Claim) -> f64 {
         (self.quantity(&claim.quantity) - claim.value) / claim.tolerance
     }

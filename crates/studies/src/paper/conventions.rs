@@ -3,7 +3,7 @@
 /// Measure of the spin that is multiplied by the coefficient of the rolling moment due to spin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum RollSpin {
-    /// Spin in rad/s, as printed.
+    /// Spin in rad/s, as Table 1 of Hubbard & Hummel (2000) prints it.
     RadPerSecond,
     /// Spin in revolutions per second.
     RevPerSecond,
@@ -17,7 +17,7 @@ pub enum RollSpin {
 /// Unit assumed for the spin-damping coefficient C_Nr in Table 1 of Hubbard & Hummel (2000).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum SpinDown {
-    /// N m s, as printed: a moment per rad/s of spin.
+    /// N m s, as Table 1 of Hubbard & Hummel (2000) prints it: a moment per rad/s of spin.
     NewtonMetreSecond,
     /// N m s per revolution: a moment per revolution per second of spin.
     PerRevPerSecond,

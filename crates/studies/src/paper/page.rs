@@ -33,7 +33,7 @@ struct Results {
 struct ClaimRow {
     flight: String,
     claim: String,
-    /// Value that the publication states, and the tolerance allowed for a reproduction, both in `unit`.
+    /// Value that Hubbard & Hummel (2000) state, and the tolerance allowed for a reproduction, in `unit`.
     stated: [f64; 2],
     /// Unit of the stated value, with a leading space; empty if dimensionless.
     unit: String,

@@ -17,7 +17,7 @@ pub struct SeededEffects {
 }
 
 impl SeededEffects {
-    /// Creates a specification with one effect of the built-in effects catalogue, without noise.
+    /// Specifies one effect of the built-in effects catalogue, with its values (SI) as in `listed`, and no noise.
     pub fn listed(name: &str, values: &[f64]) -> Self {
         Self {
             listed: vec![(name.to_owned(), values.to_vec())],
@@ -25,7 +25,7 @@ impl SeededEffects {
         }
     }
 
-    /// Creates a specification with one effect outside the built-in effects catalogue, without noise.
+    /// Specifies one effect outside the built-in effects catalogue, with its size, and no noise.
     pub fn unlisted(name: &str, size: f64) -> Self {
         Self {
             unlisted: vec![(name.to_owned(), size)],

@@ -15,7 +15,7 @@ const GUST_FREQUENCY: f64 = 8.0;
 const REFERENCE_SPEED: f64 = 14.0;
 /// Exponent of the airspeed in the drag coefficient of the effect `drag_by_power_of_speed`.
 const SPEED_POWER: f64 = -0.4;
-/// Distance over which the phase of the effect `swerve` advances by one radian, m.
+/// Distance along x over which the phase of the sinusoidal side force of the effect `swerve` advances by one radian, m.
 const SWERVE_LENGTH: f64 = 1.0;
 
 /// An effect that can be added to simulated flights but that the diagnosis does not have among its candidates (the
@@ -26,7 +26,7 @@ pub struct UnlistedEffect {
     pub name: &'static str,
     /// Quantity of the model on which the effect acts (its site, such as "drag"), by its name in `report.json`.
     pub site: &'static str,
-    /// A weak and a strong size, in the units listed at [`UNLISTED`].
+    /// A weak and a strong size of the effect, in the units listed at [`UNLISTED`].
     pub strength: [f64; 2],
     /// Laws of motion (kinds of bodies) on which the effect can act.
     pub laws: &'static [Law],

@@ -11,7 +11,7 @@ use crate::bounded_fit::bounded_fit;
 use crate::oracle_flights::{TRUTH, TWELVE, add_noise, disc, flights};
 use crate::progress::{Progress, each_run};
 
-/// Time limit of fitting one dataset.
+/// Limit of the computing time for fitting one dataset.
 const LIMIT: Duration = Duration::from_secs(30);
 
 /// Index of the flight into which the mistake is introduced if only one flight is changed.
@@ -27,7 +27,7 @@ pub enum Which {
 }
 
 impl Which {
-    /// Text for the page of results; the words that select runs on the command line are also compared with it.
+    /// Text for the page of results. The words with which a user selects runs on the command line are compared with it.
     pub fn label(self) -> &'static str {
         match self {
             Self::One => "one flight",

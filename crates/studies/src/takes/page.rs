@@ -35,7 +35,7 @@ struct Results {
     /// to the disc's axis.
     across: f64,
     /// Fraction of the sessions in which all estimated marker positions are within 1 mm of the true ones along the
-    /// disc's axis, without the error of the centre of mass.
+    /// disc's axis, after the mean error over the markers is subtracted.
     along: f64,
     greatest_across: f64,
     /// Statistics of the estimated height of the centre of mass: estimated from flights with the detected ends, from
@@ -228,7 +228,7 @@ fn formats(sessions: &[Session]) -> Vec<FormatRow> {
     names.into_iter().map(row).collect()
 }
 
-/// Descriptions of the sessions that ended with an error or in which a fit failed.
+/// Describes sessions that ended with an error or in which a fit failed, with the error; at most [`MAX_EXAMPLES`].
 fn examples(sessions: &[Session]) -> Vec<String> {
     let each = sessions.iter().filter_map(|session| {
         let why = match &session.result {

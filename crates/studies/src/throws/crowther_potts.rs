@@ -8,9 +8,9 @@ use serde::Serialize;
 
 use crate::error::StudyError;
 
-/// Speed of the launches, m/s.
+/// Speed of the simulated disc launches, m/s.
 const SPEED: f64 = 20.0;
-/// Advance ratio r d/2V of the launches, where r is the spin.
+/// Advance ratio r d/2V of the launches, with the spin r, the diameter d and the speed V.
 const ADVANCE: f64 = 0.5;
 
 /// Results of the simulated disc launches with one set of aerodynamic coefficients.
@@ -26,7 +26,7 @@ pub struct Launches {
     pub level: (f64, f64),
     /// Results of horizontal launches as a function of the tilt of the disc (hyzer angle).
     pub tilts: Tilts,
-    /// Pairs of advance ratio and mean curvature of the path over the ground, 1/m.
+    /// Pairs of an advance ratio and the mean curvature of the path's horizontal projection at this advance ratio, 1/m.
     pub curvature: Vec<(f64, f64)>,
 }
 
@@ -236,8 +236,8 @@ fn flown<'f>(flights: &'f ThrowFlights<'f>, throw: &Throw) -> Option<Path<'f>> {
         .ok()
 }
 
-/// Mean curvature of the path over the ground in the first two seconds: angle by which the horizontal direction of
-/// motion changes / length of the path, rad/m.
+/// Mean curvature of the horizontal projection of the path in the first two seconds: angle by which the horizontal
+/// direction of motion changes / length of the projection, rad/m.
 fn turned(path: &Path<'_>) -> f64 {
     let end = path.duration().min(2.0);
     let (steps, mut angle, mut length) = (200, 0.0, 0.0);

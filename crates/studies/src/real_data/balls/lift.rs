@@ -19,14 +19,14 @@ pub(super) struct Lift {
     pub(super) direction: Vector3<f64>,
     /// Lift coefficient as a vector along the axis about which the lift rotates the velocity.
     pub(super) turn: Vector3<f64>,
-    /// Stated spin vector, normalised: radius ω / speed.
+    /// Stated spin vector ω, made dimensionless: ball radius × ω / speed.
     pub(super) spin: Vector3<f64>,
     /// RMS residual of the fit along y, which is the direction of flight, m.
     pub(super) residual_along: f64,
 }
 
 impl Lift {
-    /// Magnitude of the lift coefficient, whatever the direction of the lift perpendicular to the path.
+    /// Magnitude of the lift coefficient. The lift may point in any direction perpendicular to the path.
     pub(super) fn coefficient(&self) -> f64 {
         self.across(self.turn).norm()
     }

@@ -42,7 +42,7 @@ pub(super) fn with_effects(model: &Model, effects: &[&str]) -> Result<Model, Stu
     Ok(tree.check()?)
 }
 
-/// Fits the ball model with the given effects to the flights.
+/// Fits a ball model, extended by the named effects, to the flights.
 pub(super) fn fitted(
     model: &Model,
     flights: &Dataset,

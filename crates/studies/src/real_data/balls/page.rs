@@ -37,7 +37,8 @@ struct Section {
     /// Number of flights outside the file ranges [`AGREEING`] (in which every lift agrees with the stated spin) whose
     /// cosine between lift and ω × v is above 0.9.
     same_side: usize,
-    /// Number of flights outside the file ranges [`AGREEING`] whose cosine between lift and ω × v is below −0.9.
+    /// Number of flights outside the file ranges [`AGREEING`] (in which every lift agrees with the stated spin) whose
+    /// cosine between lift and ω × v is below −0.9.
     opposite_side: usize,
     lift_by_spin: Vec<LiftRow>,
     magnus: Estimate,
@@ -91,8 +92,8 @@ struct AgreementRow {
 struct LiftRow {
     model: &'static str,
     rms_m: f64,
-    /// Estimates of the drag coefficient C_D and of the lift coefficients per advance ratio, C_Lw, and per squared
-    /// advance ratio, C_Lww; `None` for a coefficient that the row's model lacks.
+    /// Estimates of three coefficients: drag C_D, lift per advance ratio C_Lw, and lift per squared advance ratio
+    /// C_Lww. `None` for a coefficient that the fitted model lacks.
     estimates: [Option<Estimate>; 3],
     held_out_m: Option<f64>,
     /// Decrease of the prediction error on held-out flights from the model of the previous row to the model of this

@@ -14,8 +14,9 @@ const FACTOR_UNCERTAINTY: f64 = 1.0;
 const LAUNCH_UNKNOWNS: usize = 7;
 const ALL_UNKNOWNS: usize = 10;
 
-/// Step of the central differences, in prior standard deviations. The table is interpolated linearly; its kinks would
-/// bias one-sided differences and end the fit before its minimum.
+/// Step of the central differences by which the residuals are differentiated, in prior standard deviations. The
+/// aerodynamic table is interpolated linearly; its kinks would bias one-sided differences and end the fit before its
+/// minimum.
 const DIFFERENCE: f64 = 0.05;
 
 /// Maximum number of Gauss–Newton steps.
@@ -88,9 +89,9 @@ fn factors(unknowns: &[f64]) -> Factors {
     std::array::from_fn(|k| 1.0 + FACTOR_UNCERTAINTY * unknown(k))
 }
 
-/// Minimises the sum of squared residuals by Gauss–Newton, starting from 0. A step that does not decrease the sum is
-/// halved repeatedly; the minimisation ends if no tried step decreases the sum. Returns the unknowns and their
-/// covariance; `None` if the normal equations are singular.
+/// Minimises the sum of squared residuals by Gauss–Newton over `count` unknowns, starting from 0. A step that does not
+/// decrease the sum is halved repeatedly; the minimisation ends if no tried step decreases the sum. Returns the
+/// unknowns and their covariance; `None` if the normal equations are singular.
 fn minimised(
     count: usize,
     residuals: impl Fn(&[f64]) -> DVector<f64> + Sync,

@@ -76,7 +76,8 @@ impl<'a> Simulator<'a> {
         })
     }
 
-    /// Positions over the ground, m, at `times` (s) after a launch. Times after the landing give the landing position.
+    /// Horizontal positions (x, y), m, at `times` (s) after a launch. Times after the landing give the landing
+    /// position.
     pub(super) fn track(
         &self,
         throw: &Throw,
@@ -149,7 +150,7 @@ impl<'a> Simulator<'a> {
     }
 }
 
-/// State of the disc at the release.
+/// State of the disc at the release, with the given launch quantities and the spin and height of the throw.
 fn release(throw: &Throw, launch: &Launch) -> Physical<f64> {
     let (axis, velocity) = axis_and_velocity(launch);
     let first = Vector3::x().cross(&axis).cross(&axis).normalize();

@@ -25,8 +25,8 @@ pub(crate) type Launch = [f64; 7];
 /// is not stated; it is assumed equal to that of the tailwind.
 pub(crate) const UNCERTAINTY: Launch = [0.6, RAD * 2.0, RAD * 5.0, RAD * 2.0, RAD * 2.0, 1.0, 1.0];
 
-/// Assumed uncertainty of a measured position over the ground, m. The camera films from a height of about 100 m, so a
-/// disc that flies 5 to 10 m above the ground appears 5 to 10 % too far from the point below the camera.
+/// Assumed uncertainty of a measured horizontal position, m. The camera films from a height of about 100 m, so a disc
+/// that flies 5 to 10 m above the ground appears 5 to 10 % too far from the point below the camera.
 pub(super) const TRACK_UNCERTAINTY: f64 = 1.0;
 
 /// Number of points of each measured track that are compared with the simulation. More points would not help, because
@@ -44,7 +44,7 @@ pub(super) struct Disc {
     pub(super) table: Vec<Measured>,
 }
 
-/// Time (s) and position over the ground (m) of a point of a track.
+/// Time (s) and horizontal position (x, y; m) of a point of a measured track.
 pub(crate) type TrackPoint = (f64, [f64; 2]);
 
 /// A filmed throw.
@@ -63,7 +63,7 @@ pub(crate) struct Throw {
 }
 
 impl Throw {
-    /// Selects the evenly spaced points of the track that are compared with the simulation.
+    /// Selects evenly spaced points of the measured track, which are compared with the simulation.
     pub(crate) fn points(&self) -> Vec<TrackPoint> {
         let last = self.track.len().saturating_sub(1);
         let points = (1..=POINTS).filter_map(|k| self.track.get(k * last / POINTS));
@@ -91,7 +91,8 @@ pub(crate) fn axis_and_velocity(launch: &Launch) -> (Vector3<f64>, Vector3<f64>)
     (turned(axis), turned(velocity))
 }
 
-/// RMS difference per coordinate between simulated positions and measured track points over the ground, m.
+/// RMS difference, per coordinate, between simulated horizontal positions and the positions of measured track points,
+/// m.
 pub(crate) fn rms_distance(positions: &[[f64; 2]], points: &[TrackPoint]) -> f64 {
     let pairs = positions.iter().zip(points);
     let differences = pairs.flat_map(|(a, (_, b))| [a[0] - b[0], a[1] - b[1]]);

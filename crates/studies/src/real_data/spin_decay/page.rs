@@ -45,7 +45,7 @@ struct Section<'d> {
 struct FormRow {
     form: &'static str,
     loss: (f64, f64),
-    /// Third unknown of the torque law with its standard error; `None` for a law with two unknowns.
+    /// Estimate of the torque law's third unknown, with its standard error; `None` for a law with two unknowns.
     third: Option<(f64, f64)>,
     is_power: bool,
     rms: f64,

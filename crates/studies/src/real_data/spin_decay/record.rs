@@ -5,7 +5,7 @@ use std::path::Path;
 use crate::error::StudyError;
 use crate::real_data::files::{absent, bad_line, rows, text_of};
 
-/// Times at which the disc's flight starts and ends in the recorded table, s.
+/// Times at which the disc's flight starts and ends in the table of sensor readings, s.
 pub(super) const FLIGHT: (f64, f64) = (0.14, 2.38);
 
 /// Minimum number of samples of a valid flight.

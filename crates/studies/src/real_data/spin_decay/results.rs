@@ -17,7 +17,8 @@ pub(super) const WOBBLE: f64 = 0.5;
 pub(in super::super) struct SpinDecay {
     pub(super) record: Record,
     pub(super) fits: Vec<(Form, DecayFit)>,
-    /// Fit of [`Form::Power`] without the first [`WOBBLE`] seconds.
+    /// Fit of a torque proportional to a power of the spin, without the first [`WOBBLE`] seconds of the flight; `None`
+    /// if the fit failed.
     pub(super) power_without_wobble: Option<DecayFit>,
     /// Axial moment of inertia of the model, kg·m².
     pub(super) axial_inertia: f64,
