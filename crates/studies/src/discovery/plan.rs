@@ -52,8 +52,8 @@ const SEVERAL: [(usize, usize); 2] = [(2, 10), (3, 10)];
 /// Seed with which the random combinations of two or three effects are drawn.
 const SEVERAL_SEED: u64 = 23;
 
-/// Effects that are also added to simulated flights at severe size, so that the model without the effect is badly
-/// wrong.
+/// Names of effects that are also added to simulated flights at severe size (four times the size "strong"), so that the
+/// model without the effect is badly wrong.
 const SEVERE: [&str; 3] = ["stall", "zero_lift_drag_angle", "cubic_pitching_moment"];
 
 /// Pairs (added effect, cause with the same influence on flights), by name. The flights alone do not allow the

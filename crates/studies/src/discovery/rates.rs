@@ -25,18 +25,18 @@ pub(super) const MIN_IN_SET_STRONG: f64 = 0.97;
 /// one) under each noise condition.
 pub(super) const MAX_FALSE_ALARMS: f64 = 0.05;
 
-/// Permitted maximum of a ratio of prediction errors on held-out flights: model extended by the effects that the
-/// diagnosis found / model with the effects added to the simulated flights.
+/// Permitted maximum of the ratio of the RMS prediction errors of two models on held-out flights: the model extended by
+/// the effects that the diagnosis found / the model with the effects added to the simulated flights.
 pub(super) const MAX_HELD_OUT_RATIO: f64 = 1.05;
 
 /// Required minimum fraction of runs in which the effects added to the simulated flights are among the hypotheses of
 /// the diagnosis, for two and for three detectable effects: (number of effects, minimum fraction).
 pub(super) const MIN_IN_SET_SEVERAL: [(usize, f64); 2] = [(2, 0.95), (3, 0.85)];
 
-/// Multiple of the minimum detectable size from which an effect counts as strong.
+/// An effect counts as strong if its size is at least this multiple of the minimum detectable size.
 pub(super) const STRONG: f64 = 5.0;
 
-/// A number of runs: those that have a certain property, out of those examined.
+/// Number of runs that have a certain property, and number of runs examined.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub(super) struct Count {
     /// Number of runs examined.
@@ -182,15 +182,15 @@ pub(super) struct Rates {
     /// [`MAX_HELD_OUT_RATIO`]. They are counted out of all runs with an effect of the built-in effects catalogue for
     /// which this ratio is known.
     pub(super) held_out: Count,
-    /// Median, over the runs counted in `held_out`, of the ratio of two prediction errors on held-out flights: model
-    /// extended by the effects that the diagnosis found / model with the effects added to the simulated flights; `None`
-    /// without such a run.
+    /// Median over the runs of the ratio of the RMS prediction errors of two models on held-out flights: the model
+    /// extended by the effects that the diagnosis found / the model with the effects added to the simulated flights.
+    /// `None` if no run has this ratio.
     pub(super) held_out_median: Option<f64>,
-    /// RMS prediction error on held-out flights, over all runs with an effect of the built-in effects catalogue, of the
-    /// models extended by the effects that the diagnosis found / that of the models with the effects added to the
-    /// simulated flights; `None` without such a run.
+    /// Ratio of RMS prediction errors on held-out flights, pooled over all runs with an effect of the built-in effects
+    /// catalogue. Numerator: models extended by the effects that the diagnosis found. Denominator: models with the
+    /// effects added to the simulated flights. `None` if no run has both errors.
     pub(super) held_out_pooled: Option<f64>,
-    /// Runs whose diagnosis failed, out of all runs.
+    /// Runs whose diagnosis ended with an error, out of all runs.
     pub(super) failed: Count,
     /// Computing times of the diagnoses of disc datasets with the default number of flights.
     pub(super) times: Times,
@@ -266,8 +266,9 @@ impl Rates {
     }
 }
 
-/// RMS prediction error on held-out flights, over all runs, of the models extended by the effects that the diagnosis
-/// found / that of the models with the effects added to the simulated flights; `None` if no run has both.
+/// Ratio of RMS prediction errors on held-out flights, pooled over all runs. Numerator: models extended by the effects
+/// that the diagnosis found. Denominator: models with the effects added to the simulated flights. `None` if no run has
+/// both errors.
 fn pooled<'a>(outcomes: impl Iterator<Item = &'a Outcome>) -> Option<f64> {
     let squares = outcomes.filter_map(|o| {
         let (after, truth) = (o.held_out.after, o.held_out.truth?);

@@ -15,7 +15,7 @@ use crate::seeded::{self, SeededEffects, greatest_angle_of_attack, strength};
 /// twelve flights to one metre.
 const DISPLACEMENT: (f64, f64) = (5e-4, 1.0);
 
-/// Maximum number of effects in a case.
+/// Maximum number of effects that are added to the simulated flights of one dataset.
 const MAX_EFFECTS: usize = 3;
 
 /// Maximum size of an effect, as a multiple of its strong value (near the largest that is met in practice).
@@ -55,10 +55,11 @@ pub struct FitCase {
 }
 
 impl FitCase {
-    /// Draws the effects that are added to the flights of one case: one to three effects of the disc. The RMS marker
-    /// displacement that an effect causes is drawn log-uniformly; values outside the bounds of their coefficients are
-    /// clipped, which makes the displacement smaller. The values of all effects are then halved until all effects
-    /// together displace the markers by at most one metre and no disc exceeds the maximum angle of attack.
+    /// Draws the effects (optional extensions of the disc model) that are added to the flights of one case, one to
+    /// three in number. The RMS marker displacement that an effect causes is drawn log-uniformly; values outside the
+    /// bounds of their coefficients are clipped, which makes the displacement smaller. The values of all effects are
+    /// then halved until all effects together displace the markers by at most one metre and no disc exceeds the maximum
+    /// angle of attack.
     ///
     /// # Panics
     /// If the built-in disc does not load.
@@ -169,8 +170,8 @@ fn sized(
     at(multiple)
 }
 
-/// Multiplies `strong` by `multiple` and clips each value to 0.9 times the bounds of its coefficient. A value whose
-/// sign the bounds exclude is negated first.
+/// Multiplies `strong` (values of a strong effect) by `multiple`, and clips each value to 0.9 times the bounds of its
+/// coefficient. A value whose sign the bounds exclude is negated first.
 fn within_bounds(model: &Model, name: &str, strong: &[f64], multiple: f64) -> Vec<f64> {
     let effect = model.effects.iter().find(|effect| effect.name == name);
     let coefficients = effect.map_or(&[][..], |effect| &effect.coefficients);

@@ -34,7 +34,7 @@ pub struct Coverage {
     pub seeds: usize,
     /// Number of fits that failed or did not converge. Their intervals count as not containing the true value.
     pub failed: usize,
-    /// Coverage for each coefficient, in the order of the model's coefficients.
+    /// Coverage of the confidence intervals of each coefficient, in the order of the model's coefficients.
     pub coefficients: Vec<CoefficientCoverage>,
 }
 

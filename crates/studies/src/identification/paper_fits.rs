@@ -48,9 +48,10 @@ impl Scenario {
 pub struct PaperFits {
     /// Name and true value (SI) of each coefficient.
     pub truth: Vec<(String, f64)>,
-    /// Number of seeds of each scenario.
+    /// Number of noise seeds, and thus of fits, in each scenario.
     pub seeds: usize,
-    /// Scenarios: each of the two flights alone, both flights together, and last the twelve random throws.
+    /// Scenarios (sets of fitted flights): each of the two flights alone, both flights together, and last the twelve
+    /// random throws.
     pub scenarios: Vec<Scenario>,
 }
 

@@ -42,10 +42,10 @@ pub(super) enum Action {
 pub struct Hidden {
     /// Name of the hidden effect.
     pub name: &'static str,
-    /// Quantities of the model (sites) that count as correct if the diagnosis names one of them, by their names in
-    /// `report.json`.
+    /// Quantities of the model on which the diagnosis may locate the hidden effect: naming any of them counts as
+    /// correct. Names as in the diagnosis report, such as "drag".
     pub sites: &'static [&'static str],
-    /// A weak and a strong size of the effect. The action is proportional to the size.
+    /// A weak and a strong size of the effect. The change of the motion or the measurement is proportional to the size.
     pub sizes: [f64; 2],
     pub(super) action: Action,
 }

@@ -72,7 +72,7 @@ impl RealData {
         self.disc_pose.ratio()
     }
 
-    /// Fit of one law of the torque that slows the disc's spin; `None` if that fit failed.
+    /// Fit of the torque law `form` to the measured spin of a disc; `None` if that fit failed.
     pub fn spin_down(&self, form: Form) -> Option<&DecayFit> {
         self.spin_decay.fit(form)
     }

@@ -24,7 +24,7 @@ const SWERVE_LENGTH: f64 = 1.0;
 pub struct UnlistedEffect {
     /// Name of the effect in the discovery study, which adds it to simulated flights.
     pub name: &'static str,
-    /// Quantity of the model on which the effect acts (its site, such as "drag"), by its name in `report.json`.
+    /// Quantity of the model on which the effect acts (its site, such as "drag"), by its name in the diagnosis report.
     pub site: &'static str,
     /// A weak and a strong size of the effect, in the units listed at [`UNLISTED`].
     pub strength: [f64; 2],

@@ -161,7 +161,7 @@ fn session(seed: u64, writer: Writer, python: Option<&Path>) -> Session {
     }
 }
 
-/// Contents of the files to which a session's takes (recordings) are written, in the format of `writer`.
+/// Contents of the files to which a session's takes (recordings) are written, in the file format of `writer`.
 fn files(
     filmed: &Filmed,
     writer: Writer,

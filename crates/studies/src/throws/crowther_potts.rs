@@ -16,7 +16,7 @@ const ADVANCE: f64 = 0.5;
 /// Results of the simulated disc launches with one set of aerodynamic coefficients.
 #[derive(Clone, Debug, Serialize)]
 pub struct Launches {
-    /// Description of the set of coefficients.
+    /// Description of the set of aerodynamic coefficients with which the disc was simulated.
     pub name: &'static str,
     /// Pitch at launch that gives the maximum range, and the one that gives the maximum time of flight, deg. Path and
     /// disc are pitched together (zero angle of attack).

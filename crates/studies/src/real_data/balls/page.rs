@@ -96,8 +96,8 @@ struct LiftRow {
     /// C_Lww. `None` for a coefficient that the fitted model lacks.
     estimates: [Option<Estimate>; 3],
     held_out_m: Option<f64>,
-    /// Decrease of the prediction error on held-out flights from the model of the previous row to the model of this
-    /// row, and its standard error, m; `None` for the first row or without held-out flights.
+    /// Decrease of the RMS prediction error on held-out flights from the model of the previous table row to the model
+    /// of this row, and standard error of the decrease, m. `None` for the first row or without held-out flights.
     reduction: Option<(f64, f64)>,
 }
 

@@ -34,7 +34,8 @@ pub struct LaunchFit {
     /// RMS distance per coordinate between measured track and simulation, m: for the stated launch, and for the fitted
     /// launch.
     pub rms: [f64; 2],
-    /// Changes of the launch quantities by the fit (fitted − stated), in units of their stated uncertainties.
+    /// Changes of the launch quantities by the fit (fitted − stated), in units of their stated uncertainties. Order:
+    /// that of `LAUNCH_NAMES`.
     pub changes: [f64; 7],
     /// Factors on the tabulated lift, drag and pitching moment; 1 if the factors were not fitted.
     pub factors: [f64; 3],

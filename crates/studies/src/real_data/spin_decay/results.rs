@@ -13,7 +13,7 @@ use crate::error::StudyError;
 /// Initial part of the flight that one fit leaves out, to test whether the disc's wobble there affects the result, s.
 pub(super) const WOBBLE: f64 = 0.5;
 
-/// Fits of all laws of the torque that slows the spin ([`Form`]), and the diagnosis of the same flight.
+/// Fits of all laws of the torque that slows a disc's spin, and the diagnosis of the same measured flight.
 pub(in super::super) struct SpinDecay {
     pub(super) record: Record,
     pub(super) fits: Vec<(Form, DecayFit)>,
@@ -53,7 +53,7 @@ impl SpinDecay {
         })
     }
 
-    /// Fit of one torque law (variant of [`Form`]); `None` if that fit failed.
+    /// Fit of the torque law `form` to the measured spin; `None` if that fit failed.
     pub(in super::super) fn fit(&self, form: Form) -> Option<&DecayFit> {
         let mut fits = self.fits.iter();
         fits.find(|(of, _)| *of == form).map(|(_, fit)| fit)
