@@ -34,8 +34,8 @@ pub struct Outcome {
     /// Score test of the effects added to the simulated flights: z-equivalent (two-sided standard normal quantile of
     /// the p-value), the minimum over these effects. `None` if none of them was tested.
     pub z: Option<f64>,
-    /// Counts of the flights that contradict the effect found in most flights, and that the report therefore lists as
-    /// discordant.
+    /// Counts of the flights that the report lists as discordant: flights that contradict the effect found in most
+    /// flights.
     pub discordant: Discordant,
     /// Number of terms that the diagnosis selected from its library of force and moment terms, to describe a misfit
     /// that no effect explains.
@@ -57,7 +57,8 @@ pub struct Outcome {
 pub struct Discordant {
     /// Number of flights that the report lists as discordant.
     pub listed: usize,
-    /// Number of the flights listed as discordant whose stated spin was exchanged with that of another flight.
+    /// Number of the flights listed as discordant into which an error was introduced: their spin in the dataset was
+    /// exchanged with that of another flight.
     pub exchanged: usize,
 }
 
@@ -75,7 +76,8 @@ pub struct HeldOutErrors {
 }
 
 impl Outcome {
-    /// Initial outcome of a run before the diagnosis: no verdict, all errors NaN.
+    /// Initial outcome of a run before the diagnosis: no verdict and no hypotheses; prediction errors that are not
+    /// known are NaN.
     pub(super) fn unknown(case: &Case) -> Self {
         Self {
             case: case.clone(),

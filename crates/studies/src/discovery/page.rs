@@ -106,7 +106,7 @@ struct TimeLimit {
     seconds: Option<f64>,
 }
 
-/// Settings of a row of the study's table, and statistics over its runs.
+/// Table row: one combination of simulation settings, and statistics over its runs (simulated and diagnosed datasets).
 #[derive(Serialize)]
 struct TableRow {
     group: &'static str,

@@ -81,7 +81,8 @@ const BALL_EFFECTS: [(&[&str], Body); 5] = [
 /// flights than the default.
 const MANY_FLIGHTS: usize = 48;
 
-/// Errors introduced into the stated spins: relative standard deviation, fraction of flights whose spins are exchanged.
+/// Errors introduced into the spins that the dataset states, as pairs: standard deviation relative to the spin, and
+/// fraction of the flights whose spins are exchanged among each other.
 const INPUT_ERRORS: [(f64, f64); 4] = [(0.2, 0.0), (0.0, 0.33), (0.2, 0.33), (0.0, 1.0)];
 
 const BOTH_SIZES: [Size; 2] = [Size::Weak, Size::Strong];
@@ -101,8 +102,8 @@ impl Planner {
         found.expect("a noise of that name").clone()
     }
 
-    /// Builds a row with effects of strong size under white noise. `percent` is the number of runs of the row as a
-    /// percentage of the planner's `seeds`.
+    /// Builds a row of the study's table (combination of simulation settings) with effects of strong size under white
+    /// noise. `percent` is the number of runs of the row as a percentage of the planner's `seeds`.
     fn row(&self, group: Group, body: Body, effects: &[&'static str], percent: usize) -> Row {
         Row {
             group,

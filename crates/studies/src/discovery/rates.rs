@@ -88,9 +88,11 @@ pub(super) struct RowRates {
     slowest: f64,
     /// Number of runs whose diagnosis ended with an error.
     failed: usize,
-    /// Number of runs whose only hypothesis consists of the effects added to the simulated flights.
+    /// Number of runs in which the diagnosis gives a single hypothesis, and this hypothesis consists of the effects
+    /// added to the simulated flights.
     alone: usize,
-    /// Number of runs with several hypotheses, one of which consists of the effects added to the simulated flights.
+    /// Number of runs in which the diagnosis gives several hypotheses, one of which consists of the effects added to
+    /// the simulated flights.
     in_a_set: usize,
     /// Number of runs in which the diagnosis detects no deviation, and reports an effect that was added to the flights
     /// as not identifiable.
@@ -110,7 +112,8 @@ pub(super) struct RowRates {
     /// Number of flights that the reports of all runs list as discordant (contradicting the effect found in most
     /// flights).
     discordant: usize,
-    /// Number of the flights listed as discordant whose stated spin was exchanged with that of another flight.
+    /// Number of the flights listed as discordant into which an error was introduced: their spin in the dataset was
+    /// exchanged with that of another flight.
     discordant_exchanged: usize,
     /// Most frequent result of the diagnosis (verdict and hypotheses) over the runs.
     answer: String,

@@ -23,7 +23,7 @@ use crate::progress::{Progress, each_run, threads_of_each_run};
 pub struct RowResult {
     /// Simulation settings that the runs have in common.
     pub row: Row,
-    /// Outcomes of the runs, in the order of the run index.
+    /// Outcomes of the runs (simulated and diagnosed datasets), in the order in which the runs are numbered.
     pub outcomes: Vec<Outcome>,
 }
 

@@ -105,7 +105,7 @@ fn score_listed(outcome: &mut Outcome, report: &Report, is_single: bool) {
 }
 
 /// Counts the flights that a report lists as discordant (contradicting the effect found in most flights), and how many
-/// of these had their stated spins exchanged.
+/// of these had their spins in the dataset exchanged between flights as an introduced error.
 fn discordant(case: &Case, errors: InputErrors, report: &Report) -> Discordant {
     let exchanged = errors.exchanged_flights(case.flights, case.seed);
     let exchanged: Vec<String> = exchanged.into_iter().map(file_name).collect();

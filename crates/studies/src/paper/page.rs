@@ -52,8 +52,9 @@ struct ReadingRow {
     description: String,
 }
 
-/// One hypothesis of the best-ranked interpretation of Table 1 of Hubbard & Hummel (2000), with the best score among
-/// the interpretations without this hypothesis. The score shows how much the hypothesis contributes to the agreement.
+/// One hypothesis of the best-ranked interpretation of Table 1 of Hubbard & Hummel (2000), with the best (lowest) score
+/// among the interpretations without this hypothesis. The score shows how much the hypothesis contributes to the
+/// agreement.
 #[derive(Serialize)]
 struct HypothesisRow {
     description: &'static str,

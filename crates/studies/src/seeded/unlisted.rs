@@ -7,7 +7,7 @@ use oracle::effect::Flow;
 /// Time constant of the first-order lag with which the lift of the effect `lagging_lift` follows the angle of attack,
 /// s.
 pub(super) const LAG: f64 = 0.15;
-/// Climb rate at which the effect `drag_by_climb` saturates, m/s.
+/// Scale of the climb rate, m/s, above which the additional drag of the effect `drag_by_climb` saturates.
 const CLIMB_SCALE: f64 = 2.0;
 /// Angular frequency of the wind in the effect `gusts`, rad/s.
 const GUST_FREQUENCY: f64 = 8.0;

@@ -22,7 +22,7 @@ pub struct Observed {
     pub markers: bool,
     /// Sensors, with their positions on the body as specified in the dataset.
     pub sensors: Vec<Sensor>,
-    /// Offset of an accelerometer's true position from the stated one, m, body axes.
+    /// Offset of the true position of each accelerometer from the position that the dataset states, m, body axes.
     pub displacement: [f64; 3],
     /// Standard deviations of the noise of the simulated measurements.
     pub noise: SensorNoise,

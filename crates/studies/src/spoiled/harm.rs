@@ -36,8 +36,8 @@ pub(super) enum Harm {
 }
 
 impl Harm {
-    /// Introduces the mistake into the flights with the given indices. A mistake in the marker template or the
-    /// parameters is introduced into the whole dataset; the indices are then ignored.
+    /// Introduces the recording mistake into the flights with the given indices. A mistake in the marker template or
+    /// the parameters is introduced into the whole dataset; the indices are then ignored.
     pub(super) fn apply(self, dataset: &mut Dataset, flights: &[usize], seed: u64) {
         match self {
             Self::Dataset(change) => return change(dataset),

@@ -10,13 +10,14 @@ use super::kinematics::moved;
 pub struct Kind {
     /// Name of the kind, as given on the command line.
     pub name: &'static str,
-    /// Description of the mistake.
+    /// Description of the recording mistake, such as "labels m1 and m2 exchanged".
     pub what: &'static str,
     pub(super) harm: Harm,
 }
 
 impl Kind {
-    /// Whether the mistake affects the whole dataset (its template or parameters) rather than single flights.
+    /// Whether the recording mistake affects the whole dataset (its marker template or parameters) rather than single
+    /// flights.
     pub fn is_of_dataset(&self) -> bool {
         matches!(self.harm, Harm::Template(_) | Harm::Dataset(_))
     }

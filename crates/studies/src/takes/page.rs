@@ -179,8 +179,8 @@ fn heights(estimated: impl Iterator<Item = (f64, f64)>) -> HeightRow {
     }
 }
 
-/// Errors of all coefficients in those fits whose flight ends and marker template are the combination with the index
-/// `kind` in `GIVEN`.
+/// Errors of the estimated coefficients in all fits with one combination of flight ends (detected or true) and marker
+/// template (estimated or true). `kind` is the index of the combination in `GIVEN`.
 fn errors<'r>(
     kind: usize,
     results: &'r [&'r SessionResult],

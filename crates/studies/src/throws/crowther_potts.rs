@@ -42,7 +42,7 @@ pub struct Tilts {
     /// Landing points: hyzer angle, deg, and horizontal position, m: x along the launch direction, y perpendicular to
     /// it.
     pub landings: Vec<(f64, f64, f64)>,
-    /// Number of inflections of the curve of landing points; an S-shaped curve has 1.
+    /// Number of inflections of the curve through the landing points, ordered by hyzer angle; an S-shaped curve has 1.
     pub inflections: usize,
 }
 
@@ -104,8 +104,8 @@ fn body(model: &str, effects: &[&str]) -> Result<ThrownBody, StudyError> {
     Ok(ThrownBody::new(model_spec::load::load(model, effects)?)?)
 }
 
-/// Returns the given coefficients without those of the pitching moment, so that the model's own pitching moment
-/// remains.
+/// Returns the given coefficients without those of the pitching moment, so that the pitching moment of the model file
+/// remains in effect.
 fn own_pitch(all: &[(&'static str, f64)]) -> Vec<(&'static str, f64)> {
     all.iter()
         .filter(|(name, _)| !["C_M0", "C_Ma"].contains(name))

@@ -24,7 +24,8 @@ const COMMON_EFFECTS: [&[&str]; 8] = [
     &["magnus", "spin_decay"],
 ];
 
-/// Effects that are added, one at a time, to the two models with lift due to spin.
+/// Names of effects that are added, one at a time, to two ball models: with lift proportional to the advance ratio, and
+/// with an additional lift proportional to its square.
 const ADDED_EFFECTS: [&str; 6] = [
     "spin_decay",
     "gravity",

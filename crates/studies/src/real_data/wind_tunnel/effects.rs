@@ -99,8 +99,8 @@ struct Departure {
     /// Smallest angle of attack ≥ 0, degrees, at which the curve deviates from the table by more than the coefficient
     /// difference `limit`. `None` if there is no such angle.
     above: Option<f64>,
-    /// Angle of attack ≤ 0 closest to 0, degrees, at which the curve deviates from the table by more than `limit`.
-    /// `None` if there is no such angle.
+    /// Largest angle of attack ≤ 0, degrees, at which the curve deviates from the table by more than the coefficient
+    /// difference `limit`. `None` if there is no such angle.
     below: Option<f64>,
 }
 
