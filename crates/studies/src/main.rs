@@ -199,8 +199,8 @@ fn discovery(options: cli::Discovery) -> anyhow::Result<(Page, Option<PathBuf>)>
     Ok((page, options.out))
 }
 
-/// Adds the section with the results of other programs to the page, if discovery-peers.md is in the folder of the
-/// output file.
+/// Inserts a section with the results of other programs (pysindy, stepwise regression) into the discovery study's page,
+/// if discovery-peers.md is in the folder of the output file.
 fn with_peer_tables(page: Page, out: Option<&Path>) -> Page {
     let peers = out.map(|file| file.with_file_name("discovery-peers.md"));
     let peers = peers.and_then(|file| std::fs::read_to_string(file).ok());

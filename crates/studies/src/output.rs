@@ -6,7 +6,7 @@ use std::path::Path;
 use anyhow::Context;
 use studies::Page;
 
-/// Writes a page to `file`, and its figures to the same folder.
+/// Writes the text of a documentation page to `file`, and its figures to the same folder.
 pub fn write_page(file: &Path, page: &Page) -> anyhow::Result<()> {
     for (name, svg) in &page.figures {
         write(&file.with_file_name(name), svg)?;

@@ -7,17 +7,17 @@ use serde::Serialize;
 
 use crate::error::StudyError;
 
-/// A rendered page and its figures.
+/// A rendered documentation page and its figures.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Page {
-    /// Text of the page, Markdown.
+    /// Text of the documentation page, as Markdown.
     pub text: String,
     /// File name, relative to the page, and SVG text of each figure.
     pub figures: Vec<(String, String)>,
 }
 
 impl Page {
-    /// Renders a page without figures.
+    /// Renders a documentation page without figures from a minijinja template and the results of a study.
     pub(crate) fn without_figures(
         template: &str,
         results: impl Serialize,

@@ -78,8 +78,9 @@ pub struct Stage {
     pub broken: Vec<String>,
     /// Whether none of the checks of `hyzer verify` refutes the equations of this stage.
     pub holds: bool,
-    /// States whose rates differ from those of the previous stage along its flight: name, maximum magnitude of the
-    /// previous rate, maximum magnitude of the difference (in the state's unit per second).
+    /// States whose rates differ from those of the previous stage at the points of the previous stage's simulated
+    /// flight. For each: name, maximum magnitude of the previous rate, maximum magnitude of the difference (in the
+    /// state's unit per second).
     pub moved: Vec<(String, f64, f64)>,
     /// Position of the body at the end of the simulated flight, m.
     pub end: Vector3<f64>,
@@ -244,9 +245,9 @@ fn rates(model: &Model, flight: &[Point<f64>]) -> Vec<RateInFlight> {
     out
 }
 
-/// States to which the equations of the models `before` and `after` give different rates at the points of a flight of
-/// `before`: name, maximum magnitude of the rate in `before`, maximum magnitude of the difference (in the state's unit
-/// per second). Empty if the models have different numbers of states.
+/// States whose rates according to the models `before` and `after` differ at the points of a flight of `before`. For
+/// each: name, maximum magnitude of the rate in `before`, maximum magnitude of the difference (in the state's unit per
+/// second). Empty if the models have different numbers of states.
 fn moved(before: &Model, flight: &[Point<f64>], after: &Model) -> Vec<(String, f64, f64)> {
     let stated = |model: &Model, name: &str| -> Option<Expr> {
         let state = model.states.iter().position(|s| s.name == name)?;

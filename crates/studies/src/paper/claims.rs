@@ -9,7 +9,7 @@ pub struct Claim {
     pub flight: String,
     /// Time in the flight at which the quantity is stated, s; `None` if the quantity is itself a time.
     pub at: Option<f64>,
-    /// Name of the field of [`Outcome`] (results of a simulated flight) with which the stated value is compared.
+    /// Name of the quantity that the paper states, equal to a field of [`Outcome`], such as `"delta_x"`.
     pub quantity: String,
     /// Stated value, in `unit`.
     pub value: f64,

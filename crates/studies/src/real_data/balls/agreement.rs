@@ -12,12 +12,12 @@ use super::lift::Lift;
 /// Number of random permutations, among the flights, of the spins that the data state; used by the permutation test.
 const PERMUTATIONS: usize = 10_000;
 
-/// Number of random rotations that are tried on all stated spins in common. The one with the best agreement between the
-/// flights' lift directions and ω × v is chosen.
+/// Number of random rotations that are tried, each on all stated spins in common, to find the best agreement between
+/// the flights' lift directions and ω × v.
 const ROTATIONS: usize = 2_000;
 
-/// Number of random permutations of the spins among the flights for which the random rotation of all spins with the
-/// best agreement between lift directions and ω × v is searched.
+/// Number of random permutations of the spins among the flights. For each, the random rotation of all spins is searched
+/// that gives the best agreement between lift directions and ω × v.
 const ROTATED_PERMUTATIONS: usize = 20;
 
 /// Agreement between the lift directions of ball flights and the spins that the data state, with a permutation test.
@@ -25,7 +25,7 @@ const ROTATED_PERMUTATIONS: usize = 20;
 pub struct Agreement {
     /// Number of flights to which the permutation test is applied.
     pub flights: usize,
-    /// Mean over the flights of the cosine of the angle between the lift and ω × v, for the stated spin ω.
+    /// Mean over the flights of the cosine of the angle between the lift and ω × v, for the spin ω that the data state.
     pub cosine: f64,
     /// Mean, over random permutations of the spins among the flights, of the flights' mean cosine between lift and ω ×
     /// v.

@@ -31,8 +31,8 @@ struct Section {
     time_error: Option<f64>,
     stretches: String,
     agreement: Vec<AgreementRow>,
-    /// Maximum angle between lift and ω × v over the flights of the recording's parts in which every lift agrees with
-    /// the stated spin (see [`AGREEING`]), degrees.
+    /// Maximum angle between lift and ω × v, degrees, over the flights in those parts of the recording in which every
+    /// lift agrees with the spin ω that the data state.
     greatest_angle: f64,
     /// Number of flights outside the file ranges [`AGREEING`] (in which every lift agrees with the stated spin) whose
     /// cosine between lift and ω × v is above 0.9.

@@ -11,8 +11,8 @@ use super::models::{MAGNUS_BY_SQUARE, diagnosed, fitted};
 use super::stretches::{agreeing, is_agreeing};
 use crate::error::StudyError;
 
-/// Sets of effects that could deflect all paths in the same way, independently of the stated spins. Each set is added
-/// to the model with gravity and drag and fitted separately.
+/// Sets of effects that could deflect all paths in the same way, independently of the spins that the data state. Each
+/// set is added to the model with gravity and drag and fitted separately.
 const COMMON_EFFECTS: [&[&str]; 8] = [
     &["gravity"],
     &["tilted_vertical"],
@@ -61,8 +61,8 @@ pub(in super::super) struct Balls {
     /// `magnus` (lift proportional to the advance ratio), then also with a lift proportional to the squared advance
     /// ratio.
     pub(in super::super) lift_by_spin: [FitReport; 3],
-    /// Fits of the flights in which the lift agrees with the stated spin, with each of [`ADDED_EFFECTS`] added to the
-    /// models with lift due to spin.
+    /// Fits of the flights in which the lift agrees with the stated spin. Each of the effects [`ADDED_EFFECTS`] is
+    /// added to two models: with lift proportional to the advance ratio, and also to its square.
     pub(super) added: Vec<Added>,
     /// Diagnoses of three cases: all flights; the flights of the recording's parts in which every lift agrees with the
     /// stated spin; and these latter flights with the effect `magnus` in the model. `Err` contains the error of a

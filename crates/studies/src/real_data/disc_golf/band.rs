@@ -8,7 +8,7 @@ use rand_distr::{Distribution, StandardNormal};
 use super::simulate::Simulator;
 use super::throw::{Launch, TRACK_UNCERTAINTY, Throw, UNCERTAINTY, rms_distance};
 
-/// Statistics of the simulated end points of random launches.
+/// Statistics of simulated flights whose launches are drawn at random within the stated uncertainties.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Band {
     /// Mean, over the random launches, of the simulated horizontal position (x, y) at the time of the last track point,
@@ -22,8 +22,8 @@ pub(super) struct Band {
     pub(super) within: f64,
 }
 
-/// Simulates `draws` random launches, drawn from normal distributions about the stated launch of a throw with the
-/// stated uncertainties.
+/// Simulates `draws` random launches of a throw, drawn from normal distributions about its published launch quantities
+/// with their published uncertainties.
 pub(super) fn band(simulator: &Simulator<'_>, throw: &Throw, draws: usize, seed: u64) -> Band {
     let points = throw.points();
     let times: Vec<f64> = points.iter().map(|(time, _)| *time).collect();

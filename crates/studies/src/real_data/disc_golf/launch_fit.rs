@@ -31,11 +31,11 @@ const MIN_DECREASE: f64 = 1e-3;
 /// Result of fitting a launch to its measured track.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LaunchFit {
-    /// RMS distance per coordinate between measured track and simulation, m: for the stated launch, and for the fitted
-    /// launch.
+    /// RMS difference, per coordinate, between the measured track and the simulated path, m: for the published launch,
+    /// and for the fitted launch.
     pub rms: [f64; 2],
-    /// Changes of the launch quantities by the fit (fitted − stated), in units of their stated uncertainties. Order:
-    /// that of `LAUNCH_NAMES`.
+    /// Changes of the launch quantities by the fit (fitted − published), in units of their published uncertainties.
+    /// Order: speed, pitch, roll, nose, yaw, tailwind, crosswind.
     pub changes: [f64; 7],
     /// Factors on the tabulated lift, drag and pitching moment; 1 if the factors were not fitted.
     pub factors: [f64; 3],
@@ -43,8 +43,8 @@ pub struct LaunchFit {
     pub factor_errors: [f64; 3],
 }
 
-/// Fits the launch quantities to the measured track, with or without free factors on the tabulated coefficients; `None`
-/// if the normal equations are singular.
+/// Fits the launch quantities of a throw to its measured track. If `with_factors` is true, factors on the tabulated
+/// lift, drag and pitching moment are fitted too. `None` if the normal equations are singular.
 pub(super) fn launch_fit(
     simulator: &Simulator<'_>,
     throw: &Throw,

@@ -45,7 +45,8 @@ pub(super) struct Simulator<'a> {
 }
 
 impl<'a> Simulator<'a> {
-    /// Creates a simulator for a disc. Pitch and spin damping, which the table lacks, are those of the model.
+    /// Creates a simulator for a disc with an aerodynamic table. Pitch and spin damping, which the table lacks, have
+    /// the values of `model`.
     pub(super) fn new(model: &Model, disc: &'a Disc) -> Result<Self, StudyError> {
         let mut constants = Point::defaults(model);
         let radius = disc.diameter / 2.0;

@@ -7,7 +7,7 @@ use crate::real_data::wind_tunnel::Measured;
 /// Conversion factor from degrees to radians.
 pub(super) const RAD: f64 = std::f64::consts::PI / 180.0;
 
-/// Names of the launch quantities: speed, angles and wind components.
+/// Names of the launch quantities of a filmed throw: speed, angles and wind components.
 pub(crate) const LAUNCH_NAMES: [&str; 7] = [
     "speed",
     "pitch",
@@ -50,7 +50,7 @@ pub(crate) type TrackPoint = (f64, [f64; 2]);
 /// A filmed throw.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Throw {
-    /// Number of the throw in the data.
+    /// Number of the throw in the published data.
     pub(crate) number: u32,
     /// Launch quantities as published with the throw.
     pub(crate) launch: Launch,
@@ -58,7 +58,7 @@ pub(crate) struct Throw {
     pub(crate) spin: f64,
     /// Height of the release above the ground, m.
     pub(crate) height: f64,
-    /// Points of the track, with times from the first point.
+    /// Points of the measured track; the first has time 0.
     pub(crate) track: Vec<TrackPoint>,
 }
 
