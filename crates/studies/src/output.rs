@@ -16,7 +16,7 @@ pub fn write_page(file: &Path, page: &Page) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Writes a file atomically, and creates its parent folders.
+/// Writes `contents` to a file atomically, and creates the file's parent folders if they are missing.
 fn write(file: &Path, contents: &str) -> anyhow::Result<()> {
     let whole = || {
         if let Some(folder) = file.parent() {

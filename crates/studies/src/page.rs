@@ -29,7 +29,7 @@ impl Page {
     }
 }
 
-/// Text printed for a missing result.
+/// Text (an en dash) that a documentation page shows in place of a missing result.
 const NONE: &str = "–";
 
 /// Renders a template with results; the text ends in one line feed.

@@ -39,7 +39,7 @@ pub(super) const STRONG: f64 = 5.0;
 /// Number of runs that have a certain property, and number of runs examined.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub(super) struct Count {
-    /// Number of runs examined.
+    /// Number of runs that were examined for the property.
     pub(super) total: usize,
     /// Number of the examined runs that have the property.
     pub(super) count: usize,
@@ -84,7 +84,7 @@ pub(super) struct RowRates {
     held_out_change: Option<f64>,
     /// Median elapsed time of a diagnosis, s; `None` if no diagnosis succeeded.
     seconds: Option<f64>,
-    /// Maximum elapsed time of a diagnosis, s.
+    /// Maximum, over the runs, of the elapsed time of the diagnosis, s.
     slowest: f64,
     /// Number of runs whose diagnosis ended with an error.
     failed: usize,

@@ -22,7 +22,7 @@ pub enum Group {
     Confounded,
     /// An effect outside the built-in effects catalogue is added to the simulated flights.
     Unlisted,
-    /// Effects are added to simulated flights of a ball.
+    /// Effects of the built-in effects catalogue are added to simulated flights of a ball, not of a disc.
     Ball,
     /// An effect outside the built-in effects catalogue is added to the simulated flights, of which there are 48
     /// instead of the default number.

@@ -18,7 +18,7 @@ const SIGMA: f64 = 0.0014;
 /// Estimates from one set of flights under one noise condition, over many seeds of the noise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scenario {
-    /// Description of the flights and the noise.
+    /// Description of the fitted flights and of the noise added to them.
     pub name: &'static str,
     /// Estimates (SI), indexed by coefficient (in the order of the model's coefficients) and by noise seed.
     pub estimates: Vec<Vec<f64>>,
@@ -28,7 +28,7 @@ pub struct Scenario {
     pub non_identifiable: Vec<usize>,
     /// Number of seeds whose report names any coefficient as practically non-identifiable.
     pub any_non_identifiable: usize,
-    /// Number of seeds whose fit failed.
+    /// Number of noise seeds for which the fit failed.
     pub failed: usize,
     /// Explanations of the non-identifiable combinations of coefficients, from the report of the fit with the first
     /// noise seed.

@@ -32,7 +32,7 @@ pub struct Verdicts {
     /// Published rates and the rates implied by the laws of motion, along the flight, for the states where they differ.
     /// Empty if no rates satisfy all laws.
     pub rates: Vec<RateInFlight>,
-    /// Results for the published equations, then after each change; the changes are cumulative.
+    /// Results for the published equations, then after each correction of them. The corrections are cumulative.
     pub stages: Vec<Stage>,
 }
 
@@ -76,7 +76,7 @@ pub struct Stage {
     /// Violations of balance laws that `hyzer verify` reports for the body that the model describes, one line each;
     /// empty if the equations obey every law.
     pub broken: Vec<String>,
-    /// Whether none of the checks of `hyzer verify` refutes the equations of this stage.
+    /// Whether none of the checks of `hyzer verify` refutes these equations.
     pub holds: bool,
     /// States whose rates differ from those of the previous stage at the points of the previous stage's simulated
     /// flight. For each: name, maximum magnitude of the previous rate, maximum magnitude of the difference (in the

@@ -37,7 +37,8 @@ pub(super) enum Action {
     Observation(fn(&Scene, Vector3<f64>, usize) -> Vector3<f64>),
 }
 
-/// An effect hidden in the flights of a model, which the diagnosis is expected to detect.
+/// A physical effect that the study adds to simulated flights, but not to the model, and that the diagnosis should
+/// detect.
 #[derive(Clone, Copy, Debug)]
 pub struct Hidden {
     /// Name of the hidden effect.

@@ -26,7 +26,7 @@ const fn hide(
     }
 }
 
-/// Returns the twenty hidden effects of a model.
+/// Returns the twenty effects that the study hides in simulated flights of a user model, one at a time.
 pub fn hidden_of(subject: &Subject) -> Vec<Hidden> {
     match subject.name {
         "glider" => [MEASURED, GLIDER].concat(),

@@ -27,7 +27,7 @@ const DETECTABLE: f64 = 5.7;
 /// Settings of one run of the study, that is of one simulated and diagnosed dataset.
 #[derive(Clone, Copy, Debug)]
 pub struct Task {
-    /// Model that is diagnosed.
+    /// User model whose simulated flights are diagnosed.
     pub subject: &'static Subject,
     /// Hidden effect, its signed size, and the label of the size ("weak" or "strong"); `None` if nothing is hidden.
     pub hidden: Option<(Hidden, f64, &'static str)>,
@@ -47,10 +47,10 @@ impl Task {
     }
 }
 
-/// Result of one diagnosis, and how detectable the hidden effect was.
+/// Result of the diagnosis of one simulated dataset, and how detectable the hidden effect was.
 #[derive(Debug)]
 pub struct Outcome {
-    /// Settings of the diagnosis.
+    /// Settings with which the flights were simulated and diagnosed.
     pub task: Task,
     /// Verdict of the diagnosis, or the error that ended it.
     pub verdict: Result<Verdict, DiagnosisError>,
@@ -179,7 +179,7 @@ fn outcome(task: Task, model: &Model, threads: usize) -> Outcome {
     }
 }
 
-/// Diagnoses a dataset and cancels the diagnosis after [`LIMIT`].
+/// Diagnoses a dataset. Cancels the diagnosis if it has not ended after the computing time [`LIMIT`].
 fn bounded_diagnosis(
     model: &Model,
     observed: &Dataset,

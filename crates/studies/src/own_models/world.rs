@@ -13,7 +13,7 @@ use super::hidden::{Action, Hidden, Scene};
 use super::subjects::Subject;
 use crate::oracle_flights::{add_noise, even_times, file_name};
 
-/// Maximum step size of the integration, s.
+/// Maximum step size with which simulated flights are integrated, s.
 const MAX_STEP: f64 = 1e-3;
 
 /// Sample rate of the simulated measurements, Hz.

@@ -11,7 +11,7 @@ pub struct Claim {
     pub at: Option<f64>,
     /// Name of the quantity that the paper states, equal to a field of [`Outcome`], such as `"delta_x"`.
     pub quantity: String,
-    /// Stated value, in `unit`.
+    /// Value that Hubbard & Hummel (2000) state, in `unit`.
     pub value: f64,
     /// Maximum deviation from `value` that the wording of Hubbard & Hummel (2000) allows for a faithful reproduction,
     /// in `unit`.
@@ -48,7 +48,7 @@ pub struct Outcome {
     pub gammadot: f64,
     /// Change of the spin magnitude |gammadot| between release and end / spin magnitude at release.
     pub gammadot_change_fraction: f64,
-    /// Time of maximum height, s.
+    /// Time from the release to the maximum height of the flight, s.
     pub time_of_highest_z: f64,
 }
 

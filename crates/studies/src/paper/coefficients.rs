@@ -9,7 +9,8 @@ const REV_PER_RAD: f64 = 0.5 / std::f64::consts::PI;
 /// Coefficients of the model `disc`, SI. Pitch and roll damping are separate, because the study assumes a reversed sign
 /// for each of them separately.
 pub(super) struct Coefficients {
-    /// Coefficients `[C_L0, C_La, C_D0, C_Da]`.
+    /// Lift and drag coefficients `[C_L0, C_La, C_D0, C_Da]`: lift C_L0 + C_La α and drag C_D0 + C_Da α² at the angle
+    /// of attack α, rad.
     pub(super) lift_and_drag: [f64; 4],
     /// Pitching-moment slope C_Ma.
     pub(super) pitching_moment: f64,

@@ -34,7 +34,8 @@ pub struct Scored {
 }
 
 impl Scored {
-    /// Sum of the misfit and the penalty of the hypotheses; the lowest score is the best.
+    /// Sum of the misfit and a penalty of 2 for each hypothesis that the interpretation makes; the lowest score is the
+    /// best.
     pub fn score(&self) -> f64 {
         self.misfit + PENALTY * self.reading.hypotheses() as f64
     }

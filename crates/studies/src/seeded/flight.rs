@@ -16,7 +16,7 @@ use crate::oracle_flights::file_name;
 pub(super) struct FlightPlace {
     /// Seed of the dataset.
     pub(super) seed: u64,
-    /// Index of the flight, from 0.
+    /// Index of the flight in the dataset, from 0.
     pub(super) index: usize,
     /// Number of flights in the dataset.
     pub(super) flights: usize,

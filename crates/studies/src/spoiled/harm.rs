@@ -170,7 +170,7 @@ fn renumber(flight: &mut Flight) {
     flight.times = samples.map(|k| first + k as f64 * interval).collect();
 }
 
-/// Adds white noise with the standard deviation `sigma` (m) to every coordinate.
+/// Adds white noise with the standard deviation `sigma` (m) to every marker coordinate of the flight.
 fn add_noise(flight: &mut Flight, sigma: f64, random: &mut ChaCha12Rng) {
     each_point(flight, |p| {
         p.map(|x| x + sigma * random.sample::<f64, _>(StandardNormal))

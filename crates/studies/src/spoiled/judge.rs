@@ -24,7 +24,7 @@ pub enum Judgement {
     /// A coefficient has no estimate within four standard errors of the true value, and the report does not state that
     /// its results are unreliable.
     Wrong,
-    /// The fit reached the time limit.
+    /// The fit was cancelled because it reached the limit of its computing time.
     TooLong,
 }
 

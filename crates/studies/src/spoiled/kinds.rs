@@ -8,7 +8,7 @@ use super::kinematics::moved;
 /// A kind of mistake that a laboratory could make in a recording, and the change of the data that the mistake causes.
 #[derive(Clone, Copy)]
 pub struct Kind {
-    /// Name of the kind, as given on the command line.
+    /// Name of this kind of recording mistake, with which a user selects it on the command line.
     pub name: &'static str,
     /// Description of the recording mistake, such as "labels m1 and m2 exchanged".
     pub what: &'static str,

@@ -68,8 +68,8 @@ pub fn runs(words: &str) -> Vec<(&'static Kind, Which)> {
     all.filter(has).collect()
 }
 
-/// Introduces each kind of mistake into `seeds` datasets and fits them, `threads` in parallel. Calls `progress` with
-/// the numbers of finished runs and of all runs.
+/// Introduces each kind of recording mistake into `seeds` datasets and fits them, `threads` in parallel. Calls
+/// `progress` with the numbers of finished runs and of all runs.
 pub fn spoiled(
     kinds: &[(&'static Kind, Which)],
     seeds: u64,
@@ -106,7 +106,7 @@ fn run(kind: &'static Kind, which: Which, seed: u64) -> Run {
     }
 }
 
-/// Simulates twelve flights without a mistake, with white noise of 1.5 mm.
+/// Simulates twelve flights without a recording mistake, with white noise of 1.5 mm.
 fn clean(seed: u64) -> Dataset {
     let mut dataset = flights(&disc(), &TWELVE, seed);
     add_noise(&mut dataset, &Corruption::default(), seed + 1);

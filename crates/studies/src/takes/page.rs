@@ -161,8 +161,8 @@ pub fn takes_page(sessions: &[Session]) -> Result<Page, StudyError> {
     Page::without_figures(include_str!("page.md"), all)
 }
 
-/// Error of the height of the centre of mass in an estimated template, and its standard error, m; `None` if the height
-/// was not estimated.
+/// Error of the height of the centre of mass in an estimated marker template, and its standard error, m; `None` if the
+/// height was not estimated.
 fn of_template(errors: TemplateErrors) -> Option<(f64, f64)> {
     Some((errors.height, errors.height_std_error?))
 }

@@ -38,9 +38,9 @@ pub struct Session {
     pub seed: u64,
     /// File format in which the session's takes (recordings) are written.
     pub format: &'static str,
-    /// Frame rate, Hz.
+    /// Frame rate of the simulated cameras, Hz.
     pub rate: f64,
-    /// Number of markers.
+    /// Number of markers on the body.
     pub markers: usize,
     /// Standard deviation of the noise of a marker coordinate, m.
     pub sigma: f64,
@@ -94,7 +94,7 @@ pub struct TemplateErrors {
     pub height_std_error: Option<f64>,
 }
 
-/// Error of one estimated coefficient.
+/// Error of one estimated coefficient in the fit of a simulated session.
 #[derive(Clone, Debug)]
 pub struct CoefficientError {
     /// Name of the coefficient.

@@ -42,7 +42,7 @@ pub(super) type Rows = Vec<Vec<Option<[f64; 3]>>>;
 pub(super) struct Filmed {
     /// Positions of the markers in the body frame, m.
     pub markers: Vec<[f64; 3]>,
-    /// Frame rate, Hz.
+    /// Frame rate of the simulated cameras, Hz.
     pub rate: f64,
     /// Standard deviation of the noise of a marker coordinate, m.
     pub sigma: f64,

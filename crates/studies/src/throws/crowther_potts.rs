@@ -46,7 +46,7 @@ pub struct Tilts {
     pub inflections: usize,
 }
 
-/// Effects that the model `disc` needs in order to represent the wind tunnel's coefficients.
+/// Names of built-in effects by which the model `disc` must be extended to represent the wind tunnel's coefficients.
 const EFFECTS: [&str; 2] = ["constant_pitching_moment", "zero_lift_drag_angle"];
 
 /// Values of the roll coefficient C_Rr that are tried with the wind tunnel's other coefficients, s.

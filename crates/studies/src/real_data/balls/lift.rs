@@ -21,7 +21,7 @@ pub(super) struct Lift {
     pub(super) turn: Vector3<f64>,
     /// Spin vector ω that the data state, made dimensionless: ball radius × ω / speed.
     pub(super) spin: Vector3<f64>,
-    /// RMS residual of the fit along y, which is the direction of flight, m.
+    /// RMS residual of the fitted path along y, the direction of flight, m.
     pub(super) residual_along: f64,
 }
 

@@ -52,7 +52,7 @@ struct Section {
     diagnoses: Vec<DiagnosisRow>,
 }
 
-/// A coefficient's estimate with its cluster-robust standard error.
+/// Estimate of a coefficient, with its cluster-robust standard error (clusters are flights).
 #[derive(Serialize)]
 struct Estimate {
     name: String,
@@ -74,7 +74,7 @@ impl Estimate {
 struct FitSummary {
     effects: String,
     rms_m: f64,
-    /// Standard deviation of the noise along x, y, z, m.
+    /// Standard deviations of the noise of the measured positions along x, y and z, m.
     sigma_m: [f64; 3],
     ar1: f64,
     /// Estimates of the coefficients that the effects of this fit add to the model.

@@ -47,12 +47,12 @@ pub(super) struct Added {
 
 /// Results of all fits, tests and diagnoses of the table-tennis balls.
 pub(in super::super) struct Balls {
-    /// Fit of all flights with gravity and drag alone.
+    /// Fit of all flights with a model that contains only gravity and drag.
     pub(in super::super) plain: FitReport,
     /// Fits of all flights with each set of [`COMMON_EFFECTS`].
     pub(super) common: Vec<(&'static [&'static str], FitReport)>,
     pub(super) lifts: Vec<Lift>,
-    /// Fit of all flights with a free, constant lift vector for each flight.
+    /// Fit of all flights with an unknown, constant lift vector for each flight.
     pub(super) free_lift: FitReport,
     /// Agreement of lift and spin for all flights, for the agreeing stretches (parts of the recording in which every
     /// lift agrees with the stated spin), and for the remaining flights.

@@ -19,7 +19,7 @@ const ALL_UNKNOWNS: usize = 10;
 /// minimum.
 const DIFFERENCE: f64 = 0.05;
 
-/// Maximum number of Gauss–Newton steps.
+/// Maximum number of Gauss–Newton steps in the fit of one launch.
 const MAX_STEPS: usize = 40;
 
 /// Number of step lengths that are tried in a Gauss–Newton step: the full step, then repeated halves of it.
@@ -28,7 +28,7 @@ const MAX_HALVINGS: usize = 6;
 /// The fit ends when a step decreases the sum of squared weighted residuals by less than this value.
 const MIN_DECREASE: f64 = 1e-3;
 
-/// Result of fitting a launch to its measured track.
+/// Result of fitting the launch quantities of a throw to its measured track.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LaunchFit {
     /// RMS difference, per coordinate, between the measured track and the simulated path, m: for the published launch,

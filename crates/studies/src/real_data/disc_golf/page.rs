@@ -45,7 +45,7 @@ struct FactorRow {
     /// Fitted factors by which the tabulated lift, drag and pitching moment are multiplied, each with its standard
     /// error.
     factors: [(f64, f64); 3],
-    /// Maximum change of a launch quantity by the fit, in units of the quantity's stated uncertainty.
+    /// Maximum, over the launch quantities, of the change by the fit, in units of the quantity's published uncertainty.
     greatest_change: f64,
 }
 

@@ -40,7 +40,7 @@ pub(super) struct Disc {
     pub(super) diameter: f64,
     /// Moments of inertia divided by the mass, m²: about a diameter, and about the disc's axis.
     pub(super) inertia: [f64; 2],
-    /// Aerodynamic coefficients, by angle of attack.
+    /// Table of the aerodynamic coefficients, one row per angle of attack.
     pub(super) table: Vec<Measured>,
 }
 

@@ -40,9 +40,9 @@ pub(super) const PRIORS: [(&str, f64, f64); 8] = [
 /// Ratio I_a/I_d of the moments of inertia about the disc's axis and about a diameter, with standard errors.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Ratio {
-    /// Estimate of the ratio.
+    /// Estimate of the ratio I_a/I_d of the axial to the diametral moment of inertia.
     pub value: f64,
-    /// Standard error due to the noise of the samples.
+    /// Standard error due to the measurement noise of the poses.
     pub std_error: f64,
     /// Cluster-robust standard error, from the differences between throws; `None` for one throw.
     pub clustered: Option<f64>,
@@ -64,7 +64,7 @@ pub(super) struct Throw {
     pub alone: Option<Ratio>,
 }
 
-/// Results of the fits to the measured poses.
+/// Results of the fits to the measured poses of thrown golf discs.
 pub(in super::super) struct DiscPose {
     /// Upward direction in camera axes, from the poses of a printed tag at rest on the ground.
     pub(super) up: [f64; 3],
@@ -133,7 +133,7 @@ impl DiscPose {
 /// Treatment of the aerodynamic coefficients in a fit.
 #[derive(Clone, Copy)]
 enum Air {
-    /// The coefficients are free, with priors.
+    /// The aerodynamic coefficients are estimated, with priors.
     Prior,
     /// All aerodynamic coefficients are fixed at 0.
     None,

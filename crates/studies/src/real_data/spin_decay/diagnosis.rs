@@ -16,7 +16,7 @@ use crate::real_data::files::{absent, bad_line, rows, text_of};
 /// Standard gravity, m/s², the unit of the recorded specific forces.
 const STANDARD_GRAVITY: f64 = 9.80665;
 
-/// Time at the beginning and at the end of the flight that is excluded from the analysis, s.
+/// Length of the parts at the beginning and at the end of the flight that are excluded from the analysis, s.
 pub(super) const MARGIN: f64 = 0.06;
 
 /// Names of the disc model and of the effects that represent mounting errors of the sensors on the disc.

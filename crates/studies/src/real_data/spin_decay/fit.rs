@@ -8,7 +8,7 @@ use super::record::Record;
 /// Number of values of the noise's lag-1 correlation, evenly spaced in [0, 1), for which a fit is tried.
 const CORRELATIONS: usize = 400;
 
-/// Number of Gauss–Newton steps per fit.
+/// Number of Gauss–Newton steps in each fit of a torque law.
 const STEPS: usize = 12;
 
 /// Fit of one torque law to a record of a disc's spin, with first-order autoregressive (AR(1)) noise.
@@ -19,9 +19,9 @@ pub struct DecayFit {
     pub unknowns: Vec<f64>,
     /// Standard errors of the estimated unknowns of the torque law, in the order of `unknowns`.
     pub std_errors: Vec<f64>,
-    /// RMS residual, rad/s.
+    /// RMS residual (measured − fitted spin), rad/s.
     pub rms: f64,
-    /// Lag-1 correlation of the noise, estimated with the unknowns.
+    /// Lag-1 correlation of the noise, estimated together with the torque law's unknowns.
     pub ar1: f64,
     /// Akaike information criterion of the fit.
     pub aic: f64,
