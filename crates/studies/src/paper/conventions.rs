@@ -39,7 +39,8 @@ pub struct Conventions {
     /// Whether the spin-damping moment has the opposite sign to the printed one, so that a positive coefficient
     /// increases the spin.
     pub spin_down_reversed: bool,
-    /// Measure of the spin, such as rad/s or the advance ratio, to which the rolling moment due to spin is proportional.
+    /// Measure of the spin, such as rad/s or the advance ratio, to which the rolling moment due to spin is
+    /// proportional.
     pub roll_spin: RollSpin,
     /// Unit assumed for the spin-damping coefficient C_Nr.
     pub spin_down: SpinDown,
