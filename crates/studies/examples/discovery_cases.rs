@@ -14,12 +14,12 @@ use serde_json::{Value, json};
 use studies::oracle_flights::{Plan, TWELVE, disc, truth};
 use studies::seeded::{STRENGTHS, SeededEffects, dataset, unlisted};
 
-/// Plan of twenty throws of one second each, three markers, 120 Hz.
+/// Simulated experiment: twenty throws of a disc, each observed for one second at 120 Hz with three markers.
 const TWENTY: Plan<'static> = Plan {
     flights: 20,
     ..TWELVE
 };
-/// White noise of 1.5 mm on each coordinate.
+/// Measurement noise: white, with a standard deviation of 1.5 mm on each marker coordinate.
 const WHITE: Corruption = Corruption {
     sigma: 0.0015,
     ar1: 0.0,
@@ -27,18 +27,19 @@ const WHITE: Corruption = Corruption {
     outlier_size: 0.0,
     dropouts: 0.0,
 };
-/// Number of datasets for each effect and size.
+/// Number of simulated datasets for each physical effect that is added to the flights, and for each of its sizes.
 const SEEDS: u64 = 5;
-/// Number of datasets without a seeded effect.
+/// Number of simulated datasets to whose flights no physical effect is added.
 const NULLS: u64 = 20;
-/// Components of the aerodynamic force and moment (sites, named as in the model) on which the effects of this
-/// comparison act. Effects on other quantities are not terms of an aerodynamic coefficient, so the compared programs
-/// could not find them.
+/// Components of the aerodynamic force and moment, named as in the model, on which the physical effects of this
+/// comparison act. Effects on other quantities are not terms of an aerodynamic coefficient, so the other programs in
+/// the comparison could not find them.
 const SITES: [&str; 6] = ["lift", "drag", "side", "roll", "pitch", "spin"];
-/// Effect that is confounded with the coefficients: denser air is equivalent to larger coefficients.
+/// Name of the physical effect that cannot be distinguished from the aerodynamic coefficients: denser air is equivalent
+/// to larger coefficients.
 const CONFOUNDED: &str = "air_density";
-/// Effects outside the built-in effects catalogue, each of which adds a term to one component of the force or moment;
-/// operon.py contains their formulas.
+/// Names of physical effects outside the built-in effects catalogue. Each adds a term to one component of the
+/// aerodynamic force or moment. The script operon.py contains their formulas.
 const OUTSIDE: [&str; 6] = [
     "roll_by_angle_squared",
     "drag_by_climb",

@@ -58,7 +58,8 @@ pub enum StudyError {
     /// The import of a take (recording) does not track all of its markers; contains the labels of those that it tracks.
     #[error("the points {0:?} are followed")]
     Labels(Vec<String>),
-    /// No template of markers can be estimated from the flights of a session.
+    /// The marker template (positions of the markers on the body) cannot be estimated from the flights of a recording
+    /// session.
     #[error(transparent)]
     Template(#[from] takes::TemplateError),
     /// A dataset cannot be fitted.
@@ -70,10 +71,10 @@ pub enum StudyError {
     /// A throw cannot be simulated.
     #[error(transparent)]
     Throw(#[from] design::ThrowFlightError),
-    /// The search for launch conditions that produce a desired flight cannot be set up or fails.
+    /// The search for launch conditions that give a desired flight cannot be set up, or fails.
     #[error(transparent)]
     Design(#[from] design::DesignError),
-    /// The template of a page cannot be rendered with the results.
+    /// The text template of a documentation page cannot be rendered with the results of the study.
     #[error("the page cannot be written: {0}")]
     Page(#[from] minijinja::Error),
 }

@@ -99,7 +99,7 @@ fn identification(seeds: u64) -> anyhow::Result<Page> {
     Ok(identification_page(&coverages, &paper_fits(seeds))?)
 }
 
-/// Prints the number of finished runs to standard error after each twentieth of all runs.
+/// Prints the number of finished runs to standard error each time another twentieth of all runs has finished.
 fn report_progress(done: usize, of: usize) {
     if done.is_multiple_of((of / 20).max(1)) {
         eprintln!("{done} of {of} runs");
@@ -165,8 +165,8 @@ fn spoiled_datasets(options: &cli::Runs) -> anyhow::Result<Page> {
     Ok(spoiled_page(&runs, cuts)?)
 }
 
-/// Section on truncation at ground contact: fits `datasets` datasets of flights without ground contact, and a quarter
-/// as many datasets of flights that bounce.
+/// Results of the study of truncation at ground contact. Fits `datasets` datasets of flights without ground contact,
+/// and a quarter as many datasets of flights that bounce.
 fn cut_section(datasets: u64, threads: usize) -> CutSection {
     let free = free_flights(datasets as usize, threads, &report_progress);
     let bounces = bounces(datasets.div_ceil(4) as usize, threads, &report_progress);
@@ -199,8 +199,8 @@ fn discovery(options: cli::Discovery) -> anyhow::Result<(Page, Option<PathBuf>)>
     Ok((page, options.out))
 }
 
-/// Adds the section with the results of other programs to the page, if discovery-peers.md is in the folder of the
-/// output file.
+/// Inserts a section with the results of other programs (pysindy, stepwise regression) into the discovery study's page,
+/// if discovery-peers.md is in the folder of the output file.
 fn with_peer_tables(page: Page, out: Option<&Path>) -> Page {
     let peers = out.map(|file| file.with_file_name("discovery-peers.md"));
     let peers = peers.and_then(|file| std::fs::read_to_string(file).ok());

@@ -6,7 +6,7 @@ use std::path::Path;
 use anyhow::Context;
 use studies::Page;
 
-/// Writes a page to `file`, and its figures to the same folder.
+/// Writes the text of a documentation page to `file`, and its figures to the same folder.
 pub fn write_page(file: &Path, page: &Page) -> anyhow::Result<()> {
     for (name, svg) in &page.figures {
         write(&file.with_file_name(name), svg)?;
@@ -16,7 +16,7 @@ pub fn write_page(file: &Path, page: &Page) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Writes a file atomically, and creates its parent folders.
+/// Writes `contents` to a file atomically, and creates the file's parent folders if they are missing.
 fn write(file: &Path, contents: &str) -> anyhow::Result<()> {
     let whole = || {
         if let Some(folder) = file.parent() {

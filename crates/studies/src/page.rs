@@ -7,17 +7,17 @@ use serde::Serialize;
 
 use crate::error::StudyError;
 
-/// A rendered page and its figures.
+/// A rendered documentation page and its figures.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Page {
-    /// Text of the page, Markdown.
+    /// Text of the documentation page, as Markdown.
     pub text: String,
     /// File name, relative to the page, and SVG text of each figure.
     pub figures: Vec<(String, String)>,
 }
 
 impl Page {
-    /// Renders a page without figures.
+    /// Renders a documentation page without figures from a minijinja template and the results of a study.
     pub(crate) fn without_figures(
         template: &str,
         results: impl Serialize,
@@ -29,7 +29,7 @@ impl Page {
     }
 }
 
-/// Text printed for a missing result.
+/// Text (an en dash) that a documentation page shows in place of a missing result.
 const NONE: &str = "–";
 
 /// Renders a template with results; the text ends in one line feed.
@@ -62,7 +62,7 @@ pub(crate) fn render(template: &str, results: impl Serialize) -> Result<String, 
     Ok(text.trim_end().to_owned() + "\n")
 }
 
-/// Formats a template value with `text` if it is a number; returns a dash if it is `none`.
+/// Formats a number in a page template with the function `text`; returns an en dash if the value is `none`.
 fn or_dash(number: &Value, text: impl Fn(f64) -> String) -> Result<String, minijinja::Error> {
     match number.is_none() {
         true => Ok(NONE.to_owned()),

@@ -20,14 +20,15 @@ use crate::real_data::{
 pub struct Filmed {
     /// Number of the throw in the published data.
     pub number: u32,
-    /// Horizontal position (x, y) of the last measured point of the track, m.
+    /// Horizontal position (x, y), m, of the last measured point of the filmed path.
     pub track_end: [f64; 2],
-    /// Simulated horizontal position (x, y), m, at the time of the track's last point; the landing position if the
-    /// simulated flight ends earlier.
+    /// Simulated horizontal position (x, y), m, at the time of the last measured point of the filmed path; the landing
+    /// position if the simulated flight ends earlier.
     pub flight_end: [f64; 2],
     /// Horizontal distance between `track_end` and `flight_end`, m.
     pub miss: f64,
-    /// RMS difference of simulated and measured positions per coordinate over the track, m.
+    /// RMS difference, per coordinate, between simulated and measured positions at the measured points of the filmed
+    /// path, m.
     pub rms: f64,
     /// For each launch quantity: its name, its published uncertainty as text, and the distance by which the simulated
     /// end of the flight moves if the quantity changes by that uncertainty, m.
@@ -36,7 +37,8 @@ pub struct Filmed {
     pub all_moves: f64,
 }
 
-/// Simulates the filmed throws of a folder that contains `throw_params.csv` and the tracks.
+/// Simulates the filmed throws of a folder that contains `throw_params.csv` (launch conditions) and the tracks
+/// (measured paths).
 ///
 /// # Errors
 /// [`StudyError`] if a file cannot be read or a throw cannot be simulated.

@@ -8,10 +8,11 @@ use serde::Serialize;
 use super::{DISCS, horizontal_position};
 use crate::error::StudyError;
 
-/// Number of intervals into which a flight is divided for sampling.
+/// Number of equal time intervals into which a simulated flight is divided for sampling.
 const SAMPLES: usize = 1000;
 
-/// Turn and fade of one disc in a simulated flight down to the ground, launched at 10° with zero hyzer and nose angle.
+/// Turn (drift to the right) and fade (later drift to the left) of one disc in a simulated flight down to the ground.
+/// The launch angle is 10°, the hyzer and nose angles are zero.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct TurnAndFade {
     /// Name of the disc's model.
@@ -32,8 +33,8 @@ pub struct TurnAndFade {
     pub faded: f64,
 }
 
-/// Simulates every disc at several release speeds (m/s), launched at 10° with zero hyzer and nose angle. `sign` is the
-/// sign of the spin: 1 for a right-handed backhand, -1 for the opposite spin.
+/// Simulates every disc at several release speeds (m/s), with a launch angle of 10° and zero hyzer and nose angle.
+/// `sign` is the sign of the spin: 1 for a right-handed backhand, -1 for the opposite spin.
 ///
 /// # Errors
 /// [`StudyError`] if a model does not load or a flight cannot be simulated.

@@ -13,7 +13,7 @@ pub use page::bodies_page;
 
 use model_spec::layout::{Layout, StateId};
 
-/// Models of the discs that the study simulates and whose coefficients it plots.
+/// Names of the built-in models of the discs that the study simulates and whose aerodynamic coefficients it plots.
 pub const DISCS: [&str; 4] = [
     "golf_putter",
     "golf_midrange",

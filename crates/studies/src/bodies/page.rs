@@ -60,7 +60,8 @@ impl Body {
     }
 }
 
-/// Renders docs/bodies.md and its figure of coefficients. `filmed` is empty if the measured data are not available.
+/// Renders docs/bodies.md and its figure of aerodynamic coefficients. `filmed` is empty if the measured throws are not
+/// available.
 ///
 /// # Errors
 /// [`StudyError`] if a body does not load, or if a template cannot be rendered with the results.

@@ -6,7 +6,7 @@ use oracle::{Physical, Point, Reference};
 use super::impulse::{Disc, Surface};
 use crate::oracle_flights::integrate;
 
-/// Time between tests for ground contact, s.
+/// Time between successive tests of a simulated flight for ground contact, s.
 const STEP: f64 = 1.0 / 1200.0;
 
 /// A simulated flight, with its first contact with the ground.

@@ -17,10 +17,10 @@ use crate::progress::{Progress, each_run};
 /// Number of flights per dataset.
 const FLIGHTS: usize = 20;
 
-/// Time limit of fitting one dataset.
+/// Limit of the computing time for fitting one dataset.
 const LIMIT: Duration = Duration::from_secs(60);
 
-/// Observed time of a flight, s.
+/// Time span of each flight that is simulated and measured, from its release, s.
 const DURATION: f64 = 1.0;
 /// Sampling rate of the simulated measurements, Hz.
 const RATE: f64 = 120.0;
@@ -28,7 +28,7 @@ const RATE: f64 = 120.0;
 /// Range of the time of the first ground contact, s. Throws with a contact at another time or without one are redrawn.
 const TOUCH: (f64, f64) = (0.3, 0.85);
 
-/// Ranges of the launch conditions: slow to moderate throws, level or downward.
+/// Ranges of the launch conditions from which the throws are drawn: slow to moderate throws, level or downward.
 const LOW: Throws = Throws {
     speed: (6.0, 18.0),
     launch: (-0.35, 0.0),

@@ -13,7 +13,7 @@ use crate::seeded::{SeededEffects, ball};
 /// Number of flights per dataset.
 const FLIGHTS: usize = 20;
 
-/// Time limit of fitting one dataset.
+/// Limit of the computing time for fitting one dataset.
 const LIMIT: Duration = Duration::from_secs(60);
 
 /// Ranges of the launch conditions: fast and slow throws at angles of attack up to about 35 degrees, upwards and
@@ -43,13 +43,13 @@ const LIFTED: Throws = Throws {
 /// A simulated flight without ground contact, and whether a fit truncated or excluded it.
 #[derive(Clone, Debug)]
 pub struct FreeFlight {
-    /// Name of the group of throws to which the flight belongs.
+    /// Name of the group of simulated throws from which the flight was drawn.
     pub group: &'static str,
     /// Seed of the simulated dataset.
     pub seed: u64,
     /// File name of the flight.
     pub file: String,
-    /// Reason for which the fit truncated the flight; `None` if it did not.
+    /// Reason why the fit truncated the flight; `None` if the fit did not truncate it.
     pub cut: Option<String>,
     /// Why the flight was excluded, or why the fit failed; `None` if the flight was used.
     pub excluded: Option<String>,

@@ -9,7 +9,7 @@ use super::free::FreeFlight;
 /// truncated or excluded, and bouncing flights not truncated at the ground contact.
 const MAX_EXAMPLES: usize = 12;
 
-/// Boundaries of the classes of impact speed, m/s.
+/// Boundaries of the classes of impact speed into which the bouncing flights are sorted, m/s.
 const CLASSES: [f64; 4] = [0.0, 1.0, 2.5, f64::INFINITY];
 
 /// Data of the section on truncation in docs/spoiled.md: counts and examples of flights without ground contact and of
@@ -46,7 +46,7 @@ struct BounceRow {
 }
 
 impl CutSection {
-    /// Counts the truncated and excluded flights per group, and the bounces per class of impact speed.
+    /// Counts the truncated and excluded flights per group of throws, and the bounces per class of impact speed.
     pub fn new(free: &[FreeFlight], bounces: &[Bounce]) -> Self {
         let mut groups: Vec<&'static str> = Vec::new();
         for flight in free {

@@ -9,13 +9,14 @@ use super::row::{Body, Row, Size};
 use crate::oracle_flights::{Plan, TWELVE};
 use crate::seeded::{self, InputErrors, SeededEffects, ball};
 
-/// Number of flights in a disc dataset, and how many of them are held out.
+/// Number of flights in a disc dataset, and how many of them are held out from the fit, to test predictions.
 const DISC_FLIGHTS: (usize, usize) = (20, 4);
 
-/// Number of flights in a ball dataset, and how many of them are held out.
+/// Number of flights in a ball dataset, and how many of them are held out from the fit, to test predictions.
 const BALL_FLIGHTS: (usize, usize) = (12, 3);
 
-/// Minimum ratio of an effect's size in one run to its nominal size. The maximum ratio is twice this.
+/// Minimum ratio of an effect's size in one run to the nominal size (weak, strong or severe). The maximum ratio is
+/// twice this.
 const MIN_SIZE: f64 = 0.7;
 
 /// Number of the ChaCha random stream from which the sizes and signs of the effects are drawn. The streams of the
@@ -27,7 +28,7 @@ const SIZE_STREAM: u64 = u64::MAX;
 pub struct Case {
     /// Body that is thrown.
     pub body: Body,
-    /// Effects added to the simulated flights, noise, and the number of held-out flights.
+    /// Effects added to the simulated flights, noise of the measurements, and the number of held-out flights.
     pub seeded: SeededEffects,
     /// Number of flights in the simulated dataset.
     pub flights: usize,
@@ -77,7 +78,8 @@ impl Case {
         }
     }
 
-    /// Simulates the flights of the run, and adds the noise and the errors of the stated spins.
+    /// Simulates the flights of the run, with measurement noise. If the settings ask for it, also introduces errors
+    /// into the spins that the dataset states.
     pub fn dataset(&self) -> Dataset {
         let flights = self.flights;
         let ball = |plan| {
@@ -108,9 +110,9 @@ impl Case {
     }
 }
 
-/// Draws the values of an effect of the built-in effects catalogue, with random ratios to the nominal size and random
-/// signs. A negative sign is dropped if the value would be out of the coefficient's bounds, and for standard deviations
-/// of states.
+/// Draws the values of an effect of the built-in effects catalogue: its coefficients and the standard deviations of its
+/// states. Each has a random ratio to its nominal value. A coefficient also has a random sign, unless the negative
+/// value would be out of its bounds.
 fn listed_values(
     body: Body,
     name: &str,

@@ -27,26 +27,27 @@ pub struct Outcome {
     /// Whether the report lists an effect that was added to the simulated flights as not identifiable from these
     /// flights.
     pub not_identifiable: bool,
-    /// Minimum, over the effects added to the simulated flights, of the size of the effect / the minimum detectable
-    /// size; 0 if one of the effects is not identifiable. `None` if the ratio is not known, as for effects outside the
-    /// built-in effects catalogue.
+    /// Ratio of the size of an effect added to the simulated flights to its minimum detectable size, the minimum over
+    /// these effects. It is 0 if one of them is not identifiable. `None` if the ratio is not known, as for effects
+    /// outside the built-in effects catalogue.
     pub detectability: Option<f64>,
-    /// Minimum, over the effects added to the simulated flights, of the z-equivalent (two-sided standard normal
-    /// quantile of the p-value) of the score test; `None` if none of these effects was tested.
+    /// Score test of the effects added to the simulated flights: z-equivalent (two-sided standard normal quantile of
+    /// the p-value), the minimum over these effects. `None` if none of them was tested.
     pub z: Option<f64>,
-    /// Counts of the flights that contradict the effect found in most flights, and that the report therefore lists as
-    /// discordant.
+    /// Counts of the flights that the report lists as discordant: flights that contradict the effect found in most
+    /// flights.
     pub discordant: Discordant,
-    /// Number of terms that the diagnosis selected from its term library, as a description of misfit that no effect
-    /// explains.
+    /// Number of terms that the diagnosis selected from its library of force and moment terms, to describe a misfit
+    /// that no effect explains.
     pub terms: usize,
-    /// Sites (quantities of the model, such as lift) on which the library terms that the diagnosis selected act.
+    /// Quantities of the model, such as lift, on which the force and moment terms act that the diagnosis selected from
+    /// its term library.
     pub sites: Vec<String>,
-    /// RMS prediction errors on the held-out flights.
+    /// RMS errors with which three fitted models predict the held-out flights.
     pub held_out: HeldOutErrors,
     /// Computing time of the diagnosis, s; NaN if the diagnosis failed.
     pub seconds: f64,
-    /// Number of threads on which the diagnosis ran.
+    /// Number of processor threads on which the diagnosis ran.
     pub threads: usize,
 }
 
@@ -56,11 +57,12 @@ pub struct Outcome {
 pub struct Discordant {
     /// Number of flights that the report lists as discordant.
     pub listed: usize,
-    /// Number of the flights listed as discordant whose stated spin was exchanged with that of another flight.
+    /// Number of the flights listed as discordant into which an error was introduced: their spin in the dataset was
+    /// exchanged with that of another flight.
     pub exchanged: usize,
 }
 
-/// RMS prediction errors on the held-out flights, m, of three models.
+/// RMS prediction errors, m, of three fitted models on the held-out flights of a simulated dataset.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldOutErrors {
     /// RMS prediction error of the model without any added effect, m.
@@ -74,7 +76,8 @@ pub struct HeldOutErrors {
 }
 
 impl Outcome {
-    /// Initial outcome of a run before the diagnosis: no verdict, all errors NaN.
+    /// Initial outcome of a run before the diagnosis: no verdict and no hypotheses; prediction errors that are not
+    /// known are NaN.
     pub(super) fn unknown(case: &Case) -> Self {
         Self {
             case: case.clone(),
@@ -100,8 +103,8 @@ impl Outcome {
         }
     }
 
-    /// Number of effects in the first hypothesis that were not added to the simulated flights, plus the number of terms
-    /// that the diagnosis selected from its term library.
+    /// Number of wrong terms: effects in the first-ranked hypothesis of the diagnosis that were not added to the
+    /// simulated flights, plus the terms that the diagnosis selected from its library of force and moment terms.
     pub fn terms_too_many(&self) -> usize {
         let truth = self.case.truth();
         let first = self.hypotheses.first().map_or(&[][..], Vec::as_slice);
@@ -114,19 +117,20 @@ impl Outcome {
         self.verdict.is_some_and(|verdict| verdict != Verdict::None)
     }
 
-    /// Prediction error on held-out flights of the model extended by the effects that the diagnosis found / that of the
-    /// model with the effects added to the simulated flights; `None` if the latter error is not known.
+    /// Ratio of the RMS prediction errors of two models on held-out flights: the model extended by the effects that the
+    /// diagnosis found / the model with the effects added to the simulated flights. `None` if the latter error is not
+    /// known.
     pub fn held_out_ratio(&self) -> Option<f64> {
         Some(self.held_out.after / self.held_out.truth?)
     }
 
-    /// Whether the effect added to the simulated flights has at least `ratio` times the minimum detectable size; false
-    /// if no effect of the built-in effects catalogue was added.
+    /// Whether the effects added to the simulated flights have at least `ratio` times their minimum detectable size.
+    /// False if no effect of the built-in effects catalogue was added.
     pub fn is_detectable(&self, ratio: f64) -> bool {
         self.detectability.is_some_and(|found| found >= ratio)
     }
 
-    /// Formats the verdict and its hypotheses as text.
+    /// Formats the verdict and the hypotheses of the diagnosis as text.
     pub fn answer(&self) -> String {
         let hypotheses = self.hypotheses.iter().map(|effects| effects.join("+"));
         let hypotheses: Vec<String> = hypotheses.collect();

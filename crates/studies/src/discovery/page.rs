@@ -17,8 +17,8 @@ use crate::seeded::InputErrors;
 /// of the table.
 const MAX_ANSWERS: usize = 3;
 
-/// Divisor of the number of runs with the same simulation settings: the settings are listed as failing if the diagnosis
-/// misses a detectable effect in more than one run of this number.
+/// A combination of simulation settings is listed as failing if the diagnosis misses a detectable effect in more than
+/// one of every `MISSED_DIVISOR` of its runs.
 const MISSED_DIVISOR: usize = 10;
 
 /// Permitted maximum of the median computing time of a diagnosis of 20 disc flights, s.
@@ -44,11 +44,11 @@ struct Results<'r> {
     rows: &'r [TableRow],
 }
 
-/// A measured rate, and the bound that it has to satisfy.
+/// Table row: a rate found by the study, and the upper or lower bound that it is required to satisfy.
 #[derive(Serialize)]
 struct Criterion {
     what: String,
-    /// Direction of the bound: "at most" or "at least".
+    /// Direction of the required bound of the rate: "at most" or "at least".
     relation: &'static str,
     bound: f64,
     rate: Option<f64>,
@@ -87,8 +87,8 @@ impl Criterion {
     }
 }
 
-/// Runs of one row of the table that fail in the same way, with the verdicts and hypotheses of the diagnosis in these
-/// runs.
+/// Runs of one combination of simulation settings that fail in the same way, with the verdicts and hypotheses of the
+/// diagnosis in these runs.
 #[derive(Serialize)]
 struct Failure {
     row: String,
@@ -98,7 +98,7 @@ struct Failure {
     answers: Vec<(String, usize)>,
 }
 
-/// A computing time and its upper bound, s.
+/// Table row: a computing time of the diagnosis and its required upper bound, s.
 #[derive(Serialize)]
 struct TimeLimit {
     what: &'static str,
@@ -106,7 +106,7 @@ struct TimeLimit {
     seconds: Option<f64>,
 }
 
-/// Settings of a row of the study's table, and statistics over its runs.
+/// Table row: one combination of simulation settings, and statistics over its runs (simulated and diagnosed datasets).
 #[derive(Serialize)]
 struct TableRow {
     group: &'static str,
@@ -220,8 +220,8 @@ fn criteria(rates: &Rates) -> Vec<Criterion> {
     criteria
 }
 
-/// Failures in all rows of the study's table: runs in which the diagnosis gives a single, wrong hypothesis, and rows in
-/// which the diagnosis misses a detectable effect in more than one run of ten.
+/// Failures of the diagnosis under all simulation settings: runs in which it gives a single, wrong hypothesis, and
+/// settings under which it misses a detectable effect in more than one run of ten.
 fn failures(results: &[RowResult]) -> Vec<Failure> {
     let wrong = results.iter().filter_map(|result| {
         let failure = failure(result, "one single hypothesis, wrong,", |o| {

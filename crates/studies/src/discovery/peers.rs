@@ -4,7 +4,7 @@
 /// regression) is inserted.
 const BEFORE: &str = "## Every row";
 
-/// Headings of the tables that are copied from docs/discovery-peers.md.
+/// Headings of the tables of other programs' results that are copied from docs/discovery-peers.md to docs/discovery.md.
 const TABLES: [&str; 3] = [
     "## A strong effect is seeded",
     "## A weak effect is seeded",

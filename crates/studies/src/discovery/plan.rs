@@ -13,7 +13,8 @@ use crate::seeded::{InputErrors, UNLISTED};
 /// simulated flights contain no added effect has 100 runs, and scale with that number.
 struct RunCounts {
     single: usize,
-    /// Number of runs of a row of [`Group::Single`] whose noise is not white; `single` is the number for white noise.
+    /// Number of runs of a row whose flights contain one effect of the catalogue and whose noise is not white
+    /// (correlated noise, outliers or gaps). `single` is the number for white noise.
     single_noisy: usize,
     pair: usize,
     several: usize,
@@ -51,12 +52,12 @@ const SEVERAL: [(usize, usize); 2] = [(2, 10), (3, 10)];
 /// Seed with which the random combinations of two or three effects are drawn.
 const SEVERAL_SEED: u64 = 23;
 
-/// Effects that are also added to simulated flights at severe size, so that the model without the effect is badly
-/// wrong.
+/// Names of effects that are also added to simulated flights at severe size (four times the size "strong"), so that the
+/// model without the effect is badly wrong.
 const SEVERE: [&str; 3] = ["stall", "zero_lift_drag_angle", "cubic_pitching_moment"];
 
-/// Pairs (effect, other cause): the effect is added to simulated flights, and the flights alone do not allow the
-/// diagnosis to distinguish it from the other cause.
+/// Pairs (added effect, cause with the same influence on flights), by name. The flights alone do not allow the
+/// diagnosis to distinguish the two.
 const CONFOUNDED: [(&str, &str); 7] = [
     ("gravity", "clock_rate"),
     ("clock_rate", "gravity"),
@@ -76,11 +77,12 @@ const BALL_EFFECTS: [(&[&str], Body); 5] = [
     (&["buoyancy"], Body::TableTennis),
 ];
 
-/// Number of flights per dataset in the rows of [`Group::UnlistedManyFlights`], which have more flights than the
-/// default.
+/// Number of flights per dataset in those rows that test effects outside the built-in effects catalogue with more
+/// flights than the default.
 const MANY_FLIGHTS: usize = 48;
 
-/// Errors introduced into the stated spins: relative standard deviation, fraction of flights whose spins are exchanged.
+/// Errors introduced into the spins that the dataset states, as pairs: standard deviation relative to the spin, and
+/// fraction of the flights whose spins are exchanged among each other.
 const INPUT_ERRORS: [(f64, f64); 4] = [(0.2, 0.0), (0.0, 0.33), (0.2, 0.33), (0.0, 1.0)];
 
 const BOTH_SIZES: [Size; 2] = [Size::Weak, Size::Strong];
@@ -100,8 +102,8 @@ impl Planner {
         found.expect("a noise of that name").clone()
     }
 
-    /// Builds a row with effects of strong size under white noise. `percent` is the number of runs of the row as a
-    /// percentage of the planner's `seeds`.
+    /// Builds a row of the study's table (combination of simulation settings) with effects of strong size under white
+    /// noise. `percent` is the number of runs of the row as a percentage of the planner's `seeds`.
     fn row(&self, group: Group, body: Body, effects: &[&'static str], percent: usize) -> Row {
         Row {
             group,

@@ -14,32 +14,32 @@ use crate::statistics::median;
 pub(super) const MAX_UNIQUELY_WRONG: f64 = 0.005;
 
 /// Required minimum fraction of runs in which the effects added to the simulated flights are among the hypotheses of
-/// the diagnosis, over runs with a detectable effect.
+/// the diagnosis. Only runs whose effect has at least the minimum detectable size are counted.
 pub(super) const MIN_IN_SET: f64 = 0.97;
 
 /// Required minimum fraction of runs in which the effects added to the simulated flights are among the hypotheses of
-/// the diagnosis, over runs whose effect has at least [`STRONG`] times the minimum detectable size.
+/// the diagnosis. Only runs whose effect has at least five times the minimum detectable size are counted.
 pub(super) const MIN_IN_SET_STRONG: f64 = 0.97;
 
 /// Permitted maximum of the false-alarm rate (fraction of runs without an added effect in which the diagnosis detects
 /// one) under each noise condition.
 pub(super) const MAX_FALSE_ALARMS: f64 = 0.05;
 
-/// Permitted maximum of a ratio of prediction errors on held-out flights: model extended by the effects that the
-/// diagnosis found / model with the effects added to the simulated flights.
+/// Permitted maximum of the ratio of the RMS prediction errors of two models on held-out flights: the model extended by
+/// the effects that the diagnosis found / the model with the effects added to the simulated flights.
 pub(super) const MAX_HELD_OUT_RATIO: f64 = 1.05;
 
 /// Required minimum fraction of runs in which the effects added to the simulated flights are among the hypotheses of
 /// the diagnosis, for two and for three detectable effects: (number of effects, minimum fraction).
 pub(super) const MIN_IN_SET_SEVERAL: [(usize, f64); 2] = [(2, 0.95), (3, 0.85)];
 
-/// Multiple of the minimum detectable size from which an effect counts as strong.
+/// An effect counts as strong if its size is at least this multiple of the minimum detectable size.
 pub(super) const STRONG: f64 = 5.0;
 
-/// A number of runs: those that have a certain property, out of those examined.
+/// Number of runs that have a certain property, and number of runs examined.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub(super) struct Count {
-    /// Number of runs examined.
+    /// Number of runs that were examined for the property.
     pub(super) total: usize,
     /// Number of the examined runs that have the property.
     pub(super) count: usize,
@@ -84,36 +84,44 @@ pub(super) struct RowRates {
     held_out_change: Option<f64>,
     /// Median elapsed time of a diagnosis, s; `None` if no diagnosis succeeded.
     seconds: Option<f64>,
-    /// Maximum elapsed time of a diagnosis, s.
+    /// Maximum, over the runs, of the elapsed time of the diagnosis, s.
     slowest: f64,
-    /// Number of failed diagnoses.
+    /// Number of runs whose diagnosis ended with an error.
     failed: usize,
-    /// Number of runs whose only hypothesis consists of the effects added to the simulated flights.
+    /// Number of runs in which the diagnosis gives a single hypothesis, and this hypothesis consists of the effects
+    /// added to the simulated flights.
     alone: usize,
-    /// Number of runs with several hypotheses, one of which consists of the effects added to the simulated flights.
+    /// Number of runs in which the diagnosis gives several hypotheses, one of which consists of the effects added to
+    /// the simulated flights.
     in_a_set: usize,
-    /// Number of runs that detect nothing and report an added effect as not identifiable.
+    /// Number of runs in which the diagnosis detects no deviation, and reports an effect that was added to the flights
+    /// as not identifiable.
     not_identifiable: usize,
-    /// Number of runs with the verdict `Verdict::Unattributed`.
+    /// Number of runs in which the diagnosis detected a misfit that none of its candidate effects explains (verdict
+    /// `Verdict::Unattributed`).
     unattributed: usize,
-    /// Number of runs in which the diagnosis selected a library term that acts on the same quantity of the model (site)
+    /// Number of runs in which the diagnosis selected a term of its library that acts on the same quantity of the model
     /// as the effect added to the simulated flights.
     at_its_site: usize,
-    /// Quantities of the model (sites) on which the library terms act that the diagnosis selected in any run.
+    /// Names of the model quantities, such as lift, on which the terms act that the diagnosis selected from its library
+    /// in any run.
     sites: String,
-    /// Maximum over the runs of the number of wrong terms; see [`Outcome::terms_too_many`].
+    /// Maximum over the runs of the number of wrong terms: effects found by the diagnosis that were not added to the
+    /// flights, plus terms selected from the library of force and moment terms.
     terms_too_many: usize,
     /// Number of flights that the reports of all runs list as discordant (contradicting the effect found in most
     /// flights).
     discordant: usize,
-    /// Number of the flights listed as discordant whose stated spin was exchanged with that of another flight.
+    /// Number of the flights listed as discordant into which an error was introduced: their spin in the dataset was
+    /// exchanged with that of another flight.
     discordant_exchanged: usize,
     /// Most frequent result of the diagnosis (verdict and hypotheses) over the runs.
     answer: String,
 }
 
 impl RowRates {
-    /// Computes the statistics of the outcomes of runs whose added effect acts on the quantity `site` of the model.
+    /// Computes the statistics of the outcomes of runs. `site` is the quantity of the model on which their added effect
+    /// acts, if it is outside the built-in effects catalogue.
     pub(super) fn of(outcomes: &[Outcome], site: &str) -> Self {
         let count = |has: &dyn Fn(&Outcome) -> bool| outcomes.iter().filter(|o| has(o)).count();
         let detected = outcomes.iter().filter(|o| o.is_detected());
@@ -177,15 +185,15 @@ pub(super) struct Rates {
     /// [`MAX_HELD_OUT_RATIO`]. They are counted out of all runs with an effect of the built-in effects catalogue for
     /// which this ratio is known.
     pub(super) held_out: Count,
-    /// Median, over the runs counted in `held_out`, of the ratio of two prediction errors on held-out flights: model
-    /// extended by the effects that the diagnosis found / model with the effects added to the simulated flights; `None`
-    /// without such a run.
+    /// Median over the runs of the ratio of the RMS prediction errors of two models on held-out flights: the model
+    /// extended by the effects that the diagnosis found / the model with the effects added to the simulated flights.
+    /// `None` if no run has this ratio.
     pub(super) held_out_median: Option<f64>,
-    /// RMS prediction error on held-out flights, over all runs with an effect of the built-in effects catalogue, of the
-    /// models extended by the effects that the diagnosis found / that of the models with the effects added to the
-    /// simulated flights; `None` without such a run.
+    /// Ratio of RMS prediction errors on held-out flights, pooled over all runs with an effect of the built-in effects
+    /// catalogue. Numerator: models extended by the effects that the diagnosis found. Denominator: models with the
+    /// effects added to the simulated flights. `None` if no run has both errors.
     pub(super) held_out_pooled: Option<f64>,
-    /// Runs whose diagnosis failed, out of all runs.
+    /// Runs whose diagnosis ended with an error, out of all runs.
     pub(super) failed: Count,
     /// Computing times of the diagnoses of disc datasets with the default number of flights.
     pub(super) times: Times,
@@ -261,8 +269,9 @@ impl Rates {
     }
 }
 
-/// RMS prediction error on held-out flights, over all runs, of the models extended by the effects that the diagnosis
-/// found / that of the models with the effects added to the simulated flights; `None` if no run has both.
+/// Ratio of RMS prediction errors on held-out flights, pooled over all runs. Numerator: models extended by the effects
+/// that the diagnosis found. Denominator: models with the effects added to the simulated flights. `None` if no run has
+/// both errors.
 fn pooled<'a>(outcomes: impl Iterator<Item = &'a Outcome>) -> Option<f64> {
     let squares = outcomes.filter_map(|o| {
         let (after, truth) = (o.held_out.after, o.held_out.truth?);

@@ -14,15 +14,15 @@ pub enum Group {
     /// Two effects of the built-in effects catalogue are added to the simulated flights, drawn without regard to their
     /// identifiability.
     Pair,
-    /// Two or three effects of the built-in effects catalogue are added to the simulated flights, none of which has the
-    /// same influence on flights as another cause. The combinations are drawn separately from those of `Pair`.
+    /// Two or three effects of the built-in effects catalogue are added to the simulated flights. None of them has the
+    /// same influence on flights as another cause.
     Several,
     /// The added effect changes the simulated flights in the same way as another cause, so that the diagnosis cannot
     /// distinguish the two.
     Confounded,
     /// An effect outside the built-in effects catalogue is added to the simulated flights.
     Unlisted,
-    /// Effects are added to simulated flights of a ball.
+    /// Effects of the built-in effects catalogue are added to simulated flights of a ball, not of a disc.
     Ball,
     /// An effect outside the built-in effects catalogue is added to the simulated flights, of which there are 48
     /// instead of the default number.
@@ -47,7 +47,7 @@ impl Group {
         }
     }
 
-    /// Name of the group in [`Row::key`]. The seeds of the simulated datasets are derived from it, so changing it would
+    /// Name of the group in the text from which the seeds of the simulated datasets are derived. Changing it would
     /// change the datasets.
     fn key(self) -> &'static str {
         match self {
@@ -71,7 +71,7 @@ pub enum Size {
     Weak,
     /// Near the largest size of the effect that is met in practice.
     Strong,
-    /// Four times the strong size: the model without the effect is badly wrong.
+    /// Four times the size [`Size::Strong`]: the model without the effect is badly wrong.
     Severe,
 }
 
@@ -79,7 +79,8 @@ pub enum Size {
 const SEVERE: f64 = 4.0;
 
 impl Size {
-    /// Name of the size on documentation pages and in [`Row::key`].
+    /// Name of the size (`"weak"`, …) on documentation pages and in [`Row::key`], the text from which the seeds are
+    /// derived.
     pub(super) fn label(self) -> &'static str {
         match self {
             Size::Weak => "weak",
@@ -88,7 +89,8 @@ impl Size {
         }
     }
 
-    /// Value of an effect at this size, given its values at the sizes weak and strong.
+    /// Value at this size of a coefficient of an effect, given its values `weak` and `strong` at the sizes of these
+    /// names.
     pub(super) fn of(self, weak: f64, strong: f64) -> f64 {
         match self {
             Size::Weak => weak,
@@ -98,7 +100,7 @@ impl Size {
     }
 }
 
-/// Body that is thrown. The names of the variants are part of [`Row::key`].
+/// Body that is thrown. The seeds of the simulated datasets are derived from the names of the variants.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Body {
     /// A disc with the constants of Hubbard & Hummel (2000), model `disc`.
@@ -123,7 +125,7 @@ impl Body {
 /// in their seeds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// Kind of effects or errors that the runs contain.
+    /// Kind of effects or errors that are introduced into the simulated flights of the runs.
     pub group: Group,
     /// Body that is thrown.
     pub body: Body,
@@ -137,7 +139,7 @@ pub struct Row {
     pub confounded_with: Option<&'static str>,
     /// Size of the effects added to the simulated flights; `None` if there are none.
     pub size: Option<Size>,
-    /// Noise condition.
+    /// Noise that is added to the simulated marker positions.
     pub noise: NoiseCondition,
     /// Number of flights per dataset; `None` for the default number, which depends on the body.
     pub flights: Option<usize>,

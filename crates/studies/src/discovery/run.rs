@@ -23,12 +23,13 @@ use crate::progress::{Progress, each_run, threads_of_each_run};
 pub struct RowResult {
     /// Simulation settings that the runs have in common.
     pub row: Row,
-    /// Outcomes of the runs, in the order of the run index.
+    /// Outcomes of the runs (simulated and diagnosed datasets), in the order in which the runs are numbered.
     pub outcomes: Vec<Outcome>,
 }
 
-/// Executes the runs (simulated and diagnosed datasets) of the given rows of the study's table, `at_a_time` diagnoses
-/// in parallel, which share the processors. Calls `progress` with the numbers of finished runs and of all runs.
+/// Executes the runs (simulated and diagnosed datasets) of the given combinations of simulation settings. `at_a_time`
+/// diagnoses run in parallel and share the processors. Calls `progress` with the numbers of finished runs and of all
+/// runs.
 pub fn run_rows(rows: &[Row], at_a_time: usize, progress: Progress<'_>) -> Vec<RowResult> {
     let threads = threads_of_each_run(at_a_time);
     let models = Models::default();
@@ -66,7 +67,7 @@ pub fn rejections(results: &[RowResult]) -> Vec<Vec<Option<String>>> {
     rows.collect()
 }
 
-/// Cache of the built-in models with effects, so that each is loaded once.
+/// Cache of the built-in models, each extended by a set of effects, so that each combination is loaded once.
 #[derive(Default)]
 struct Models(Mutex<BTreeMap<String, Model>>);
 
@@ -112,8 +113,8 @@ fn outcome(case: &Case, models: &Models, threads: usize) -> Outcome {
     outcome
 }
 
-/// RMS prediction errors on the held-out flights of three models: without added effects, extended by the effects that
-/// the diagnosis found, and with the effects added to the simulated flights.
+/// RMS errors with which three fitted models predict the held-out flights: the model without added effects, the model
+/// extended by the effects that the diagnosis found, and the model with the effects added to the simulated flights.
 fn held_out(
     outcome: &Outcome,
     found: &Diagnosis,
@@ -153,9 +154,9 @@ fn prediction_error(fitted: &Fit) -> f64 {
     (squares.iter().sum::<f64>() / squares.len() as f64).sqrt()
 }
 
-/// Repeats a diagnosis with a model that contains the effects added to the simulated flights. Returns its verdict,
-/// hypotheses and first-ranked candidate effect as text. `None` if no effects were added, if there is no candidate, or
-/// if the diagnosis fails.
+/// Repeats the diagnosis of a run with a model that already contains the effects added to the simulated flights.
+/// Returns the verdict, the hypotheses and the first-ranked candidate effect as text. `None` if no effects were added,
+/// if there is no candidate, or if the diagnosis fails.
 fn rejection(case: &Case, models: &Models) -> Option<String> {
     let with = case.truth();
     let names: Vec<&str> = with.iter().map(String::as_str).collect();

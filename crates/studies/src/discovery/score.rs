@@ -105,7 +105,7 @@ fn score_listed(outcome: &mut Outcome, report: &Report, is_single: bool) {
 }
 
 /// Counts the flights that a report lists as discordant (contradicting the effect found in most flights), and how many
-/// of these had their stated spins exchanged.
+/// of these had their spins in the dataset exchanged between flights as an introduced error.
 fn discordant(case: &Case, errors: InputErrors, report: &Report) -> Discordant {
     let exchanged = errors.exchanged_flights(case.flights, case.seed);
     let exchanged: Vec<String> = exchanged.into_iter().map(file_name).collect();
@@ -119,9 +119,9 @@ fn discordant(case: &Case, errors: InputErrors, report: &Report) -> Discordant {
     }
 }
 
-/// Size of an effect in the simulated flights / minimum detectable size, the maximum over the effect's coefficients. An
-/// effect that has states but no coefficients has no minimum detectable size; the ratio is then the z of the effect's
-/// score test / the z at which the test has power 0.9. `None` if the report lacks the values.
+/// Size of an effect in the simulated flights / minimum detectable size; the maximum over the effect's coefficients.
+/// For an effect without coefficients, whose states vary from flight to flight: z of its score test / the z at which
+/// the test has power 0.9. `None` if the report lacks these values.
 fn detectability(report: &Report, name: &str, values: &[f64]) -> Option<f64> {
     let effect = oracle::effect::by_name(name)?;
     let coefficients = effect.coefficients.iter().zip(values);
@@ -140,8 +140,8 @@ fn detectability(report: &Report, name: &str, values: &[f64]) -> Option<f64> {
     Some(z(report, name)? / (report.threshold.z + POWER_QUANTILE))
 }
 
-/// z-equivalent (two-sided standard normal quantile of the p-value) of a candidate's score test; `None` if the report
-/// has no such candidate.
+/// z-equivalent (two-sided standard normal quantile of the p-value) of the score test of the candidate effect `name`;
+/// `None` if the report has no such candidate.
 fn z(report: &Report, name: &str) -> Option<f64> {
     let mut candidates = report.candidates.iter();
     let candidate = candidates.find(|candidate| underscored(&candidate.name) == name)?;

@@ -15,7 +15,7 @@ use crate::seeded::{self, SeededEffects, greatest_angle_of_attack, strength};
 /// twelve flights to one metre.
 const DISPLACEMENT: (f64, f64) = (5e-4, 1.0);
 
-/// Maximum number of effects in a case.
+/// Maximum number of effects that are added to the simulated flights of one dataset.
 const MAX_EFFECTS: usize = 3;
 
 /// Maximum size of an effect, as a multiple of its strong value (near the largest that is met in practice).
@@ -26,11 +26,12 @@ const MAX_MULTIPLE: f64 = 12.0;
 /// keep the disc at 90°.
 const MAX_ANGLE: f64 = 1.3;
 
-/// Number of flights simulated per step of the search for the effect size that gives the drawn marker displacement.
+/// Number of flights simulated in each iteration of the search for the size at which an effect displaces the markers by
+/// a given amount.
 const PROBE_FLIGHTS: usize = 4;
 
-/// The search for the size of an effect ends when the marker displacement deviates from the drawn one by less than this
-/// fraction.
+/// Tolerance of the search for an effect's size: it ends when the marker displacement deviates from the wanted one by
+/// less than this fraction.
 const CLOSE: f64 = 0.25;
 
 /// Maximum number of iterations of the search for an effect size.
@@ -54,10 +55,11 @@ pub struct FitCase {
 }
 
 impl FitCase {
-    /// Draws the effects that are added to the flights of one case: one to three effects of the disc. The RMS marker
-    /// displacement that an effect causes is drawn log-uniformly; values outside the bounds of their coefficients are
-    /// clipped, which makes the displacement smaller. The values of all effects are then halved until all effects
-    /// together displace the markers by at most one metre and no disc exceeds the maximum angle of attack.
+    /// Draws the effects (optional extensions of the disc model) that are added to the flights of one case, one to
+    /// three in number. The RMS marker displacement that an effect causes is drawn log-uniformly; values outside the
+    /// bounds of their coefficients are clipped, which makes the displacement smaller. The values of all effects are
+    /// then halved until all effects together displace the markers by at most one metre and no disc exceeds the maximum
+    /// angle of attack.
     ///
     /// # Panics
     /// If the built-in disc does not load.
@@ -133,9 +135,9 @@ fn effects(random: &mut impl Rng) -> (Vec<&'static str>, Model) {
     }
 }
 
-/// Returns the values of one effect that displaces the markers by about `wanted` (m, RMS over the coordinates) from the
-/// flights `exact` without effects. The values are a multiple of `strong` (an effect's strong values), found by
-/// bracketing, and are clipped to the bounds of their coefficients.
+/// Returns the values of one effect that displaces the markers by about `wanted` (m, RMS over the coordinates) relative
+/// to the flights `exact`, which contain no effects. The values are a multiple of `strong` (values of a strong effect)
+/// that is found by bracketing. They are clipped to the bounds of their coefficients.
 fn sized(
     model: &Model,
     name: &str,
@@ -168,8 +170,8 @@ fn sized(
     at(multiple)
 }
 
-/// Multiplies `strong` by `multiple` and clips each value to 0.9 times the bounds of its coefficient. A value whose
-/// sign the bounds exclude is negated first.
+/// Multiplies `strong` (values of a strong effect) by `multiple`, and clips each value to 0.9 times the bounds of its
+/// coefficient. A value whose sign the bounds exclude is negated first.
 fn within_bounds(model: &Model, name: &str, strong: &[f64], multiple: f64) -> Vec<f64> {
     let effect = model.effects.iter().find(|effect| effect.name == name);
     let coefficients = effect.map_or(&[][..], |effect| &effect.coefficients);
@@ -201,14 +203,14 @@ fn listed(effects: &[(String, Vec<f64>)]) -> SeededEffects {
     }
 }
 
-/// RMS distance per coordinate between the marker positions in flights with and without the effects, m; infinite if a
-/// simulated position is not finite.
+/// RMS difference, per coordinate, between the marker positions of the flights `plain` and of the same throws with the
+/// effects, m; infinite if a simulated position is not finite.
 fn displacement(plain: &Dataset, effects: &[(String, Vec<f64>)], seed: u64) -> f64 {
     let with = flights(effects, plain.flights.len(), seed);
     rms_distance(plain, &with).unwrap_or(f64::INFINITY)
 }
 
-/// RMS distance per coordinate between the corresponding marker positions of two datasets, m; `None` if it is not
+/// RMS difference, per coordinate, between corresponding marker positions of two datasets, m; `None` if it is not
 /// finite.
 pub(super) fn rms_distance(a: &Dataset, b: &Dataset) -> Option<f64> {
     let points = |dataset: &Dataset| -> Vec<[f64; 3]> {

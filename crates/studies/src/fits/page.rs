@@ -10,7 +10,8 @@ use crate::statistics::median;
 /// Maximum number of failed fits that the page lists.
 const MAX_LISTED: usize = 40;
 
-/// Boundaries, m, of the classes of marker displacement by the effects, into which the page sorts the fits.
+/// Boundaries, m, of the classes into which the fits are sorted by the marker displacement that the added effects
+/// cause.
 const CLASSES: [f64; 5] = [0.0, 0.005, 0.05, 0.3, f64::INFINITY];
 
 #[derive(Serialize)]
@@ -26,7 +27,8 @@ struct Results {
     slow: Vec<Row>,
 }
 
-/// Number, success rate and computing times of the fits in one class of marker displacement.
+/// Number, success rate and computing times of the fits in which the added effects displace the markers by amounts
+/// within one class.
 #[derive(Serialize)]
 struct Class {
     name: String,
@@ -98,8 +100,8 @@ fn class(name: String, of: &[&FitOutcome]) -> Class {
     }
 }
 
-/// Key by which the page sorts failed fits in descending order: RMS residual / expected RMS residual, or infinity for a
-/// fit without a result.
+/// Key by which failed fits are sorted in descending order: RMS residual / RMS residual expected of the true model, or
+/// infinity for a fit that ended with an error.
 fn severity(outcome: &FitOutcome) -> f64 {
     outcome.ratio.unwrap_or(f64::INFINITY)
 }

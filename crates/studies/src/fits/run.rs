@@ -6,27 +6,29 @@ use super::case::{FitCase, rms_distance};
 use crate::bounded_fit::on_threads;
 use crate::progress::{Progress, each_run, threads_of_each_run};
 
-/// Maximum RMS residual, relative to the expected one, of a fit that counts as having reached the noise level.
+/// A fit counts as having reached the noise level if its RMS residual is at most this multiple of the RMS residual
+/// expected of the true model.
 const MAX_RATIO: f64 = 1.02;
 
-/// Maximum fraction of points that a fit may classify as outliers. The flights contain none.
+/// Maximum fraction of the measured marker positions that a good fit may classify as outliers. The simulated flights
+/// contain none.
 const MAX_OUTLIERS: f64 = 0.005;
 
 /// Outcome of fitting one dataset with randomly drawn effects.
 #[derive(Clone, Debug)]
 pub struct FitOutcome {
-    /// Effects added to the simulated flights that were fitted.
+    /// Simulated flights that were fitted, with the effects that were added to them.
     pub case: FitCase,
     /// Error message if the fit ended without a result; `None` otherwise.
     pub failure: Option<String>,
     /// RMS residual / the RMS residual expected of the true model, which is the RMS noise corrected for the degrees of
-    /// freedom; `None` without a result.
+    /// freedom. `None` if the fit ended with an error.
     pub ratio: Option<f64>,
-    /// Fraction of the points that the fit classified as outliers.
+    /// Fraction of the measured marker positions that the fit classified as outliers.
     pub outliers: f64,
-    /// Number of excluded flights, and number of truncated flights.
+    /// Number of flights that the fit excluded, and number of flights that it truncated.
     pub lost: [usize; 2],
-    /// Reason for which the iteration ended; `None` without a result.
+    /// Reason why the iteration of the fit ended; `None` if the fit ended with an error.
     pub status: Option<FitStatus>,
     /// Elapsed time of the fit on `threads` threads, s.
     pub seconds: f64,

@@ -34,7 +34,7 @@ pub struct Coverage {
     pub seeds: usize,
     /// Number of fits that failed or did not converge. Their intervals count as not containing the true value.
     pub failed: usize,
-    /// Coverage for each coefficient, in the order of the model's coefficients.
+    /// Coverage of the confidence intervals of each coefficient, in the order of the model's coefficients.
     pub coefficients: Vec<CoefficientCoverage>,
 }
 
@@ -55,8 +55,8 @@ impl Coverage {
     }
 }
 
-/// Simulates and fits `seeds` datasets of a plan under a noise condition, each with different throws, and compares the
-/// estimates with the true values.
+/// Simulates and fits `seeds` datasets of a plan (set of random throws) under a noise condition, each with different
+/// throws. Compares the estimates with the true values.
 pub fn coverage(plan: &Plan<'_>, condition: &NoiseCondition, seeds: u64) -> Coverage {
     let model = disc();
     let truth = truth(&model, plan);

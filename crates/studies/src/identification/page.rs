@@ -25,7 +25,7 @@ struct CoverageSection<'r> {
     coefficients: &'r [CoefficientCoverage],
 }
 
-/// Coverage under one noise condition, as fractions of the datasets.
+/// Table row: coverage of the confidence intervals under one noise condition, as fractions of the datasets.
 #[derive(Serialize)]
 struct ConditionRow<'r> {
     name: &'r str,
@@ -54,8 +54,7 @@ struct ScenarioRow<'r> {
     name: &'r str,
     implausible: usize,
     non_identifiable: usize,
-    /// Names of the coefficients that the reports of the fits name as non-identifiable for more than half of the noise
-    /// seeds.
+    /// Names of the coefficients that the fit reports call non-identifiable for more than half of the noise seeds.
     which: String,
     failed: usize,
 }
@@ -65,7 +64,8 @@ struct CoefficientRow<'r> {
     name: &'r str,
     truth: f64,
     printed: [f64; 2],
-    /// Standard deviation of the estimates in each scenario.
+    /// Standard deviations of the estimates of this coefficient over the seeds of the noise, one for each scenario (set
+    /// of fitted flights).
     deviations: Vec<f64>,
     /// Absolute difference between the values of the coefficient that Hubbard & Hummel (2000) print for their two
     /// flights.

@@ -18,7 +18,7 @@ const SIGMA: f64 = 0.0014;
 /// Estimates from one set of flights under one noise condition, over many seeds of the noise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scenario {
-    /// Description of the flights and the noise.
+    /// Description of the fitted flights and of the noise added to them.
     pub name: &'static str,
     /// Estimates (SI), indexed by coefficient (in the order of the model's coefficients) and by noise seed.
     pub estimates: Vec<Vec<f64>>,
@@ -28,7 +28,7 @@ pub struct Scenario {
     pub non_identifiable: Vec<usize>,
     /// Number of seeds whose report names any coefficient as practically non-identifiable.
     pub any_non_identifiable: usize,
-    /// Number of seeds whose fit failed.
+    /// Number of noise seeds for which the fit failed.
     pub failed: usize,
     /// Explanations of the non-identifiable combinations of coefficients, from the report of the fit with the first
     /// noise seed.
@@ -48,9 +48,10 @@ impl Scenario {
 pub struct PaperFits {
     /// Name and true value (SI) of each coefficient.
     pub truth: Vec<(String, f64)>,
-    /// Number of seeds of each scenario.
+    /// Number of noise seeds, and thus of fits, in each scenario.
     pub seeds: usize,
-    /// Scenarios: each of the two flights alone, both flights together, and last the twelve random throws.
+    /// Scenarios (sets of fitted flights): each of the two flights alone, both flights together, and last the twelve
+    /// random throws.
     pub scenarios: Vec<Scenario>,
 }
 
@@ -111,7 +112,7 @@ pub fn paper_fits(seeds: u64) -> PaperFits {
     }
 }
 
-/// Returns a copy of a dataset without the samples of each flight after the time `duration` (s).
+/// Returns a copy of a dataset in which each flight ends at the time `duration` (s).
 fn truncated(dataset: &Dataset, duration: f64) -> Dataset {
     let mut dataset = dataset.clone();
     for flight in &mut dataset.flights {

@@ -4,7 +4,7 @@ use report::figures::{Dots, Line, Look, Panel, figure};
 
 use super::paper_fits::{PaperFits, Scenario};
 
-/// Maximum number of dots drawn for one scenario.
+/// Maximum number of dots (estimates) drawn for one coefficient and one scenario of the scatter plot.
 const MAX_DOTS: usize = 100;
 
 /// Draws the estimates of all scenarios as a scatter plot in SVG: one panel per coefficient, one column of dots per
@@ -29,8 +29,9 @@ pub(super) fn scatter(fits: &PaperFits) -> String {
     figure("Estimates of single seeds", &panels)
 }
 
-/// Dots for the estimates of one coefficient in one scenario, at most [`MAX_DOTS`], in the plot column with the given
-/// index. Horizontal offsets by multiples of the golden ratio keep the dots apart.
+/// Dots of a scatter plot for the estimates of one coefficient (given by its index) in one scenario, at most
+/// [`MAX_DOTS`]. `column` is the index of their plot column. Horizontal offsets by multiples of the golden ratio keep
+/// the dots apart.
 fn dots(column: usize, scenario: &Scenario, coefficient: usize) -> Dots {
     let offset = |index: usize| 0.6 * ((index as f64 * 0.618_034).fract() - 0.5);
     let estimates = scenario.estimates[coefficient].iter().take(MAX_DOTS);

@@ -38,8 +38,8 @@ pub struct NoiseCondition {
     pub noise: Corruption,
 }
 
-/// Returns the noise conditions of the studies, all with a standard deviation of 1.5 mm: white; lag-1 correlation of
-/// 0.6; 1 % outliers of 5 cm; both; 12 % of the marker positions missing.
+/// Returns the five noise conditions of the studies, all with a standard deviation of 1.5 mm: white; lag-1 correlation
+/// of 0.6; 1 % outliers of 5 cm; correlation and outliers together; 12 % of the marker positions missing.
 pub fn noise_conditions() -> Vec<NoiseCondition> {
     let white = Corruption {
         sigma: 0.0015,

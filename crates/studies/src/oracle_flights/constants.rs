@@ -12,12 +12,13 @@ pub(crate) fn reference_of(model: &Model) -> Reference {
     bound.expect("the model has the names of its reference")
 }
 
-/// The coefficients of a disc that determine its curves of lift, drag and pitching moment.
+/// Access to the coefficients of a disc model that determine its curves of lift, drag and pitching moment over the
+/// angle of attack.
 pub(crate) struct CurveCoefficients {
     /// Indices of `C_L0`, `C_La`, `C_D0`, `C_Da` and `C_Ma` among the model's coefficients; `None` for each that the
     /// model does not have.
     indices: [Option<usize>; 5],
-    /// Angle of attack (rad) below which the pitching moment is set to 0.
+    /// Magnitude of the angle of attack (rad) below which the pitching moment is set to 0.
     min_alpha: f64,
 }
 

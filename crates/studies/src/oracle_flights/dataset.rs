@@ -34,7 +34,8 @@ pub fn disc() -> Model {
     model_spec::load::load("disc", &[]).expect("the built-in disc")
 }
 
-/// Name and true value (SI), as specified in a plan, of each coefficient, in the order of the model's coefficients.
+/// Name and true value (SI) of each coefficient, in the order of the model's coefficients. A coefficient that the plan
+/// (set of random throws) does not list has the value of the model file.
 pub fn truth(model: &Model, plan: &Plan<'_>) -> Vec<(String, f64)> {
     let stated = |name: &str| {
         let mut truth = plan.truth.iter();
@@ -45,7 +46,7 @@ pub fn truth(model: &Model, plan: &Plan<'_>) -> Vec<(String, f64)> {
         .collect()
 }
 
-/// Default parameters of the disc, with the true coefficients that a plan specifies.
+/// Default parameters of the disc, with the true coefficients that a plan (set of random throws) specifies.
 pub(crate) fn disc_constants(model: &Model, plan: &Plan<'_>) -> Point<f64> {
     let mut constants = Point::defaults(model);
     for ((_, value), place) in truth(model, plan).iter().zip(&mut constants.coefficients) {
@@ -54,7 +55,7 @@ pub(crate) fn disc_constants(model: &Model, plan: &Plan<'_>) -> Point<f64> {
     constants
 }
 
-/// Simulates the flights of a plan, without noise. The same seed gives the same flights.
+/// Simulates the flights of a plan (set of random throws), without noise. The same seed gives the same flights.
 ///
 /// # Panics
 /// If the oracle (the independent implementation of the laws of motion) does not support the model.

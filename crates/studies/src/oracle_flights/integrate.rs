@@ -5,12 +5,12 @@ use std::cell::RefCell;
 use nalgebra::Vector3;
 use oracle::{Motion, Physical, Point, Quaternion, Reference};
 
-/// Maximum step size, s, for flights that tests compare with others to the last digits. With it, the relative error of a
-/// nutation of 100 rad/s stays below 1e-9 for a second.
+/// Maximum step size, s, in tests that compare flights to the last digits. With it, the relative error of a nutation of
+/// 100 rad/s stays below 1e-9 for a second.
 pub(super) const SMALL_STEP: f64 = 4e-4;
 
-/// Integrates a motion from the state `start` at time 0, with constant parameters and coefficients. Returns the states
-/// at `times` (s, increasing).
+/// Integrates a motion under the law of motion `reference` from the state `start` at time 0, with constant parameters
+/// and coefficients. Returns the states at `times` (s, increasing).
 ///
 /// # Panics
 /// If `times` decrease.
@@ -23,9 +23,9 @@ pub fn integrate(
     integrate_with_constants(reference, constants, &|_, _| {}, start, times, SMALL_STEP)
 }
 
-/// Integrates a motion from the state `start` at time 0, with parameters and coefficients that are functions of the
-/// state: `set` writes those that are not constant. Tabulated aerodynamic curves can thus replace the model's
-/// polynomials. No step is longer than `max_step`, s. Returns the states at `times` (s, increasing).
+/// Integrates a motion under the law of motion `reference` from the state `start` at time 0. Some parameters and
+/// coefficients are functions of the state: `set` writes them, for example to replace the model's polynomials by
+/// tabulated aerodynamic curves. No step is longer than `max_step`, s. Returns the states at `times` (s, increasing).
 ///
 /// # Panics
 /// If `times` decrease.
@@ -115,7 +115,8 @@ struct State {
     internal: f64,
 }
 
-/// Time derivative of a [`State`], component by component.
+/// Time derivative, component by component, of the integrated state: body state and internal state of the law of
+/// motion.
 struct Rate {
     velocity: Vector3<f64>,
     acceleration: Vector3<f64>,

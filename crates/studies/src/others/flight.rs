@@ -7,7 +7,7 @@ use oracle::{ClaimedBody, Point, Tree, derivatives};
 
 /// Duration of the simulated flights, s.
 pub const DURATION: f64 = 2.0;
-/// Number of output times of a flight, including the release and the end.
+/// Number of equally spaced output times of a simulated flight, including the release and the end.
 const INSTANTS: usize = 41;
 
 /// Integrates the model's equations from the time, states and parameters in `from`. Returns the time, states and

@@ -122,7 +122,7 @@ fn broken(stage: &Stage) -> String {
     laws.join(", ")
 }
 
-/// Formats a value with two significant digits.
+/// Formats a number as text with two significant digits.
 fn short(value: f64) -> String {
     if (0.01..1e4).contains(&value) {
         let digits = (1 - value.log10().floor() as i32).max(0) as usize;

@@ -11,7 +11,8 @@ pub struct Simulator {
     pub throw: &'static str,
     /// Explanation needed to read the simulator's equations; empty if none is needed.
     pub note: &'static str,
-    /// Changes that together correct the equations, in the order in which they are applied.
+    /// Changes of the model's text that together correct the simulator's equations, in the order in which they are
+    /// applied.
     pub changes: &'static [Change],
 }
 
@@ -20,7 +21,7 @@ pub struct Simulator {
 pub struct Change {
     /// Description of the correction, as printed on the documentation page.
     pub says: &'static str,
-    /// Replacements in the model's text: (old text, new text).
+    /// Replacements that make the correction in the model's text: (old text, new text).
     pub edits: &'static [(&'static str, &'static str)],
     /// Initial values of states that the change adds: name of the added state, name of a vector variable in the model
     /// before the change, and index (from 0) of the component of that vector that is the initial value.

@@ -32,7 +32,7 @@ pub struct Verdicts {
     /// Published rates and the rates implied by the laws of motion, along the flight, for the states where they differ.
     /// Empty if no rates satisfy all laws.
     pub rates: Vec<RateInFlight>,
-    /// Results for the published equations, then after each change; the changes are cumulative.
+    /// Results for the published equations, then after each correction of them. The corrections are cumulative.
     pub stages: Vec<Stage>,
 }
 
@@ -76,10 +76,11 @@ pub struct Stage {
     /// Violations of balance laws that `hyzer verify` reports for the body that the model describes, one line each;
     /// empty if the equations obey every law.
     pub broken: Vec<String>,
-    /// Whether none of the checks of `hyzer verify` refutes the equations of this stage.
+    /// Whether none of the checks of `hyzer verify` refutes these equations.
     pub holds: bool,
-    /// States whose rates differ from those of the previous stage along its flight: name, maximum magnitude of the
-    /// previous rate, maximum magnitude of the difference (in the state's unit per second).
+    /// States whose rates differ from those of the previous stage at the points of the previous stage's simulated
+    /// flight. For each: name, maximum magnitude of the previous rate, maximum magnitude of the difference (in the
+    /// state's unit per second).
     pub moved: Vec<(String, f64, f64)>,
     /// Position of the body at the end of the simulated flight, m.
     pub end: Vector3<f64>,
@@ -244,9 +245,9 @@ fn rates(model: &Model, flight: &[Point<f64>]) -> Vec<RateInFlight> {
     out
 }
 
-/// States to which the equations of the models `before` and `after` give different rates at the points of a flight of
-/// `before`: name, maximum magnitude of the rate in `before`, maximum magnitude of the difference (in the state's unit
-/// per second). Empty if the models have different numbers of states.
+/// States whose rates according to the models `before` and `after` differ at the points of a flight of `before`. For
+/// each: name, maximum magnitude of the rate in `before`, maximum magnitude of the difference (in the state's unit per
+/// second). Empty if the models have different numbers of states.
 fn moved(before: &Model, flight: &[Point<f64>], after: &Model) -> Vec<(String, f64, f64)> {
     let stated = |model: &Model, name: &str| -> Option<Expr> {
         let state = model.states.iter().position(|s| s.name == name)?;

@@ -30,22 +30,23 @@ pub(super) enum Action {
     Parameter(&'static str, fn(f64) -> f64),
     /// Name of a state, and the term that is added to the time derivative of this state.
     Rate(&'static str, AddedRate),
-    /// The time stamps of the measurements run faster than true time, by a fraction equal to the size.
+    /// The time stamps of the measurements run faster than true time, by a fraction equal to the size of the effect.
     Clock,
     /// Displacement (m) of a marker's measured position, as a function of the time and motion of the body, the position
     /// and the marker's index.
     Observation(fn(&Scene, Vector3<f64>, usize) -> Vector3<f64>),
 }
 
-/// An effect hidden in the flights of a model, which the diagnosis is expected to detect.
+/// A physical effect that the study adds to simulated flights, but not to the model, and that the diagnosis should
+/// detect.
 #[derive(Clone, Copy, Debug)]
 pub struct Hidden {
     /// Name of the hidden effect.
     pub name: &'static str,
-    /// Quantities of the model (sites) that count as correct if the diagnosis names one of them, by their names in
-    /// `report.json`.
+    /// Quantities of the model on which the diagnosis may locate the hidden effect: naming any of them counts as
+    /// correct. Names as in the diagnosis report, such as "drag".
     pub sites: &'static [&'static str],
-    /// A weak and a strong size of the effect. The action is proportional to the size.
+    /// A weak and a strong size of the effect. The change of the motion or the measurement is proportional to the size.
     pub sizes: [f64; 2],
     pub(super) action: Action,
 }

@@ -26,7 +26,7 @@ const fn hide(
     }
 }
 
-/// Returns the twenty hidden effects of a model.
+/// Returns the twenty effects that the study hides in simulated flights of a user model, one at a time.
 pub fn hidden_of(subject: &Subject) -> Vec<Hidden> {
     match subject.name {
         "glider" => [MEASURED, GLIDER].concat(),
@@ -57,8 +57,8 @@ fn up(at: &Scene) -> Vector3<f64> {
     along(at).cross(&left(at))
 }
 
-/// Sites (quantities of a model on which effects can act) that count as correct if a diagnosis names one of them for a
-/// hidden force. The list contains every site at which forces act, for hidden forces that are not specific to one site.
+/// Model quantities (sites) that count as correct if a diagnosis names one of them for a force hidden in the simulated
+/// flights. The list contains every site at which forces act, for hidden forces that are not specific to one site.
 const FORCES: &[&str] = &[
     "drag", "lift", "side", "wind", "gravity", "vertical", "unknown",
 ];

@@ -8,10 +8,10 @@ use crate::error::StudyError;
 use crate::page::Page;
 use crate::statistics::median;
 
-/// Multiple of the minimum detectable size from which the diagnosis is required to detect a hidden effect.
+/// Multiple of the minimum detectable size from which the study requires the diagnosis to detect a hidden effect.
 const CLEAR: f64 = 5.0;
 
-/// Maximum length of a diagnosis's result that is quoted on the page, characters.
+/// Maximum length, in characters, of the text of a diagnosis's result that the page quotes.
 const MAX_QUOTE: usize = 140;
 
 #[derive(Serialize)]

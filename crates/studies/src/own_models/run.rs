@@ -17,17 +17,17 @@ use super::world::dataset;
 use crate::bounded_fit::{bounded_fit, cancelled_after, on_threads};
 use crate::progress::{Progress, each_run, threads_of_each_run};
 
-/// Time limit of a diagnosis or a fit.
+/// Limit of the computing time of a diagnosis or a fit.
 const LIMIT: Duration = Duration::from_secs(60);
 
 /// Approximate square root of the χ² that a diagnosis detects with power 0.9: the threshold 4.4 (in standard
 /// deviations) for about thirty candidates, plus the 0.9 quantile 1.3 of the standard normal distribution.
 const DETECTABLE: f64 = 5.7;
 
-/// Settings of one diagnosis of the study.
+/// Settings of one run of the study, that is of one simulated and diagnosed dataset.
 #[derive(Clone, Copy, Debug)]
 pub struct Task {
-    /// Model that is diagnosed.
+    /// User model whose simulated flights are diagnosed.
     pub subject: &'static Subject,
     /// Hidden effect, its signed size, and the label of the size ("weak" or "strong"); `None` if nothing is hidden.
     pub hidden: Option<(Hidden, f64, &'static str)>,
@@ -47,16 +47,16 @@ impl Task {
     }
 }
 
-/// Result of one diagnosis, and how detectable the hidden effect was.
+/// Result of the diagnosis of one simulated dataset, and how detectable the hidden effect was.
 #[derive(Debug)]
 pub struct Outcome {
-    /// Settings of the diagnosis.
+    /// Settings with which the flights were simulated and diagnosed.
     pub task: Task,
     /// Verdict of the diagnosis, or the error that ended it.
     pub verdict: Result<Verdict, DiagnosisError>,
-    /// Effects that the diagnosis found, as pairs (name, quantity on which the effect acts). If no effect is named: the
-    /// selected terms of the term library or, without any, the missing force or moment that explains most of the
-    /// misfit.
+    /// Effects that the diagnosis found, as pairs (name, quantity of the model on which the effect acts). If it found
+    /// none: the terms selected from its library of force and moment terms. Without such terms: the missing force or
+    /// moment that explains most of the misfit.
     pub answer: Vec<(String, String)>,
     /// Size of the hidden effect / minimum detectable size, from the χ² that remains when the model without the effect
     /// is fitted to exact flights. `None` if nothing is hidden or that fit fails.
@@ -179,7 +179,7 @@ fn outcome(task: Task, model: &Model, threads: usize) -> Outcome {
     }
 }
 
-/// Diagnoses a dataset and cancels the diagnosis after [`LIMIT`].
+/// Diagnoses a dataset. Cancels the diagnosis if it has not ended after the computing time [`LIMIT`].
 fn bounded_diagnosis(
     model: &Model,
     observed: &Dataset,
@@ -215,9 +215,9 @@ fn detectability(model: &Model, mut exact: Dataset, sigma: f64) -> Option<f64> {
     Some(chi2.sqrt() / DETECTABLE)
 }
 
-/// Result of a diagnosis report, as pairs of a name and the model quantity (site) concerned: the effects of all causes
-/// found, then the selected terms of the term library. If there are neither effects nor terms: the missing force or
-/// moment that explains most of the misfit.
+/// Result of a diagnosis report, as pairs (name, quantity of the model on which it acts): the effects of all causes
+/// found, then the terms selected from the library of force and moment terms. If there are neither: the missing force
+/// or moment that explains most of the misfit.
 fn answer(report: &Report) -> Vec<(String, String)> {
     let causes = report.causes.iter().flat_map(|cause| &cause.effects);
     let mut answer: Vec<(String, String)> = causes

@@ -4,10 +4,10 @@ use model_spec::model::Model;
 use nalgebra::{UnitQuaternion, Vector3};
 use rand::{Rng, RngExt};
 
-/// Draws a uniform random value between a lower and an upper limit.
+/// Function that draws a random value uniformly between its two arguments, the lower and the upper limit.
 type Uniform<'u> = &'u mut dyn FnMut(f64, f64) -> f64;
 
-/// A model that a user of the program could write, with the distribution of its throws and its marker positions.
+/// A model that a user of hyzer could write, with the distribution of its simulated throws and its marker positions.
 #[derive(Clone, Copy, Debug)]
 pub struct Subject {
     /// Name of the user model.
@@ -15,11 +15,12 @@ pub struct Subject {
     text: &'static str,
     /// Kind of model, such as "a rigid body, quaternion", as printed on the page of results.
     pub kind: &'static str,
-    /// Factor on all coefficients of the model, so that the true values differ from the initial values of a fit.
+    /// Factor by which all coefficients of the model are multiplied in the simulation, so that the true values differ
+    /// from the initial values of a fit.
     pub(super) truth: f64,
     /// Positions of the markers in the body frame, m.
     pub(super) markers: &'static [[f64; 3]],
-    /// Observed duration of a flight, s.
+    /// Time span of each flight that is simulated and measured, s.
     pub(super) duration: f64,
     draw: fn(Uniform<'_>) -> Vec<(&'static str, f64)>,
 }

@@ -13,13 +13,13 @@ use super::hidden::{Action, Hidden, Scene};
 use super::subjects::Subject;
 use crate::oracle_flights::{add_noise, even_times, file_name};
 
-/// Maximum step size of the integration, s.
+/// Maximum step size with which simulated flights are integrated, s.
 const MAX_STEP: f64 = 1e-3;
 
 /// Sample rate of the simulated measurements, Hz.
 const RATE: f64 = 120.0;
 
-/// Number of flights per dataset, and how many of them are held out.
+/// Number of flights per dataset, and how many of them are held out from the fit, to test predictions.
 const FLIGHTS: (usize, usize) = (16, 4);
 
 /// The simulated reality: a model with its true coefficients, and an optional hidden effect with its size.

@@ -9,9 +9,9 @@ pub struct Claim {
     pub flight: String,
     /// Time in the flight at which the quantity is stated, s; `None` if the quantity is itself a time.
     pub at: Option<f64>,
-    /// Name of the field of [`Outcome`] for which the value is stated.
+    /// Name of the quantity that the paper states, equal to a field of [`Outcome`], such as `"delta_x"`.
     pub quantity: String,
-    /// Stated value, in `unit`.
+    /// Value that Hubbard & Hummel (2000) state, in `unit`.
     pub value: f64,
     /// Maximum deviation from `value` that the wording of Hubbard & Hummel (2000) allows for a faithful reproduction,
     /// in `unit`.
@@ -25,8 +25,7 @@ struct File {
     claim: Vec<Claim>,
 }
 
-/// Returns all claims (outcomes that Hubbard & Hummel, 2000, state for their flights), in the order of
-/// data/claims.toml.
+/// Returns all outcomes that Hubbard & Hummel (2000) state for their flights, in the order of data/claims.toml.
 pub(super) fn all() -> Vec<Claim> {
     let file: File =
         toml::from_str(include_str!("data/claims.toml")).expect("the built-in claims are valid");
@@ -49,12 +48,12 @@ pub struct Outcome {
     pub gammadot: f64,
     /// Change of the spin magnitude |gammadot| between release and end / spin magnitude at release.
     pub gammadot_change_fraction: f64,
-    /// Time of maximum height, s.
+    /// Time from the release to the maximum height of the flight, s.
     pub time_of_highest_z: f64,
 }
 
 impl Outcome {
-    /// Value of the field of the given name, in that field's unit.
+    /// Value of the field whose name is `name`, such as `"delta_x"`, in that field's unit.
     ///
     /// # Panics
     /// If no field has this name.
@@ -71,7 +70,8 @@ impl Outcome {
         }
     }
 
-    /// Deviation (simulated − stated) from the stated value of a claim, in units of the claim's tolerance.
+    /// Deviation (simulated − stated) of this flight from the value that a claim (one outcome stated by Hubbard &
+    /// Hummel, 2000) gives, in units of the claim's tolerance.
     pub(super) fn departure(&self, claim: &Claim) -> f64 {
         (self.quantity(&claim.quantity) - claim.value) / claim.tolerance
     }

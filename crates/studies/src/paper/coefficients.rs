@@ -6,10 +6,11 @@ use super::conventions::{Conventions, RollSpin, SpinDown};
 /// Conversion factor from rad/s to revolutions per second.
 const REV_PER_RAD: f64 = 0.5 / std::f64::consts::PI;
 
-/// Coefficients of the model `disc`, SI. Pitch and roll damping are separate because separate hypotheses concern their
-/// signs.
+/// Coefficients of the model `disc`, SI. Pitch and roll damping are separate, because the study assumes a reversed sign
+/// for each of them separately.
 pub(super) struct Coefficients {
-    /// Coefficients `[C_L0, C_La, C_D0, C_Da]`.
+    /// Lift and drag coefficients `[C_L0, C_La, C_D0, C_Da]`: lift C_L0 + C_La α and drag C_D0 + C_Da α² at the angle
+    /// of attack α, rad.
     pub(super) lift_and_drag: [f64; 4],
     /// Pitching-moment slope C_Ma.
     pub(super) pitching_moment: f64,
@@ -17,9 +18,10 @@ pub(super) struct Coefficients {
     pub(super) pitch_damping: f64,
     /// Roll damping: the coefficient that takes the place of C_Mq in the moment about the roll axis.
     pub(super) roll_damping: f64,
-    /// Roll moment due to spin: C_Rr in s, or the factor of the advance ratio under [`RollSpin::SpinRatio`].
+    /// Coefficient of the roll moment due to spin: C_Rr in s; dimensionless if the moment is assumed proportional to
+    /// the advance ratio.
     pub(super) roll_spin: f64,
-    /// Spin damping: C_Nr in N m s, or the factor of ρ V² A d/2 under [`SpinDown::TimesDynamicPressure`].
+    /// Coefficient of the spin damping: C_Nr in N m s; in s if the moment is assumed proportional to ρ V² A d/2.
     pub(super) spin_down: f64,
 }
 

@@ -22,8 +22,8 @@ pub(super) fn orders() -> Vec<Columns> {
     orders
 }
 
-/// Minimum number of interchanges of two columns that convert the printed order to the given one. Each interchange
-/// counts as one hypothesis.
+/// Minimum number of interchanges of two columns that convert the printed order of columns to `order`. Each interchange
+/// counts as one hypothesis on the table.
 pub(super) fn interchanges(order: Columns) -> usize {
     let mut order = order;
     let mut count = 0;
@@ -37,8 +37,8 @@ pub(super) fn interchanges(order: Columns) -> usize {
     count
 }
 
-/// Describes how an order differs from the printed one; `None` if it does not. Two interchanged columns are written
-/// `C_L0 ↔ C_La`, a longer cycle `C_L0 from C_D0`.
+/// Describes how an order of the four lift and drag columns differs from the printed one; `None` if it does not. Two
+/// interchanged columns are written `C_L0 ↔ C_La`, a longer cycle `C_L0 from C_D0`.
 pub(super) fn describe(order: Columns) -> Option<String> {
     let names = ["C_L0", "C_La", "C_D0", "C_Da"];
     let mut changes = Vec::new();

@@ -1,9 +1,9 @@
 //! Signs and units of Table 1 that a reading may assume. They are the same for both flights.
 
-/// Measure of the spin that is multiplied by the coefficient of the rolling moment due to spin.
+/// Measure of the spin, such as rad/s or the advance ratio, to which the rolling moment due to spin is proportional.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum RollSpin {
-    /// Spin in rad/s, as printed.
+    /// Spin in rad/s, as Table 1 of Hubbard & Hummel (2000) prints it.
     RadPerSecond,
     /// Spin in revolutions per second.
     RevPerSecond,
@@ -17,7 +17,7 @@ pub enum RollSpin {
 /// Unit assumed for the spin-damping coefficient C_Nr in Table 1 of Hubbard & Hummel (2000).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum SpinDown {
-    /// N m s, as printed: a moment per rad/s of spin.
+    /// N m s, as Table 1 of Hubbard & Hummel (2000) prints it: a moment per rad/s of spin.
     NewtonMetreSecond,
     /// N m s per revolution: a moment per revolution per second of spin.
     PerRevPerSecond,
@@ -39,9 +39,10 @@ pub struct Conventions {
     /// Whether the spin-damping moment has the opposite sign to the printed one, so that a positive coefficient
     /// increases the spin.
     pub spin_down_reversed: bool,
-    /// Measure of the spin that is multiplied by the coefficient of the rolling moment due to spin.
+    /// Measure of the spin, such as rad/s or the advance ratio, to which the rolling moment due to spin is
+    /// proportional.
     pub roll_spin: RollSpin,
-    /// Unit of the spin-damping coefficient C_Nr.
+    /// Unit assumed for the spin-damping coefficient C_Nr.
     pub spin_down: SpinDown,
 }
 

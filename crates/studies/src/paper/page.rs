@@ -33,7 +33,7 @@ struct Results {
 struct ClaimRow {
     flight: String,
     claim: String,
-    /// Value that the publication states, and the tolerance allowed for a reproduction, both in `unit`.
+    /// Value that Hubbard & Hummel (2000) state, and the tolerance allowed for a reproduction, in `unit`.
     stated: [f64; 2],
     /// Unit of the stated value, with a leading space; empty if dimensionless.
     unit: String,
@@ -52,8 +52,9 @@ struct ReadingRow {
     description: String,
 }
 
-/// One hypothesis of the best-ranked interpretation of Table 1 of Hubbard & Hummel (2000), with the best score among
-/// the interpretations without this hypothesis. The score shows how much the hypothesis contributes to the agreement.
+/// One hypothesis of the best-ranked interpretation of Table 1 of Hubbard & Hummel (2000), with the best (lowest) score
+/// among the interpretations without this hypothesis. The score shows how much the hypothesis contributes to the
+/// agreement.
 #[derive(Serialize)]
 struct HypothesisRow {
     description: &'static str,

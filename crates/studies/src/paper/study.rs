@@ -10,8 +10,8 @@ use super::reading::Reading;
 use super::table::Table1;
 use crate::error::StudyError;
 
-/// Maximum deviation from a stated outcome that enters a misfit, in units of the outcome's tolerance. Larger deviations
-/// are clipped to this value.
+/// Maximum deviation of a simulated from a stated outcome, in units of the outcome's tolerance, that enters the misfit.
+/// Larger deviations are clipped to this value.
 const MAX_DEPARTURE: f64 = 10.0;
 
 /// Increase of the score of an interpretation of Table 1 of Hubbard & Hummel (2000) for each hypothesis that it makes:
@@ -34,7 +34,8 @@ pub struct Scored {
 }
 
 impl Scored {
-    /// Sum of the misfit and the penalty of the hypotheses; the lowest score is the best.
+    /// Sum of the misfit and a penalty of 2 for each hypothesis that the interpretation makes; the lowest score is the
+    /// best.
     pub fn score(&self) -> f64 {
         self.misfit + PENALTY * self.reading.hypotheses() as f64
     }
@@ -49,8 +50,8 @@ pub struct Study {
     pub ranking: Vec<Scored>,
     orders: Vec<Columns>,
     conventions: Vec<Conventions>,
-    /// Simulated outcomes of the flight fssh3, indexed `[convention][order]` like the lists `conventions` (signs and
-    /// units) and `orders` (order of the columns); `None` if the integration fails.
+    /// Simulated outcomes of the flight fssh3, indexed `[convention][order]` like the lists `conventions` (assumed
+    /// signs and units) and `orders` (assumed orders of the table's columns). `None` if the integration fails.
     fssh3: Vec<Vec<Option<Outcome>>>,
     bffl8: Vec<Vec<Option<Outcome>>>,
 }

@@ -11,14 +11,15 @@ pub(super) struct Table1 {
 }
 
 impl Table1 {
-    /// Parses the built-in copy of the table.
+    /// Parses the built-in copy of Table 1 of Hubbard & Hummel (2000).
     pub(super) fn printed() -> Self {
         toml::from_str(include_str!("data/table1.toml")).expect("the built-in table is valid")
     }
 }
 
-/// Coefficient of the model `disc` for each printed column, and the factor that converts the printed sign to the
-/// model's convention, in which negative `C_Mq` and `C_Nr` damp.
+/// For each column of Table 1 of Hubbard & Hummel (2000): the name of the coefficient in the model `disc`, and the
+/// factor that converts the printed sign to the model's convention. In that convention, negative `C_Mq` and `C_Nr`
+/// damp.
 const MODEL_COLUMNS: [(&str, f64); 8] = [
     ("C_L0", 1.0),
     ("C_La", 1.0),

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::error::StudyError;
 
-/// Reads a file as text.
+/// Returns the contents of a file of measured data as text.
 pub(super) fn text_of(file: &Path) -> Result<String, StudyError> {
     std::fs::read_to_string(file).map_err(|source| StudyError::Unreadable {
         file: file.to_owned(),

@@ -61,8 +61,8 @@ impl RealData {
         &self.balls.lift_by_spin
     }
 
-    /// Fits of each disc-golf launch to its track: without, and with free factors on the tabulated lift, drag and
-    /// pitching moment; `None` if a fit is singular.
+    /// For each disc-golf throw, two fits of the launch to the measured track: of the launch alone, and together with
+    /// factors on the tabulated lift, drag and pitching moment. `None` if the normal equations are singular.
     pub fn launches(&self) -> impl Iterator<Item = &[Option<LaunchFit>; 2]> {
         self.disc_golf.fits()
     }
@@ -72,7 +72,7 @@ impl RealData {
         self.disc_pose.ratio()
     }
 
-    /// Fit of one law of the torque that slows the disc's spin; `None` if that fit failed.
+    /// Fit of the torque law `form` to the measured spin of a disc; `None` if that fit failed.
     pub fn spin_down(&self, form: Form) -> Option<&DecayFit> {
         self.spin_decay.fit(form)
     }

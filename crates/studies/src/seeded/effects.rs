@@ -8,7 +8,8 @@ pub struct SeededEffects {
     /// Effects of the built-in effects catalogue: name, and values (SI) of the coefficients in order. If the effect has
     /// states, the standard deviations of the states over the flights follow.
     pub listed: Vec<(String, Vec<f64>)>,
-    /// Effects outside the built-in effects catalogue: name and size; see [`super::UnlistedEffect`] for the units.
+    /// Effects outside the built-in effects catalogue: name and size, in the unit that [`super::UNLISTED`] states for
+    /// the effect.
     pub unlisted: Vec<(String, f64)>,
     /// Noise of the marker positions; `None` leaves them exact.
     pub noise: Option<Corruption>,
@@ -17,7 +18,7 @@ pub struct SeededEffects {
 }
 
 impl SeededEffects {
-    /// Creates a specification with one effect of the built-in effects catalogue, without noise.
+    /// Specifies one effect of the built-in effects catalogue, with its values (SI) as in `listed`, and no noise.
     pub fn listed(name: &str, values: &[f64]) -> Self {
         Self {
             listed: vec![(name.to_owned(), values.to_vec())],
@@ -25,7 +26,7 @@ impl SeededEffects {
         }
     }
 
-    /// Creates a specification with one effect outside the built-in effects catalogue, without noise.
+    /// Specifies one effect outside the built-in effects catalogue, with its size, and no noise.
     pub fn unlisted(name: &str, size: f64) -> Self {
         Self {
             unlisted: vec![(name.to_owned(), size)],

@@ -16,15 +16,15 @@ use crate::oracle_flights::file_name;
 pub(super) struct FlightPlace {
     /// Seed of the dataset.
     pub(super) seed: u64,
-    /// Index of the flight, from 0.
+    /// Index of the flight in the dataset, from 0.
     pub(super) index: usize,
     /// Number of flights in the dataset.
     pub(super) flights: usize,
 }
 
 impl FlightPlace {
-    /// Law of motion of the flight with the effects in `seeded`, including the randomly drawn states of these effects
-    /// for this flight.
+    /// Law of motion of this flight with the effects in `seeded`. The states of these effects are drawn at random for
+    /// the flight.
     pub(super) fn world(self, world: &ExtendedLaw<f64>, seeded: &SeededEffects) -> SeededWorld {
         let mut random = ChaCha12Rng::seed_from_u64(self.seed);
         random.set_stream(1 + self.index as u64);

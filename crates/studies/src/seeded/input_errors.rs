@@ -12,19 +12,20 @@ use serde::Serialize;
 pub struct InputErrors {
     /// Standard deviation of the error of each component, relative to the magnitude of the spin.
     pub relative_error: f64,
-    /// Fraction of the flights that exchange their stated spins, by a cyclic permutation.
+    /// Fraction of the flights that exchange the spins stated for them in the dataset, by a cyclic permutation.
     pub exchanged: f64,
 }
 
-/// Number of the ChaCha random stream from which the errors of the stated spins are drawn. The streams of the flights
-/// are numbered from 1.
+/// Number of the ChaCha random stream from which the errors of the spins in the dataset are drawn. The streams of the
+/// flights are numbered from 1.
 const ERROR_STREAM: u64 = u64::MAX - 1;
 
 /// Number of the ChaCha random stream that selects the flights with exchanged spins.
 const EXCHANGE_STREAM: u64 = u64::MAX - 2;
 
 impl InputErrors {
-    /// Introduces the errors into the stated spins of a dataset. Flights without a stated spin are not changed.
+    /// Introduces the errors into the spins that a dataset states for its flights. Flights without a stated spin are
+    /// not changed.
     pub(crate) fn apply(&self, dataset: &mut Dataset, seed: u64) {
         let mut random = ChaCha12Rng::seed_from_u64(seed);
         random.set_stream(ERROR_STREAM);
@@ -48,7 +49,8 @@ impl InputErrors {
         }
     }
 
-    /// Indices of the flights whose spins are exchanged, in the order of the cyclic permutation.
+    /// Indices of the flights whose spins are exchanged among each other, in the order of the cyclic permutation.
+    /// `flights` is the number of flights in the dataset.
     pub(crate) fn exchanged_flights(&self, flights: usize, seed: u64) -> Vec<usize> {
         let mut random = ChaCha12Rng::seed_from_u64(seed);
         random.set_stream(EXCHANGE_STREAM);

@@ -4,7 +4,7 @@
 /// states.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Strength {
-    /// Name of the effect.
+    /// Name of the effect in the built-in effects catalogue.
     pub effect: &'static str,
     /// Values of a weak effect: coefficients and standard deviations of states near the smallest that are met in
     /// practice, SI.

@@ -7,7 +7,7 @@ use oracle::effect::Flow;
 /// Time constant of the first-order lag with which the lift of the effect `lagging_lift` follows the angle of attack,
 /// s.
 pub(super) const LAG: f64 = 0.15;
-/// Climb rate at which the effect `drag_by_climb` saturates, m/s.
+/// Scale of the climb rate, m/s, above which the additional drag of the effect `drag_by_climb` saturates.
 const CLIMB_SCALE: f64 = 2.0;
 /// Angular frequency of the wind in the effect `gusts`, rad/s.
 const GUST_FREQUENCY: f64 = 8.0;
@@ -15,7 +15,7 @@ const GUST_FREQUENCY: f64 = 8.0;
 const REFERENCE_SPEED: f64 = 14.0;
 /// Exponent of the airspeed in the drag coefficient of the effect `drag_by_power_of_speed`.
 const SPEED_POWER: f64 = -0.4;
-/// Distance over which the phase of the effect `swerve` advances by one radian, m.
+/// Distance along x over which the phase of the sinusoidal side force of the effect `swerve` advances by one radian, m.
 const SWERVE_LENGTH: f64 = 1.0;
 
 /// An effect that can be added to simulated flights but that the diagnosis does not have among its candidates (the
@@ -24,9 +24,9 @@ const SWERVE_LENGTH: f64 = 1.0;
 pub struct UnlistedEffect {
     /// Name of the effect in the discovery study, which adds it to simulated flights.
     pub name: &'static str,
-    /// Quantity of the model on which the effect acts (its site, such as "drag"), by its name in `report.json`.
+    /// Quantity of the model on which the effect acts (its site, such as "drag"), by its name in the diagnosis report.
     pub site: &'static str,
-    /// A weak and a strong size, in the units listed at [`UNLISTED`].
+    /// A weak and a strong size of the effect, in the units listed at [`UNLISTED`].
     pub strength: [f64; 2],
     /// Laws of motion (kinds of bodies) on which the effect can act.
     pub laws: &'static [Law],

@@ -15,16 +15,16 @@ use crate::oracle_flights::{
     Plan, disc_constants, empty, file_name, integrate, marker_positions, reference_of, sample_times,
 };
 
-/// Measurements that are simulated of each flight.
+/// Specification of the measurements that are simulated for each flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Observed {
     /// Whether the positions of the three markers are measured.
     pub markers: bool,
     /// Sensors, with their positions on the body as specified in the dataset.
     pub sensors: Vec<Sensor>,
-    /// Offset of an accelerometer's true position from the stated one, m, body axes.
+    /// Offset of the true position of each accelerometer from the position that the dataset states, m, body axes.
     pub displacement: [f64; 3],
-    /// Noise of the measurements.
+    /// Standard deviations of the noise of the simulated measurements.
     pub noise: SensorNoise,
 }
 
@@ -55,7 +55,8 @@ impl Default for SensorNoise {
     }
 }
 
-/// Simulates flights of a plan with sensor readings. The same seed gives the same flights and noise.
+/// Simulates the flights of a plan (set of random throws) with sensor readings. The same seed gives the same flights
+/// and noise.
 ///
 /// # Panics
 /// If the oracle (the independent implementation of the laws of motion) does not support the model.

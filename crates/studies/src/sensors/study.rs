@@ -11,7 +11,7 @@ use super::flights::{Observed, SensorNoise, sensor_flights};
 use crate::bounded_fit::on_threads;
 use crate::oracle_flights::{Plan, TWELVE, disc, truth};
 
-/// Number of flights per dataset, and how many of them a diagnosis holds out.
+/// Number of flights per dataset, and how many of them a diagnosis holds out from the fit, to test predictions.
 const FLIGHTS: (usize, usize) = (12, 4);
 
 /// Displacement of accelerometers that a diagnosis is expected to find, m, body axes.
@@ -33,18 +33,18 @@ pub struct SensorSet {
     pub intervals: usize,
     /// Number of the 95 % confidence intervals that contain the true value.
     pub covered: usize,
-    /// Number of estimates within three standard errors of the true value.
+    /// Number of estimates, over datasets and coefficients, within three standard errors of the true value.
     pub within_three: usize,
-    /// RMS of (estimate - true value) / standard error.
+    /// RMS, over datasets and coefficients, of z = (estimate − true value) / standard error.
     pub rms_z: f64,
     /// Median elapsed time of a fit, s.
     pub seconds: f64,
     /// Median over the coefficients of the ratio of the standard error with these sensors to that with markers alone.
     pub relative_error: f64,
-    /// Number of diagnoses without a displaced sensor, and how many of them detect no effect.
+    /// Number of diagnoses of datasets without a displaced sensor, and how many of them detect no effect.
     pub clean: [usize; 2],
-    /// Number of diagnoses with a displaced accelerometer, and how many of them name the displacement with an estimate
-    /// within three standard errors. `None` for a set without an accelerometer.
+    /// Number of diagnoses of datasets with a displaced accelerometer, and how many of them find the displacement, with
+    /// an estimate within three standard errors of the true one. `None` for a set without an accelerometer.
     pub displaced: Option<[usize; 2]>,
 }
 

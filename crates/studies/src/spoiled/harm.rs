@@ -16,27 +16,28 @@ pub(super) type FlightHarm = fn(&mut Flight, &Flight, &mut ChaCha12Rng);
 /// How a kind of recording mistake changes the data of a dataset.
 #[derive(Clone, Copy)]
 pub(super) enum Harm {
-    /// Multiplies all coordinates of a flight by a factor.
+    /// Multiplies all marker coordinates of a flight by a factor.
     Lengths(f64),
-    /// Multiplies all times of a flight by a factor.
+    /// Multiplies all sample times of a flight by a factor.
     Times(f64),
-    /// Changes each measured position (m) of a flight.
+    /// Applies a function to each measured marker position (m) of a flight.
     Points(fn([f64; 3]) -> [f64; 3]),
-    /// Changes the marker positions of each sample of a flight.
+    /// Applies a function to the marker positions of each sample of a flight.
     Samples(fn(&mut Row)),
-    /// Changes the marker positions of each sample from the middle of a flight on.
+    /// Applies a function to the marker positions of each sample from the middle of a flight to its end.
     LaterSamples(fn(&mut Row)),
-    /// Changes a flight in another way.
+    /// Applies a function that may change any part of a flight, such as its samples and times. Its arguments are the
+    /// flight, the preceding flight of the dataset and a random generator.
     Flight(FlightHarm),
-    /// Changes each stated marker position (m, body frame) of the dataset.
+    /// Applies a function to each marker position (m, body frame) in the dataset's marker template.
     Template(fn([f64; 3]) -> [f64; 3]),
-    /// Changes the marker template or the parameters of the dataset.
+    /// Applies a function that changes the marker template or the parameters of the dataset.
     Dataset(fn(&mut Dataset)),
 }
 
 impl Harm {
-    /// Introduces the mistake into the flights with the given indices or, for a mistake of the dataset, into the whole
-    /// dataset.
+    /// Introduces the recording mistake into the flights with the given indices. A mistake in the marker template or
+    /// the parameters is introduced into the whole dataset; the indices are then ignored.
     pub(super) fn apply(self, dataset: &mut Dataset, flights: &[usize], seed: u64) {
         match self {
             Self::Dataset(change) => return change(dataset),
@@ -169,7 +170,7 @@ fn renumber(flight: &mut Flight) {
     flight.times = samples.map(|k| first + k as f64 * interval).collect();
 }
 
-/// Adds white noise with the standard deviation `sigma` (m) to every coordinate.
+/// Adds white noise with the standard deviation `sigma` (m) to every marker coordinate of the flight.
 fn add_noise(flight: &mut Flight, sigma: f64, random: &mut ChaCha12Rng) {
     each_point(flight, |p| {
         p.map(|x| x + sigma * random.sample::<f64, _>(StandardNormal))

@@ -4,26 +4,27 @@ use std::collections::BTreeMap;
 
 use identify::{FitError, FitReport, FlightOutcome};
 
-/// Maximum error of a coefficient that counts as correct, in standard errors.
+/// Maximum error of an estimated coefficient that counts as correct, in standard errors.
 pub(super) const MAX_Z: f64 = 4.0;
 
 /// How a fit responds to data with a recording mistake that was introduced on purpose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Judgement {
-    /// Every flight with the mistake is reported as faulty, truncated or excluded. In addition, every coefficient is
-    /// within four standard errors of the true value, or the report states that it is unreliable.
+    /// The fit reports every flight with the recording mistake as faulty, truncated or excluded. In addition, every
+    /// coefficient is within four standard errors of the true value, or the report states that it is unreliable.
     Named,
-    /// At least one flight with the mistake is not reported, but every coefficient is within four standard errors of
-    /// the true value.
+    /// The fit does not report every flight with the recording mistake, but every coefficient is within four standard
+    /// errors of the true value.
     Right,
-    /// At least one flight with the mistake is not reported, but the report states that its results are unreliable.
+    /// The fit does not report every flight with the recording mistake, but its report states that the results are
+    /// unreliable.
     Unreliable,
     /// The fit ended with an error message.
     Refused,
     /// A coefficient has no estimate within four standard errors of the true value, and the report does not state that
     /// its results are unreliable.
     Wrong,
-    /// The fit reached the time limit.
+    /// The fit was cancelled because it reached the limit of its computing time.
     TooLong,
 }
 
@@ -33,7 +34,7 @@ impl Judgement {
         !matches!(self, Self::Wrong | Self::TooLong)
     }
 
-    /// Text of the judgement on the page of results.
+    /// Text of this classification of a fit, as printed on the page of results.
     pub fn label(self) -> &'static str {
         match self {
             Self::Named => "named",

@@ -8,15 +8,16 @@ use super::kinematics::moved;
 /// A kind of mistake that a laboratory could make in a recording, and the change of the data that the mistake causes.
 #[derive(Clone, Copy)]
 pub struct Kind {
-    /// Name of the kind, as given on the command line.
+    /// Name of this kind of recording mistake, with which a user selects it on the command line.
     pub name: &'static str,
-    /// Description of the mistake.
+    /// Description of the recording mistake, such as "labels m1 and m2 exchanged".
     pub what: &'static str,
     pub(super) harm: Harm,
 }
 
 impl Kind {
-    /// Whether the mistake affects the whole dataset (its template or parameters) rather than single flights.
+    /// Whether the recording mistake affects the whole dataset (its marker template or parameters) rather than single
+    /// flights.
     pub fn is_of_dataset(&self) -> bool {
         matches!(self.harm, Harm::Template(_) | Harm::Dataset(_))
     }

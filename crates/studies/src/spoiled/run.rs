@@ -11,23 +11,23 @@ use crate::bounded_fit::bounded_fit;
 use crate::oracle_flights::{TRUTH, TWELVE, add_noise, disc, flights};
 use crate::progress::{Progress, each_run};
 
-/// Time limit of fitting one dataset.
+/// Limit of the computing time for fitting one dataset.
 const LIMIT: Duration = Duration::from_secs(30);
 
-/// Index of the flight into which the mistake is introduced if only one flight is changed.
+/// Index of the flight into which a recording mistake is introduced in those runs that change only one flight.
 const SPOILED: usize = 3;
 
 /// Whether a mistake is introduced into one flight or into all flights of a dataset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Which {
-    /// The mistake is introduced into one of the twelve flights.
+    /// The recording mistake is introduced into one of the twelve flights.
     One,
-    /// The mistake is introduced into all twelve flights.
+    /// The recording mistake is introduced into all twelve flights.
     All,
 }
 
 impl Which {
-    /// Text for the page of results; the words that select runs on the command line are also compared with it.
+    /// Text for the page of results. The words with which a user selects runs on the command line are compared with it.
     pub fn label(self) -> &'static str {
         match self {
             Self::One => "one flight",
@@ -39,9 +39,9 @@ impl Which {
 /// Result of fitting a dataset into which a mistake was introduced.
 #[derive(Clone)]
 pub struct Run {
-    /// Kind of mistake.
+    /// Kind of recording mistake that was introduced into the dataset.
     pub kind: &'static Kind,
-    /// Whether the mistake is introduced into one flight or into all flights.
+    /// Whether the recording mistake is introduced into one flight or into all flights of the dataset.
     pub which: Which,
     /// Seed of the simulated flights.
     pub seed: u64,
@@ -51,8 +51,8 @@ pub struct Run {
     pub seconds: f64,
 }
 
-/// Lists the kinds of mistakes, each introduced into one or into all flights, whose name, description or label contains
-/// all of `words`.
+/// Lists the runs whose texts contain all of `words`: each kind of recording mistake, introduced into one or into all
+/// flights. The texts are the kind's name and description and the label of `Which`.
 pub fn runs(words: &str) -> Vec<(&'static Kind, Which)> {
     let all = KINDS.iter().flat_map(|kind| {
         let which: &[Which] = match kind.is_of_dataset() {
@@ -68,8 +68,8 @@ pub fn runs(words: &str) -> Vec<(&'static Kind, Which)> {
     all.filter(has).collect()
 }
 
-/// Introduces each kind of mistake into `seeds` datasets and fits them, `threads` in parallel. Calls `progress` with
-/// the numbers of finished runs and of all runs.
+/// Introduces each kind of recording mistake into `seeds` datasets and fits them, `threads` in parallel. Calls
+/// `progress` with the numbers of finished runs and of all runs.
 pub fn spoiled(
     kinds: &[(&'static Kind, Which)],
     seeds: u64,
@@ -106,7 +106,7 @@ fn run(kind: &'static Kind, which: Which, seed: u64) -> Run {
     }
 }
 
-/// Simulates twelve flights without a mistake, with white noise of 1.5 mm.
+/// Simulates twelve flights without a recording mistake, with white noise of 1.5 mm.
 fn clean(seed: u64) -> Dataset {
     let mut dataset = flights(&disc(), &TWELVE, seed);
     add_noise(&mut dataset, &Corruption::default(), seed + 1);

@@ -5,10 +5,10 @@ use std::process::Command;
 
 use crate::error::StudyError;
 
-/// Python script that converts Vicon tables to C3D.
+/// Python script that converts tables of marker positions in Vicon's text format to C3D.
 const SCRIPT: &str = include_str!("../../../../benches/takes/write_c3d.py");
 
-/// Converts Vicon tables to C3D files and returns the contents of the files.
+/// Converts tables of marker positions in Vicon's text format to C3D files, and returns the contents of the files.
 ///
 /// # Errors
 /// [`StudyError::Absent`] if the script fails in Python, [`StudyError::Unreadable`] if Python cannot be started or a

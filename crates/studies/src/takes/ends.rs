@@ -11,7 +11,7 @@ pub(super) struct Hand {
     release: Physical<f64>,
     /// Time for which the body is held in the hand before it is pushed, s.
     held: f64,
-    /// Half period of the sinusoidal acceleration, s.
+    /// Half period of the sinusoidal acceleration by which the hand pushes the body, s.
     half: f64,
     /// Fraction of the half period of the acceleration after which the body is released.
     part: f64,

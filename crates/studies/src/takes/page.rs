@@ -35,7 +35,7 @@ struct Results {
     /// to the disc's axis.
     across: f64,
     /// Fraction of the sessions in which all estimated marker positions are within 1 mm of the true ones along the
-    /// disc's axis, without the error of the centre of mass.
+    /// disc's axis, after the mean error over the markers is subtracted.
     along: f64,
     greatest_across: f64,
     /// Statistics of the estimated height of the centre of mass: estimated from flights with the detected ends, from
@@ -161,8 +161,8 @@ pub fn takes_page(sessions: &[Session]) -> Result<Page, StudyError> {
     Page::without_figures(include_str!("page.md"), all)
 }
 
-/// Error of the height of the centre of mass in an estimated template, and its standard error, m; `None` if the height
-/// was not estimated.
+/// Error of the height of the centre of mass in an estimated marker template, and its standard error, m; `None` if the
+/// height was not estimated.
 fn of_template(errors: TemplateErrors) -> Option<(f64, f64)> {
     Some((errors.height, errors.height_std_error?))
 }
@@ -179,8 +179,8 @@ fn heights(estimated: impl Iterator<Item = (f64, f64)>) -> HeightRow {
     }
 }
 
-/// Errors of all coefficients in those fits whose flight ends and marker template are the combination with the index
-/// `kind` in `GIVEN`.
+/// Errors of the estimated coefficients in all fits with one combination of flight ends (detected or true) and marker
+/// template (estimated or true). `kind` is the index of the combination in `GIVEN`.
 fn errors<'r>(
     kind: usize,
     results: &'r [&'r SessionResult],
@@ -228,7 +228,7 @@ fn formats(sessions: &[Session]) -> Vec<FormatRow> {
     names.into_iter().map(row).collect()
 }
 
-/// Descriptions of the sessions that ended with an error or in which a fit failed.
+/// Describes sessions that ended with an error or in which a fit failed, with the error; at most [`MAX_EXAMPLES`].
 fn examples(sessions: &[Session]) -> Vec<String> {
     let each = sessions.iter().filter_map(|session| {
         let why = match &session.result {

@@ -19,7 +19,7 @@ use crate::error::StudyError;
 use crate::oracle_flights::{TRUTH, disc, empty, file_name};
 use crate::progress::{Progress, each_run};
 
-/// Time limit of fitting one dataset.
+/// Limit of the computing time for fitting one dataset.
 const LIMIT: Duration = Duration::from_secs(120);
 
 /// Combinations of inputs with which a session is fitted: flight ends "found" by the import or "true", and marker
@@ -38,9 +38,9 @@ pub struct Session {
     pub seed: u64,
     /// File format in which the session's takes (recordings) are written.
     pub format: &'static str,
-    /// Frame rate, Hz.
+    /// Frame rate of the simulated cameras, Hz.
     pub rate: f64,
-    /// Number of markers.
+    /// Number of markers on the body.
     pub markers: usize,
     /// Standard deviation of the noise of a marker coordinate, m.
     pub sigma: f64,
@@ -60,7 +60,8 @@ pub struct SessionResult {
     pub template: TemplateErrors,
     /// Errors of the marker template that is estimated from the flights between the true releases and ends.
     pub template_of_true_cuts: TemplateErrors,
-    /// Errors of the fit with each combination in `GIVEN`, or the error of a failed fit.
+    /// Errors of four fits, or the error of a fit that failed. The fits use detected or true flight ends, combined with
+    /// the estimated or true marker template, in the order of `GIVEN`.
     pub fits: Vec<Result<FitErrors, StudyError>>,
 }
 
@@ -74,8 +75,8 @@ pub struct FitErrors {
     pub height: Option<(f64, f64)>,
 }
 
-/// For each true flight, the errors of the detected release and end as in [`SessionResult::cuts`], and the number of
-/// detected throws that do not overlap a true flight.
+/// Errors (detected − true) of the release and the end of each true flight, in samples; `None` for a flight that was
+/// not detected. Also the number of detected throws that overlap no true flight.
 pub type SessionCuts = (Vec<Option<[i64; 2]>>, usize);
 
 /// Errors (estimated − true) of a marker template in the body frame, m.
@@ -83,16 +84,17 @@ pub type SessionCuts = (Vec<Option<[i64; 2]>>, usize);
 pub struct TemplateErrors {
     /// Maximum distance between estimated and true position of a marker, perpendicular to the disc's axis, m.
     pub across: f64,
-    /// Maximum difference between estimated and true position of a marker along the disc's axis, m, each measured from
-    /// the mean of the markers.
+    /// Maximum difference between estimated and true position of a marker along the disc's axis, m, after the mean
+    /// difference over the markers is subtracted.
     pub along: f64,
-    /// Error of the estimated height of the centre of mass along the disc's axis, m.
+    /// Error of the estimated height of the centre of mass in the marker template (its position along the disc's axis),
+    /// m.
     pub height: f64,
     /// Standard error of the height of the centre of mass, m; `None` if the height was not estimated.
     pub height_std_error: Option<f64>,
 }
 
-/// Error of one estimated coefficient.
+/// Error of one estimated coefficient in the fit of a simulated session.
 #[derive(Clone, Debug)]
 pub struct CoefficientError {
     /// Name of the coefficient.
@@ -159,7 +161,7 @@ fn session(seed: u64, writer: Writer, python: Option<&Path>) -> Session {
     }
 }
 
-/// Contents of the files to which a session's takes (recordings) are written, in the format of `writer`.
+/// Contents of the files to which a session's takes (recordings) are written, in the file format of `writer`.
 fn files(
     filmed: &Filmed,
     writer: Writer,

@@ -19,7 +19,8 @@ const RATES: [f64; 5] = [120.0, 150.0, 200.0, 250.0, 300.0];
 /// After the catch by the net or the first ground contact: time for which the body remains visible, s, and then the
 /// time without the body, until the next throw, s.
 const AFTER: (f64, f64) = (0.3, 0.7);
-/// Minimum time from the release to the ground contact of a low throw, s. Throws with a shorter time are redrawn.
+/// Minimum time from the release to the first ground contact of a simulated low throw, s. Throws with a shorter time
+/// are redrawn.
 const SHORTEST: f64 = 0.35;
 /// Probability that a single marker position in a sample is missing from the recording.
 const GAPS: f64 = 0.02;
@@ -41,7 +42,7 @@ pub(super) type Rows = Vec<Vec<Option<[f64; 3]>>>;
 pub(super) struct Filmed {
     /// Positions of the markers in the body frame, m.
     pub markers: Vec<[f64; 3]>,
-    /// Frame rate, Hz.
+    /// Frame rate of the simulated cameras, Hz.
     pub rate: f64,
     /// Standard deviation of the noise of a marker coordinate, m.
     pub sigma: f64,
@@ -51,7 +52,7 @@ pub(super) struct Filmed {
 /// Simulated recording of several throws.
 pub(super) struct FilmedTake {
     pub rows: Rows,
-    /// True first and last sample of each free flight.
+    /// Indices of the first and last sample of each true free flight in the recording.
     pub flights: Vec<(usize, usize)>,
 }
 
@@ -88,8 +89,8 @@ pub(super) fn filmed(seed: u64) -> Filmed {
     }
 }
 
-/// Appends one throw to a take: motion in the hand, flight, catch by a net or ground contact, and the time until the
-/// next throw in which no body is visible.
+/// Appends one throw to a take (recording): motion in the hand, flight, catch by a net or ground contact, and the time
+/// until the next throw in which no body is visible.
 fn add_throw(
     take: &mut FilmedTake,
     markers: &[[f64; 3]],
@@ -165,8 +166,8 @@ fn add_throw(
         .extend((0..fetched).map(|_| vec![None; markers.len()]));
 }
 
-/// Draws a time interval (start, end), s, in which the whole disc is occluded, in every third flight on average; `None`
-/// for the other flights.
+/// Draws a time interval (start, end), s, in which the whole disc is occluded from the cameras. A third of the flights
+/// on average have such an interval; `None` for the rest.
 fn hidden(end: f64, r: &mut ChaCha12Rng) -> Option<(f64, f64)> {
     let (from, to) = (IN_SIGHT, end - 2.0 * IN_SIGHT);
     let length = r.random_range(0.02..0.06);

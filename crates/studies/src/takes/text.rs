@@ -15,7 +15,7 @@ pub(super) enum Writer {
 }
 
 impl Writer {
-    /// Name of the file format, as printed on the page docs/takes.md.
+    /// Name of the file format for the page of results, such as `"Qualisys TSV"`.
     pub fn label(self) -> &'static str {
         match self {
             Self::Vicon => "Vicon CSV",

@@ -8,15 +8,15 @@ use serde::Serialize;
 
 use crate::error::StudyError;
 
-/// Speed of the launches, m/s.
+/// Speed of the simulated disc launches, m/s.
 const SPEED: f64 = 20.0;
-/// Advance ratio r d/2V of the launches, where r is the spin.
+/// Advance ratio r d/2V of the launches, with the spin r, the diameter d and the speed V.
 const ADVANCE: f64 = 0.5;
 
 /// Results of the simulated disc launches with one set of aerodynamic coefficients.
 #[derive(Clone, Debug, Serialize)]
 pub struct Launches {
-    /// Description of the set of coefficients.
+    /// Description of the set of aerodynamic coefficients with which the disc was simulated.
     pub name: &'static str,
     /// Pitch at launch that gives the maximum range, and the one that gives the maximum time of flight, deg. Path and
     /// disc are pitched together (zero angle of attack).
@@ -26,7 +26,7 @@ pub struct Launches {
     pub level: (f64, f64),
     /// Results of horizontal launches as a function of the tilt of the disc (hyzer angle).
     pub tilts: Tilts,
-    /// Pairs of advance ratio and mean curvature of the path over the ground, 1/m.
+    /// Pairs of an advance ratio and the mean curvature of the path's horizontal projection at this advance ratio, 1/m.
     pub curvature: Vec<(f64, f64)>,
 }
 
@@ -42,11 +42,11 @@ pub struct Tilts {
     /// Landing points: hyzer angle, deg, and horizontal position, m: x along the launch direction, y perpendicular to
     /// it.
     pub landings: Vec<(f64, f64, f64)>,
-    /// Number of inflections of the curve of landing points; an S-shaped curve has 1.
+    /// Number of inflections of the curve through the landing points, ordered by hyzer angle; an S-shaped curve has 1.
     pub inflections: usize,
 }
 
-/// Effects that the model `disc` needs in order to represent the wind tunnel's coefficients.
+/// Names of built-in effects by which the model `disc` must be extended to represent the wind tunnel's coefficients.
 const EFFECTS: [&str; 2] = ["constant_pitching_moment", "zero_lift_drag_angle"];
 
 /// Values of the roll coefficient C_Rr that are tried with the wind tunnel's other coefficients, s.
@@ -104,8 +104,8 @@ fn body(model: &str, effects: &[&str]) -> Result<ThrownBody, StudyError> {
     Ok(ThrownBody::new(model_spec::load::load(model, effects)?)?)
 }
 
-/// Returns the given coefficients without those of the pitching moment, so that the model's own pitching moment
-/// remains.
+/// Returns the given coefficients without those of the pitching moment, so that the pitching moment of the model file
+/// remains in effect.
 fn own_pitch(all: &[(&'static str, f64)]) -> Vec<(&'static str, f64)> {
     all.iter()
         .filter(|(name, _)| !["C_M0", "C_Ma"].contains(name))
@@ -236,8 +236,8 @@ fn flown<'f>(flights: &'f ThrowFlights<'f>, throw: &Throw) -> Option<Path<'f>> {
         .ok()
 }
 
-/// Mean curvature of the path over the ground in the first two seconds: angle by which the horizontal direction of
-/// motion changes / length of the path, rad/m.
+/// Mean curvature of the horizontal projection of the path in the first two seconds: angle by which the horizontal
+/// direction of motion changes / length of the projection, rad/m.
 fn turned(path: &Path<'_>) -> f64 {
     let end = path.duration().min(2.0);
     let (steps, mut angle, mut length) = (200, 0.0, 0.0);

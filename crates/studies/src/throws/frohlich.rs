@@ -6,12 +6,12 @@ use serde::Serialize;
 
 use crate::error::StudyError;
 
-/// The longest discus throw in a wind along the throw.
+/// Launch conditions and range of the longest discus throw in a given wind along the throw.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Winds {
     /// Wind along the throw, m/s; positive for a tailwind.
     pub wind: f64,
-    /// Maximum range, m.
+    /// Range of the longest throw in this wind, m.
     pub range: f64,
     /// Launch angle of the longest throw, deg.
     pub launch: f64,

@@ -14,8 +14,8 @@ struct Results<'r> {
     winds: &'r [Winds],
     best: Winds,
     best_upright: Winds,
-    /// Pairs of a wind speed, m/s, and by how much the throw against that wind is longer than the throw with it, m. All
-    /// throws have zero hyzer angle.
+    /// Pairs of a wind speed, m/s, and the range of the longest throw against that wind minus that of the longest throw
+    /// with it, m. All throws have zero hyzer angle.
     pairs: Vec<(f64, f64)>,
 }
 

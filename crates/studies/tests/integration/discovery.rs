@@ -2,7 +2,8 @@
 
 use studies::discovery::{Row, RowResult, plan, run_rows};
 
-/// Executes `runs` runs of each row of the discovery study's table whose key contains the given words.
+/// Executes `runs` runs (simulated and diagnosed datasets) of each combination of the discovery study's simulation
+/// settings whose key contains the given words.
 fn tried(words: &[&str], runs: usize) -> Vec<RowResult> {
     let all = plan(100);
     let rows = words.iter().map(|words| {

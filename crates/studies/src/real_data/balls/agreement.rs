@@ -9,22 +9,23 @@ use serde::Serialize;
 
 use super::lift::Lift;
 
-/// Number of random permutations of the stated spins among the flights, for the permutation test.
+/// Number of random permutations, among the flights, of the spins that the data state; used by the permutation test.
 const PERMUTATIONS: usize = 10_000;
 
-/// Number of random rotations from which the one with the best agreement is chosen. Each rotation is applied to all
-/// spins in common.
+/// Number of random rotations that are tried, each on all stated spins in common, to find the best agreement between
+/// the flights' lift directions and ω × v.
 const ROTATIONS: usize = 2_000;
 
-/// Number of random permutations of the spins for which the best of the random rotations is searched.
+/// Number of random permutations of the spins among the flights. For each, the random rotation of all spins is searched
+/// that gives the best agreement between lift directions and ω × v.
 const ROTATED_PERMUTATIONS: usize = 20;
 
-/// Agreement between the lift directions of flights and their stated spins, with a permutation test.
+/// Agreement between the lift directions of ball flights and the spins that the data state, with a permutation test.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Agreement {
     /// Number of flights to which the permutation test is applied.
     pub flights: usize,
-    /// Mean over the flights of the cosine of the angle between the lift and ω × v, for the stated spin ω.
+    /// Mean over the flights of the cosine of the angle between the lift and ω × v, for the spin ω that the data state.
     pub cosine: f64,
     /// Mean, over random permutations of the spins among the flights, of the flights' mean cosine between lift and ω ×
     /// v.
@@ -43,7 +44,8 @@ pub struct Agreement {
     pub rotated_permuted: f64,
 }
 
-/// Tests the agreement of the flights' lifts with their spins, using permutations and rotations drawn from a seed.
+/// Tests whether the flights' lifts point along ω × v for the stated spins ω. The permutations of the spins and the
+/// rotations are drawn from `seed`.
 pub(super) fn agreement(lifts: &[&Lift], seed: u64) -> Agreement {
     let identity: Vec<usize> = (0..lifts.len()).collect();
     let no_rotation = UnitQuaternion::identity();

@@ -19,14 +19,14 @@ pub(super) struct Lift {
     pub(super) direction: Vector3<f64>,
     /// Lift coefficient as a vector along the axis about which the lift rotates the velocity.
     pub(super) turn: Vector3<f64>,
-    /// Stated spin vector, normalised: radius ω / speed.
+    /// Spin vector ω that the data state, made dimensionless: ball radius × ω / speed.
     pub(super) spin: Vector3<f64>,
-    /// RMS residual of the fit along y, which is the direction of flight, m.
+    /// RMS residual of the fitted path along y, the direction of flight, m.
     pub(super) residual_along: f64,
 }
 
 impl Lift {
-    /// Magnitude of the lift coefficient, whatever the direction of the lift perpendicular to the path.
+    /// Magnitude of the lift coefficient. The lift may point in any direction perpendicular to the path.
     pub(super) fn coefficient(&self) -> f64 {
         self.across(self.turn).norm()
     }
@@ -42,12 +42,12 @@ impl Lift {
         turn.dot(&spin) / (turn.norm() * spin.norm()).max(f64::MIN_POSITIVE)
     }
 
-    /// Cosine of the angle between the lift and ω × v, for the stated spin ω.
+    /// Cosine of the angle between the lift and ω × v, for the spin ω that the data state.
     pub(super) fn cosine(&self) -> f64 {
         self.cosine_with(self.spin)
     }
 
-    /// Component of the lift coefficient along ω × v, for the stated spin ω.
+    /// Component of the lift coefficient along ω × v, for the spin ω that the data state.
     pub(super) fn coefficient_by_spin(&self) -> f64 {
         self.coefficient() * self.cosine()
     }
@@ -57,8 +57,8 @@ impl Lift {
     }
 }
 
-/// Fits all flights together with a free lift vector for each flight. Returns the lifts and the report of the fit.
-/// Flights that cannot be fitted or have no stated spin are left out.
+/// Fits all flights together, each with an unknown lift vector of its own. Returns the lifts and the report of the fit.
+/// Flights that cannot be fitted, or whose spin the data do not state, are left out of the lifts.
 pub(super) fn lifts(
     model: &Model,
     flights: &Dataset,

@@ -31,13 +31,14 @@ struct Section {
     time_error: Option<f64>,
     stretches: String,
     agreement: Vec<AgreementRow>,
-    /// Maximum angle between lift and ω × v over the flights of the recording's parts in which every lift agrees with
-    /// the stated spin (see [`AGREEING`]), degrees.
+    /// Maximum angle between lift and ω × v, degrees, over the flights in those parts of the recording in which every
+    /// lift agrees with the spin ω that the data state.
     greatest_angle: f64,
     /// Number of flights outside the file ranges [`AGREEING`] (in which every lift agrees with the stated spin) whose
     /// cosine between lift and ω × v is above 0.9.
     same_side: usize,
-    /// Number of flights outside the file ranges [`AGREEING`] whose cosine between lift and ω × v is below −0.9.
+    /// Number of flights outside the file ranges [`AGREEING`] (in which every lift agrees with the stated spin) whose
+    /// cosine between lift and ω × v is below −0.9.
     opposite_side: usize,
     lift_by_spin: Vec<LiftRow>,
     magnus: Estimate,
@@ -51,7 +52,7 @@ struct Section {
     diagnoses: Vec<DiagnosisRow>,
 }
 
-/// A coefficient's estimate with its cluster-robust standard error.
+/// Estimate of a coefficient, with its cluster-robust standard error (clusters are flights).
 #[derive(Serialize)]
 struct Estimate {
     name: String,
@@ -73,7 +74,7 @@ impl Estimate {
 struct FitSummary {
     effects: String,
     rms_m: f64,
-    /// Standard deviation of the noise along x, y, z, m.
+    /// Standard deviations of the noise of the measured positions along x, y and z, m.
     sigma_m: [f64; 3],
     ar1: f64,
     /// Estimates of the coefficients that the effects of this fit add to the model.
@@ -91,12 +92,12 @@ struct AgreementRow {
 struct LiftRow {
     model: &'static str,
     rms_m: f64,
-    /// Estimates of the drag coefficient C_D and of the lift coefficients per advance ratio, C_Lw, and per squared
-    /// advance ratio, C_Lww; `None` for a coefficient that the row's model lacks.
+    /// Estimates of three coefficients: drag C_D, lift per advance ratio C_Lw, and lift per squared advance ratio
+    /// C_Lww. `None` for a coefficient that the fitted model lacks.
     estimates: [Option<Estimate>; 3],
     held_out_m: Option<f64>,
-    /// Decrease of the prediction error on held-out flights from the model of the previous row to the model of this
-    /// row, and its standard error, m; `None` for the first row or without held-out flights.
+    /// Decrease of the RMS prediction error on held-out flights from the model of the previous table row to the model
+    /// of this row, and standard error of the decrease, m. `None` for the first row or without held-out flights.
     reduction: Option<(f64, f64)>,
 }
 

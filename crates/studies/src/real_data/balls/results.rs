@@ -11,8 +11,8 @@ use super::models::{MAGNUS_BY_SQUARE, diagnosed, fitted};
 use super::stretches::{agreeing, is_agreeing};
 use crate::error::StudyError;
 
-/// Sets of effects that could deflect all paths in the same way, independently of the stated spins. Each set is added
-/// to the model with gravity and drag and fitted separately.
+/// Sets of effects that could deflect all paths in the same way, independently of the spins that the data state. Each
+/// set is added to the model with gravity and drag and fitted separately.
 const COMMON_EFFECTS: [&[&str]; 8] = [
     &["gravity"],
     &["tilted_vertical"],
@@ -24,7 +24,8 @@ const COMMON_EFFECTS: [&[&str]; 8] = [
     &["magnus", "spin_decay"],
 ];
 
-/// Effects that are added, one at a time, to the two models with lift due to spin.
+/// Names of effects that are added, one at a time, to two ball models: with lift proportional to the advance ratio, and
+/// with an additional lift proportional to its square.
 const ADDED_EFFECTS: [&str; 6] = [
     "spin_decay",
     "gravity",
@@ -46,12 +47,12 @@ pub(super) struct Added {
 
 /// Results of all fits, tests and diagnoses of the table-tennis balls.
 pub(in super::super) struct Balls {
-    /// Fit of all flights with gravity and drag alone.
+    /// Fit of all flights with a model that contains only gravity and drag.
     pub(in super::super) plain: FitReport,
     /// Fits of all flights with each set of [`COMMON_EFFECTS`].
     pub(super) common: Vec<(&'static [&'static str], FitReport)>,
     pub(super) lifts: Vec<Lift>,
-    /// Fit of all flights with a free, constant lift vector for each flight.
+    /// Fit of all flights with an unknown, constant lift vector for each flight.
     pub(super) free_lift: FitReport,
     /// Agreement of lift and spin for all flights, for the agreeing stretches (parts of the recording in which every
     /// lift agrees with the stated spin), and for the remaining flights.
@@ -60,8 +61,8 @@ pub(in super::super) struct Balls {
     /// `magnus` (lift proportional to the advance ratio), then also with a lift proportional to the squared advance
     /// ratio.
     pub(in super::super) lift_by_spin: [FitReport; 3],
-    /// Fits of the flights in which the lift agrees with the stated spin, with each of [`ADDED_EFFECTS`] added to the
-    /// models with lift due to spin.
+    /// Fits of the flights in which the lift agrees with the stated spin. Each of the effects [`ADDED_EFFECTS`] is
+    /// added to two models: with lift proportional to the advance ratio, and also to its square.
     pub(super) added: Vec<Added>,
     /// Diagnoses of three cases: all flights; the flights of the recording's parts in which every lift agrees with the
     /// stated spin; and these latter flights with the effect `magnus` in the model. `Err` contains the error of a

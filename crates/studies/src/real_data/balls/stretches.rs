@@ -2,8 +2,8 @@
 
 use identify::dataset::Dataset;
 
-/// First and last file number of each agreeing stretch: a part of the recording in which every lift agrees with the
-/// stated spin.
+/// First and last file number of each part of the recording in which every lift agrees with the spin that the data
+/// state.
 pub(super) const AGREEING: [(u32, u32); 2] = [(2, 54), (139, 213)];
 
 /// Number formed by the digits of a file name; 0 if it has none.
@@ -12,16 +12,16 @@ pub(super) fn number(file: &str) -> u32 {
     digits.parse().unwrap_or(0)
 }
 
-/// Whether the number in the file name of a flight is in one of the two ranges in which every lift agrees with the
-/// stated spin.
+/// Whether the number in the file name of a flight is in one of the two ranges in which every lift agrees with the spin
+/// that the data state.
 pub fn is_agreeing(file: &str) -> bool {
     let number = number(file);
     let mut stretches = AGREEING.iter();
     stretches.any(|(first, last)| (*first..=*last).contains(&number))
 }
 
-/// Returns the dataset restricted to the flights of the agreeing stretches, in which the lift agrees with the stated
-/// spin.
+/// Returns the dataset restricted to those parts of the recording in which every lift agrees with the spin that the
+/// data state.
 pub(super) fn agreeing(flights: &Dataset) -> Dataset {
     let mut part = flights.clone();
     part.flights.retain(|flight| is_agreeing(&flight.file));

@@ -8,20 +8,22 @@ use rand_distr::{Distribution, StandardNormal};
 use super::simulate::Simulator;
 use super::throw::{Launch, TRACK_UNCERTAINTY, Throw, UNCERTAINTY, rms_distance};
 
-/// Statistics of the simulated end points of random launches.
+/// Statistics of simulated flights whose launches are drawn at random within the stated uncertainties.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Band {
-    /// Mean, over the random launches, of the simulated horizontal position at the time of the last track point, m.
+    /// Mean, over the random launches, of the simulated horizontal position (x, y) at the time of the last track point,
+    /// m.
     pub(super) mean: [f64; 2],
-    /// Standard deviation, over the random launches, of each coordinate of that position (see `mean`), m.
+    /// Standard deviation, over the random launches, of the simulated horizontal position (x, y) at the time of the
+    /// last track point, m.
     pub(super) deviation: [f64; 2],
-    /// Fraction of the launches whose RMS distance from the measured track is below [`TRACK_UNCERTAINTY`] per
-    /// coordinate.
+    /// Fraction of the random launches whose simulated path has an RMS difference of less than 1 m per coordinate from
+    /// the measured track.
     pub(super) within: f64,
 }
 
-/// Simulates `draws` random launches, drawn from normal distributions about the stated launch of a throw with the
-/// stated uncertainties.
+/// Simulates `draws` random launches of a throw, drawn from normal distributions about its published launch quantities
+/// with their published uncertainties.
 pub(super) fn band(simulator: &Simulator<'_>, throw: &Throw, draws: usize, seed: u64) -> Band {
     let points = throw.points();
     let times: Vec<f64> = points.iter().map(|(time, _)| *time).collect();

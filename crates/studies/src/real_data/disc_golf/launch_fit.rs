@@ -14,11 +14,12 @@ const FACTOR_UNCERTAINTY: f64 = 1.0;
 const LAUNCH_UNKNOWNS: usize = 7;
 const ALL_UNKNOWNS: usize = 10;
 
-/// Step of the central differences, in prior standard deviations. The table is interpolated linearly; its kinks would
-/// bias one-sided differences and end the fit before its minimum.
+/// Step of the central differences by which the residuals are differentiated, in prior standard deviations. The
+/// aerodynamic table is interpolated linearly; its kinks would bias one-sided differences and end the fit before its
+/// minimum.
 const DIFFERENCE: f64 = 0.05;
 
-/// Maximum number of Gauss–Newton steps.
+/// Maximum number of Gauss–Newton steps in the fit of one launch.
 const MAX_STEPS: usize = 40;
 
 /// Number of step lengths that are tried in a Gauss–Newton step: the full step, then repeated halves of it.
@@ -27,13 +28,14 @@ const MAX_HALVINGS: usize = 6;
 /// The fit ends when a step decreases the sum of squared weighted residuals by less than this value.
 const MIN_DECREASE: f64 = 1e-3;
 
-/// Result of fitting a launch to its measured track.
+/// Result of fitting the launch quantities of a throw to its measured track.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LaunchFit {
-    /// RMS distance per coordinate between measured track and simulation, m: for the stated launch, and for the fitted
-    /// launch.
+    /// RMS difference, per coordinate, between the measured track and the simulated path, m: for the published launch,
+    /// and for the fitted launch.
     pub rms: [f64; 2],
-    /// Changes of the launch quantities by the fit (fitted − stated), in units of their stated uncertainties.
+    /// Changes of the launch quantities by the fit (fitted − published), in units of their published uncertainties.
+    /// Order: speed, pitch, roll, nose, yaw, tailwind, crosswind.
     pub changes: [f64; 7],
     /// Factors on the tabulated lift, drag and pitching moment; 1 if the factors were not fitted.
     pub factors: [f64; 3],
@@ -41,8 +43,8 @@ pub struct LaunchFit {
     pub factor_errors: [f64; 3],
 }
 
-/// Fits the launch quantities to the measured track, with or without free factors on the tabulated coefficients; `None`
-/// if the normal equations are singular.
+/// Fits the launch quantities of a throw to its measured track. If `with_factors` is true, factors on the tabulated
+/// lift, drag and pitching moment are fitted too. `None` if the normal equations are singular.
 pub(super) fn launch_fit(
     simulator: &Simulator<'_>,
     throw: &Throw,
@@ -88,9 +90,9 @@ fn factors(unknowns: &[f64]) -> Factors {
     std::array::from_fn(|k| 1.0 + FACTOR_UNCERTAINTY * unknown(k))
 }
 
-/// Minimises the sum of squared residuals by Gauss–Newton, starting from 0. A step that does not decrease the sum is
-/// halved repeatedly; the minimisation ends if no tried step decreases the sum. Returns the unknowns and their
-/// covariance; `None` if the normal equations are singular.
+/// Minimises the sum of squared residuals by Gauss–Newton over `count` unknowns, starting from 0. A step that does not
+/// decrease the sum is halved repeatedly; the minimisation ends if no tried step decreases the sum. Returns the
+/// unknowns and their covariance; `None` if the normal equations are singular.
 fn minimised(
     count: usize,
     residuals: impl Fn(&[f64]) -> DVector<f64> + Sync,

@@ -42,9 +42,10 @@ struct LaunchRow {
 struct FactorRow {
     number: u32,
     rms: f64,
-    /// Factors on lift, drag and pitching moment, each with its standard error.
+    /// Fitted factors by which the tabulated lift, drag and pitching moment are multiplied, each with its standard
+    /// error.
     factors: [(f64, f64); 3],
-    /// Maximum change of a launch quantity by the fit, in units of the quantity's stated uncertainty.
+    /// Maximum, over the launch quantities, of the change by the fit, in units of the quantity's published uncertainty.
     greatest_change: f64,
 }
 

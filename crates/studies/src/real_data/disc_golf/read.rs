@@ -46,7 +46,8 @@ fn list(text: &str, key: &str) -> Option<Vec<f64>> {
     cells.map(|cell| cell.trim().parse().ok()).collect()
 }
 
-/// Reads the throws of a folder: launches from `throw_params.csv`, and the tracks from one file each.
+/// Reads the throws of a folder: the launch conditions from `throw_params.csv`, and the track (measured path) of each
+/// throw from a file of its own.
 pub(crate) fn throws(folder: &Path) -> Result<Vec<Throw>, StudyError> {
     let file = folder.join("throw_params.csv");
     let text = text_of(&file)?;

@@ -18,8 +18,8 @@ pub(super) const DRAWS: usize = 100;
 pub(super) struct ThrowResult {
     pub(super) throw: Throw,
     pub(super) band: Band,
-    /// Fits of the launch to the track: without, and with free factors on the tabulated lift, drag and pitching moment;
-    /// `None` if a fit is singular.
+    /// Two fits of the launch to the measured track: of the launch alone, and together with factors on the tabulated
+    /// lift, drag and pitching moment. `None` if the normal equations are singular.
     pub(super) fits: [Option<LaunchFit>; 2],
 }
 
@@ -29,7 +29,8 @@ pub(in super::super) struct DiscGolf {
 }
 
 impl DiscGolf {
-    /// Simulates and fits the throws of a folder that contains `dd2.yaml`, `throw_params.csv` and the tracks.
+    /// Simulates and fits the throws of a folder that contains `dd2.yaml` (the disc), `throw_params.csv` (launch
+    /// conditions) and the tracks (measured paths).
     pub(in super::super) fn of(folder: &Path, model: &Model) -> Result<Self, StudyError> {
         let disc = disc(&folder.join("dd2.yaml"))?;
         let simulator = Simulator::new(model, &disc)?;
@@ -43,8 +44,8 @@ impl DiscGolf {
         })
     }
 
-    /// Fits of each throw's launch to its track: without, and with free factors on the tabulated lift, drag and
-    /// pitching moment; `None` if a fit is singular.
+    /// For each throw, two fits of the launch to the measured track: of the launch alone, and together with factors on
+    /// the tabulated lift, drag and pitching moment. `None` if the normal equations are singular.
     pub(in super::super) fn fits(&self) -> impl Iterator<Item = &[Option<LaunchFit>; 2]> {
         self.throws.iter().map(|result| &result.fits)
     }

@@ -45,7 +45,8 @@ pub(super) struct Simulator<'a> {
 }
 
 impl<'a> Simulator<'a> {
-    /// Creates a simulator for a disc. Pitch and spin damping, which the table lacks, are those of the model.
+    /// Creates a simulator for a disc with an aerodynamic table. Pitch and spin damping, which the table lacks, have
+    /// the values of `model`.
     pub(super) fn new(model: &Model, disc: &'a Disc) -> Result<Self, StudyError> {
         let mut constants = Point::defaults(model);
         let radius = disc.diameter / 2.0;
@@ -76,7 +77,8 @@ impl<'a> Simulator<'a> {
         })
     }
 
-    /// Positions over the ground, m, at `times` (s) after a launch. Times after the landing give the landing position.
+    /// Horizontal positions (x, y), m, at `times` (s) after a launch. Times after the landing give the landing
+    /// position.
     pub(super) fn track(
         &self,
         throw: &Throw,
@@ -149,7 +151,7 @@ impl<'a> Simulator<'a> {
     }
 }
 
-/// State of the disc at the release.
+/// State of the disc at the release, with the given launch quantities and the spin and height of the throw.
 fn release(throw: &Throw, launch: &Launch) -> Physical<f64> {
     let (axis, velocity) = axis_and_velocity(launch);
     let first = Vector3::x().cross(&axis).cross(&axis).normalize();

@@ -7,7 +7,7 @@ use crate::real_data::wind_tunnel::Measured;
 /// Conversion factor from degrees to radians.
 pub(super) const RAD: f64 = std::f64::consts::PI / 180.0;
 
-/// Names of the launch quantities: speed, angles and wind components.
+/// Names of the launch quantities of a filmed throw: speed, angles and wind components.
 pub(crate) const LAUNCH_NAMES: [&str; 7] = [
     "speed",
     "pitch",
@@ -25,8 +25,8 @@ pub(crate) type Launch = [f64; 7];
 /// is not stated; it is assumed equal to that of the tailwind.
 pub(crate) const UNCERTAINTY: Launch = [0.6, RAD * 2.0, RAD * 5.0, RAD * 2.0, RAD * 2.0, 1.0, 1.0];
 
-/// Assumed uncertainty of a measured position over the ground, m. The camera films from a height of about 100 m, so a
-/// disc that flies 5 to 10 m above the ground appears 5 to 10 % too far from the point below the camera.
+/// Assumed uncertainty of a measured horizontal position, m. The camera films from a height of about 100 m, so a disc
+/// that flies 5 to 10 m above the ground appears 5 to 10 % too far from the point below the camera.
 pub(super) const TRACK_UNCERTAINTY: f64 = 1.0;
 
 /// Number of points of each measured track that are compared with the simulation. More points would not help, because
@@ -40,17 +40,17 @@ pub(super) struct Disc {
     pub(super) diameter: f64,
     /// Moments of inertia divided by the mass, m²: about a diameter, and about the disc's axis.
     pub(super) inertia: [f64; 2],
-    /// Aerodynamic coefficients, by angle of attack.
+    /// Table of the aerodynamic coefficients, one row per angle of attack.
     pub(super) table: Vec<Measured>,
 }
 
-/// Time (s) and position over the ground (m) of a point of a track.
+/// Time (s) and horizontal position (x, y; m) of a point of a measured track.
 pub(crate) type TrackPoint = (f64, [f64; 2]);
 
 /// A filmed throw.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Throw {
-    /// Number of the throw in the data.
+    /// Number of the throw in the published data.
     pub(crate) number: u32,
     /// Launch quantities as published with the throw.
     pub(crate) launch: Launch,
@@ -58,12 +58,12 @@ pub(crate) struct Throw {
     pub(crate) spin: f64,
     /// Height of the release above the ground, m.
     pub(crate) height: f64,
-    /// Points of the track, with times from the first point.
+    /// Points of the measured track; the first has time 0.
     pub(crate) track: Vec<TrackPoint>,
 }
 
 impl Throw {
-    /// Selects the evenly spaced points of the track that are compared with the simulation.
+    /// Selects evenly spaced points of the measured track, which are compared with the simulation.
     pub(crate) fn points(&self) -> Vec<TrackPoint> {
         let last = self.track.len().saturating_sub(1);
         let points = (1..=POINTS).filter_map(|k| self.track.get(k * last / POINTS));
@@ -91,7 +91,8 @@ pub(crate) fn axis_and_velocity(launch: &Launch) -> (Vector3<f64>, Vector3<f64>)
     (turned(axis), turned(velocity))
 }
 
-/// RMS difference per coordinate between simulated positions and measured track points over the ground, m.
+/// RMS difference, per coordinate, between simulated horizontal positions and the positions of measured track points,
+/// m.
 pub(crate) fn rms_distance(positions: &[[f64; 2]], points: &[TrackPoint]) -> f64 {
     let pairs = positions.iter().zip(points);
     let differences = pairs.flat_map(|(a, (_, b))| [a[0] - b[0], a[1] - b[1]]);

@@ -40,20 +40,20 @@ pub(super) const PRIORS: [(&str, f64, f64); 8] = [
 /// Ratio I_a/I_d of the moments of inertia about the disc's axis and about a diameter, with standard errors.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Ratio {
-    /// Estimate of the ratio.
+    /// Estimate of the ratio I_a/I_d of the axial to the diametral moment of inertia.
     pub value: f64,
-    /// Standard error due to the noise of the samples.
+    /// Standard error due to the measurement noise of the poses.
     pub std_error: f64,
     /// Cluster-robust standard error, from the differences between throws; `None` for one throw.
     pub clustered: Option<f64>,
 }
 
-/// Summary of the fits to one throw.
+/// Results for one throw, from the fit of all throws and from a fit of this throw alone.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Throw {
     pub name: String,
     pub samples: usize,
-    /// Number of this throw's samples that the fit used, out of `samples`.
+    /// Number of this throw's measured poses that the fit of all throws used.
     pub used: usize,
     /// Spin, rev/min, positive clockwise seen from above, and its standard error.
     pub spin: [f64; 2],
@@ -64,17 +64,18 @@ pub(super) struct Throw {
     pub alone: Option<Ratio>,
 }
 
-/// Results of the fits to the measured poses.
+/// Results of the fits to the measured poses of thrown golf discs.
 pub(in super::super) struct DiscPose {
-    /// Upward direction in camera axes, from the tag at rest on the ground.
+    /// Upward direction in camera axes, from the poses of a printed tag at rest on the ground.
     pub(super) up: [f64; 3],
-    /// RMS angle between the measured normals of the tag at rest on the ground and their mean, rad.
+    /// RMS angle between the measured normals of a printed tag at rest on the ground and their mean, rad.
     pub(super) scatter: f64,
     /// Fit of all throws together with priors on the aerodynamic coefficients.
     pub(super) joint: FitReport,
     /// Fit of all throws together without aerodynamic loads.
     pub(super) without_air: FitReport,
-    /// Fit of all throws together in which the vertical may be tilted.
+    /// Fit of all throws together in which the tilt of the vertical against the normal of a tag on the ground is
+    /// estimated.
     pub(super) tilted: FitReport,
     pub(super) throws: Vec<Throw>,
     /// Jackknife standard error of the ratio I_a/I_d (axial / diametral moment of inertia) of all throws, from fits
@@ -132,7 +133,7 @@ impl DiscPose {
 /// Treatment of the aerodynamic coefficients in a fit.
 #[derive(Clone, Copy)]
 enum Air {
-    /// The coefficients are free, with priors.
+    /// The aerodynamic coefficients are estimated, with priors.
     Prior,
     /// All aerodynamic coefficients are fixed at 0.
     None,
@@ -186,7 +187,7 @@ pub(super) fn ratio(report: &FitReport) -> Ratio {
     }
 }
 
-/// Summary of one throw. `report` contains this throw's results in the fit of all throws, `joint` the ratio I_a/I_d of
+/// Results for one throw. `report` contains this throw's results in the fit of all throws, `joint` the ratio I_a/I_d of
 /// that fit, and `alone` the ratio from a fit of this throw only.
 fn throw(flight: &Flight, report: &FlightReport, joint: f64, alone: Option<Ratio>) -> Throw {
     let rate = |name: &str| {

@@ -25,7 +25,7 @@ struct Section<'d> {
     /// with its standard error, degrees.
     tilts: Vec<[f64; 2]>,
     coefficients: Vec<CoefficientRow>,
-    /// RMS residuals of the fit of all throws: of the attitudes, degrees, and of the positions, mm.
+    /// RMS residuals of the fit of all throws: of the measured attitudes, degrees, and of the measured positions, mm.
     left: [f64; 2],
 }
 

@@ -12,11 +12,11 @@ use crate::real_data::files::{absent, bad_line, rows, text_of};
 /// tracking.
 pub(super) const FOLLOWED: (f64, f64) = (0.03, 0.25);
 
-/// File with the poses of the tag at rest on the ground.
+/// Name of the file with the measured poses of the printed tag at rest on the ground.
 const GROUND: &str = "groundplanesample_part.csv";
 
-/// Files that are not used as throws: another processing of `drive16`, a file with angles instead of a quaternion, and
-/// a file in which the tag's label changed.
+/// Names of files that are not used as throws: another processing of `drive16`, a file with angles instead of a
+/// quaternion, and a file in which the tag's label changed.
 const LEFT_OUT: [&str; 3] = ["drive17.csv", "throw0.csv", "drive14fliplabel.csv"];
 
 /// Header line of a table of poses.
@@ -29,9 +29,9 @@ type Row = (f64, Vector3<f64>, UnitQuaternion<f64>);
 pub(super) struct Poses {
     /// Flights in axes with z up, with one pose per sample.
     pub flights: Vec<Flight>,
-    /// Upward direction in the axes of the camera.
+    /// Upward direction in the axes of the camera, from the poses of a tag at rest on the ground.
     pub up: [f64; 3],
-    /// RMS angle between the normals of the tag at rest and their mean, rad.
+    /// RMS angle between the measured normals of a tag at rest on the ground and their mean, rad.
     pub scatter: f64,
 }
 

@@ -16,10 +16,10 @@ use crate::real_data::files::{absent, bad_line, rows, text_of};
 /// Standard gravity, m/s², the unit of the recorded specific forces.
 const STANDARD_GRAVITY: f64 = 9.80665;
 
-/// Time at the beginning and at the end of the flight that is excluded from the analysis, s.
+/// Length of the parts at the beginning and at the end of the flight that are excluded from the analysis, s.
 pub(super) const MARGIN: f64 = 0.06;
 
-/// Model of the disc, and effects for the mounting errors of its sensors.
+/// Names of the disc model and of the effects that represent mounting errors of the sensors on the disc.
 const MODEL: (&str, [&str; 2]) = (
     "disc_quaternion",
     ["accelerometer_misplaced", "gyroscope_misaligned"],
@@ -48,7 +48,7 @@ pub(super) struct Diagnosed {
     pub(super) samples: usize,
 }
 
-/// Row of the results table of causes: a hypothesis of the diagnosis.
+/// Table row on one cause that the diagnosis found: a hypothesis, that is a set of effects.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(super) struct CauseRow {
     pub(super) effects: String,

@@ -5,22 +5,23 @@ use nalgebra::{DMatrix, DVector};
 use super::form::Form;
 use super::record::Record;
 
-/// Number of grid points of the lag-1 correlation in [0, 1).
+/// Number of values of the noise's lag-1 correlation, evenly spaced in [0, 1), for which a fit is tried.
 const CORRELATIONS: usize = 400;
 
-/// Number of Gauss–Newton steps per fit.
+/// Number of Gauss–Newton steps in each fit of a torque law.
 const STEPS: usize = 12;
 
 /// Fit of one torque law to a record of a disc's spin, with first-order autoregressive (AR(1)) noise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DecayFit {
-    /// Estimates of the torque law's unknowns; see [`Form`].
+    /// Estimates of the torque law's unknowns: spin at release (rad/s), fraction of the spin lost per second at
+    /// release, and, for some laws, a third.
     pub unknowns: Vec<f64>,
-    /// Standard errors of the unknowns, in the order of `unknowns`.
+    /// Standard errors of the estimated unknowns of the torque law, in the order of `unknowns`.
     pub std_errors: Vec<f64>,
-    /// RMS residual, rad/s.
+    /// RMS residual (measured − fitted spin), rad/s.
     pub rms: f64,
-    /// Lag-1 correlation of the noise, estimated with the unknowns.
+    /// Lag-1 correlation of the noise, estimated together with the torque law's unknowns.
     pub ar1: f64,
     /// Akaike information criterion of the fit.
     pub aic: f64,
@@ -92,7 +93,7 @@ mod tests {
 
     use super::*;
 
-    /// A simulated spin under a torque, integrated in small steps, with AR(1) noise.
+    /// Simulates the record of a spin under a torque, integrated in small steps, with AR(1) noise.
     fn made(torque: impl Fn(f64, f64) -> f64) -> Record {
         let mut random = ChaCha12Rng::seed_from_u64(5);
         let (mut spin, mut noise) = (60.0, 0.0);

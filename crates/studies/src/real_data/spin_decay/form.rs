@@ -40,7 +40,7 @@ impl Form {
         }
     }
 
-    /// Initial guess of the unknowns, for a spin at release in rad/s.
+    /// Initial guess of the torque law's unknowns, given the spin at release in rad/s.
     pub(super) fn initial_guess(self, spin: f64) -> DVector<f64> {
         match self {
             Self::Power => DVector::from_vec(vec![spin, 0.04, 1.5]),
@@ -49,7 +49,7 @@ impl Form {
         }
     }
 
-    /// Spin (rad/s) at a time (s) after the release.
+    /// Spin (rad/s) at a time (s) after the release, for given unknowns of the torque law.
     pub(super) fn at(self, unknowns: &DVector<f64>, time: f64) -> f64 {
         let (spin, loss) = (unknowns[0], unknowns[1]);
         // Solution of dr/dt = −loss r (r/spin)^(power − 1).

@@ -24,20 +24,21 @@ struct Section<'d> {
     rejected_aic: f64,
     forms: Vec<FormRow>,
     rejected: String,
-    /// Airspeed at the end / airspeed at the release, as the fit of [`Form::Falling`] implies.
+    /// Airspeed at the end of the flight / airspeed at the release. It is implied by the fit of a torque that is
+    /// proportional to the spin and to a factor that falls linearly with time.
     final_factor: f64,
     exponent: f64,
-    /// Exponent of [`Form::Power`], fitted without the first part of the flight in which the disc wobbles, and its
-    /// standard error; `None` if that fit failed.
+    /// Exponent of the spin in the torque law, fitted without the first part of the flight in which the disc wobbles,
+    /// and its standard error; `None` if that fit failed.
     exponent_without_wobble: Option<(f64, f64)>,
     wobble: f64,
-    /// Spin-damping coefficient C_Nr, constant over the whole flight, from the fit of [`Form::Linear`], and its
-    /// standard error, N·m·s.
+    /// Spin-damping coefficient C_Nr, constant over the whole flight, from the fit of a torque proportional to the
+    /// spin, and its standard error, N·m·s.
     c_nr: (f64, f64),
     axial_inertia: f64,
     model_c_nr: f64,
-    /// Spin-damping coefficient C_Nr at the release and at the end of the flight, from the fit of [`Form::Falling`],
-    /// N·m·s.
+    /// Spin-damping coefficients C_Nr at the release and at the end of the flight, N·m·s. They follow from the fit of a
+    /// torque proportional to the spin and to a factor that falls linearly with time.
     c_nr_range: (f64, f64),
 }
 
@@ -45,7 +46,7 @@ struct Section<'d> {
 struct FormRow {
     form: &'static str,
     loss: (f64, f64),
-    /// Third unknown of the torque law with its standard error; `None` for a law with two unknowns.
+    /// Estimate of the torque law's third unknown, with its standard error; `None` for a law with two unknowns.
     third: Option<(f64, f64)>,
     is_power: bool,
     rms: f64,

@@ -5,10 +5,10 @@ use std::path::Path;
 use crate::error::StudyError;
 use crate::real_data::files::{absent, bad_line, rows, text_of};
 
-/// Times at which the disc's flight starts and ends in the recorded table, s.
+/// Times at which the disc's flight starts and ends in the table of sensor readings, s.
 pub(super) const FLIGHT: (f64, f64) = (0.14, 2.38);
 
-/// Minimum number of samples of a valid flight.
+/// A table of sensor readings is rejected if it contains fewer samples of the flight than this number.
 const MIN_SAMPLES: usize = 10;
 
 /// Measured spin of a disc in flight.

@@ -13,11 +13,12 @@ use crate::error::StudyError;
 /// Initial part of the flight that one fit leaves out, to test whether the disc's wobble there affects the result, s.
 pub(super) const WOBBLE: f64 = 0.5;
 
-/// Fits of all laws of the torque that slows the spin ([`Form`]), and the diagnosis of the same flight.
+/// Fits of all laws of the torque that slows a disc's spin, and the diagnosis of the same measured flight.
 pub(in super::super) struct SpinDecay {
     pub(super) record: Record,
     pub(super) fits: Vec<(Form, DecayFit)>,
-    /// Fit of [`Form::Power`] without the first [`WOBBLE`] seconds.
+    /// Fit of a torque proportional to a power of the spin, without the first [`WOBBLE`] seconds of the flight; `None`
+    /// if the fit failed.
     pub(super) power_without_wobble: Option<DecayFit>,
     /// Axial moment of inertia of the model, kg·m².
     pub(super) axial_inertia: f64,
@@ -52,7 +53,7 @@ impl SpinDecay {
         })
     }
 
-    /// Fit of one torque law (variant of [`Form`]); `None` if that fit failed.
+    /// Fit of the torque law `form` to the measured spin; `None` if that fit failed.
     pub(in super::super) fn fit(&self, form: Form) -> Option<&DecayFit> {
         let mut fits = self.fits.iter();
         fits.find(|(of, _)| *of == form).map(|(_, fit)| fit)

@@ -10,14 +10,14 @@ pub(super) type Coefficient = usize;
 /// A basis function of the angle of attack, rad.
 pub(super) type Shape = fn(f64) -> f64;
 
-/// Singular values below this fraction of the maximum count as 0.
+/// In a least-squares fit, singular values below this fraction of the maximum singular value count as 0.
 const RANK_TOLERANCE: f64 = 1e-12;
 
 pub(super) const ONE: Shape = |_| 1.0;
 pub(super) const ALPHA: Shape = |alpha| alpha;
 pub(super) const SQUARE: Shape = |alpha| alpha * alpha;
 pub(super) const CUBE: Shape = |alpha| alpha * alpha * alpha;
-/// Shape of the effect `stall`: a parabola above 8°.
+/// Basis function of the effect `stall`: zero up to an angle of attack of 8°, a falling parabola above.
 pub(super) const STALL: Shape = |alpha| -(alpha - 8_f64.to_radians()).max(0.0).powi(2);
 
 /// A linear combination of basis functions of the angle of attack.

@@ -70,8 +70,9 @@ const DEPARTURES: [(&str, &Form, f64); 3] = [
 struct Section {
     forms: Vec<FormRow>,
     departures: Vec<Departure>,
-    /// Fraction of the drag parabola's RMS residual that is removed if the parabola may shift. The first entry is for
-    /// the narrowest, the second for the widest range of angle of attack; `None` if there are too few rows.
+    /// Fraction by which the RMS residual of the drag parabola decreases if its minimum may shift along the angle of
+    /// attack. The first entry is for the narrowest, the second for the widest range of angle of attack; `None` if
+    /// there are too few rows.
     drag_shifted: [Option<f64>; 2],
     stall: [Option<f64>; 2],
     moment_constant: [Option<f64>; 2],
@@ -98,8 +99,8 @@ struct Departure {
     /// Smallest angle of attack ≥ 0, degrees, at which the curve deviates from the table by more than the coefficient
     /// difference `limit`. `None` if there is no such angle.
     above: Option<f64>,
-    /// Angle of attack ≤ 0 closest to 0, degrees, at which the curve deviates from the table by more than `limit`.
-    /// `None` if there is no such angle.
+    /// Largest angle of attack ≤ 0, degrees, at which the curve deviates from the table by more than the coefficient
+    /// difference `limit`. `None` if there is no such angle.
     below: Option<f64>,
 }
 

@@ -11,7 +11,7 @@ use crate::page::render;
 /// Ranges of angle of attack over which the model's curves are fitted, degrees.
 const RANGES: [(f64, f64); 3] = [(-5.0, 10.0), (-5.0, 15.0), (-10.0, 30.0)];
 
-/// Range of angle of attack of the fits in the figure, degrees.
+/// Range of angle of attack over which the curves in the figure are fitted, degrees.
 pub(super) const FIGURE_RANGE: (f64, f64) = RANGES[1];
 
 /// Names of the coefficients, in the order of the columns of the wind tunnel's table.

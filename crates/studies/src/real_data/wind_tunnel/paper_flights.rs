@@ -11,10 +11,11 @@ use crate::oracle_flights::{paper_flight, release_angle_of_attack};
 use crate::page::render;
 use crate::paper::printed_coefficient;
 
-/// Number of noise seeds per flight.
+/// Number of seeds of the noise, that is of simulated datasets, for each flight.
 const SEEDS: u64 = 40;
 
-/// Number of standard deviations above which the estimates from the two flights count as different.
+/// The estimates of a coefficient from the two flights count as different if they differ by more than this number of
+/// standard deviations of their difference.
 const DIFFERENT: f64 = 3.0;
 
 const FLIGHTS: [&str; 2] = ["fssh3", "bffl8"];
