@@ -36,7 +36,7 @@ pub struct DiagnosisPage<'a> {
     /// Text of the added effect or of the extended model file, in the model language; `None` if the model was not
     /// extended.
     pub extended: Option<&'a str>,
-    /// Verification status of the model according to its certificate.
+    /// Verification status of the model according to its certificate (record of the verification checks).
     pub certificate: &'a CertificateNote,
 }
 

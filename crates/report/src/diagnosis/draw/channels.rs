@@ -17,13 +17,13 @@ use crate::fit::thin::stride;
 const MAX_CHANNELS: usize = 12;
 /// Maximum number of load histories (one for each flight) drawn for each load channel.
 const MAX_HISTORIES: usize = 12;
-/// Maximum number of points drawn for each load history.
+/// Maximum number of points with which a load history is drawn.
 const MAX_POINTS: usize = 120;
 /// Height of the plot area for the load history of one flight, SVG units.
 const TALL: f64 = 84.0;
-/// Space above each plot, SVG units.
+/// Space above the plot area of a load history, SVG units.
 const ABOVE: f64 = 24.0;
-/// Space below each plot, SVG units.
+/// Space below the plot area of a load history, SVG units.
 const BELOW: f64 = 24.0;
 
 /// Draws the time histories of the loads that the model lacks, one figure for each load channel (force or moment

@@ -12,8 +12,8 @@ use crate::fit::draw::not_drawn;
 /// Maximum number of held-out flights drawn, one chart row each.
 const MAX_FLIGHTS: usize = 12;
 
-/// Draws the RMS prediction errors, mm, with one chart row for all flights and one for each held-out flight. `None` if
-/// the reduction of the out-of-sample error was not measured.
+/// Draws the RMS prediction errors without and with the effects added to the model, mm: one chart row for all flights
+/// and one for each held-out flight. `None` if the errors were not compared.
 pub(super) fn gain(report: &Report) -> Option<Drawn> {
     let gain = report.gain.as_ref()?;
     let mm = |metres: f64| 1e3 * metres;

@@ -10,11 +10,11 @@ use crate::figures::{Dots, Layout, Look, Panel};
 use crate::fit::Drawn;
 use crate::fit::draw::residuals::{FlightsOfRole, flights_of, panel, residual_figure};
 
-/// Maximum number of dots of each series on a narrow screen.
+/// Maximum number of dots of each series of residuals in the version of a figure for narrow screens.
 const NARROW_DOTS: usize = 400;
 
-/// Draws one figure for the residuals of the fitted flights and one for the held-out flights; no figure for a role
-/// without flights.
+/// Draws one figure for the residuals of the fitted flights and one for those of the held-out flights. A figure without
+/// flights is omitted.
 pub(super) fn residuals(page: &DiagnosisPage<'_>) -> Vec<Drawn> {
     let sigma = page.report.noise.sigma_m;
     let figure = |before: FlightsOfRole<'_>| {

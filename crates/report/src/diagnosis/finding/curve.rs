@@ -12,14 +12,14 @@ use crate::angle::{is_angle, is_angle_state};
 use crate::bands::{covariance, std_error};
 use crate::figures::axis::range;
 
-/// Number of intervals into which the range of the abscissa is divided.
+/// Number of intervals into which the range of a curve's abscissa is divided.
 const INTERVALS: usize = 32;
 /// Minimum number of samples in an interval of the abscissa for the curve to have a point there, and maximum number of
 /// samples of an interval at which the quantity is evaluated.
 const SAMPLES: (usize, usize) = (4, 7);
 /// Maximum number of samples, over all flights, from which the curve is computed.
 const MAX_SAMPLES: usize = 20_000;
-/// Quantiles of the abscissa between which the curve is drawn.
+/// Quantiles of the abscissa, over the samples, between which the curve is drawn.
 const QUANTILES: (f64, f64) = (0.005, 0.995);
 /// Minimum change of the quantity along the curve, relative to its largest absolute value, for the curve to be drawn.
 const FLAT: f64 = 1e-6;
@@ -49,11 +49,11 @@ pub(in super::super) struct Curve {
 pub(in super::super) struct Point {
     /// Value of the variable on the abscissa, in degrees for angles, otherwise SI.
     pub(in super::super) x: f64,
-    /// Value of the quantity in the model under test, SI; NaN if this model lacks the quantity.
+    /// Value of the plotted quantity in the model under test, SI; NaN if this model lacks the quantity.
     pub(in super::super) before: f64,
-    /// Value of the quantity in the extended model, SI.
+    /// Value of the plotted quantity in the extended model, SI.
     pub(in super::super) after: f64,
-    /// Standard error of the value in the extended model, SI.
+    /// Standard error of the plotted quantity in the extended model, SI.
     pub(in super::super) error: f64,
     /// Number of samples in the interval of the abscissa, including those at which the quantity was not evaluated.
     pub(in super::super) samples: usize,
@@ -70,7 +70,7 @@ struct Abscissa<'m> {
     column: Column,
 }
 
-/// Where the values of a variable are found in the data of a flight.
+/// Location of the values of a variable in the data of a flight.
 #[derive(Clone, Copy)]
 enum Column {
     State(usize),
@@ -79,9 +79,8 @@ enum Column {
     Time,
 }
 
-/// Computes the curve of a scalar auxiliary variable over another variable on which it depends. Searches the auxiliary
-/// variables that the effects named in `effects` add or replace, and returns the first curve that is not flat; `None`
-/// if there is none.
+/// Searches the scalar auxiliary variables that the effects named in `effects` add or replace. Returns the curve of the
+/// first one that is not constant, over another variable on which it depends; `None` if there is none.
 pub(super) fn of<'n>(fits: &Fits<'_>, effects: impl IntoIterator<Item = &'n str>) -> Option<Curve> {
     let after = fits.after?;
     let model = &after.problem().model;
@@ -267,7 +266,8 @@ struct Models<'f> {
     /// Index of the drawn quantity in the model under test (`None` if that model lacks the quantity), and in the
     /// extended model.
     positions: (Option<usize>, usize),
-    /// Finite-difference step of each global parameter: its standard error, SI.
+    /// Finite-difference step for the derivative with respect to each global parameter: its standard error, SI; 0 if it
+    /// has none.
     steps: Vec<f64>,
     /// Correlation matrix of the global parameters; 0 for parameters without a standard error.
     correlations: DMatrix<f64>,
