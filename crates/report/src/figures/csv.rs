@@ -2,7 +2,7 @@
 
 use super::panel::Panel;
 
-/// CSV table that is built cell by cell.
+/// Text of a CSV table that is built cell by cell.
 pub(crate) struct Table {
     text: String,
     is_line_begun: bool,
@@ -70,7 +70,7 @@ impl Table {
     }
 }
 
-/// CSV table of the data of several panels, with one line for each point, bar, band or level.
+/// CSV table of the data shown in several panels of a figure, with one line for each point, bar, band or level.
 pub(crate) fn of_panels(panels: &[Panel]) -> String {
     let mut table = Table::new(&["panel", "kind", "series", "x", "x_end", "y", "y_end"]);
     for panel in panels {

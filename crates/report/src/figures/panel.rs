@@ -21,7 +21,7 @@ pub struct Mark {
 /// Points of a scatter plot that share one style.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dots {
-    /// Style of the points.
+    /// Style with which the points are drawn.
     pub look: Look,
     /// Positions (x, y) in data units; points that are not finite are not drawn.
     pub points: Vec<(f64, f64)>,
@@ -72,7 +72,7 @@ pub struct Panel {
     pub across: String,
     /// Lines of the panel; at most four have distinct colours.
     pub lines: Vec<Line>,
-    /// Whether all lines are thin and solid, as a background for dots.
+    /// Whether all lines are drawn thin and solid, as a background for dots.
     pub thin: bool,
     /// Scatter points, drawn on top of the lines.
     pub dots: Vec<Dots>,
@@ -87,9 +87,9 @@ pub struct Panel {
     /// Band with limits that vary along x, such as a confidence band: points (x, lower, upper) in data units, drawn
     /// behind the lines.
     pub ribbon: Vec<(f64, f64, f64)>,
-    /// Range (minimum, maximum) of the vertical axis; computed from the data if `None`.
+    /// Range (minimum, maximum) of the vertical axis; `None` computes it from the data.
     pub up: Option<(f64, f64)>,
-    /// Height of the plot area, SVG units; the layout's default if `None`.
+    /// Height of the plot area, SVG units; `None` uses the default of the layout.
     pub height: Option<f64>,
     /// Whether both axes have the same scale, as in a map.
     pub map: bool,

@@ -28,7 +28,7 @@ pub struct FitPage<'a> {
     pub model: &'a Model,
     /// Name of the dataset.
     pub dataset: &'a str,
-    /// Verification status of the model according to its certificate.
+    /// Verification status of the model according to its certificate (record of the verification checks).
     pub certificate: &'a CertificateNote,
 }
 
@@ -72,7 +72,7 @@ pub fn html_and_figures(page: &FitPage<'_>) -> (String, Vec<Figure>) {
     (page::written(page, &figures), figures.in_order())
 }
 
-/// Figures of the report, grouped by its sections.
+/// Figures of the report of a fit, grouped by its sections.
 struct Figures {
     precision: Option<Drawn>,
     predictions: Vec<Drawn>,
@@ -120,7 +120,8 @@ pub(crate) struct Drawn {
 }
 
 impl Drawn {
-    /// Creates a figure without a narrow version from its name, title, and texts: caption, SVG and CSV.
+    /// Creates a figure, without a version for narrow screens, from its name, its title and the texts of its caption,
+    /// SVG and CSV table.
     pub(crate) fn new(name: String, title: String, [caption, svg, csv]: [String; 3]) -> Drawn {
         let figure = Figure {
             name,

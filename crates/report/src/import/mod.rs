@@ -3,7 +3,7 @@
 mod draw;
 mod page;
 
-/// Input of the HTML page of an import.
+/// Input of the HTML page that reports an import of motion-capture recordings.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImportPage {
     /// Name of the imported dataset.
@@ -26,7 +26,7 @@ pub struct ImportedTake {
     /// Height of the tracked body during the whole recording: pairs of time, s, and height, m; the height is not finite
     /// at times at which the body was not tracked.
     pub heights: Vec<(f64, f64)>,
-    /// Flights that were extracted from the recording.
+    /// Free flights that were extracted from the recording.
     pub flights: Vec<ImportedFlight>,
 }
 
@@ -37,13 +37,13 @@ pub struct ImportedFlight {
     pub file: String,
     /// Number of samples of the flight.
     pub samples: usize,
-    /// Beginning of the flight, with the reason why it was chosen.
+    /// Beginning of the flight, with the reason why it was placed there.
     pub release: Edge,
-    /// End of the flight, with the reason why it was chosen.
+    /// End of the flight, with the reason why it was placed there.
     pub end: Edge,
     /// Times of the first and the last sample, s since the start of the recording.
     pub span: (f64, f64),
-    /// Gaps in which no marker of the body was measured: pairs of begin and end, s.
+    /// Gaps in which no marker of the body was measured: pairs of begin and end, s on the time axis of the recording.
     pub gaps: Vec<(f64, f64)>,
     /// Markers with missing samples: pairs of marker name and number of missing samples.
     pub missing: Vec<(String, usize)>,
@@ -56,7 +56,7 @@ pub struct ImportedFlight {
 /// Begin or end of a flight in a recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edge {
-    /// Time in the recording, s.
+    /// Time at which the flight begins or ends, s since the start of the recording.
     pub time: f64,
     /// Reason why the flight begins or ends at this time, as text.
     pub reason: String,
@@ -74,7 +74,7 @@ pub struct Curve {
 /// Distance between two markers of a rigid body over time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Distance {
-    /// Name of the marker pair.
+    /// Names of the two markers, as one text.
     pub name: String,
     /// Distance of the two markers in the rigid-body definition, m.
     pub template: f64,
@@ -90,7 +90,7 @@ impl ImportedFlight {
     }
 }
 
-/// Renders the self-contained HTML page of an import.
+/// Renders the self-contained HTML page that reports an import of recordings.
 pub fn html(page: &ImportPage) -> String {
     page::html(page)
 }

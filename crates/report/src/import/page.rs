@@ -18,7 +18,7 @@ const MAX_GAPS: usize = 5;
 /// Maximum number of marker pairs listed for each recording.
 const MAX_PAIRS: usize = 30;
 
-/// A recording, as input of the HTML template.
+/// A motion-capture recording, as input of the HTML template.
 #[derive(Serialize)]
 struct Take {
     file: String,
@@ -28,7 +28,7 @@ struct Take {
     pairs: Vec<Pair>,
 }
 
-/// A flight, as input of the HTML template; all values are formatted as text.
+/// An imported flight, as input of the HTML template; all values are formatted as text.
 #[derive(Serialize)]
 struct Row {
     file: String,
@@ -50,7 +50,7 @@ struct Pair {
     file: String,
 }
 
-/// Renders the HTML page of an import.
+/// Renders the HTML page that reports an import of recordings.
 pub(super) fn html(page: &ImportPage) -> String {
     let flights: usize = page.takes.iter().map(|take| take.flights.len()).sum();
     let mut takes = Vec::new();

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use super::ResultFile;
 
-/// Name of the manifest file in a folder of results.
+/// Name of the manifest file in a folder of results, which lists the files that the program wrote.
 pub const MANIFEST: &str = ".hyzer-results";
 
 /// First line of a manifest file, a comment.
@@ -54,7 +54,7 @@ impl Manifest {
         text
     }
 
-    /// Relative paths of the files in the manifest, sorted.
+    /// Relative paths of the files that the manifest lists, sorted.
     pub fn paths(&self) -> impl Iterator<Item = &str> {
         self.files.keys().map(String::as_str)
     }

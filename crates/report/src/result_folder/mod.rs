@@ -77,7 +77,7 @@ pub enum ResultFolderError {
     },
 }
 
-/// Folder that was checked to accept results. Its contents change only when [`ResultFolder::replace`] is called.
+/// Folder of results that was checked to be usable. Its contents change only when [`ResultFolder::replace`] is called.
 #[derive(Clone, Debug)]
 pub struct ResultFolder {
     /// Absolute path of the folder, with symbolic links resolved.
@@ -247,8 +247,8 @@ fn is_folder(path: &Path) -> Result<(), ResultFolderError> {
     }
 }
 
-/// Returns an error if a folder contains files but no manifest, so that files of the user are not overwritten. `shown`
-/// is the path named in the error.
+/// Returns an error if a folder contains files but no manifest (list of the files that the program wrote), so that
+/// files of the user are not overwritten. `shown` is the path named in the error.
 fn refuse_foreign(target: &Path, shown: &Path) -> Result<(), ResultFolderError> {
     if target.join(MANIFEST).is_file() {
         return Ok(());

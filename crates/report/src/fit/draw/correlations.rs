@@ -105,14 +105,14 @@ fn scale(svg: &mut Svg, left: f64, top: f64) {
     }
 }
 
-/// Formats a correlation briefly, such as `−.87`, for a cell of width `side`, SVG units.
+/// Formats a correlation without a leading zero, such as `−.87`, for a cell of width `side`, SVG units.
 fn short(value: f64, side: f64) -> String {
     let text = plain(value, if side < 27.0 { 1 } else { 2 });
     text.replacen("0.", ".", 1)
 }
 
-/// Colour of a cell: from blue (−1) through white (0) to orange (1), distinguishable for the colour-blind; grey if
-/// not finite.
+/// Colour of a cell of the correlation matrix: from blue (−1) through white (0) to orange (1), distinguishable for the
+/// colour-blind; grey if not finite.
 fn colour(value: f64) -> String {
     if !value.is_finite() {
         return "#bbb".to_owned();

@@ -11,7 +11,7 @@ use crate::figures::{Dots, Layout, Look, Mark, Panel};
 
 /// Maximum number of flights drawn, one figure each.
 const MAX_FLIGHTS: usize = 6;
-/// Maximum number of dots of a series.
+/// Maximum number of dots with which a series of prediction errors is drawn.
 const MAX_DOTS: usize = 400;
 /// Half width of a 95 % confidence interval, in standard errors.
 const WIDTH_95: f64 = 1.96;

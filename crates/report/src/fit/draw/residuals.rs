@@ -21,14 +21,14 @@ pub(crate) struct FlightsOfRole<'e> {
     pub(crate) name: &'static str,
     /// Title of the figure.
     pub(crate) title: &'static str,
-    /// Flights among the first [`MAX_FLIGHTS`] flights; the figures show no others.
+    /// Flights of this role among the first [`MAX_FLIGHTS`] flights of the evidence, which are the only ones drawn.
     pub(crate) flights: Vec<&'e FlightEvidence>,
     /// Sentences at the end of the caption: the meaning of the residuals, and the files of the flights.
     pub(crate) notes: String,
 }
 
 impl<'e> FlightsOfRole<'e> {
-    /// The fitted flights, then the held-out flights; a role without flights is left out.
+    /// Groups the flights by role: the fitted flights, then the held-out flights; a role without flights is left out.
     pub(crate) fn all(evidence: &'e [FlightEvidence]) -> impl Iterator<Item = FlightsOfRole<'e>> {
         let kinds = [
             (
@@ -73,7 +73,7 @@ pub(crate) fn flights_of(evidence: &[FlightEvidence], role: Role) -> Vec<&Flight
     drawn.filter(|f| f.role == role).collect()
 }
 
-/// Draws panels of residuals; in any layout but the widest with at most `dots` dots of each series.
+/// Draws panels of residuals. In any layout but the widest, each series has at most `dots` dots.
 pub(crate) fn residual_figure(
     layout: Layout,
     title: &str,
@@ -90,8 +90,8 @@ pub(crate) fn residual_figure(
     figure_of(layout, title, &fewer)
 }
 
-/// Draws one figure for the residuals of the fitted flights and one for the held-out flights; no figure for a role
-/// without flights.
+/// Draws one figure for the residuals of the fitted flights and one for those of the held-out flights. A figure without
+/// flights is omitted.
 pub(in super::super) fn residuals(evidence: &[FlightEvidence], noise: &NoiseReport) -> Vec<Drawn> {
     let figure = |of: FlightsOfRole<'_>| {
         let axes = ["x", "y", "z"].into_iter().enumerate();
