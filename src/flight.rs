@@ -5,7 +5,7 @@ use ode::Trajectory;
 
 use crate::Model;
 
-/// Simulated flight of a model: states, marker positions and events from the release to the end.
+/// Simulated flight of a model: states, marker positions and events from the release (initial conditions) to the end.
 #[derive(Clone, Debug)]
 pub struct Flight {
     model: Model,

@@ -9,7 +9,8 @@ use super::parts::Refit;
 use crate::cli::Bootstrap;
 use crate::commands::fit::{digits, written};
 
-/// Contents of `summary.json`: standard errors, 95 % percentile intervals, correlations; SI.
+/// Contents of the `summary.json` of a bootstrap: standard errors, 95 % percentile intervals and correlations of the
+/// estimates; SI.
 pub(super) fn json(fit: &Fit, refits: &[Refit], options: &Bootstrap) -> Value {
     let converged: Vec<&[f64]> = refits
         .iter()

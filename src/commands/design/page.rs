@@ -308,7 +308,7 @@ fn circle(place: Vector2<f64>, radius: f64) -> Vec<Vector2<f64>> {
         .collect()
 }
 
-/// Cosines and sines of evenly spaced angles over a full circle.
+/// Cosine and sine of evenly spaced angles over a full circle, as points of the unit circle.
 fn round() -> impl Iterator<Item = (f64, f64)> {
     (0..=POINTS / 2).map(|k| {
         let (s, c) = (std::f64::consts::TAU * k as f64 / (POINTS / 2) as f64).sin_cos();

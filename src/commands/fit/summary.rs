@@ -196,8 +196,8 @@ pub fn digits(std_error: f64) -> i32 {
     }
 }
 
-/// Formats a number with the given number of decimals; nonzero magnitudes below 1e-3 in exponent notation, to the same
-/// decimal place.
+/// Formats a number with the given number of decimals. Nonzero magnitudes below 1e-3 are written with an exponent,
+/// rounded to the same decimal place.
 pub fn written(value: f64, digits: i32) -> String {
     if value != 0.0 && value.abs() < 1e-3 {
         let size = value.abs().log10().floor() as i32;
@@ -206,7 +206,7 @@ pub fn written(value: f64, digits: i32) -> String {
     format!("{value:.*}", digits.clamp(0, 8) as usize)
 }
 
-/// Sentence on a large ratio of cluster-robust to Cramér–Rao standard errors; `None` if no ratio is large.
+/// Sentence that warns of large ratios of cluster-robust to Cramér–Rao standard errors; `None` if no ratio is large.
 fn scatter(report: &FitReport) -> Option<String> {
     let worst = report
         .coefficients

@@ -13,7 +13,8 @@ use super::template::Template;
 use super::{no_throw, up_of};
 use crate::cli::Import;
 
-/// Maximum magnitude of the value of `--centre-height`, m; larger values suggest millimetres.
+/// Maximum magnitude of the value of `--centre-height` (height of the centre of mass), m; larger values suggest
+/// millimetres.
 const MAX_HEIGHT: f64 = 2.0;
 
 /// A template (the marker positions on the body) estimated from recordings, a text on how it was estimated, and for
@@ -127,15 +128,16 @@ pub fn estimated(
     })
 }
 
-/// A valid marker name made from a label: every character except letters, digits, `_`, `-` and `.` is replaced by `_`.
+/// Valid marker name made from the label of a recording: every character except letters, digits, `_`, `-` and `.` is
+/// replaced by `_`.
 pub(super) fn name(label: &str) -> String {
     let is_kept = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '.');
     let each = label.chars().map(|c| if is_kept(c) { c } else { '_' });
     each.collect()
 }
 
-/// Labels of the points that move as one rigid body in all recordings, and labels of the remaining points, both in the
-/// order of first occurrence.
+/// Labels of the points that move as one rigid body in all recordings, and labels of the remaining points; each list is
+/// in the order of first occurrence.
 fn labels(thrown: &[(Take, Throws)]) -> (Vec<String>, Vec<String>) {
     let is_rigid = |label: &String| thrown.iter().all(|(_, found)| found.labels.contains(label));
     let mut all: Vec<String> = Vec::new();

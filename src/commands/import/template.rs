@@ -22,12 +22,14 @@ pub struct Template {
     pub markers: Vec<Marker>,
 }
 
-/// Recorded points, or the recorded rigid body, from which the positions of a template's markers (the declared markers
-/// of the thrown body) are obtained.
+/// Recorded points, or the recorded rigid body, from which the positions of the declared markers of the thrown body
+/// (the template) are obtained.
 pub enum Followed {
-    /// The index of a point of the recording for each marker, in the order of the template.
+    /// For each marker of the template (declared markers of the thrown body), in its order, the index of a point of the
+    /// recording.
     Points(Vec<usize>),
-    /// The index of a body of the recording, and the positions, m, of the template's markers on this body.
+    /// Index of a tracked body of the recording, and the positions, m, of the declared markers (the template) on this
+    /// body.
     Pose(usize, Vec<[f64; 3]>),
 }
 
@@ -158,8 +160,8 @@ impl Followed {
         }
     }
 
-    /// Positions of the template's markers in a sample of the recording `take`, m; `None` for a marker that was not
-    /// seen.
+    /// Positions of the declared markers (the template) in a sample of the recording `take`, m; `None` for a marker
+    /// that was not seen.
     pub fn positions(&self, take: &Take, sample: usize) -> Vec<Option<[f64; 3]>> {
         match self {
             Self::Points(points) => points

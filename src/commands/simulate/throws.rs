@@ -13,7 +13,8 @@ pub fn are_enough(options: &ThrowOptions) -> bool {
     options.speed.is_some() || options.techdisc.is_some()
 }
 
-/// Loads the model that the options name, and creates a release for it; see [`at_defaults`].
+/// Loads the model that the options name, and creates a release (launch conditions) with the model's default values and
+/// without wind, whose simulation ends at the ground.
 pub fn bare(options: &Simulate) -> anyhow::Result<(Model, Release)> {
     let Some(name) = &options.model else {
         bail!(
