@@ -19,8 +19,8 @@ const MAX_BYTES: u64 = 1_000_000;
 /// value is an error.
 const MAX_SECONDS: f64 = 60.0;
 
-/// Runs `hyzer diff`: compares two models. Returns `Answer::No` if the time derivatives of the states differ between
-/// the models.
+/// Runs `hyzer diff`: compares two models. Returns `Answer::No` if they differ in a time derivative of a state, a
+/// component of the measurement equation or a limit of validity.
 pub fn run(options: &Diff) -> anyhow::Result<Answer> {
     if !(options.seconds > 0.0 && options.seconds <= MAX_SECONDS) {
         bail!(

@@ -2,10 +2,10 @@
 
 use crate::unit::{LengthUnit, TimeUnit};
 
-/// Content of a table column, derived from the column's name.
+/// Content of a column of a table of motion-capture data, derived from the column's name.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Column {
-    /// Label of the point or body; empty if the name contains none.
+    /// Label of the recorded point or body to which the column belongs; empty if the column name contains none.
     pub label: String,
     pub quantity: Quantity,
 }

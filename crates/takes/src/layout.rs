@@ -19,7 +19,7 @@ pub(crate) const MAX_LABELS: usize = 4096;
 /// rotation matrix.
 const ROTATION_TOLERANCE: f64 = 0.02;
 
-/// Source of the time of a table row.
+/// Source of the time of each row in a table of motion-capture data.
 pub(crate) enum Clock {
     /// Index of the column of times, and the length of the time unit, s.
     Column(usize, f64),
@@ -30,7 +30,7 @@ pub(crate) enum Clock {
     Count(f64),
 }
 
-/// Column indices of the attitude of a body.
+/// Indices of the table columns that contain the attitude of a body.
 pub(crate) enum Attitude {
     /// Columns of the unit quaternion w, x, y, z of the rotation from body to room.
     Quaternion([usize; 4]),
@@ -38,15 +38,17 @@ pub(crate) enum Attitude {
     Matrix([usize; 9]),
 }
 
-/// Column indices of the coordinates and the quaternion of one point or body, as far as they were found.
+/// Indices of the table columns with the coordinates and the quaternion of one point or body; `None` for those that
+/// were not found.
 #[derive(Default)]
 pub(crate) struct TrackColumns {
     pub position: [Option<usize>; 3],
-    /// Components in the order w, x, y, z.
+    /// Indices of the columns with the components w, x, y, z, in this order.
     pub quaternion: [Option<usize>; 4],
 }
 
-/// Columns of each point and body of a table, found by a key such as its label, in the order of the file.
+/// Columns of each point and body of a table of motion-capture data, found by a key such as its label, in the order of
+/// the file.
 pub(crate) struct Tracks<K> {
     pub list: Vec<(K, TrackColumns)>,
     indices: BTreeMap<K, usize>,
@@ -73,7 +75,7 @@ impl<K: Ord + Clone> Tracks<K> {
     }
 }
 
-/// Columns of a table, and how their values are read.
+/// Columns of a table of motion-capture data, and how their values are read.
 pub(crate) struct Layout {
     pub format: Format,
     pub clock: Clock,
@@ -82,7 +84,7 @@ pub(crate) struct Layout {
     pub bodies: Vec<(String, [usize; 3], Attitude)>,
     /// Number of cells in each row.
     pub width: usize,
-    /// Whether a position of exactly 0, 0, 0 marks a missing value.
+    /// Whether a position of exactly 0, 0, 0 stands for a missing measurement.
     pub zero_is_gap: bool,
     pub notes: Vec<String>,
     /// Number of rows specified in the header of the file; `None` if none is specified.

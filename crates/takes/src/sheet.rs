@@ -6,7 +6,8 @@ use crate::error::{Fault, Location};
 use crate::number::number;
 use crate::words::shown;
 
-/// Cell separator of a line: the tab, else the semicolon, if the line contains one outside quotes; otherwise the comma.
+/// Cell separator of a line of a table: the tab, else the semicolon, if the line contains one outside quotes; otherwise
+/// the comma.
 pub(crate) fn separator(line: &str) -> u8 {
     let mut quoted = false;
     let mut bare = line.to_owned();
@@ -20,7 +21,7 @@ pub(crate) fn separator(line: &str) -> u8 {
         .unwrap_or(b',')
 }
 
-/// Row-by-row reader of a table; skips comment lines, which begin with `#`.
+/// Row-by-row reader of a text table; skips comment lines, which begin with `#`.
 pub(crate) struct Sheet<'t> {
     text: &'t str,
     reader: Reader<&'t [u8]>,
@@ -80,19 +81,19 @@ impl<'t> Sheet<'t> {
         }
     }
 
-    /// Line number of the current row, counted from 1.
+    /// Line number of the current row of the table, counted from 1.
     pub fn line(&self) -> usize {
         self.line
     }
 
-    /// Number of cells of the current row, not counting empty cells at its end.
+    /// Number of cells of the current row of the table, not counting empty cells at its end.
     pub fn filled(&self) -> usize {
         let cells = self.record.iter().zip(1..);
         let filled = cells.filter(|(cell, _)| !cell.trim().is_empty());
         filled.last().map_or(0, |(_, number)| number)
     }
 
-    /// Number of cells of the current row, including empty ones.
+    /// Number of cells of the current row of the table, including empty ones.
     pub fn width(&self) -> usize {
         self.record.len()
     }
@@ -151,7 +152,7 @@ impl<'t> Sheet<'t> {
         }
     }
 
-    /// Error located at a cell of the current row.
+    /// Error whose location is a cell of the current row of the table.
     pub fn fault(
         &self,
         index: usize,

@@ -6,18 +6,18 @@ use super::{C3dError, Deviation, refuse};
 /// Maximum frame number that the 16-bit words of the header can state; as the number of the last frame it may also mean
 /// any greater number.
 const LAST_OF_HEADER: u32 = 0xffff;
-/// Exclusive upper bound of the number of padding bytes after the last frame.
+/// Number of bytes after the last frame of a C3D file below which they count as padding.
 const PADDING: usize = 512;
 
-/// Frame number of the first frame, and number of frames.
+/// Number of the first frame in a C3D file, and number of frames.
 pub(super) struct Extent {
     pub first: u32,
     pub count: usize,
 }
 
-/// Quantities that determine the size of a frame and the position of the data in the file.
+/// Quantities that determine the size of a frame (one sample of all points) in a C3D file and the position of the data.
 pub(super) struct Layout {
-    /// Size of one stored number, bytes.
+    /// Size of one stored number of the C3D file, bytes.
     pub width: usize,
     pub points: usize,
     /// Number of analogue words per frame, as the header states it.

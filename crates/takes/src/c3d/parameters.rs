@@ -10,7 +10,7 @@ use super::{C3dError, refuse};
 /// used.
 const MAX_ENTRIES: usize = 20_000;
 
-/// C3D parameters by group and name, both in upper case.
+/// Parameters of a C3D file by group and name, both in upper case.
 pub(super) struct Parameters<'a> {
     groups: BTreeMap<String, u8>,
     parameters: BTreeMap<(u8, String), Parameter<'a>>,
@@ -195,8 +195,8 @@ impl<'a> Parameters<'a> {
         Ok(first.or(whole))
     }
 
-    /// Labels from the parameters LABELS, LABELS2, …, each of which contains at most 255 labels. Only the first
-    /// `points` labels are returned; there may be fewer.
+    /// Labels of the points from the parameters LABELS, LABELS2, …, each of which contains at most 255 labels. Only the
+    /// first `points` labels are returned; there may be fewer.
     pub fn labels(&self, points: usize) -> Result<Vec<String>, C3dError> {
         let mut labels = Vec::new();
         for number in 1.. {

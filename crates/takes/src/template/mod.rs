@@ -27,26 +27,27 @@ pub struct FreeFlight<'a> {
 /// Body template estimated from free flights: marker positions and centre of mass, with their uncertainty.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EstimatedTemplate {
-    /// Markers, in the order of the given labels.
+    /// Markers with their estimated positions, in the order of the given labels.
     pub markers: Vec<EstimatedMarker>,
-    /// Standard deviation of one coordinate of a measured position, m.
+    /// Estimated standard deviation of one coordinate of a measured marker position, m.
     pub sigma: f64,
-    /// Source of the position of the centre of mass along the spin axis.
+    /// Source of the height of the centre of mass along the spin axis.
     pub height: CentreHeight,
-    /// Standard error of the direction of the third axis, rad: the greatest over the directions normal to it.
+    /// Standard error of the direction of the third body axis (the spin axis), rad: the greatest over the directions
+    /// normal to it.
     pub tilt_error: f64,
-    /// Number of flights that begin with the third axis upwards and downwards; the direction of the third axis is that
-    /// of the majority. `None` if the two numbers are equal.
+    /// Number of flights that begin with the third body axis (the spin axis) upwards and downwards; the axis points in
+    /// the direction of the majority. `None` if the two numbers are equal.
     pub up: Option<UpVote>,
-    /// Index of the marker that the first axis points to.
+    /// Index of the marker that the first body axis points to.
     pub first: usize,
     /// Number of flights with at least one usable pose.
     pub flights: usize,
-    /// Number of samples whose attitude was determined.
+    /// Number of samples, over all flights, in which the attitude of the body was determined.
     pub samples: usize,
-    /// Number of marker positions left out as outliers.
+    /// Number of measured marker positions left out as outliers.
     pub outliers: usize,
-    /// Number of turns of the body about its axis, summed over all flights.
+    /// Number of turns of the body about its spin axis, summed over all flights.
     pub turns: f64,
 }
 
@@ -55,10 +56,10 @@ pub struct EstimatedTemplate {
 pub struct EstimatedMarker {
     /// Label of the marker in the recording.
     pub label: String,
-    /// Position in the body frame, m.
+    /// Position of the marker in the body frame, m.
     pub position: [f64; 3],
-    /// Standard errors of the position, m. If the height of the centre of mass was not estimated, the third value is
-    /// the error of the marker's height relative to the other markers only.
+    /// Standard errors of the marker position along the body axes, m. If the height of the centre of mass was not
+    /// estimated, the third value is the error of the marker's height relative to the other markers only.
     pub std_error: [f64; 3],
 }
 
@@ -72,7 +73,7 @@ pub enum CentreHeight {
         /// Standard error of the height, m.
         std_error: f64,
     },
-    /// Stated by the user.
+    /// The height is stated by the user.
     Stated {
         /// Stated height of the centre of mass along the spin axis, relative to the mean of the markers, m.
         height: f64,
@@ -88,12 +89,12 @@ pub enum CentreHeight {
     },
 }
 
-/// Numbers of flights that begin with the third axis upwards and downwards.
+/// Numbers of flights that begin with the third body axis (the spin axis) upwards and downwards.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UpVote {
-    /// Number of flights with the third axis upwards at the release.
+    /// Number of flights with the third body axis upwards at the release.
     pub for_it: usize,
-    /// Number of flights with the third axis downwards at the release.
+    /// Number of flights with the third body axis downwards at the release.
     pub against: usize,
 }
 
@@ -164,7 +165,7 @@ impl EstimatedTemplate {
     }
 }
 
-/// Formats a count with its noun in the singular or plural.
+/// Formats a count with its noun in the singular or plural, such as `1 flight` or `2 flights`.
 fn count(number: usize, noun: &str) -> String {
     match number {
         1 => format!("1 {noun}"),
