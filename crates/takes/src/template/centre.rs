@@ -51,8 +51,8 @@ pub(super) struct Centre {
     pub turns: f64,
 }
 
-/// Quantities that determine the covariance of one pose of the body, per unit variance of a measured coordinate; they
-/// depend only on the markers used for the pose.
+/// Poses of the body in one flight, with the noise of each pose and the degree of the polynomials that are fitted to
+/// trajectories of body points.
 struct Motion {
     times: Vec<f64>,
     centres: DMatrix<f64>,

@@ -90,7 +90,7 @@ pub(super) fn template(
     }
 }
 
-/// Square root of the greatest eigenvalue of a covariance matrix.
+/// Square root of the greatest eigenvalue of a covariance matrix: the greatest standard deviation in any direction.
 fn greatest(covariance: &Matrix3<f64>) -> f64 {
     covariance.symmetric_eigenvalues().max().max(0.0).sqrt()
 }

@@ -71,7 +71,7 @@ pub enum Cause {
     Recording,
 }
 
-/// Beginning or end of a free flight in a recording.
+/// Beginning or end of a free flight in a recording, with its cause.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cut {
     /// Index, in the recording, of the first or the last sample of the free flight.
@@ -102,14 +102,14 @@ impl Throw {
     }
 }
 
-/// Throws in a recording, and notes on the search for them.
+/// Throws found in a recording, and notes on the search for them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Throws {
     /// Throws in the order of time.
     pub throws: Vec<Throw>,
     /// Labels of the points that move as one body, or of the tracked body.
     pub labels: Vec<String>,
-    /// Notes on candidates that do not count as throws, such as free motion of too short a duration, with the reason.
+    /// Notes on motions that do not count as throws, such as free motion of too short a duration, with the reason.
     pub notes: Vec<String>,
 }
 
@@ -144,7 +144,7 @@ pub fn find_throws(take: &Take, labels: &[&str], options: &ThrowOptions) -> Thro
     found
 }
 
-/// Ranges of at least 3 consecutive samples around which local quadratic fits (`windows`) show free flight, as indices
+/// Ranges of at least 3 consecutive samples in free flight according to the local quadratic fits `windows`, as indices
 /// in the track (samples in which the body is seen).
 fn runs(track: &Track, windows: &[Option<Window>], options: &ThrowOptions) -> Vec<Range<usize>> {
     let noise = windows::noise(windows);
@@ -245,7 +245,8 @@ fn cause(track: &Track, stop: &Stop, change: &Change, early: bool) -> Cause {
     }
 }
 
-/// Removes flights that are too short or that follow the impact of an earlier flight; adds a note on each.
+/// Removes flights that are too short and flights that only follow the impact of an earlier flight; adds a note on
+/// each.
 fn select(found: &mut Throws, options: &ThrowOptions) {
     let mut kept: Vec<Throw> = Vec::new();
     let mut last_end: Option<Cut> = None;
@@ -285,7 +286,7 @@ fn norm(a: [f64; 3]) -> f64 {
     dot(a, a).sqrt()
 }
 
-/// Distance of two positions, m.
+/// Distance between two positions, m.
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     norm([b[0] - a[0], b[1] - a[1], b[2] - a[2]])
 }

@@ -6,9 +6,10 @@ use super::cluster::rigid_points;
 use crate::take::Take;
 use crate::words::listed;
 
-/// Minimum number of points that move as one body for their attitude to be computed.
+/// Minimum number of points that move as one body for the attitude of the body to be computed.
 const ATTITUDE: usize = 3;
-/// Minimum extent across their longest direction, m, of points that move as one body for their attitude to be computed.
+/// Minimum extent, across their longest direction, of points that move as one body for the attitude of the body to be
+/// computed, m.
 const EXTENT: f64 = 0.01;
 
 /// Motion of the tracked points or of the tracked body in a recording, over the samples in which it is seen.
@@ -23,7 +24,7 @@ pub(super) struct Track {
     /// Rotations from the body-fixed axes of the tracked points to the axes of the room, one per sample; empty if the
     /// attitude is not computed.
     rotations: Vec<Matrix3<f64>>,
-    /// Median time between samples, s.
+    /// Median time between consecutive samples in which the body is seen, s.
     pub step: f64,
 }
 
