@@ -22,7 +22,7 @@ pub enum ThrowFlightError {
     /// The flight cannot be computed, leaves the model's limits or does not end.
     #[error(transparent)]
     Integration(#[from] IntegrationError),
-    /// The position of the mass centre is not part of the state, so no landing can be detected.
+    /// The position of the mass centre is not given by three states of the model, so no landing can be detected.
     #[error(
         "the position of the body of the model {model} is not three of its states; expected a model whose body states \
          `position (x, y, z)`"
@@ -119,13 +119,13 @@ pub struct ThrowFlights<'b> {
     /// The body that flies.
     pub body: &'b ThrownBody,
     pub(crate) bound: BoundModel<'b>,
-    /// Parameter values, in the order of the compiled model's parameters.
+    /// Parameter values of the model, in the order of the compiled model's parameters.
     pub parameters: Vec<f64>,
 }
 
 impl ThrowFlights<'_> {
-    /// State at release that has the motion of a throw. `near` is the release state of a similar throw, which speeds
-    /// up the search.
+    /// State at release at which the motion is that of the throw. `near` is the release state of a similar throw, which
+    /// speeds up the search.
     ///
     /// # Errors
     /// [`ThrowError`] if no state has the motion of the throw.
@@ -137,7 +137,7 @@ impl ThrowFlights<'_> {
         }
     }
 
-    /// Integrates the flight from a release state to the ground, without derivatives.
+    /// Integrates the flight from a release state (initial state) to the ground, without derivatives.
     ///
     /// # Errors
     /// [`IntegrationError`] if the integration fails, or the flight leaves the model's limits or does not end.
@@ -169,8 +169,9 @@ impl ThrowFlights<'_> {
         Sensitivities::new(rhs, &vec![0; of_throw], of_parameters)
     }
 
-    /// Derivative of the release state with respect to a parameter, from central differences. It is 0 unless the throw
-    /// has a wobble or the parameter affects how the state determines the motion of the body.
+    /// Derivative of the release state (initial state) of a throw with respect to a parameter, from central
+    /// differences. It is 0 unless the throw has a wobble or the parameter affects how the state determines the motion
+    /// of the body.
     pub(crate) fn state_by_parameter(
         &self,
         throw: &Throw,

@@ -88,7 +88,7 @@ pub fn share_of(count: u64, (share, of): (u64, u64)) -> Result<std::ops::Range<u
     Ok(bound(share - 1)..bound(share))
 }
 
-/// Folder that holds the parts and the results of one computation.
+/// Folder that holds the parts and the results of one computation that is done in parts.
 pub struct PartsFolder {
     path: PathBuf,
     fingerprint: String,

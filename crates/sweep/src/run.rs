@@ -35,11 +35,11 @@ pub struct SweepOptions<'a> {
     pub progress: &'a (dyn Fn(u64) + Sync),
 }
 
-/// Maximum number of parts (blocks of consecutive flights), per thread, that may be computed ahead of the first part
-/// not yet merged into the summary; it bounds the memory.
+/// Maximum number of parts (blocks of consecutive flights), per thread, that are computed while an earlier part is not
+/// yet merged into the summary; it bounds the memory.
 const AHEAD: u64 = 8;
 
-/// File name of the table of all flights.
+/// File name of the Parquet table of all flights of the sweep.
 const FLIGHTS: &str = "flights.parquet";
 
 /// Simulates the flights of a plan and writes `flights.parquet` and `summary.json` to the folder `out`, which is new,

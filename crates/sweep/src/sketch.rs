@@ -3,25 +3,26 @@
 
 /// Maximum relative error of a quantile that is estimated from a [`Sketch`].
 pub(crate) const ACCURACY: f64 = 1e-4;
-/// Smallest magnitude that the bins resolve. Smaller nonzero magnitudes are counted in the bin of their sign that is
-/// nearest to zero.
+/// Smallest magnitude that the bins of the quantile sketch resolve. Smaller nonzero magnitudes are counted in the bin
+/// of their sign that is nearest to zero.
 const MIN_MAGNITUDE: f64 = 1e-9;
-/// Maximum bin number, which counts all magnitudes of about 1e12 and above; together with [`MIN_MAGNITUDE`] it limits
-/// the number of bins and thus the memory.
+/// Maximum bin number of the quantile sketch, which counts all magnitudes of about 1e12 and above; together with
+/// [`MIN_MAGNITUDE`] it limits the number of bins and thus the memory.
 const MAX_BIN: i32 = 242_000;
 
-/// Quantile sketch: (bin, count) pairs of the nonempty bins, in ascending order of the values. Negative bins hold
-/// negative values, and bin 0 holds zeros.
+/// Counts of values in logarithmic bins, from which quantiles are estimated: (bin, count) pairs of the nonempty bins,
+/// in ascending order of the values. Negative bins hold negative values, and bin 0 holds zeros.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Sketch(Vec<(i32, u64)>);
 
-/// Logarithm of the ratio of the upper to the lower bound of a bin.
+/// Natural logarithm of the ratio of the upper to the lower bound of a bin of the quantile sketch; all bins have the
+/// same ratio.
 fn log_ratio() -> f64 {
     ((1.0 + ACCURACY) / (1.0 - ACCURACY)).ln()
 }
 
 impl Sketch {
-    /// Sketch of the values, none of which may be NaN.
+    /// Counts the values in the bins; none of the values may be NaN.
     pub(crate) fn of(values: impl Iterator<Item = f64>) -> Sketch {
         let one_over = 1.0 / log_ratio();
         let class = |value: f64| {
@@ -66,7 +67,7 @@ impl Sketch {
         self.0 = merged;
     }
 
-    /// Estimate of the `q` quantile of the values, `q` in 0 to 1; NaN if the sketch is empty.
+    /// Estimate of the quantile of the counted values at the probability `q`, from 0 to 1; NaN if there are no values.
     pub(crate) fn quantile(&self, q: f64) -> f64 {
         let total: u64 = self.0.iter().map(|(_, count)| count).sum();
         let rank = q * (total.saturating_sub(1)) as f64;

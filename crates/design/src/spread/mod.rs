@@ -36,7 +36,7 @@ impl Default for SampleOptions {
     }
 }
 
-/// Spread of the landings of a throw.
+/// Spread of the landings of a throw whose quantities, wind and parameters vary at random.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spread {
     /// Distribution of landings by linear propagation of the scatter (to first order).
@@ -72,8 +72,8 @@ pub struct Agreement {
 /// deviations, and maximum relative difference of their standard deviations.
 pub const TOLERATED: f64 = 0.15;
 
-/// Spread of the landings of a throw. `(aim, circle)` are the aim on the ground and the radius of the landing circle,
-/// m.
+/// Spread of the landings of a throw that varies at random. `(aim, circle)` are the aim on the ground and the radius of
+/// the landing circle about it, m.
 ///
 /// # Errors
 /// [`ThrowFlightError`] if the throw itself, without scatter, cannot be flown.

@@ -13,9 +13,9 @@ use super::linear::Landings;
 use super::scattered::Scattered;
 use crate::throw_flight::{By, ThrowFlights};
 
-/// Number of distances from the release at which the quantile bands of the paths are computed.
+/// Number of distances from the release at which the quantiles of the sampled paths are computed.
 const STATIONS: usize = 40;
-/// Probabilities of the quantiles in each [`Band`].
+/// Probabilities of the quantiles of lateral offset and height in each [`Band`].
 pub const QUANTILES: [f64; 3] = [0.05, 0.5, 0.95];
 
 /// Landings and paths of sampled flights, whose throws are drawn at random from the scatter.

@@ -83,7 +83,7 @@ pub fn oracle_path(flights: &ThrowFlights<'_>, throw: &Throw) -> Vec<Vector3<f64
     panic!("the flight does not end");
 }
 
-/// Minimum distance between the points of a path and a given point, m.
+/// Minimum distance, m, between the point `to` and a path, given by points that are joined by straight segments.
 pub fn distance(path: &[Vector3<f64>], to: Vector3<f64>) -> f64 {
     let pairs = path.windows(2).map(|pair| {
         let along = pair[1] - pair[0];
