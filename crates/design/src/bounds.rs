@@ -31,8 +31,8 @@ pub struct Scatter {
     pub release: Vec<(usize, f64)>,
     /// Standard deviations of the components x, y, z of a constant wind, m/s.
     pub wind: [f64; 3],
-    /// Default ranges of the quantities of a throw: name, minimum and maximum, in the units given in [`FIELDS`]. They
-    /// are typical of good throwers, with a release at the height of the hand.
+    /// Standard deviations of parameters and coefficients of the model: (index among the parameters of the compiled
+    /// model, value in the parameter's unit).
     pub parameters: Vec<(usize, f64)>,
 }
 
